@@ -1,0 +1,66 @@
+// People as the rest of the program takes them: a body for the simulation, a skinned mesh for the eye.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/base/result.h"
+#include "sim/base/vec.h"
+#include "sim/pose/body.h"
+
+namespace flaneur {
+
+// What a vertex is made of, so that walkers who share a mesh can differ in colour.
+enum class Tint : uint8_t { none, skin, hair, top, bottom, shoes, accent };
+inline constexpr int k_tint_count = 7;
+
+struct CharacterVertex {
+    Vec3 position, normal;             // bind pose, model space: metres, +y up, facing +z
+    float u = 0, v = 0;                // glTF convention: (0, 0) is the upper left corner of the texture
+    uint32_t colour = 0xffffffff;      // sRGB, R in the lowest byte; multiplies texture and tint
+    uint16_t texture = k_no_texture;   // index into Character::textures
+    Tint tint = Tint::none;
+    uint8_t joints[4] = {0, 0, 0, 0};  // Joint
+    uint8_t weights[4] = {255, 0, 0, 0};  // sum to 255, falling
+    static constexpr uint16_t k_no_texture = 0xffff;
+};
+
+// 8-bit sRGB with straight alpha, rows from the top.
+struct Texture {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgba;
+};
+
+struct Character {
+    std::string name;
+    Body body;
+    // A vertex v bound to joint j stands, in the canonical pose, at
+    // body.joints[j] + rotate(bind_to_canonical[j], v - bind_joints[j]).
+    std::array<Vec3, k_joint_count> bind_joints;
+    std::array<Quat, k_joint_count> bind_to_canonical;
+    std::vector<CharacterVertex> vertices;
+    std::vector<std::vector<uint32_t>> lods;  // triangle lists over `vertices`, finest first, at least one
+    std::vector<Texture> textures;            // base colours
+    std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
+};
+
+// A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names as hints;
+// units and axes are made canonical. Refuses, by name of what is missing, what cannot be mapped.
+Result<Character> load_character(const std::string& path);
+
+struct PersonOptions {
+    uint64_t seed = 1;
+    float height = 1.72f;  // metres
+    bool woman = false;
+};
+
+// A person made by the built-in generator. The same options give the same mesh.
+Character generate_person(const PersonOptions& options);
+
+// Appends the levels of detail after the first: about 1500, 500, 180 and 60 triangles, skipping those that would
+// not be coarser than the one before; orders indices and vertices for the vertex cache.
+void build_lods(Character& character);
+
+}  // namespace flaneur

@@ -1,0 +1,32 @@
+// A scene: what to simulate and from where to look. Built-in ones are the files of assets/scenes, compiled in.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/base/result.h"
+
+namespace flaneur {
+
+struct Scene {
+    std::string name = "district";
+    std::string city;                     // an OpenStreetMap file; empty: the built-in district
+    std::vector<std::string> characters;  // glTF files; empty: the built-in people
+    int walkers = 500;                    // 0..100,000
+    uint64_t seed = 1;
+    int blocks = 4;                       // size of the built-in district
+    std::string camera = "street";        // as --camera takes it
+    float sun_height = 25;                // degrees above the horizon
+    float sun_heading = 235;              // degrees clockwise from north, where the sun stands
+};
+
+// A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are refused.
+Result<Scene> load_scene(const std::string& name_or_path);
+
+// Names of the built-in scenes, sorted.
+std::vector<std::string> scene_names();
+
+inline constexpr int k_max_walkers = 100'000;
+
+}  // namespace flaneur

@@ -1,0 +1,81 @@
+// What the renderer is handed: plain data, no simulation types. A scene is uploaded once; a frame is what moves.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "renderer/shared.h"
+
+namespace flaneur {
+
+struct CityVertex {
+    glm::vec3 position;   // metres
+    uint32_t colour;      // sRGB, R in the lowest byte
+    glm::vec2 uv;         // metres, meaning depends on the material
+    int8_t normal[4];     // unit vector * 127; [3] unused
+    uint16_t material;    // k_material_*
+    uint16_t extra;       // facades: storey height in centimetres, top bit set where there is a shop front
+};
+
+struct CityMesh {
+    std::vector<CityVertex> vertices;
+    std::vector<uint32_t> indices;
+};
+
+struct PersonVertex {
+    glm::vec3 position;        // bind pose, metres
+    uint32_t colour;           // sRGB, R in the lowest byte
+    glm::vec2 uv;
+    int8_t normal[4];          // unit vector * 127; [3]: tint, 0..k_tints-1
+    uint8_t joints[4];
+    uint8_t weights[4];        // sum to 255, falling
+    uint32_t texture;          // index into PersonMesh::textures, or ~0u
+};
+
+struct RgbaImage {
+    uint32_t width = 0, height = 0;
+    std::vector<uint8_t> rgba;  // sRGB, rows from the top
+};
+
+struct PersonMesh {
+    std::vector<PersonVertex> vertices;
+    std::vector<std::vector<uint32_t>> lods;  // triangle lists, finest first
+    std::vector<RgbaImage> textures;
+};
+
+struct SceneMeshes {
+    CityMesh city;
+    std::vector<PersonMesh> people;
+};
+
+// One walker of a frame.
+struct WalkerDraw {
+    glm::vec3 centre;      // of a sphere that holds the body, metres
+    float radius = 1;
+    uint32_t mesh = 0;     // index into SceneMeshes::people
+    WalkerInstance instance;
+};
+
+struct Camera {
+    glm::vec3 eye{0, 1.6f, 0};
+    glm::vec3 target{0, 1.6f, 1};
+    float vertical_fov = 0.6f;  // radians
+    float near_plane = 0.1f;    // metres; the far plane is at infinity (reversed depth)
+};
+
+struct Sun {
+    glm::vec3 direction{0.4f, 0.42f, 0.8f};  // towards the sun, unit
+};
+
+// Everything that may change from frame to frame.
+struct FrameInput {
+    Camera camera;
+    Sun sun;
+    std::span<const WalkerDraw> walkers;
+    std::span<const JointTransform> palette;  // k_palette_joints for each walker that refers to it
+};
+
+}  // namespace flaneur

@@ -1,0 +1,87 @@
+// Lanes: up to sixteen floats that go through a formula together, and plain float with the same operations, so that
+// a kernel is written once as a template over T = float or T = Lanes. Compiled once for every instruction set by
+// Highway; included by kernels between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE only through this pattern.
+//
+// Only operations whose IEEE result is exact to the last bit are here: no fused multiply-add, no estimates.
+#if defined(FLANEUR_SIM_BASE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_BASE_LANES_INL_H
+#undef FLANEUR_SIM_BASE_LANES_INL_H
+#else
+#define FLANEUR_SIM_BASE_LANES_INL_H
+#endif
+
+#include <cmath>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using LaneTag = hn::CappedTag<float, 16>;
+
+struct LaneMask {
+    hn::Mask<LaneTag> m;
+};
+struct Lanes {
+    hn::Vec<LaneTag> v;
+    Lanes() = default;
+    HWY_INLINE Lanes(hn::Vec<LaneTag> value) : v(value) {}
+    HWY_INLINE Lanes(float value) : v(hn::Set(LaneTag(), value)) {}
+};
+HWY_INLINE size_t lane_count() { return hn::Lanes(LaneTag()); }
+
+HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return hn::Add(a.v, b.v); }
+HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return hn::Sub(a.v, b.v); }
+HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return hn::Mul(a.v, b.v); }
+HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return hn::Div(a.v, b.v); }
+HWY_INLINE Lanes operator-(Lanes a) { return hn::Neg(a.v); }
+HWY_INLINE LaneMask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
+HWY_INLINE LaneMask operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
+HWY_INLINE LaneMask operator<=(Lanes a, Lanes b) { return {hn::Le(a.v, b.v)}; }
+HWY_INLINE LaneMask operator>=(Lanes a, Lanes b) { return {hn::Ge(a.v, b.v)}; }
+HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
+HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
+
+HWY_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) { return hn::IfThenElse(m.m, a.v, b.v); }
+HWY_INLINE Lanes root(Lanes a) { return hn::Sqrt(a.v); }
+HWY_INLINE Lanes absolute(Lanes a) { return hn::Abs(a.v); }
+HWY_INLINE Lanes rounded_down(Lanes a) { return hn::Floor(a.v); }
+HWY_INLINE void load(Lanes& to, const float* from) { to.v = hn::Load(LaneTag(), from); }
+HWY_INLINE void store(Lanes from, float* to) { hn::Store(from.v, LaneTag(), to); }
+
+HWY_INLINE float select(bool m, float a, float b) { return m ? a : b; }
+HWY_INLINE float root(float a) { return std::sqrt(a); }
+HWY_INLINE float absolute(float a) { return std::fabs(a); }
+HWY_INLINE float rounded_down(float a) { return std::floor(a); }
+HWY_INLINE void load(float& to, const float* from) { to = *from; }
+HWY_INLINE void store(float from, float* to) { *to = from; }
+
+// Of two equal zeros the second; NaN in `a` gives b.
+template <class T>
+HWY_INLINE T smaller(T a, T b) {
+    return select(a < b, a, b);
+}
+template <class T>
+HWY_INLINE T larger(T a, T b) {
+    return select(a > b, a, b);
+}
+template <class T>
+HWY_INLINE T clamped(T v, T low, T high) {
+    return smaller(larger(v, low), high);
+}
+template <class T>
+HWY_INLINE T mixed(T a, T b, T t) {
+    return a + (b - a) * t;
+}
+// 0 below 0, 1 above 1, 3t^2 - 2t^3 between.
+template <class T>
+HWY_INLINE T eased(T t) {
+    t = clamped(t, T(0.0f), T(1.0f));
+    return t * t * (T(3.0f) - T(2.0f) * t);
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,39 @@
+// Elementary functions that give the same bits on every compiler, instruction set and optimisation level: only
+// + - * / sqrt and comparisons inside. libm's differ between machines, so nothing that reaches simulation state may
+// use them. The formulas stand once, in math-inl.h, for single values and for lanes.
+#pragma once
+
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+inline constexpr float k_pi = 3.14159265358979f;
+inline constexpr float k_radians = k_pi / 180;  // one degree
+
+struct SinCos {
+    float sine, cosine;
+};
+// For |x| <= 10,000; within 2e-7 for |x| <= 10.
+SinCos sin_cos(float x);
+void sin_cos(float x, float* sine, float* cosine);
+
+// In (-pi, pi]; within 4e-7. 0 for (0, 0).
+float arctan2(float y, float x);
+
+// For x in [-1, 1], clamped; in [0, pi].
+float arccos(float x);
+
+// e^x for |x| <= 87; relative error under 2e-7.
+float exponential(float x);
+
+// Angles of heading: 0 faces +z, growing towards +x (to the walker's left).
+Vec2 heading_direction(float yaw);
+float heading_of(Vec2 direction);
+// `angle` brought into [-pi, pi].
+float wrap_angle(float angle);
+
+Quat rotation_x(float angle);
+Quat rotation_y(float angle);
+Quat rotation_z(float angle);
+
+}  // namespace flaneur

@@ -1,0 +1,120 @@
+// A city as plain arrays: what people stand on, bump into and touch, and what is drawn. One truth for eye and
+// foot: the triangles that `ground` reports are the triangles that the renderer draws.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+// What a piece of ground is. All but water can be walked on; navigation prefers some over others.
+enum class Surface : uint8_t { road, sidewalk, crossing, plaza, path, steps, grass, water };
+inline constexpr int k_surface_count = 8;
+
+// What a vertical face is. Facades and garden walls stop walkers and can be touched; kerbs and risers are stepped over.
+enum class FaceKind : uint8_t { facade, garden_wall, kerb, riser };
+
+// A vertical quad. Seen from its free side, `a` is the lower left corner and `b` the lower right one, so its
+// outward normal is cross(b - a, up). Bottom and top may slope.
+struct Face {
+    Vec3 a, b;
+    float a_top = 0, b_top = 0;  // heights (y, not extents) of the upper corners
+    FaceKind kind = FaceKind::facade;
+    uint32_t building = ~0u;  // index into City::buildings, or ~0u
+};
+
+struct Building {
+    float base = 0, top = 0;          // lowest ground and eaves, metres
+    float storey = 3.2f;              // height of a storey, for windows
+    uint8_t style = 0;                // index of a wall colour, see k_wall_colours in assets
+    uint8_t has_shop = 0;             // 1: a shop front at street level
+    uint32_t seed = 0;                // for everything that varies without meaning
+};
+
+enum class PropKind : uint8_t { tree, lamp, bench, bollard };
+
+struct Prop {
+    PropKind kind = PropKind::tree;
+    Vec3 position;     // on the ground
+    float yaw = 0;     // about +y from +z, radians
+    float height = 0;  // metres
+    float radius = 0;  // crown of a tree, metres
+    uint32_t seed = 0;
+};
+
+// A uniform grid over the ground plane: cell (i, j) holds items[first[c] .. first[c + 1]) with c = j * width + i.
+struct Grid {
+    Vec2 origin;
+    float cell = 4;
+    int width = 0, height = 0;
+    std::vector<uint32_t> first, items;
+};
+
+struct City {
+    std::string name;
+    Vec2 low, high;  // bounds on the ground plane
+
+    // Ground: triangles wound counter-clockwise seen from above (normals up), one kind each. Where a level
+    // stops at a kerb or a step, the edge is there twice, once at each height, with a Face between.
+    std::vector<Vec3> ground_vertices;
+    std::vector<uint32_t> ground_indices;  // three a triangle
+    std::vector<Surface> ground_kinds;     // one a triangle
+
+    std::vector<Face> faces;
+    std::vector<Building> buildings;
+
+    // Roofs and whatever else is only looked at: triangles, wound counter-clockwise from outside.
+    std::vector<Vec3> roof_vertices;
+    std::vector<uint32_t> roof_indices;
+    std::vector<uint32_t> roof_buildings;  // one a triangle: index into buildings
+
+    std::vector<Prop> props;
+
+    // Filled by index_city.
+    Grid triangle_grid, wall_grid;  // ground triangles; facades and garden walls
+
+    std::vector<std::string> notes;  // what an import skipped or repaired, a counted sentence each
+};
+
+// Builds the grids and bounds. To be called once, after the arrays are filled.
+void index_city(City& city);
+
+struct GroundHit {
+    float height = 0;
+    Vec3 normal{0, 1, 0};
+    Surface kind = Surface::road;
+};
+
+// The highest ground at `point`'s x, z whose height lies in [point.y - down, point.y + up]. None outside the city
+// or on a place without ground (inside a building).
+std::optional<GroundHit> ground(const City& city, Vec3 point, float up = 0.5f, float down = 3);
+
+struct RayHit {
+    float distance = 0;
+    Vec3 normal;
+    enum class What : uint8_t { ground, face } what = What::face;
+    uint32_t index = 0;  // of the triangle or the face
+};
+
+// The first ground triangle, facade or garden wall along origin + t * direction, 0 <= t <= reach.
+// `direction` is a unit vector. Faces and triangles are hit from both sides.
+std::optional<RayHit> raycast(const City& city, Vec3 origin, Vec3 direction, float reach);
+
+struct WallPoint {
+    Vec3 point;
+    Vec3 normal;  // out of the wall, horizontal
+    float distance = 0;
+    uint32_t face = 0;
+};
+
+// The closest point of any facade or garden wall within `radius` of `point`, at a height that the wall has.
+std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius);
+
+// The hash of everything above, notes and grids excepted.
+uint64_t hash_city(const City& city);
+
+}  // namespace flaneur

@@ -1,0 +1,75 @@
+// Where people can go and by which way: Recast builds the mesh from a City's ground, Detour answers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/base/result.h"
+#include "sim/base/vec.h"
+#include "sim/city/city.h"
+
+namespace flaneur {
+
+struct NavmeshSettings {
+    float cell = 0.2f;           // horizontal voxel, metres
+    float cell_height = 0.05f;   // vertical voxel, metres; must resolve a kerb
+    float agent_radius = 0.3f;   // kept from walls, metres
+    float agent_height = 1.9f;   // headroom, metres
+    float max_climb = 0.3f;      // highest kerb or step, metres
+    float max_slope_degrees = 40;
+    float tile = 48;             // edge of a tile, metres
+};
+
+struct Navmesh;  // dtNavMesh and one query object for each thread
+struct NavmeshDelete {
+    void operator()(Navmesh*) const;
+};
+using NavmeshPtr = std::unique_ptr<Navmesh, NavmeshDelete>;
+
+// A place on the mesh. `polygon` is Detour's reference; 0 is nowhere.
+struct NavPoint {
+    Vec3 position;
+    uint32_t polygon = 0;
+};
+
+// Builds on `threads` threads (0: all cores); tiles are put together in a fixed order, so the mesh does not depend
+// on the number of threads. `progress`, if given, is called with 0..1. Refuses a city without walkable ground.
+Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
+                                 const std::function<void(float)>& progress = {});
+
+// Sets up one query object for each of `threads` threads. Functions below that take `thread` may run at the same
+// time if their `thread`s differ, and give the same answer on every thread.
+void prepare_queries(Navmesh& mesh, int threads);
+
+// The closest place within `reach` (half extents), if there is one.
+std::optional<NavPoint> nearest(const Navmesh& mesh, int thread, Vec3 point, Vec3 reach = {2, 2, 2});
+
+// A random place by area among sidewalks, plazas, paths, crossings and steps, from three numbers in [0, 1).
+NavPoint random_place(const Navmesh& mesh, float u, float v, float w);
+
+// The number of the connected piece of mesh that a polygon belongs to (pieces are numbered by falling area).
+uint32_t island(const Navmesh& mesh, uint32_t polygon);
+
+// The corners of the cheapest way from `from` (exclusive) to `to` (inclusive), at most `capacity`, written to
+// `corners`; returns how many. Sidewalks, plazas and paths are cheap, crossings a little dearer, grass and roads dear.
+// A way that does not reach goes as near as it can. 0 if `from` is nowhere.
+int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity);
+
+// Moves along the mesh from `from` towards `to`, sliding along its borders: never through a wall. The result's
+// height is the mesh's, coarse; ask `ground` for the surface.
+NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
+
+// The distance to the mesh's border within `radius`, and the direction away from it.
+struct Border {
+    float distance = 0;
+    Vec3 point;
+};
+std::optional<Border> nearest_border(const Navmesh& mesh, int thread, NavPoint from, float radius);
+
+// Triangles for drawing and tests: three corners each.
+std::vector<Vec3> navmesh_triangles(const Navmesh& mesh);
+
+}  // namespace flaneur
