@@ -1,6 +1,7 @@
-// Lanes: up to sixteen floats that go through a formula together, and plain float with the same operations, so that
-// a kernel is written once as a template over T = float or T = Lanes. Compiled once for every instruction set by
-// Highway; included by kernels between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE only through this pattern.
+// Lanes: up to sixteen floats that go through a formula together, and plain float with the same operations,
+// so that a kernel is written once as a template over T = float or T = Lanes. Compiled once for every
+// instruction set by Highway; included by kernels between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE only
+// through this pattern.
 //
 // Only operations whose IEEE result is exact to the last bit are here: no fused multiply-add, no estimates.
 #if defined(FLANEUR_SIM_BASE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -10,9 +11,9 @@
 #define FLANEUR_SIM_BASE_LANES_INL_H
 #endif
 
-#include <cmath>
-
 #include <hwy/highway.h>
+
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

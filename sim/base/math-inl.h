@@ -20,11 +20,13 @@ struct SineCosine {
 template <class T>
 HWY_INLINE SineCosine<T> sine_cosine(T x) {
     T quarter = rounded_down(x * T(0.636619772f) + T(0.5f));
-    T r = ((x - quarter * T(1.5703125f)) - quarter * T(4.837512969970703125e-4f)) - quarter * T(7.5497899548918e-8f);
+    T r = ((x - quarter * T(1.5703125f)) - quarter * T(4.837512969970703125e-4f)) -
+          quarter * T(7.5497899548918e-8f);
     T r2 = r * r;
     T s = r + r * r2 * (T(-1.6666654611e-1f) + r2 * (T(8.3321608736e-3f) + r2 * T(-1.9515295891e-4f)));
     T c = T(1.0f) - T(0.5f) * r2 +
-          r2 * r2 * (T(4.166664568298827e-2f) + r2 * (T(-1.388731625493765e-3f) + r2 * T(2.443315711809948e-5f)));
+          r2 * r2 *
+              (T(4.166664568298827e-2f) + r2 * (T(-1.388731625493765e-3f) + r2 * T(2.443315711809948e-5f)));
     T turn = quarter - T(4.0f) * rounded_down(quarter * T(0.25f));  // 0, 1, 2 or 3
     auto odd = ((turn >= T(0.5f)) & (turn <= T(1.5f))) | (turn >= T(2.5f));
     T sine = select(odd, c, s), cosine = select(odd, s, c);
@@ -42,8 +44,9 @@ HWY_INLINE T arc_tangent(T y, T x) {
     auto upper = t > T(0.4142135623730950f);
     T u = select(upper, (t - T(1.0f)) / (t + T(1.0f)), t);
     T z = u * u;
-    T a = u + u * z * (T(-3.33329491539e-1f) +
-                       z * (T(1.99777106478e-1f) + z * (T(-1.38776856032e-1f) + z * T(8.05374449538e-2f))));
+    T a = u + u * z *
+                  (T(-3.33329491539e-1f) +
+                   z * (T(1.99777106478e-1f) + z * (T(-1.38776856032e-1f) + z * T(8.05374449538e-2f))));
     a = select(upper, a + T(0.785398163397448f), a);
     a = select(ay > ax, T(1.57079632679490f) - a, a);
     a = select(x < T(0.0f), T(3.14159265358979f) - a, a);

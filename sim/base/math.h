@@ -1,6 +1,7 @@
-// Elementary functions that give the same bits on every compiler, instruction set and optimisation level: only
-// + - * / sqrt and comparisons inside. libm's differ between machines, so nothing that reaches simulation state may
-// use them. The formulas stand once, in math-inl.h, for single values and for lanes.
+// Elementary functions that give the same bits on every compiler, instruction set and optimisation level:
+// only
+// + - * / sqrt and comparisons inside. libm's differ between machines, so nothing that reaches simulation
+// state may use them. The formulas stand once, in math-inl.h, for single values and for lanes.
 #pragma once
 
 #include "sim/base/vec.h"

@@ -18,8 +18,9 @@ using WorkersPtr = std::unique_ptr<Workers, WorkersDelete>;
 WorkersPtr make_workers(int threads);
 int thread_count(const Workers& workers);
 
-// body(begin, end, thread) for consecutive chunks of at most `grain` of [0, count); thread < thread_count(workers).
-// Returns when all are done. `body` must not call parallel_for on the same workers, and must not throw.
+// body(begin, end, thread) for consecutive chunks of at most `grain` of [0, count); thread <
+// thread_count(workers). Returns when all are done. `body` must not call parallel_for on the same workers,
+// and must not throw.
 void parallel_for(Workers& workers, size_t count, size_t grain,
                   const std::function<void(size_t begin, size_t end, int thread)>& body);
 

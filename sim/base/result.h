@@ -1,4 +1,5 @@
-// Errors at the edges (files, devices, arguments): a value, or a sentence that says what, where and what to do.
+// Errors at the edges (files, devices, arguments): a value, or a sentence that says what, where and what to
+// do.
 #pragma once
 
 #include <cassert>

@@ -7,7 +7,19 @@
 namespace flaneur {
 
 // What a random number is for. Two uses that could meet on one (seed, walker, tick) take different purposes.
-enum class Purpose : uint32_t { body, style, spawn, destination, lateral, pause, colour, accessory, city, tree };
+enum class Purpose : uint32_t {
+    body,
+    style,
+    look,
+    spawn,
+    destination,
+    lateral,
+    pause,
+    colour,
+    accessory,
+    city,
+    tree
+};
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.
 constexpr uint64_t mix(uint64_t x) {

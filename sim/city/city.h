@@ -15,7 +15,8 @@ namespace flaneur {
 enum class Surface : uint8_t { road, sidewalk, crossing, plaza, path, steps, grass, water };
 inline constexpr int k_surface_count = 8;
 
-// What a vertical face is. Facades and garden walls stop walkers and can be touched; kerbs and risers are stepped over.
+// What a vertical face is. Facades and garden walls stop walkers and can be touched; kerbs and risers are
+// stepped over.
 enum class FaceKind : uint8_t { facade, garden_wall, kerb, riser };
 
 // A vertical quad. Seen from its free side, `a` is the lower left corner and `b` the lower right one, so its
@@ -28,11 +29,11 @@ struct Face {
 };
 
 struct Building {
-    float base = 0, top = 0;          // lowest ground and eaves, metres
-    float storey = 3.2f;              // height of a storey, for windows
-    uint8_t style = 0;                // index of a wall colour, see k_wall_colours in assets
-    uint8_t has_shop = 0;             // 1: a shop front at street level
-    uint32_t seed = 0;                // for everything that varies without meaning
+    float base = 0, top = 0;  // lowest ground and eaves, metres
+    float storey = 3.2f;      // height of a storey, for windows
+    uint8_t style = 0;        // index of a wall colour, see k_wall_colours in assets
+    uint8_t has_shop = 0;     // 1: a shop front at street level
+    uint32_t seed = 0;        // for everything that varies without meaning
 };
 
 enum class PropKind : uint8_t { tree, lamp, bench, bollard };
@@ -46,7 +47,8 @@ struct Prop {
     uint32_t seed = 0;
 };
 
-// A uniform grid over the ground plane: cell (i, j) holds items[first[c] .. first[c + 1]) with c = j * width + i.
+// A uniform grid over the ground plane: cell (i, j) holds items[first[c] .. first[c + 1]) with c = j * width
+// + i.
 struct Grid {
     Vec2 origin;
     float cell = 4;
@@ -63,6 +65,9 @@ struct City {
     std::vector<Vec3> ground_vertices;
     std::vector<uint32_t> ground_indices;  // three a triangle
     std::vector<Surface> ground_kinds;     // one a triangle
+    // One a triangle, a unit direction: the way people walk over a crossing (its stripes lie square to it),
+    // up a flight of steps, down a dropped kerb; (1, 0) where there is none.
+    std::vector<Vec2> ground_axes;
 
     std::vector<Face> faces;
     std::vector<Building> buildings;
@@ -89,8 +94,8 @@ struct GroundHit {
     Surface kind = Surface::road;
 };
 
-// The highest ground at `point`'s x, z whose height lies in [point.y - down, point.y + up]. None outside the city
-// or on a place without ground (inside a building).
+// The highest ground at `point`'s x, z whose height lies in [point.y - down, point.y + up]. None outside the
+// city or on a place without ground (inside a building).
 std::optional<GroundHit> ground(const City& city, Vec3 point, float up = 0.5f, float down = 3);
 
 struct RayHit {

@@ -14,13 +14,13 @@
 namespace flaneur {
 
 struct NavmeshSettings {
-    float cell = 0.2f;           // horizontal voxel, metres
-    float cell_height = 0.05f;   // vertical voxel, metres; must resolve a kerb
-    float agent_radius = 0.3f;   // kept from walls, metres
-    float agent_height = 1.9f;   // headroom, metres
-    float max_climb = 0.3f;      // highest kerb or step, metres
+    float cell = 0.2f;          // horizontal voxel, metres
+    float cell_height = 0.05f;  // vertical voxel, metres; must resolve a kerb
+    float agent_radius = 0.3f;  // kept from walls, metres
+    float agent_height = 1.9f;  // headroom, metres
+    float max_climb = 0.3f;     // highest kerb or step, metres
     float max_slope_degrees = 40;
-    float tile = 48;             // edge of a tile, metres
+    float tile = 48;  // edge of a tile, metres
 };
 
 struct Navmesh;  // dtNavMesh and one query object for each thread
@@ -35,39 +35,62 @@ struct NavPoint {
     uint32_t polygon = 0;
 };
 
-// Builds on `threads` threads (0: all cores); tiles are put together in a fixed order, so the mesh does not depend
-// on the number of threads. `progress`, if given, is called with 0..1. Refuses a city without walkable ground.
+// Builds on `threads` threads (0: all cores); tiles are put together in a fixed order, so the mesh does not
+// depend on the number of threads. `progress`, if given, is called with 0..1. Refuses a city without walkable
+// ground.
 Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
                                  const std::function<void(float)>& progress = {});
 
-// Sets up one query object for each of `threads` threads. Functions below that take `thread` may run at the same
-// time if their `thread`s differ, and give the same answer on every thread.
+// Sets up one query object for each of `threads` threads. Functions below that take `thread` may run at the
+// same time if their `thread`s differ, and give the same answer on every thread.
 void prepare_queries(Navmesh& mesh, int threads);
 
 // The closest place within `reach` (half extents), if there is one.
 std::optional<NavPoint> nearest(const Navmesh& mesh, int thread, Vec3 point, Vec3 reach = {2, 2, 2});
 
 // A random place by area among sidewalks, plazas, paths, crossings and steps, from three numbers in [0, 1).
+// Leaves out pieces of mesh under 300 square metres; a city with none of these surfaces offers all its
+// ground.
 NavPoint random_place(const Navmesh& mesh, float u, float v, float w);
+
+// The same among the places of the map cells (as large as tiles) that touch the square of half edge `radius`
+// about `centre`; anywhere if there are none.
+NavPoint random_place_near(const Navmesh& mesh, Vec2 centre, float radius, float u, float v, float w);
 
 // The number of the connected piece of mesh that a polygon belongs to (pieces are numbered by falling area).
 uint32_t island(const Navmesh& mesh, uint32_t polygon);
 
+// The kind of ground that a polygon of the mesh stands for.
+Surface surface_of(const Navmesh& mesh, uint32_t polygon);
+
 // The corners of the cheapest way from `from` (exclusive) to `to` (inclusive), at most `capacity`, written to
-// `corners`; returns how many. Sidewalks, plazas and paths are cheap, crossings a little dearer, grass and roads dear.
-// A way that does not reach goes as near as it can. 0 if `from` is nowhere.
+// `corners`; returns how many. Sidewalks, plazas and paths are cheap, crossings a little dearer, grass and
+// roads dear. A way that does not reach goes as near as it can. 0 if `from` is nowhere.
 int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity);
 
-// Moves along the mesh from `from` towards `to`, sliding along its borders: never through a wall. The result's
-// height is the mesh's, coarse; ask `ground` for the surface.
+// Moves along the mesh from `from` towards `to`, sliding along its borders: never through a wall. The
+// result's height is the mesh's, coarse; ask `ground` for the surface.
 NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
 
-// The distance to the mesh's border within `radius`, and the direction away from it.
+// The closest point of the mesh's border within `radius`, and its distance on the plane.
 struct Border {
     float distance = 0;
     Vec3 point;
 };
 std::optional<Border> nearest_border(const Navmesh& mesh, int thread, NavPoint from, float radius);
+
+// Whether one can walk straight from `from` to `to` without meeting the border; 5 cm at the end are forgiven.
+bool is_clear(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
+
+// A straight piece of the mesh's border. Walking from `a` to `b` has the mesh on the side where cross(b - a,
+// p - a) > 0.
+struct BorderLine {
+    Vec3 a, b;
+};
+
+// The border lines within `radius` of `point` and near its height, nearest first (ties by order in the mesh),
+// at most `capacity` (up to 32); returns how many.
+int borders_near(const Navmesh& mesh, Vec3 point, float radius, BorderLine* lines, int capacity);
 
 // Triangles for drawing and tests: three corners each.
 std::vector<Vec3> navmesh_triangles(const Navmesh& mesh);

@@ -1,0 +1,80 @@
+// Vectors and quaternions over float or Lanes, for kernels. See vec.h for spaces and conventions.
+#if defined(FLANEUR_SIM_BASE_VEC_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_BASE_VEC_INL_H
+#undef FLANEUR_SIM_BASE_VEC_INL_H
+#else
+#define FLANEUR_SIM_BASE_VEC_INL_H
+#endif
+
+#include "sim/base/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+template <class T>
+struct V3 {
+    T x, y, z;
+};
+template <class T>
+struct Q4 {
+    T x, y, z, w;
+};
+
+template <class T>
+HWY_INLINE V3<T> operator+(V3<T> a, V3<T> b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+HWY_INLINE V3<T> operator-(V3<T> a, V3<T> b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+HWY_INLINE V3<T> operator*(V3<T> a, T s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+template <class T>
+HWY_INLINE T dot(V3<T> a, V3<T> b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+HWY_INLINE V3<T> cross(V3<T> a, V3<T> b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class T>
+HWY_INLINE V3<T> mixed(V3<T> a, V3<T> b, T t) {
+    return a + (b - a) * t;
+}
+// Unit length; a vector shorter than a micrometre keeps its direction but not its length.
+template <class T>
+HWY_INLINE V3<T> unit(V3<T> a) {
+    return a * (T(1.0f) / root(larger(dot(a, a), T(1e-12f))));
+}
+
+template <class T>
+HWY_INLINE Q4<T> operator*(Q4<T> a, Q4<T> b) {
+    return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+template <class T>
+HWY_INLINE V3<T> rotate(Q4<T> q, V3<T> v) {
+    V3<T> u{q.x, q.y, q.z};
+    V3<T> t = cross(u, v) * T(2.0f);
+    return v + t * q.w + cross(u, t);
+}
+template <class T>
+HWY_INLINE Q4<T> unit(Q4<T> q) {
+    T s = T(1.0f) / root(larger(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, T(1e-12f)));
+    return {q.x * s, q.y * s, q.z * s, q.w * s};
+}
+// The shortest rotation from unit vector `from` to unit vector `to`, without a trigonometric function: the
+// half-angle quaternion (from x to, 1 + from . to). Not defined for opposite vectors.
+template <class T>
+HWY_INLINE Q4<T> arc(V3<T> from, V3<T> to) {
+    V3<T> axis = cross(from, to);
+    return unit(Q4<T>{axis.x, axis.y, axis.z, larger(T(1.0f) + dot(from, to), T(1e-6f))});
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,205 @@
+// The queries: Detour's, and look-ups in the tables made beside the mesh.
+#include "sim/city/navmesh.h"
+
+#include <recastnavigation/DetourCommon.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/city/grid.h"
+#include "sim/city/navmesh_data.h"
+
+namespace flaneur {
+
+std::optional<NavPoint> nearest(const Navmesh& m, int thread, Vec3 point, Vec3 reach) {
+    NavPoint found;
+    m.queries[thread]->findNearestPoly(floats(point), floats(reach), &m.filter, &found.polygon,
+                                       floats(found.position));
+    if (!found.polygon) return std::nullopt;
+    return found;
+}
+
+static NavPoint inside_place(const Navmesh& m, size_t index, float v, float w) {
+    const Place& place = m.places[index];
+    if (v + w > 1) v = 1 - v, w = 1 - w;
+    NavPoint p{place.a + (place.b - place.a) * v + (place.c - place.a) * w, place.polygon};
+    m.queries[0]->getPolyHeight(p.polygon, floats(p.position), &p.position.y);
+    return p;
+}
+
+// The place that holds the square metre number `area`, among [begin, end).
+static size_t place_at(const Navmesh& m, double area, size_t begin, size_t end) {
+    auto first = m.area_before.begin();
+    auto after =
+        std::upper_bound(first + static_cast<ptrdiff_t>(begin), first + static_cast<ptrdiff_t>(end), area);
+    return std::max(static_cast<size_t>(after - first), begin + 1) - 1;
+}
+
+NavPoint random_place(const Navmesh& m, float u, float v, float w) {
+    size_t place = place_at(m, static_cast<double>(u) * m.area_before.back(), 0, m.places.size());
+    return inside_place(m, place, v, w);
+}
+
+NavPoint random_place_near(const Navmesh& m, Vec2 centre, float radius, float u, float v, float w) {
+    const Grid& grid = m.place_grid;
+    CellRange r = cells_of_box(grid, centre - Vec2{radius, radius}, centre + Vec2{radius, radius});
+    auto row = [&](int z, int x) { return grid.first[static_cast<size_t>(z) * grid.width + x]; };
+    double total = 0;
+    for (int z = r.z0; z <= r.z1; ++z) total += m.area_before[row(z, r.x1 + 1)] - m.area_before[row(z, r.x0)];
+    if (total <= 0) return random_place(m, u, v, w);
+    double wanted = static_cast<double>(u) * total;
+    size_t begin = 0, end = 0;
+    for (int z = r.z0; z <= r.z1; ++z) {
+        if (row(z, r.x1 + 1) == row(z, r.x0)) continue;
+        begin = row(z, r.x0), end = row(z, r.x1 + 1);
+        double area = m.area_before[end] - m.area_before[begin];
+        if (wanted < area) break;
+        wanted -= area;
+    }
+    return inside_place(m, place_at(m, m.area_before[begin] + wanted, begin, end), v, w);
+}
+
+uint32_t island(const Navmesh& m, uint32_t polygon) {
+    return m.mesh->isValidPolyRef(polygon) ? m.islands[polygon_number(m, polygon)] : ~0u;
+}
+
+Surface surface_of(const Navmesh& m, uint32_t polygon) {
+    const dtMeshTile* tile = nullptr;
+    const dtPoly* found = nullptr;
+    if (dtStatusFailed(m.mesh->getTileAndPolyByRef(polygon, &tile, &found))) return Surface::road;
+    return static_cast<Surface>(found->getArea() - 1);
+}
+
+int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity) {
+    constexpr int k_most_polygons = 512, k_most_corners = 256;
+    const dtNavMeshQuery& query = *m.queries[thread];
+    dtPolyRef polygons[k_most_polygons];
+    int count = 0;
+    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &m.filter, polygons,
+                   &count, k_most_polygons);
+    if (count == 0 || capacity <= 0) return 0;
+    Vec3 end = to.position;
+    if (polygons[count - 1] != to.polygon) {
+        query.closestPointOnPoly(polygons[count - 1], floats(to.position), floats(end), nullptr);
+    }
+    Vec3 points[k_most_corners];
+    unsigned char flags[k_most_corners];
+    int most = std::min(capacity + 1, k_most_corners);
+    query.findStraightPath(floats(from.position), floats(end), polygons, count, floats(points[0]), flags,
+                           nullptr, &count, most);
+    int written = 0;
+    for (int i = 0; i < count && written < capacity; ++i) {
+        if (i == 0 && !(flags[i] & DT_STRAIGHTPATH_END)) continue;  // the start itself
+        corners[written++] = points[i];
+    }
+    return written;
+}
+
+// Whether `p` lies in the polygon seen from above.
+static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p) {
+    bool left = false, right = false;
+    for (int i = 0, j = polygon.vertCount - 1; i < polygon.vertCount; j = i++) {
+        const float *a = &tile.verts[polygon.verts[j] * 3], *b = &tile.verts[polygon.verts[i] * 3];
+        float side = cross(Vec2{b[0] - a[0], b[2] - a[2]}, p - Vec2{a[0], a[2]});
+        left |= side < 0;
+        right |= side > 0;
+    }
+    return !(left && right);
+}
+
+NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
+    const dtMeshTile* tile = nullptr;
+    const dtPoly* polygon = nullptr;
+    if (dtStatusFailed(m.mesh->getTileAndPolyByRef(from.polygon, &tile, &polygon))) return from;
+    if (in_polygon(*tile, *polygon, on_ground(to))) return {to, from.polygon};
+
+    constexpr int k_most_visited = 16;
+    NavPoint result = from;
+    dtPolyRef visited[k_most_visited];
+    int count = 0;
+    dtStatus status =
+        m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to), &m.filter,
+                                            floats(result.position), visited, &count, k_most_visited);
+    if (dtStatusFailed(status) || count == 0) return from;
+    result.polygon = visited[count - 1];
+    return result;
+}
+
+bool is_clear(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
+    constexpr int k_most_polygons = 64;
+    dtPolyRef polygons[k_most_polygons];
+    float t = 0, normal[3];
+    int count = 0;
+    dtStatus status = m.queries[thread]->raycast(from.polygon, floats(from.position), floats(to), &m.filter,
+                                                 &t, normal, polygons, &count, k_most_polygons);
+    if (dtStatusFailed(status)) return false;
+    return (1 - t) * length(on_ground(to - from.position)) <= 0.05f;
+}
+
+static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
+    Vec2 ab = on_ground(line.b) - on_ground(line.a);
+    float t = clamp(dot(on_ground(p) - on_ground(line.a), ab) / length_squared(ab), 0, 1);
+    return lerp(line.a, line.b, t);
+}
+
+// Borders of another level do not count, metres.
+static constexpr float k_same_level = 1.5f;
+
+int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, int capacity) {
+    const Grid& grid = m.border_grid;
+    Vec2 reach{radius, radius}, p = on_ground(point);
+    CellRange r = cells_of_box(grid, p - reach, p + reach);
+    struct Entry {
+        float distance;
+        uint32_t line;
+        bool operator<(const Entry& e) const {
+            return distance != e.distance ? distance < e.distance : line < e.line;
+        }
+    };
+    constexpr int k_most = 32;
+    Entry best[k_most];
+    int count = 0;
+    capacity = std::min(capacity, k_most);
+    for (int z = r.z0; z <= r.z1; ++z) {
+        for (int x = r.x0; x <= r.x1; ++x) {
+            size_t cell = static_cast<size_t>(z) * grid.width + x;
+            for (uint32_t k = grid.first[cell]; k < grid.first[cell + 1]; ++k) {
+                Vec3 c = closest_on_line(m.borders[grid.items[k]], point);
+                Entry e{length_squared(on_ground(c) - p), grid.items[k]};
+                if (e.distance > radius * radius || std::fabs(c.y - point.y) > k_same_level) continue;
+                if (count == capacity && !(e < best[count - 1])) continue;
+                int at = 0;
+                while (at < count && best[at] < e) ++at;
+                if (at < count && best[at].line == e.line) continue;  // seen in another cell
+                if (count < capacity) ++count;
+                for (int i = count - 1; i > at; --i) best[i] = best[i - 1];
+                best[at] = e;
+            }
+        }
+    }
+    for (int i = 0; i < count; ++i) lines[i] = m.borders[best[i].line];
+    return count;
+}
+
+std::optional<Border> nearest_border(const Navmesh& m, int, NavPoint from, float radius) {
+    BorderLine line;
+    if (borders_near(m, from.position, radius, &line, 1) == 0) return std::nullopt;
+    Vec3 point = closest_on_line(line, from.position);
+    return Border{length(on_ground(point) - on_ground(from.position)), point};
+}
+
+std::vector<Vec3> navmesh_triangles(const Navmesh& m) {
+    std::vector<Vec3> corners;
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
+        const dtPoly& polygon = tile.polys[p];
+        // Detour winds clockwise seen from above.
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            corners.push_back(tile_vertex(tile, polygon.verts[0]));
+            corners.push_back(tile_vertex(tile, polygon.verts[i - 1]));
+            corners.push_back(tile_vertex(tile, polygon.verts[i]));
+        }
+    });
+    return corners;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,242 @@
+// Puts tiles together and prepares what the queries look up.
+#include <recastnavigation/DetourAlloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "sim/base/parallel_for.h"
+#include "sim/city/grid.h"
+#include "sim/city/navmesh_data.h"
+
+namespace flaneur {
+
+static constexpr int k_most_nodes = 4096;      // polygons that one path search may look at
+static constexpr double k_least_island = 300;  // square metres that are worth walking about in
+
+void NavmeshDelete::operator()(Navmesh* m) const { delete m; }
+
+static bool is_place(uint8_t area) {
+    return area == area_of(Surface::sidewalk) || area == area_of(Surface::plaza) ||
+           area == area_of(Surface::path) || area == area_of(Surface::crossing) ||
+           area == area_of(Surface::steps);
+}
+
+static double triangle_area(Vec3 a, Vec3 b, Vec3 c) {
+    return 0.5 *
+           std::fabs(static_cast<double>(cross(on_ground(b) - on_ground(a), on_ground(c) - on_ground(a))));
+}
+
+// Numbers the connected pieces by falling area; `areas` receives the area of each.
+static void find_islands(Navmesh& m, std::vector<double>& areas) {
+    std::vector<uint32_t> parent(m.islands.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    auto root = [&](uint32_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    std::vector<double> area(parent.size(), 0.0);
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        const dtPoly& polygon = tile.polys[p];
+        uint32_t number = polygon_number(m, reference);
+        for (uint32_t l = polygon.firstLink; l != DT_NULL_LINK; l = tile.links[l].next) {
+            if (!tile.links[l].ref) continue;
+            uint32_t a = root(number), b = root(polygon_number(m, tile.links[l].ref));
+            parent[std::max(a, b)] = std::min(a, b);
+        }
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            area[number] +=
+                triangle_area(tile_vertex(tile, polygon.verts[0]), tile_vertex(tile, polygon.verts[i - 1]),
+                              tile_vertex(tile, polygon.verts[i]));
+        }
+    });
+    std::vector<uint32_t> roots;
+    for (uint32_t i = 0; i < parent.size(); ++i) {
+        if (root(i) == i) {
+            roots.push_back(i);
+        } else {
+            area[root(i)] += area[i];
+        }
+    }
+    std::sort(roots.begin(), roots.end(),
+              [&](uint32_t a, uint32_t b) { return area[a] != area[b] ? area[a] > area[b] : a < b; });
+    std::vector<uint32_t> number_of_root(parent.size(), 0);
+    for (uint32_t r = 0; r < roots.size(); ++r) {
+        number_of_root[roots[r]] = r;
+        areas.push_back(area[roots[r]]);
+    }
+    for (uint32_t i = 0; i < parent.size(); ++i) m.islands[i] = number_of_root[root(i)];
+}
+
+// Cuts the places into triangles, sorted by cell, with their areas summed up.
+static void find_places(Navmesh& m, Vec2 low, Vec2 high, const std::vector<double>& island_areas) {
+    std::vector<Place> places, others;
+    double least = std::min(k_least_island, island_areas.front());
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        const dtPoly& polygon = tile.polys[p];
+        if (island_areas[m.islands[polygon_number(m, reference)]] < least) return;
+        Vec3 a = tile_vertex(tile, polygon.verts[0]);
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            Vec3 b = tile_vertex(tile, polygon.verts[i - 1]), c = tile_vertex(tile, polygon.verts[i]);
+            (is_place(polygon.getArea()) ? places : others).push_back({a, b, c, reference});
+        }
+    });
+    if (places.empty()) places.swap(others);  // a city of roads or grass alone
+
+    m.place_grid = make_grid(low, high, m.settings.tile);
+    fill_grid(m.place_grid, static_cast<uint32_t>(places.size()), [&](uint32_t i, auto visit) {
+        Vec2 centre = on_ground(places[i].a + places[i].b + places[i].c) / 3;
+        CellRange r = cells_of_box(m.place_grid, centre, centre);
+        visit(static_cast<size_t>(r.z0) * m.place_grid.width + r.x0);
+    });
+    double sum = 0;
+    for (uint32_t i : m.place_grid.items) {
+        const Place& place = places[i];
+        m.places.push_back(place);
+        m.area_before.push_back(sum);
+        sum += triangle_area(place.a, place.b, place.c);
+    }
+    m.area_before.push_back(sum);
+}
+
+static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        constexpr int k_most = 64;
+        float ends[k_most][6];
+        int count = 0;
+        m.queries[0]->getPolyWallSegments(reference, &m.filter, ends[0], nullptr, &count, k_most);
+        const dtPoly& polygon = tile.polys[p];
+        Vec3 centre;
+        for (int i = 0; i < polygon.vertCount; ++i) centre += tile_vertex(tile, polygon.verts[i]);
+        centre = centre / static_cast<float>(polygon.vertCount);
+        for (int i = 0; i < count; ++i) {
+            BorderLine line{{ends[i][0], ends[i][1], ends[i][2]}, {ends[i][3], ends[i][4], ends[i][5]}};
+            Vec2 along = on_ground(line.b) - on_ground(line.a);
+            if (length_squared(along) < 1e-8f) continue;
+            if (cross(along, on_ground(centre) - on_ground(line.a)) < 0) std::swap(line.a, line.b);
+            m.borders.push_back(line);
+        }
+    });
+    m.border_grid = make_grid(low, high, 3);
+    fill_grid(m.border_grid, static_cast<uint32_t>(m.borders.size()), [&](uint32_t i, auto visit) {
+        for_cells_of_segment(m.border_grid, on_ground(m.borders[i].a), on_ground(m.borders[i].b), visit);
+    });
+}
+
+Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
+                                 const std::function<void(float)>& progress) {
+    NavmeshPtr m(new Navmesh);
+    m->settings = settings;
+    float cells = std::max(1.0f, std::floor(settings.tile / settings.cell + 0.5f));
+    float tile = cells * settings.cell;
+
+    // Which triangles and walls each tile needs.
+    Vec2 rim{tile_rim(settings), tile_rim(settings)}, size = city.high - city.low;
+    Grid triangles;
+    triangles.origin = city.low;
+    triangles.cell = tile;
+    triangles.width = static_cast<int>(size.x / tile) + 1;
+    triangles.height = static_cast<int>(size.z / tile) + 1;
+    triangles.first.assign(static_cast<size_t>(triangles.width) * triangles.height + 1, 0);
+    Grid walls = triangles;
+    auto cells_of = [&](std::initializer_list<Vec3> corners, auto visit) {
+        Vec2 low = on_ground(*corners.begin()), high = low;
+        for (Vec3 c : corners) {
+            low = {std::min(low.x, c.x), std::min(low.z, c.z)};
+            high = {std::max(high.x, c.x), std::max(high.z, c.z)};
+        }
+        CellRange r = cells_of_box(triangles, low - rim, high + rim);
+        for (int z = r.z0; z <= r.z1; ++z) {
+            for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<size_t>(z) * triangles.width + x);
+        }
+    };
+    fill_grid(triangles, static_cast<uint32_t>(city.ground_kinds.size()), [&](uint32_t i, auto visit) {
+        const uint32_t* index = &city.ground_indices[i * 3];
+        cells_of(
+            {city.ground_vertices[index[0]], city.ground_vertices[index[1]], city.ground_vertices[index[2]]},
+            visit);
+    });
+    fill_grid(walls, static_cast<uint32_t>(city.faces.size()), [&](uint32_t i, auto visit) {
+        const Face& f = city.faces[i];
+        if (f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall) cells_of({f.a, f.b}, visit);
+    });
+
+    size_t tile_count = static_cast<size_t>(triangles.width) * triangles.height;
+    std::vector<TileData> tiles(tile_count);
+    std::atomic<size_t> done = 0;
+    WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, tile_count, 1, [&](size_t begin, size_t end, int thread) {
+        for (size_t t = begin; t < end; ++t) {
+            const uint32_t* first_triangle = triangles.items.data() + triangles.first[t];
+            const uint32_t* first_wall = walls.items.data() + walls.first[t];
+            tiles[t] = build_tile(city, settings, static_cast<int>(t % triangles.width),
+                                  static_cast<int>(t / triangles.width), first_triangle,
+                                  triangles.first[t + 1] - triangles.first[t], first_wall,
+                                  walls.first[t + 1] - walls.first[t]);
+            size_t so_far = ++done;
+            if (progress && thread == 0)
+                progress(static_cast<float>(so_far) / static_cast<float>(tile_count));
+        }
+    });
+
+    int most_polygons = 1, used_tiles = 0;
+    std::string failure;
+    for (size_t t = 0; t < tile_count; ++t) {
+        most_polygons = std::max(most_polygons, tiles[t].polygons);
+        used_tiles += tiles[t].bytes != nullptr;
+        if (tiles[t].failure && failure.empty()) {
+            failure = "tile " + std::to_string(t) + " of the navigation mesh failed: " + tiles[t].failure;
+        }
+    }
+    if (failure.empty() && used_tiles == 0) {
+        failure = "the city '" + city.name + "' has no ground that a walker can stand on";
+    }
+    dtNavMeshParams p{};
+    p.orig[0] = city.low.x;
+    p.orig[2] = city.low.z;
+    p.tileWidth = p.tileHeight = tile;
+    p.maxTiles = used_tiles;
+    p.maxPolys = most_polygons;
+    m->mesh.reset(dtAllocNavMesh());
+    if (failure.empty() && dtStatusFailed(m->mesh->init(&p))) {
+        failure = "the city '" + city.name + "' is too large for one navigation mesh: cut out a smaller area";
+    }
+    for (TileData& t : tiles) {
+        if (!t.bytes) continue;
+        if (!failure.empty() ||
+            dtStatusFailed(m->mesh->addTile(t.bytes, t.size, DT_TILE_FREE_DATA, 0, nullptr))) {
+            dtFree(t.bytes);
+            if (failure.empty()) failure = "a tile of the navigation mesh could not be added";
+        }
+    }
+    if (!failure.empty()) return Error{failure};
+
+    uint32_t polygons = 0;
+    for (int t = 0; t < m->mesh->getMaxTiles(); ++t) {
+        m->first_polygon.push_back(polygons);
+        const dtMeshTile* added = static_cast<const dtNavMesh&>(*m->mesh).getTile(t);
+        if (added->header) polygons += static_cast<uint32_t>(added->header->polyCount);
+    }
+    m->islands.resize(polygons);
+
+    for (int a = 0; a < DT_MAX_AREAS; ++a) m->filter.setAreaCost(a, 1);
+    m->filter.setAreaCost(area_of(Surface::crossing), 1.3f);
+    m->filter.setAreaCost(area_of(Surface::grass), 3);
+    m->filter.setAreaCost(area_of(Surface::road), 10);
+    prepare_queries(*m, thread_count(*workers));
+    std::vector<double> island_areas;
+    find_islands(*m, island_areas);
+    find_places(*m, city.low, city.high, island_areas);
+    find_borders(*m, city.low, city.high);
+    if (progress) progress(1);
+    return m;
+}
+
+void prepare_queries(Navmesh& m, int threads) {
+    while (static_cast<int>(m.queries.size()) < threads) {
+        m.queries.emplace_back(dtAllocNavMeshQuery());
+        m.queries.back()->init(m.mesh.get(), k_most_nodes);
+    }
+}
+
+}  // namespace flaneur

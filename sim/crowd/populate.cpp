@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <bit>
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/errand.h"
+
+namespace flaneur {
+
+static constexpr float k_body_radius = 0.25f;
+static constexpr float k_spacing = 2 * k_body_radius + 0.15f;  // between walkers at the start, metres
+
+// Weidmann 1993: free speeds of pedestrians are nearly normal.
+static constexpr float k_mean_speed = 1.34f, k_speed_deviation = 0.26f, k_least_speed = 0.7f,
+                       k_most_speed = 1.9f;
+
+namespace {
+// The walkers placed so far by cell of the wrapped plane, as chains.
+struct Placed {
+    static constexpr uint32_t k_none = ~0u;
+    std::vector<uint32_t> head, next;
+    uint32_t mask = 0;
+
+    uint32_t cell(int x, int z) const {
+        return static_cast<uint32_t>(
+                   mix(uint64_t{static_cast<uint32_t>(x)} << 32 | static_cast<uint32_t>(z))) &
+               mask;
+    }
+};
+}  // namespace
+
+static int column(float v) { return static_cast<int>(std::floor(v / k_spacing)); }
+
+static bool is_free(const Placed& placed, const Crowd& c, Vec3 p) {
+    for (int z = column(p.z) - 1; z <= column(p.z) + 1; ++z) {
+        for (int x = column(p.x) - 1; x <= column(p.x) + 1; ++x) {
+            for (uint32_t i = placed.head[placed.cell(x, z)]; i != Placed::k_none; i = placed.next[i]) {
+                if (length_squared(c.position[i] - p) < k_spacing * k_spacing) return false;
+            }
+        }
+    }
+    return true;
+}
+
+Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
+                       uint32_t bodies, uint64_t seed) {
+    Crowd c = make_crowd(walkers);
+    Placed placed;
+    placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
+    placed.head.assign(placed.mask + 1, Placed::k_none);
+    placed.next.resize(walkers);
+    constexpr uint32_t k_attempts = 64;
+    for (uint32_t i = 0; i < walkers; ++i) {
+        Walker w;
+        for (uint32_t attempt = 0; attempt < k_attempts && w.place.polygon == 0; ++attempt) {
+            RandomKey key{seed, i, attempt, Purpose::spawn};
+            NavPoint p = random_place(mesh, random_unit(key, 0), random_unit(key, 1), random_unit(key, 2));
+            auto hit = ground(city, p.position, 1, 2);
+            if (!hit) continue;
+            p.position.y = hit->height;
+            if (is_free(placed, c, p.position)) w.place = p;
+        }
+        if (w.place.polygon == 0) {
+            return Error{"only about " + std::to_string(i) + " of " + std::to_string(walkers) +
+                         " walkers fit on the sidewalks of '" + city.name + "': take fewer or a larger city"};
+        }
+        RandomKey body{seed, i, 0, Purpose::body};
+        w.preferred_speed =
+            clamp(k_mean_speed + k_speed_deviation * random_normal(body, 1), k_least_speed, k_most_speed);
+        w.radius = k_body_radius;
+        w.body = static_cast<uint32_t>(random_bits(body, 0) % std::max(bodies, 1u));
+        w.scale = random_between(body, 0.95f, 1.05f, 2);
+        w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 1.6f);
+        add_walker(c, city, w);
+        uint32_t& head = placed.head[placed.cell(column(w.place.position.x), column(w.place.position.z))];
+        placed.next[i] = head;
+        head = i;
+    }
+    parallel_for(workers, c.count, 16, [&](size_t begin, size_t end, int thread) {
+        for (size_t i = begin; i < end; ++i) {
+            plan_path(c, mesh, thread, static_cast<uint32_t>(i), 0, seed);
+            Vec2 ahead = on_ground(c.corners[i * k_corners] - c.position[i]);
+            if (c.corner_count[i] == 0 || length_squared(ahead) < 1e-6f) continue;
+            c.heading[i] = heading_of(ahead);
+        }
+    });
+    return c;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,95 @@
+// How people step. A walker's phase advances with the distance it walks; each foot stands where it landed
+// until its time in the cycle comes, then swings to a place planned on the real ground. Sixteen walkers lie
+// side by side in a block.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/vec.h"
+#include "sim/city/city.h"
+#include "sim/pose/body.h"
+
+namespace flaneur {
+
+inline constexpr int k_block = 16;  // walkers in a block
+enum Side : int { k_left = 0, k_right = 1 };
+
+constexpr size_t block_count(size_t walkers) { return (walkers + k_block - 1) / k_block; }
+
+// One foot of each walker of a block. A foot's place is the point of the ground below its ankle when it is
+// flat, a yaw about +y, and the ground's normal (whose y follows from its length).
+struct FootBlock {
+    struct Place {
+        float x[k_block], y[k_block], z[k_block], yaw[k_block], normal_x[k_block], normal_z[k_block];
+    };
+    Place from;               // where it stands, or stood before this swing
+    Place to;                 // where it stands, or will land
+    float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
+                              // way
+    int32_t swinging[k_block];  // 1 from toe-off to contact
+};
+
+// State of the gait, and what the pose reads.
+struct alignas(64) GaitBlock {
+    // Copied from the crowd each tick.
+    float x[k_block], z[k_block];  // root on the ground plane
+    float heading[k_block];        // yaw of the body
+    float speed[k_block];          // along the ground, m/s
+    // The gait's own.
+    float phase[k_block];  // of the left foot, [0, 1), 0 at its contact; the right foot is half a cycle later
+    float duty[k_block];   // share of the cycle that a foot stands
+    float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
+    float base[k_block];       // smoothed height of the ground that the pelvis rides on
+    float base_velocity[k_block];
+    float look[k_block];        // yaw of the head against the body
+    int32_t standing[k_block];  // 1: both feet down and the phase at rest
+    FootBlock feet[2];
+};
+
+// What makes one walker's body and manner, constant over its life. Sizes are the body's joints, scaled.
+struct alignas(64) PersonBlock {
+    float joints[k_joint_count][3][k_block];  // canonical places, metres
+    float heel[k_block], toe[k_block];        // see Body
+    float stride[k_block];                    // factor on step length
+    float arm_swing[k_block];                 // factor
+    float sway[k_block];                      // factor on pelvic movements
+    float toe_out[k_block];                   // radians
+    float step_width[k_block];                // metres between the lines of both feet
+    float lean[k_block];                      // of the trunk, forward +, radians
+    float carriage[k_block];                  // arms away from the body, radians
+};
+
+struct Gait {
+    size_t count = 0;
+    std::vector<GaitBlock> blocks;
+    std::vector<PersonBlock> people;
+};
+
+// What the crowd tells the gait, one value a walker.
+struct RootMotion {
+    const Vec3* position;    // on the ground
+    const Vec2* velocity;    // m/s
+    const float* heading;    // yaw about +y, 0 faces +z
+    const float* turn_rate;  // rad/s
+};
+
+// Walkers standing on both feet. `bodies[body[i]] * scale[i]` is walker i's; its manner is drawn from (seed,
+// i).
+void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
+                const float* scale, const RootMotion& root, const City& city, uint64_t seed);
+
+// One tick of `dt` seconds for walkers [begin, end): phase, toe-offs, contacts and where the swinging feet
+// will land.
+void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const City& city,
+                  uint64_t seed, uint32_t tick, float dt);
+
+// Metres of one stride (two steps) at speed `v` > 0 for a leg of length `leg`.
+float stride_length(float v, float leg);
+// Share of the cycle that a foot stands at speed `v`.
+float duty_factor(float v);
+
+// How far a planted foot may be from its hip along the ground, as a share of the leg, before it is given up.
+inline constexpr float k_overreach = 0.98f;
+
+}  // namespace flaneur

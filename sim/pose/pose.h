@@ -1,0 +1,33 @@
+// From gait to posed bodies: joint curves, forward kinematics and inverse kinematics, sixteen walkers at a
+// time.
+#pragma once
+
+#include <vector>
+
+#include "sim/gait/gait.h"
+
+namespace flaneur {
+
+// Places and rotations of all joints in the world. rotation takes the canonical pose's axes to the joint's.
+struct alignas(64) PoseBlock {
+    float position[k_joint_count][3][k_block];
+    float rotation[k_joint_count][4][k_block];  // unit quaternions, vector part first
+};
+
+// Poses blocks [begin, end) of `gait` into `poses`, with the widest instruction set that the CPU has. A pure
+// function of its input, the same bits on every one.
+void pose_blocks(const Gait& gait, size_t begin, size_t end, std::vector<PoseBlock>& poses);
+
+struct JointPose {
+    Vec3 position;
+    Quat rotation;
+};
+JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint joint);
+
+// The soles of a planted foot, for checks: heel, ball and tip of the toes in the world.
+struct Sole {
+    Vec3 heel, ball, tip;
+};
+Sole sole(const std::vector<PoseBlock>& poses, const Gait& gait, size_t walker, Side side);
+
+}  // namespace flaneur

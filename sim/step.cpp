@@ -1,0 +1,42 @@
+#include <chrono>
+
+#include "sim/world.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr size_t k_blocks_a_chunk = 4;
+
+template <class Work>
+void timed(World& world, Stage stage, const Work& work) {
+    auto start = std::chrono::steady_clock::now();
+    work();
+    std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+    world.stage_ms[static_cast<int>(stage)] = spent.count();
+}
+
+}  // namespace
+
+void step(World& w) {
+    timed(w, Stage::think, [&] { think(w.crowd, w.city, *w.navmesh, *w.workers, w.tick, w.seed); });
+    timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
+    timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
+    timed(w, Stage::move, [&] { move(w.crowd, w.city, *w.navmesh, *w.workers); });
+    timed(w, Stage::gait, [&] {
+        RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
+                        w.crowd.turn_rate.data()};
+        parallel_for(*w.workers, w.gait.count, k_blocks_a_chunk * k_block,
+                     [&](size_t begin, size_t end, int) {
+                         advance_gait(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);
+                     });
+    });
+    timed(w, Stage::pose, [&] {
+        w.previous_poses.swap(w.poses);
+        parallel_for(*w.workers, w.gait.blocks.size(), k_blocks_a_chunk,
+                     [&](size_t begin, size_t end, int) { pose_blocks(w.gait, begin, end, w.poses); });
+    });
+    ++w.tick;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,51 @@
+#include "sim/world.h"
+
+#include <type_traits>
+#include <utility>
+
+#include "sim/base/hash.h"
+
+namespace flaneur {
+
+Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
+                                          const std::function<void(std::string_view, float)>& progress) {
+    auto world = std::make_unique<World>();
+    world->city = std::move(city);
+    world->bodies = options.bodies;
+    world->seed = options.seed;
+    world->workers = make_workers(options.threads);
+    int threads = thread_count(*world->workers);
+
+    auto mesh = build_navmesh(world->city, options.navmesh, threads, [&](float share) {
+        if (progress) progress("building the navigation mesh", share);
+    });
+    if (!mesh) return mesh.error();
+    world->navmesh = std::move(mesh).value();
+    prepare_queries(*world->navmesh, threads);
+
+    if (progress) progress("setting down the walkers", 0);
+    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers,
+                          static_cast<uint32_t>(world->bodies.size()), options.seed);
+    if (!crowd) return crowd.error();
+    world->crowd = std::move(crowd).value();
+
+    RootMotion root{world->crowd.position.data(), world->crowd.velocity.data(), world->crowd.heading.data(),
+                    world->crowd.turn_rate.data()};
+    start_gait(world->gait, world->crowd.count, world->bodies, world->crowd.body.data(),
+               world->crowd.scale.data(), root, world->city, world->seed);
+    world->poses.resize(world->gait.blocks.size());
+    pose_blocks(world->gait, 0, world->gait.blocks.size(), world->poses);
+    world->previous_poses = world->poses;
+    if (progress) progress("setting down the walkers", 1);
+    return world;
+}
+
+uint64_t hash_world(const World& world) {
+    uint64_t hash = mix(world.seed) ^ world.tick;
+    hash = mix(hash ^ hash_crowd(world.crowd));
+    static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
+    hash = hash_bytes(hash, world.gait.blocks.data(), world.gait.blocks.size() * sizeof(GaitBlock));
+    return hash_bytes(hash, world.poses.data(), world.poses.size() * sizeof(PoseBlock));
+}
+
+}  // namespace flaneur

@@ -1,0 +1,62 @@
+// A city with people in it, and the tick that moves them on.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/parallel_for.h"
+#include "sim/base/result.h"
+#include "sim/city/city.h"
+#include "sim/city/navmesh.h"
+#include "sim/crowd/crowd.h"
+#include "sim/gait/gait.h"
+#include "sim/pose/body.h"
+#include "sim/pose/pose.h"
+
+namespace flaneur {
+
+struct WorldOptions {
+    uint32_t walkers = 500;
+    uint64_t seed = 1;
+    int threads = 0;                                 // 0: one a core
+    std::vector<Body> bodies{standard_body(1.72f)};  // walkers take them in turns of chance
+    NavmeshSettings navmesh;
+};
+
+// The stages of a tick, in order.
+enum class Stage : int { think, neighbours, steer, move, gait, pose };
+inline constexpr int k_stage_count = 6;
+inline constexpr std::string_view k_stage_names[k_stage_count] = {"think", "neighbours", "steer",
+                                                                  "move",  "gait",       "pose"};
+
+struct World {
+    City city;
+    NavmeshPtr navmesh;
+    WorkersPtr workers;
+    std::vector<Body> bodies;
+    uint64_t seed = 1;
+    uint32_t tick = 0;  // ticks done
+
+    Crowd crowd;
+    Gait gait;
+    std::vector<PoseBlock> poses, previous_poses;  // after the last tick and the one before
+
+    double stage_ms[k_stage_count] =
+        {};  // wall time of the last tick; measured, never read by the simulation
+};
+
+// Builds the navigation mesh and sets the walkers down. `progress`, if given, is called with what is being
+// done and how much of it, 0..1. Refuses a city that has no room for so many.
+Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
+                                          const std::function<void(std::string_view, float)>& progress = {});
+
+// One tick of k_tick seconds.
+void step(World& world);
+
+// The hash of the whole state, poses included: equal for equal runs on any machine.
+uint64_t hash_world(const World& world);
+
+}  // namespace flaneur

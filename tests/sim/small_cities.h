@@ -1,0 +1,30 @@
+// Cities made by hand for tests, small enough to reason about.
+#pragma once
+
+#include "sim/city/city.h"
+
+namespace flaneur {
+
+// A horizontal rectangle of ground.
+void add_floor(City& city, Vec2 low, Vec2 high, float y, Surface kind);
+// A quad of ground with corners in counter-clockwise order seen from above: (x+ z+), (x+ z-), (x- z-), (x-
+// z+).
+void add_quad(City& city, Vec3 a, Vec3 b, Vec3 c, Vec3 d, Surface kind);
+// A wall from `a` to `b` whose free side is on the right of that way on a map with z down the page (see
+// Face).
+void add_wall(City& city, Vec3 a, Vec3 b, float height, FaceKind kind = FaceKind::facade);
+
+// A sidewalk of `length` along +x and `width` along z about z = 0, from x = 0, with facades on both long
+// sides.
+City corridor(float length, float width);
+// Two corridors of `width` that meet at a right angle: along +x, then along +z, each `length` long.
+City corner(float length, float width);
+// A square plaza of edge `size` about the origin with walls all round.
+City square(float size);
+// A street along x: road between z = -4 and 4 at height 0, sidewalks beyond to +-8 at 0.12 with kerbs, a
+// crossing between x = -2 and 2; x from -40 to 40; facades at z = +-8.
+City street();
+// A square of 20 x 20 m at height 0, steps of 0.15 m x 0.35 m up along +z, and a terrace at 1.5 m.
+City steps();
+
+}  // namespace flaneur

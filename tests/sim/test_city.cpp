@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/base/rng.h"
+#include "sim/city/city.h"
+#include "tests/sim/small_cities.h"
+
+namespace flaneur {
+namespace {
+
+float number(uint32_t i, float low, float high) {
+    return random_between({7, 0, 0, Purpose::city}, low, high, i);
+}
+
+// A 40 x 40 m terrain of uneven triangles between integer-ish grid points, with walls at random.
+City terrain() {
+    City city;
+    constexpr int k_n = 20;
+    auto vertex = [&](int x, int z) {
+        uint32_t key = static_cast<uint32_t>(z * (k_n + 1) + x) * 3;
+        return Vec3{static_cast<float>(x) * 2 + number(key, -0.6f, 0.6f), number(key + 1, 0, 1.5f),
+                    static_cast<float>(z) * 2 + number(key + 2, -0.6f, 0.6f)};
+    };
+    for (int z = 0; z <= k_n; ++z) {
+        for (int x = 0; x <= k_n; ++x) city.ground_vertices.push_back(vertex(x, z));
+    }
+    auto at = [](int x, int z) { return static_cast<uint32_t>(z * (k_n + 1) + x); };
+    for (int z = 0; z < k_n; ++z) {
+        for (int x = 0; x < k_n; ++x) {
+            for (uint32_t i :
+                 {at(x, z), at(x, z + 1), at(x + 1, z + 1), at(x, z), at(x + 1, z + 1), at(x + 1, z)}) {
+                city.ground_indices.push_back(i);
+            }
+            city.ground_kinds.push_back(Surface::road);
+            city.ground_kinds.push_back(Surface::grass);
+        }
+    }
+    for (uint32_t i = 0; i < 60; ++i) {
+        Vec3 a{number(5000 + i * 4, 0, 40), 0, number(5001 + i * 4, 0, 40)};
+        Vec3 b = a + Vec3{number(5002 + i * 4, -8, 8), 0, number(5003 + i * 4, -8, 8)};
+        add_wall(city, a, b, 3, i % 3 ? FaceKind::facade : FaceKind::garden_wall);
+    }
+    index_city(city);
+    return city;
+}
+
+TEST(City, GroundHasNoGapsAtVerticesAndEdges) {
+    City city = terrain();
+    for (size_t i = 0; i < city.ground_indices.size(); i += 3) {
+        for (int e = 0; e < 3; ++e) {
+            Vec3 a = city.ground_vertices[city.ground_indices[i + e]];
+            Vec3 b = city.ground_vertices[city.ground_indices[i + (e + 1) % 3]];
+            for (float t : {0.0f, 0.1f, 0.37f, 0.5f, 0.93f}) {
+                Vec3 p = lerp(a, b, t);
+                auto hit = ground(city, p);
+                ASSERT_TRUE(hit) << "triangle " << i / 3 << " edge " << e << " at " << t;
+                EXPECT_NEAR(hit->height, p.y, 2e-3f);
+                EXPECT_GT(hit->normal.y, 0.2f);
+            }
+        }
+    }
+}
+
+TEST(City, GroundAgreesWithARayFromAbove) {
+    City city = terrain();
+    for (uint32_t i = 0; i < 2000; ++i) {
+        Vec3 p{number(i * 2, -1, 41), 1, number(i * 2 + 1, -1, 41)};
+        auto hit = ground(city, p, 2, 2);
+        // Walls of 3 m would stop the ray: start below their tops only where ground is the first thing.
+        auto ray = raycast(city, {p.x, 2.9f, p.z}, {0, -1, 0}, 10);
+        ASSERT_EQ(hit.has_value(), ray.has_value()) << p.x << " " << p.z;
+        if (hit) {
+            EXPECT_NEAR(hit->height, 2.9f - ray->distance, 1e-3f);
+        }
+    }
+}
+
+TEST(City, GroundChoosesTheLevelWithinReach) {
+    City city = street();
+    add_floor(city, {-5, -8}, {5, 8}, 4, Surface::path);  // a bridge
+    index_city(city);
+    EXPECT_FLOAT_EQ(ground(city, {0, 0, 0})->height, 0);
+    EXPECT_EQ(ground(city, {0, 0, 0})->kind, Surface::crossing);
+    EXPECT_EQ(ground(city, {0, 4.2f, 0})->kind, Surface::path);
+    EXPECT_EQ(ground(city, {0, 8, 0}, 0.5f, 9)->kind, Surface::path);
+    EXPECT_FALSE(ground(city, {0, 8, 0}, 0.5f, 3));
+    EXPECT_FALSE(ground(city, {0, -1, 0}, 0.5f, 3));
+    // On the kerb's edge the upper level is the ground.
+    EXPECT_FLOAT_EQ(ground(city, {20, 0, 4})->height, 0.12f);
+    EXPECT_EQ(ground(city, {20, 0, 3.99f})->kind, Surface::road);
+    EXPECT_FALSE(ground(city, {1000, 0, 0}));
+    EXPECT_FALSE(ground(city, {std::nanf(""), 0, 0}));
+}
+
+TEST(City, RaycastFindsWhatAFullSearchFinds) {
+    City city = terrain();
+    for (uint32_t i = 0; i < 3000; ++i) {
+        Vec3 o{number(i * 7, -5, 45), number(i * 7 + 1, 0.5f, 4), number(i * 7 + 2, -5, 45)};
+        Vec3 d = normalize_or(
+            {number(i * 7 + 3, -1, 1), number(i * 7 + 4, -0.4f, 0.2f), number(i * 7 + 5, -1, 1)}, {0, 0, 1});
+        // March: the first point below ground or behind a wall, to a centimetre.
+        auto hit = raycast(city, o, d, 30);
+        float nearest = 30;
+        for (const Face& f : city.faces) {
+            Vec2 ab = on_ground(f.b) - on_ground(f.a), ao = on_ground(f.a) - on_ground(o);
+            float det = cross(on_ground(d), ab);
+            if (std::fabs(det) < 1e-9f) continue;
+            float t = cross(ao, ab) / det, s = cross(ao, on_ground(d)) / det, y = o.y + d.y * t;
+            if (t >= 0 && s >= 0 && s <= 1 && y >= 0 && y <= 3) nearest = std::min(nearest, t);
+        }
+        float reach = hit ? hit->distance : 30;
+        EXPECT_LE(reach, nearest + 1e-3f) << i;
+        if (hit && hit->what == RayHit::What::face) {
+            EXPECT_NEAR(reach, nearest, 1e-3f);
+        }
+        if (hit && hit->what == RayHit::What::ground) {
+            Vec3 p = o + d * reach;
+            auto under = ground(city, p, 0.1f, 0.1f);
+            ASSERT_TRUE(under);
+            EXPECT_NEAR(under->height, p.y, 5e-3f);
+        }
+    }
+}
+
+TEST(City, ClosestWallFindsWhatAFullSearchFinds) {
+    City city = terrain();
+    int found = 0;
+    for (uint32_t i = 0; i < 2000; ++i) {
+        Vec3 p{number(i * 3, 0, 40), number(i * 3 + 1, -1, 5), number(i * 3 + 2, 0, 40)};
+        float radius = i % 2 ? 1.0f : 7.0f, nearest = radius;
+        bool any = false;
+        for (const Face& f : city.faces) {
+            Vec2 a = on_ground(f.a), ab = on_ground(f.b) - a;
+            float s = clamp(dot(on_ground(p) - a, ab) / length_squared(ab), 0, 1);
+            float d = length(at_height(a + ab * s, clamp(p.y, 0, 3)) - p);
+            if (d <= nearest) nearest = d, any = true;
+        }
+        auto wall = closest_wall(city, p, radius);
+        ASSERT_EQ(wall.has_value(), any);
+        if (!wall) continue;
+        ++found;
+        EXPECT_NEAR(wall->distance, nearest, 1e-4f);
+        EXPECT_NEAR(length(wall->point - p), wall->distance, 1e-4f);
+        EXPECT_GE(wall->point.y, 0);
+        EXPECT_LE(wall->point.y, 3);
+        EXPECT_NEAR(length(wall->normal), 1, 1e-5f);
+    }
+    EXPECT_GT(found, 500);
+}
+
+TEST(City, WallNormalsPointToTheFreeSide) {
+    City city = corridor(10, 2);
+    auto wall = closest_wall(city, {5, 1, -0.8f}, 1);
+    ASSERT_TRUE(wall);
+    EXPECT_NEAR(wall->normal.z, 1, 1e-6f);
+    EXPECT_NEAR(wall->distance, 0.2f, 1e-5f);
+    auto hit = raycast(city, {5, 1, 0}, {0, 0, 1}, 5);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->normal.z, -1, 1e-6f);
+    EXPECT_NEAR(hit->distance, 1, 1e-6f);
+}
+
+TEST(City, KerbsStopNeitherRaysNorHands) {
+    City city = street();
+    EXPECT_FALSE(closest_wall(city, {20, 0.05f, 3.9f}, 1));
+    auto hit = raycast(city, {20, 0.05f, 0}, {0, 0, 1}, 20);
+    EXPECT_FALSE(hit);
+}
+
+TEST(City, EmptyCityAnswersNothing) {
+    City city;
+    index_city(city);
+    EXPECT_FALSE(ground(city, {0, 0, 0}));
+    EXPECT_FALSE(raycast(city, {0, 1, 0}, {0, -1, 0}, 100));
+    EXPECT_FALSE(closest_wall(city, {0, 0, 0}, 100));
+}
+
+TEST(City, HashSeesEveryArray) {
+    City city = street();
+    city.props.push_back({});
+    city.buildings.push_back({});
+    uint64_t h = hash_city(city);
+    auto changed = [&](auto change) {
+        City other = city;
+        change(other);
+        return hash_city(other) != h;
+    };
+    EXPECT_EQ(hash_city(City(city)), h);
+    EXPECT_TRUE(changed([](City& c) { c.ground_vertices[3].y += 0.01f; }));
+    EXPECT_TRUE(changed([](City& c) { c.ground_kinds[0] = Surface::grass; }));
+    EXPECT_TRUE(changed([](City& c) { c.faces[1].b_top += 1; }));
+    EXPECT_TRUE(changed([](City& c) { c.faces[1].kind = FaceKind::garden_wall; }));
+    EXPECT_TRUE(changed([](City& c) { c.buildings[0].seed = 1; }));
+    EXPECT_TRUE(changed([](City& c) { c.props[0].yaw = 1; }));
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,327 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/half_planes.h"
+#include "tests/sim/small_cities.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_body = 0.25f;
+
+struct World {
+    City city;
+    NavmeshPtr mesh;
+    WorkersPtr workers;
+    Crowd crowd;
+    uint32_t tick = 0;
+};
+
+World make_world(City city, uint32_t capacity, int threads = 2) {
+    World w;
+    w.city = std::move(city);
+    w.mesh = std::move(build_navmesh(w.city, {}, threads)).value();
+    w.workers = make_workers(threads);
+    prepare_queries(*w.mesh, threads);
+    w.crowd = make_crowd(capacity);
+    return w;
+}
+
+NavPoint on_mesh(const World& w, float x, float z) {
+    auto p = nearest(*w.mesh, 0, {x, 0, z});
+    EXPECT_TRUE(p) << x << " " << z;
+    return *p;
+}
+
+uint32_t add(World& w, float x, float z, float heading, float goal_x, float goal_z, float speed = 1.34f) {
+    Walker walker;
+    walker.place = on_mesh(w, x, z);
+    walker.heading = heading;
+    walker.preferred_speed = speed;
+    walker.errand = Errand::arrive;
+    uint32_t i = add_walker(w.crowd, w.city, walker);
+    send_to(w.crowd, i, on_mesh(w, goal_x, goal_z));
+    return i;
+}
+
+void step(World& w) { step_crowd(w.crowd, w.city, *w.mesh, *w.workers, w.tick++, 1); }
+
+float deepest_overlap(const Crowd& c) {
+    float deepest = -1;
+    for (uint32_t i = 0; i < c.count; ++i) {
+        for (uint32_t j = i + 1; j < c.count; ++j) {
+            float d = length(on_ground(c.position[i] - c.position[j]));
+            deepest = std::max(deepest, c.radius[i] + c.radius[j] - d);
+        }
+    }
+    return deepest;
+}
+
+// Every walker stands on ground, and its centre keeps clear of walls.
+int outside(const World& w) {
+    int n = 0;
+    for (uint32_t i = 0; i < w.crowd.count; ++i) {
+        Vec3 p = w.crowd.position[i];
+        auto wall = closest_wall(w.city, p, 0.2f);
+        n += !ground(w.city, p, 0.01f, 0.01f) || wall;
+    }
+    return n;
+}
+
+TEST(HalfPlanes, NearestAllowedVelocity) {
+    Vec2 v = best_velocity(nullptr, 0, 0, 1, {3, 0});
+    EXPECT_NEAR(v.x, 1, 1e-6f);
+    HalfPlane right[] = {{{1, 0}, 0.5f}};
+    v = best_velocity(right, 1, 0, 1, {0, 0.2f});
+    EXPECT_NEAR(v.x, 0.5f, 1e-6f);
+    EXPECT_NEAR(v.z, 0.2f, 1e-6f);
+}
+
+TEST(HalfPlanes, BeatsEveryVelocityOfASearch) {
+    for (uint32_t trial = 0; trial < 300; ++trial) {
+        RandomKey key{3, trial, 0, Purpose::city};
+        HalfPlane planes[8];
+        for (uint32_t k = 0; k < 8; ++k) {
+            Vec2 n = heading_direction(random_between(key, -3, 3, k * 2));
+            planes[k] = {n, random_between(key, -1, 0.45f, k * 2 + 1)};
+        }
+        Vec2 wish{random_between(key, -1, 1, 20), random_between(key, -1, 1, 21)};
+        Vec2 best = best_velocity(planes, 8, 2, 1, wish);
+        EXPECT_LE(length(best), 1 + 1e-4f);
+        auto trespass = [&](Vec2 v, int begin, int end) {
+            float worst = 0;
+            for (int k = begin; k < end; ++k)
+                worst = std::max(worst, planes[k].offset - dot(v, planes[k].normal));
+            return worst;
+        };
+        // Of the velocities that keep to the firm planes none trespasses less, and none that trespasses
+        // nowhere is nearer.
+        bool firm_possible = false;
+        for (int ix = -40; ix <= 40; ++ix) {
+            for (int iz = -40; iz <= 40; ++iz) {
+                Vec2 v = Vec2{static_cast<float>(ix), static_cast<float>(iz)} / 40;
+                if (length(v) > 1 || trespass(v, 0, 2) > 0) continue;
+                firm_possible = true;
+                EXPECT_LE(trespass(best, 2, 8), trespass(v, 2, 8) + 1e-3f) << trial;
+                if (trespass(v, 2, 8) == 0) {
+                    EXPECT_LE(length(best - wish), length(v - wish) + 1e-3f) << trial;
+                }
+            }
+        }
+        if (firm_possible) {
+            EXPECT_LE(trespass(best, 0, 2), 1e-4f) << trial;
+        }
+    }
+}
+
+TEST(Crowd, NeighboursAreTheNearest) {
+    World w = make_world(square(60), 400);
+    auto made = populate(w.city, *w.mesh, *w.workers, 400, 3, 5);
+    ASSERT_TRUE(made);
+    Crowd& c = *made;
+    for (uint32_t tick = 0; tick < k_decision_ticks; ++tick) find_neighbours(c, *w.workers, tick);
+    for (uint32_t i = 0; i < c.count; ++i) {
+        std::vector<std::pair<float, uint32_t>> all;
+        for (uint32_t j = 0; j < c.count; ++j) {
+            float d = length_squared(on_ground(c.position[j]) - on_ground(c.position[i]));
+            if (j != i && d <= k_neighbour_reach * k_neighbour_reach) all.push_back({d, j});
+        }
+        std::sort(all.begin(), all.end());
+        all.resize(std::min<size_t>(all.size(), k_neighbours));
+        ASSERT_EQ(c.neighbour_count[i], all.size());
+        for (size_t k = 0; k < all.size(); ++k) EXPECT_EQ(c.neighbours[i * k_neighbours + k], all[k].second);
+    }
+}
+
+TEST(Crowd, PopulateSpreadsWithoutTouchingAndRefusesTooMany) {
+    World w = make_world(street(), 0);
+    auto c = populate(w.city, *w.mesh, *w.workers, 300, 4, 9);
+    ASSERT_TRUE(c);
+    EXPECT_LT(deepest_overlap(*c), 0);
+    for (uint32_t i = 0; i < c->count; ++i) {
+        EXPECT_LT(c->body[i], 4u);
+        EXPECT_GE(c->preferred_speed[i], 0.7f);
+        EXPECT_LE(c->preferred_speed[i], 1.9f);
+        EXPECT_GT(c->corner_count[i], 0);
+    }
+    auto too_many = populate(w.city, *w.mesh, *w.workers, 100000, 4, 9);
+    ASSERT_FALSE(too_many);
+    EXPECT_NE(too_many.error().message.find("fit"), std::string::npos);
+    EXPECT_TRUE(populate(w.city, *w.mesh, *w.workers, 0, 0, 9));
+}
+
+TEST(Crowd, RimeaR1CorridorTime) {
+    World w = make_world(corridor(44, 2), 1);
+    uint32_t i = add(w, 1, 0, k_pi / 2, 43, 0, 1.33f);
+    uint32_t begin = 0, end = 0;
+    while (!end && w.tick < 60 * 60) {
+        step(w);
+        if (!begin && w.crowd.position[i].x >= 1.5f) begin = w.tick;
+        if (w.crowd.position[i].x >= 41.5f) end = w.tick;
+    }
+    float seconds = static_cast<float>(end - begin) * k_tick;
+    EXPECT_GE(seconds, 26);
+    EXPECT_LE(seconds, 34);
+}
+
+TEST(Crowd, HeadOnPairPasses) {
+    for (float width : {2.0f, 3.0f}) {
+        World w = make_world(corridor(30, width), 2);
+        uint32_t a = add(w, 2, 0, k_pi / 2, 28, 0), b = add(w, 28, 0, -k_pi / 2, 2, 0);
+        float deepest = -1;
+        for (int k = 0; k < 30 * 60; ++k) {
+            step(w);
+            deepest = std::max(deepest, deepest_overlap(w.crowd));
+            ASSERT_EQ(outside(w), 0);
+        }
+        EXPECT_GT(w.crowd.position[a].x, 27);
+        EXPECT_LT(w.crowd.position[b].x, 3);
+        EXPECT_LT(deepest, 0.05f);
+        EXPECT_TRUE(has_arrived(w.crowd, a) && has_arrived(w.crowd, b));
+    }
+}
+
+TEST(Crowd, HundredCrossAtASquare) {
+    World w = make_world(square(50), 100);
+    for (int k = 0; k < 100; ++k) {
+        int side = k % 4, row = k / 4;
+        float across = static_cast<float>(row % 5) * 1.6f - 3.2f,
+              back = 12 + static_cast<float>(row / 5) * 1.6f;
+        Vec2 d = heading_direction(static_cast<float>(side) * k_pi / 2), r{-d.z, d.x};
+        Vec2 from = r * across - d * back, to = r * across + d * back;
+        add(w, from.x, from.z, static_cast<float>(side) * k_pi / 2, to.x, to.z,
+            1.2f + 0.003f * static_cast<float>(k));
+    }
+    float deepest = -1;
+    for (int k = 0; k < 60 * 60; ++k) {
+        step(w);
+        deepest = std::max(deepest, deepest_overlap(w.crowd));
+    }
+    int arrived = 0;
+    for (uint32_t i = 0; i < 100; ++i) {
+        // Later comers may have asked one who stands there to step aside.
+        float off = length(on_ground(w.crowd.goal[i].position - w.crowd.position[i]));
+        arrived += has_arrived(w.crowd, i) && off < 3;
+    }
+    EXPECT_EQ(arrived, 100);
+    EXPECT_LT(deepest, 0.05f);
+}
+
+// The behaviour gate: two-way flow at 0.3 people a square metre.
+TEST(Crowd, TwoWayFlowKeepsItsSpeed) {
+    constexpr float k_length = 100, k_width = 6;
+    World w = make_world(corridor(k_length, k_width), 180);
+    auto number = [](uint32_t i, uint32_t k) { return random_unit({11, i, 0, Purpose::spawn}, k); };
+    for (uint32_t i = 0; i < 180; ++i) {
+        // Jittered places on a lattice of one walker for each 3.3 square metres.
+        float x = 1 + (static_cast<float>(i / 3) + 0.5f * number(i, 0)) * 1.63f;
+        float z = -1.8f + static_cast<float>(i % 3) * 1.8f + number(i, 1) * 0.8f - 0.4f;
+        bool east = number(i, 2) < 0.5f;
+        float v = clamp(1.34f + 0.26f * random_normal({11, i, 0, Purpose::body}), 0.7f, 1.9f);
+        add(w, x, z, east ? k_pi / 2 : -k_pi / 2, east ? k_length - 1 : 1, number(i, 3) * 4 - 2, v);
+    }
+    double relative_speed = 0;
+    int samples = 0, slow = 0, crossings = 0;
+    float deepest = -1;
+    for (int k = 0; k < 20 * 60; ++k) {
+        step(w);
+        Crowd& c = w.crowd;
+        for (uint32_t i = 0; i < c.count; ++i) {
+            // Those who come to an end turn round, so that the density holds.
+            float x = c.position[i].x, goal = c.goal[i].position.x;
+            if (std::fabs(x - goal) < 4)
+                send_to(c, i, on_mesh(w, k_length - goal, number(i, w.tick) * 4 - 2));
+            if (k < 5 * 60 || x < 20 || x > k_length - 20) continue;
+            ++samples;
+            float speed = length(c.velocity[i]);
+            relative_speed += speed / c.preferred_speed[i];
+            slow += speed < 0.3f;
+        }
+        deepest = std::max(deepest, deepest_overlap(c));
+        crossings += outside(w);
+    }
+    ASSERT_GT(samples, 50000);
+    EXPECT_GE(relative_speed / samples, 0.93);
+    EXPECT_LT(static_cast<double>(slow) / samples, 0.02);
+    EXPECT_EQ(crossings, 0);
+    EXPECT_LT(deepest, 0.05f);
+    RecordProperty("relative_speed", std::to_string(relative_speed / samples));
+    RecordProperty("slow_share", std::to_string(static_cast<double>(slow) / samples));
+    RecordProperty("deepest_overlap", std::to_string(deepest));
+}
+
+TEST(Crowd, MovesAsLegsCan) {
+    World w = make_world(street(), 0);
+    auto made = populate(w.city, *w.mesh, *w.workers, 150, 4, 2);
+    ASSERT_TRUE(made);
+    w.crowd = std::move(*made);
+    int samples = 0, askew = 0, jumps = 0;
+    auto before = w.crowd.velocity;
+    auto rate = w.crowd.turn_rate;
+    auto place = w.crowd.position;
+    for (int k = 0; k < 60 * 60; ++k) {
+        step(w);
+        const Crowd& c = w.crowd;
+        for (uint32_t i = 0; i < c.count; ++i) {
+            ++samples;
+            Vec2 v = c.velocity[i];
+            if (length(v) > 0.35f)
+                askew += std::fabs(wrap_angle(heading_of(v) - c.heading[i])) > 26 * k_radians;
+            jumps += length(v - before[i]) > 5 * k_tick;
+            ASSERT_LE(std::fabs(c.turn_rate[i]), 2.6f);
+            ASSERT_LE(std::fabs(c.turn_rate[i] - rate[i]), 12 * k_tick);
+            ASSERT_LT(length(on_ground(c.position[i] - place[i])), 2.6f * k_tick);
+            ASSERT_LE(std::fabs(c.position[i].y - place[i].y), 0.121f);
+        }
+        before = c.velocity;
+        rate = c.turn_rate;
+        place = c.position;
+        ASSERT_EQ(outside(w), 0);
+        ASSERT_LT(deepest_overlap(c), 0.05f);
+    }
+    EXPECT_LT(static_cast<double>(askew) / samples, 0.005);
+    EXPECT_LT(static_cast<double>(jumps) / samples, 0.002);
+}
+
+TEST(Crowd, NobodyIsStuckOnTheStreetOrTheSteps) {
+    for (bool stairs : {false, true}) {
+        World w = make_world(stairs ? steps() : street(), 0);
+        auto made = populate(w.city, *w.mesh, *w.workers, 80, 4, 3);
+        ASSERT_TRUE(made);
+        w.crowd = std::move(*made);
+        std::vector<Vec2> anchor(80);
+        std::vector<uint32_t> since(80, 0);
+        for (uint32_t k = 0; k < 150 * 60; ++k) {
+            step(w);
+            for (uint32_t i = 0; i < 80; ++i) {
+                Vec2 p = on_ground(w.crowd.position[i]);
+                if (length(p - anchor[i]) > 1) anchor[i] = p, since[i] = k;
+                ASSERT_LT(k - since[i], 30 * 60u) << "walker " << i << " at " << p.x << " " << p.z;
+            }
+        }
+        for (uint32_t i = 0; i < 80; ++i) EXPECT_GE(w.crowd.trip[i], 2u);
+    }
+}
+
+TEST(Crowd, TheSameOnAnyNumberOfThreads) {
+    uint64_t expected = 0;
+    for (int threads : {1, 2, 7}) {
+        World w = make_world(street(), 0, threads);
+        auto made = populate(w.city, *w.mesh, *w.workers, 200, 4, 4);
+        ASSERT_TRUE(made);
+        w.crowd = std::move(*made);
+        for (int k = 0; k < 600; ++k) step(w);
+        uint64_t hash = hash_crowd(w.crowd);
+        if (threads == 1) expected = hash;
+        EXPECT_EQ(hash, expected) << threads << " threads";
+    }
+}
+
+}  // namespace
+}  // namespace flaneur

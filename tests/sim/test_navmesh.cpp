@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "sim/base/rng.h"
+#include "sim/city/navmesh.h"
+#include "tests/sim/small_cities.h"
+
+namespace flaneur {
+namespace {
+
+NavmeshPtr build(const City& city, int threads = 1) {
+    auto mesh = build_navmesh(city, {}, threads);
+    EXPECT_TRUE(mesh) << (mesh ? "" : mesh.error().message);
+    return std::move(mesh).value();
+}
+
+float number(uint32_t i, float low, float high) {
+    return random_between({9, 0, 0, Purpose::city}, low, high, i);
+}
+
+float path_length(const Navmesh& mesh, Vec3 from, Vec3 to, Vec3* end = nullptr) {
+    auto a = nearest(mesh, 0, from), b = nearest(mesh, 0, to);
+    EXPECT_TRUE(a && b);
+    Vec3 corners[64];
+    int n = find_path(mesh, 0, *a, *b, corners, 64);
+    float sum = 0;
+    Vec3 at = a->position;
+    for (int i = 0; i < n; ++i) {
+        sum += length(on_ground(corners[i]) - on_ground(at));
+        at = corners[i];
+    }
+    if (end) *end = at;
+    return sum;
+}
+
+TEST(Navmesh, KeepsItsDistanceFromWalls) {
+    City city = corner(30, 3);
+    NavmeshPtr mesh = build(city);
+    auto triangles = navmesh_triangles(*mesh);
+    ASSERT_GE(triangles.size(), 6u);
+    for (Vec3 p : triangles) {
+        auto wall = closest_wall(city, p, 2);
+        if (wall) {
+            EXPECT_GE(wall->distance, 0.24f) << p.x << " " << p.z;
+        }
+    }
+}
+
+TEST(Navmesh, TrianglesFaceUp) {
+    NavmeshPtr mesh = build(corner(30, 3));
+    auto t = navmesh_triangles(*mesh);
+    for (size_t i = 0; i < t.size(); i += 3) EXPECT_GT(cross(t[i + 1] - t[i], t[i + 2] - t[i]).y, 0);
+}
+
+TEST(Navmesh, PathGoesRoundTheCorner) {
+    NavmeshPtr mesh = build(corner(30, 3));
+    Vec3 end;
+    float way = path_length(*mesh, {1, 0, 1.5f}, {28.5f, 0, 28}, &end);
+    EXPECT_NEAR(length(on_ground(end) - Vec2{28.5f, 28}), 0, 0.1f);
+    EXPECT_GT(way, 51);
+    EXPECT_LT(way, 54.5f);
+}
+
+TEST(Navmesh, PathPrefersTheCrossing) {
+    NavmeshPtr mesh = build(street());
+    Vec3 corners[32];
+    auto a = nearest(*mesh, 0, {20, 0.12f, -6}), b = nearest(*mesh, 0, {20, 0.12f, 6});
+    int n = find_path(*mesh, 0, *a, *b, corners, 32);
+    ASSERT_GE(n, 2);
+    float least_x = 100;
+    for (int i = 0; i < n; ++i) least_x = std::min(least_x, corners[i].x);
+    EXPECT_LT(least_x, 2.5f) << "the way does not use the crossing at x = 0";
+}
+
+TEST(Navmesh, StepsJoinTheTerrace) {
+    NavmeshPtr mesh = build(steps());
+    auto low = nearest(*mesh, 0, {0, 0, -10}), high = nearest(*mesh, 0, {0, 1.5f, 8});
+    ASSERT_TRUE(low && high);
+    EXPECT_EQ(island(*mesh, low->polygon), island(*mesh, high->polygon));
+    Vec3 end;
+    path_length(*mesh, {0, 0, -10}, {0, 1.5f, 8}, &end);
+    EXPECT_NEAR(end.z, 8, 0.1f);
+    EXPECT_NEAR(end.y, 1.5f, 0.2f);
+}
+
+TEST(Navmesh, GardenWallOnTheGroundDividesIt) {
+    City city = square(20);
+    add_wall(city, {-10, 0, 3}, {10, 0, 3}, 0.8f, FaceKind::garden_wall);
+    index_city(city);
+    NavmeshPtr mesh = build(city);
+    auto a = nearest(*mesh, 0, {0, 0, 0}), b = nearest(*mesh, 0, {0, 0, 6});
+    ASSERT_TRUE(a && b);
+    EXPECT_NE(island(*mesh, a->polygon), island(*mesh, b->polygon));
+    EXPECT_EQ(island(*mesh, a->polygon), 0u) << "the larger side comes first";
+    EXPECT_FALSE(nearest(*mesh, 0, {0, 0, 3}, {0.1f, 1, 0.1f}));
+    for (Vec3 p : navmesh_triangles(*mesh))
+        EXPECT_GE(closest_wall(city, p + Vec3{0, 0.3f, 0}, 99)->distance, 0.24f);
+}
+
+TEST(Navmesh, WaterIsNotWalkedOn) {
+    City city = square(20);
+    for (size_t i = 0; i < city.ground_kinds.size(); ++i) city.ground_kinds[i] = Surface::water;
+    auto mesh = build_navmesh(city, {}, 1);
+    ASSERT_FALSE(mesh);
+    EXPECT_NE(mesh.error().message.find("no ground"), std::string::npos);
+    EXPECT_FALSE(build_navmesh(City{}, {}, 2));
+}
+
+TEST(Navmesh, MoveAlongNeverLeavesTheMesh) {
+    City city = corner(30, 3);
+    NavmeshPtr mesh = build(city);
+    NavPoint at = *nearest(*mesh, 0, {15, 0, 1.5f});
+    for (uint32_t i = 0; i < 4000; ++i) {
+        Vec3 to = at.position + Vec3{number(i * 2, -3, 3), 0, number(i * 2 + 1, -3, 3)};
+        at = move_along(*mesh, 0, at, to);
+        ASSERT_TRUE(ground(city, at.position));
+        ASSERT_GE(closest_wall(city, at.position, 50)->distance, 0.2f);
+    }
+}
+
+TEST(Navmesh, BordersAreOrientedAndNearestFirst) {
+    NavmeshPtr mesh = build(corridor(40, 4));
+    Vec3 p{20, 0, 1};
+    BorderLine lines[8];
+    int n = borders_near(*mesh, p, 4, lines, 8);
+    ASSERT_GE(n, 2);
+    for (int i = 0; i < n; ++i) {
+        EXPECT_GT(cross(on_ground(lines[i].b - lines[i].a), on_ground(p - lines[i].a)), 0);
+    }
+    EXPECT_GT(lines[0].a.z, 0);
+    auto border = nearest_border(*mesh, 0, *nearest(*mesh, 0, p), 4);
+    ASSERT_TRUE(border);
+    EXPECT_NEAR(border->distance, 0.5f, 0.26f);
+    EXPECT_FALSE(nearest_border(*mesh, 0, *nearest(*mesh, 0, p), 0.1f));
+}
+
+TEST(Navmesh, PlacesLieOnThePreferredGround) {
+    City city = street();
+    NavmeshPtr mesh = build(city);
+    int crossing = 0;
+    for (uint32_t i = 0; i < 500; ++i) {
+        NavPoint p =
+            random_place(*mesh, number(i * 3, 0, 1), number(i * 3 + 1, 0, 1), number(i * 3 + 2, 0, 1));
+        ASSERT_NE(p.polygon, 0u);
+        auto hit = ground(city, p.position, 0.5f, 1);
+        ASSERT_TRUE(hit);
+        // Voxels of 0.2 m draw the line between surfaces a little off.
+        if (hit->kind == Surface::road) {
+            EXPECT_TRUE(std::abs(p.position.z) > 3.5f || std::abs(p.position.x) < 2.5f);
+        }
+        crossing += hit->kind == Surface::crossing;
+        NavPoint near = random_place_near(*mesh, {-30, 6}, 5, number(i, 0, 1), 0.3f, 0.3f);
+        ASSERT_NE(near.polygon, 0u);
+        EXPECT_LT(near.position.x, 10);
+    }
+    EXPECT_GT(crossing, 5);
+}
+
+TEST(Navmesh, TheSameOnAnyNumberOfThreads) {
+    City city = street();
+    auto one = navmesh_triangles(*build(city, 1));
+    for (int threads : {2, 7}) {
+        auto more = navmesh_triangles(*build(city, threads));
+        ASSERT_EQ(one.size(), more.size());
+        EXPECT_EQ(std::memcmp(one.data(), more.data(), one.size() * sizeof one[0]), 0);
+    }
+}
+
+}  // namespace
+}  // namespace flaneur
