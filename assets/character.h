@@ -17,12 +17,12 @@ enum class Tint : uint8_t { none, skin, hair, top, bottom, shoes, accent };
 inline constexpr int k_tint_count = 7;
 
 struct CharacterVertex {
-    Vec3 position, normal;             // bind pose, model space: metres, +y up, facing +z
-    float u = 0, v = 0;                // glTF convention: (0, 0) is the upper left corner of the texture
-    uint32_t colour = 0xffffffff;      // sRGB, R in the lowest byte; multiplies texture and tint
-    uint16_t texture = k_no_texture;   // index into Character::textures
+    Vec3 position, normal;            // bind pose, model space: metres, +y up, facing +z
+    float u = 0, v = 0;               // glTF convention: (0, 0) is the upper left corner of the texture
+    uint32_t colour = 0xffffffff;     // sRGB, R in the lowest byte; multiplies texture and tint
+    uint16_t texture = k_no_texture;  // index into Character::textures
     Tint tint = Tint::none;
-    uint8_t joints[4] = {0, 0, 0, 0};  // Joint
+    uint8_t joints[4] = {0, 0, 0, 0};     // Joint
     uint8_t weights[4] = {255, 0, 0, 0};  // sum to 255, falling
     static constexpr uint16_t k_no_texture = 0xffff;
 };
@@ -46,8 +46,8 @@ struct Character {
     std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
 };
 
-// A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names as hints;
-// units and axes are made canonical. Refuses, by name of what is missing, what cannot be mapped.
+// A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names
+// as hints; units and axes are made canonical. Refuses, by name of what is missing, what cannot be mapped.
 Result<Character> load_character(const std::string& path);
 
 struct PersonOptions {
@@ -59,8 +59,8 @@ struct PersonOptions {
 // A person made by the built-in generator. The same options give the same mesh.
 Character generate_person(const PersonOptions& options);
 
-// Appends the levels of detail after the first: about 1500, 500, 180 and 60 triangles, skipping those that would
-// not be coarser than the one before; orders indices and vertices for the vertex cache.
+// Appends the levels of detail after the first: about 1500, 500, 180 and 60 triangles, skipping those that
+// would not be coarser than the one before; orders indices and vertices for the vertex cache.
 void build_lods(Character& character);
 
 }  // namespace flaneur

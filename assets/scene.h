@@ -1,4 +1,5 @@
-// A scene: what to simulate and from where to look. Built-in ones are the files of assets/scenes, compiled in.
+// A scene: what to simulate and from where to look. Built-in ones are the files of assets/scenes, compiled
+// in.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +16,14 @@ struct Scene {
     std::vector<std::string> characters;  // glTF files; empty: the built-in people
     int walkers = 500;                    // 0..100,000
     uint64_t seed = 1;
-    int blocks = 4;                       // size of the built-in district
-    std::string camera = "street";        // as --camera takes it
-    float sun_height = 25;                // degrees above the horizon
-    float sun_heading = 235;              // degrees clockwise from north, where the sun stands
+    int blocks = 4;                 // size of the built-in district
+    std::string camera = "street";  // as --camera takes it
+    float sun_height = 25;          // degrees above the horizon
+    float sun_heading = 235;        // degrees clockwise from north, where the sun stands
 };
 
-// A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are refused.
+// A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are
+// refused. Relative paths in a file are relative to its folder.
 Result<Scene> load_scene(const std::string& name_or_path);
 
 // Names of the built-in scenes, sorted.

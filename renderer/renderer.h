@@ -1,5 +1,5 @@
-// The Vulkan renderer: a device, a scene on it, and frames drawn off-screen or into a window. The same frame code
-// serves both.
+// The Vulkan renderer: a device, a scene on it, and frames drawn off-screen or into a window. The same frame
+// code serves both.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,10 @@ struct GLFWwindow;
 namespace flaneur {
 
 struct RendererOptions {
-    std::string device;       // part of a device's name, or its number; empty: the fastest kind, a real GPU before lavapipe
-    bool validation = false;  // Khronos validation with synchronisation validation; messages go to `on_message`
+    std::string device;  // part of a device's name, or its number; empty: the fastest kind, a real GPU before
+                         // lavapipe
+    bool validation =
+        false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
 };
 
@@ -56,8 +58,8 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 // Draws one frame off-screen and reads it back. Sizes 1..8192.
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height);
 
-// Draws one frame into the window and presents it. Nothing happens, with success, while the window has no area; a
-// resized or lost surface is made anew.
+// Draws one frame into the window and presents it. Nothing happens, with success, while the window has no
+// area; a resized or lost surface is made anew.
 Result<void> draw_window(Renderer& renderer, const FrameInput& frame);
 
 // Of the last frame drawn.

@@ -1,23 +1,26 @@
-// What the renderer is handed: plain data, no simulation types. A scene is uploaded once; a frame is what moves.
+// What the renderer is handed: plain data, no simulation types. A scene is uploaded once; a frame is what
+// moves.
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "renderer/shared.h"
 
 namespace flaneur {
 
 struct CityVertex {
-    glm::vec3 position;   // metres
-    uint32_t colour;      // sRGB, R in the lowest byte
-    glm::vec2 uv;         // metres, meaning depends on the material
-    int8_t normal[4];     // unit vector * 127; [3] unused
-    uint16_t material;    // k_material_*
-    uint16_t extra;       // facades: storey height in centimetres, top bit set where there is a shop front
+    glm::vec3 position;  // metres
+    uint32_t colour;     // sRGB, R in the lowest byte
+    // Metres. Facade: u along the wall from its left end, v above its foot; windows are fitted to the extent
+    // that vertices joined by triangles span. Crossing: u along the way people cross. Other ground: the
+    // ground plane.
+    glm::vec2 uv;
+    int8_t normal[4];   // unit vector * 127; [3] unused
+    uint16_t material;  // k_material_*
+    uint16_t extra;     // facades: storey height in centimetres, top bit set where there is a shop front
 };
 
 struct CityMesh {
@@ -26,13 +29,13 @@ struct CityMesh {
 };
 
 struct PersonVertex {
-    glm::vec3 position;        // bind pose, metres
-    uint32_t colour;           // sRGB, R in the lowest byte
+    glm::vec3 position;  // bind pose, metres
+    uint32_t colour;     // sRGB, R in the lowest byte
     glm::vec2 uv;
-    int8_t normal[4];          // unit vector * 127; [3]: tint, 0..k_tints-1
+    int8_t normal[4];  // unit vector * 127; [3]: tint, 0..k_tints-1
     uint8_t joints[4];
-    uint8_t weights[4];        // sum to 255, falling
-    uint32_t texture;          // index into PersonMesh::textures, or ~0u
+    uint8_t weights[4];  // sum to 255, falling
+    uint32_t texture;    // index into PersonMesh::textures, or ~0u
 };
 
 struct RgbaImage {
@@ -53,9 +56,9 @@ struct SceneMeshes {
 
 // One walker of a frame.
 struct WalkerDraw {
-    glm::vec3 centre;      // of a sphere that holds the body, metres
+    glm::vec3 centre;  // of a sphere that holds the body, metres
     float radius = 1;
-    uint32_t mesh = 0;     // index into SceneMeshes::people
+    uint32_t mesh = 0;  // index into SceneMeshes::people
     WalkerInstance instance;
 };
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <glm/glm.hpp>
 
 namespace flaneur {
@@ -17,5 +16,6 @@ using uint = uint32_t;
 
 static_assert(sizeof(JointTransform) == 32);
 static_assert(sizeof(WalkerInstance) == 48);
+static_assert(sizeof(FrameConstants) == 2 * 64 + 23 * 16);
 
 }  // namespace flaneur

@@ -42,4 +42,44 @@ FLANEUR_CONST uint k_material_leaves = 11;
 FLANEUR_CONST uint k_material_trunk = 12;
 FLANEUR_CONST uint k_material_metal = 13;   // lamps, bollards, benches
 
+// Bindings of the one descriptor set that every pipeline uses.
+FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
+FLANEUR_CONST int k_binding_instances = 1;  // WalkerInstance[]
+FLANEUR_CONST int k_binding_palette = 2;    // JointTransform[]
+FLANEUR_CONST int k_binding_shadow = 3;     // two layers: near (city and crowd), far (city)
+FLANEUR_CONST int k_binding_textures = 4;   // base colours of people, layer 0 white
+FLANEUR_CONST int k_binding_picture = 5;    // the picture before anti-aliasing, luma in alpha
+
+// Specialisation constants.
+FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4
+FLANEUR_CONST int k_constant_textured = 1;  // whether people have textures
+
+// The last joints of the legs, whose places on the ground darken it.
+FLANEUR_CONST int k_left_foot = 16;
+FLANEUR_CONST int k_right_foot = 20;
+
+// What the shaders know of a frame. Light is linear sRGB, scaled so that the tone curve takes it as it is.
+struct FrameConstants {
+    mat4 clip_from_world;     // reversed depth, far plane at infinity
+    mat4 shadow_from_world;   // to the near shadow map: u, v, depth in 0..1
+    vec4 far_scale;           // far map's u, v, depth = near map's * scale + offset
+    vec4 far_offset;
+    vec4 shadow_texels;       // metres a texel: near, far; resolution; 1 / resolution
+    vec4 eye;                 // metres
+    vec4 ray_forward;         // the view ray through normalised device coordinates x, y is
+    vec4 ray_right;           //   forward + x * right + y * down
+    vec4 ray_down;
+    vec4 sun_direction;       // towards the sun
+    vec4 sun_light;           // what a white surface square to the sun reflects
+    vec4 ambient[3];          // of red, green, blue: what a white surface of normal n reflects of sky and ground is
+                              //   dot(xyz, n) + w
+    vec4 haze_towards;        // sky at the horizon towards the sun; w: haze a metre
+    vec4 haze_away;           // and away from it; w: metres where haze begins
+    vec4 zenith;              // sky overhead
+    vec4 perez[5];            // A..E of the sky's distribution for Y, x, y
+    vec4 sky_scale;           // Y, x, y of the zenith over the distribution there
+    vec4 sky_white;           // factors for red, green, blue: white balance and exposure
+    vec4 screen;              // width, height, 1 / width, 1 / height
+};
+
 #endif

@@ -42,6 +42,12 @@ void index_city(City& city) {
                   if (inside(a, b, c) < k_least_area) return;
                   for_cells_of_triangle(city.triangle_grid, a, b, c, visit);
               });
+    city.grid_triangles.clear();
+    for (uint32_t i : city.triangle_grid.items) {
+        const uint32_t* index = &city.ground_indices[i * 3];
+        city.grid_triangles.push_back({city.ground_vertices[index[0]], city.ground_vertices[index[1]],
+                                       city.ground_vertices[index[2]], i});
+    }
     city.wall_grid = make_grid(low - margin, high + margin, k_wall_cell);
     fill_grid(city.wall_grid, static_cast<uint32_t>(city.faces.size()), [&](uint32_t i, auto visit) {
         const Face& f = city.faces[i];
@@ -57,12 +63,11 @@ std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float do
         return std::nullopt;
     }
     size_t c = static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
-    const Vec3* vertices = city.ground_vertices.data();
     float highest = point.y + up, best = point.y - down;
-    uint32_t best_triangle = ~0u;
+    const GridTriangle* found = nullptr;
     for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
-        const uint32_t* index = &city.ground_indices[grid.items[k] * 3];
-        Vec3 a = vertices[index[0]], b = vertices[index[1]], d = vertices[index[2]];
+        const GridTriangle& t = city.grid_triangles[k];
+        Vec3 a = t.a, b = t.b, d = t.c;
         Vec2 ap{p.x - a.x, p.z - a.z}, bp{p.x - b.x, p.z - b.z}, dp{p.x - d.x, p.z - d.z};
         Vec2 ab{b.x - a.x, b.z - a.z}, bd{d.x - b.x, d.z - b.z}, da{a.x - d.x, a.z - d.z};
         float wd = cross(ap, ab), wa = cross(bp, bd), wb = cross(dp, da);
@@ -75,15 +80,14 @@ std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float do
         float sum = wa + wb + wd;
         if (sum <= 0) continue;
         float y = (wa * a.y + wb * b.y + wd * d.y) / sum;
-        if (y <= highest && y >= best && (y > best || best_triangle == ~0u)) {
+        if (y <= highest && y >= best && (y > best || !found)) {
             best = y;
-            best_triangle = grid.items[k];
+            found = &t;
         }
     }
-    if (best_triangle == ~0u) return std::nullopt;
-    const uint32_t* index = &city.ground_indices[best_triangle * 3];
-    Vec3 a = vertices[index[0]], b = vertices[index[1]], d = vertices[index[2]];
-    return GroundHit{best, normalize_or(cross(b - a, d - a), {0, 1, 0}), city.ground_kinds[best_triangle]};
+    if (!found) return std::nullopt;
+    Vec3 normal = normalize_or(cross(found->b - found->a, found->c - found->a), {0, 1, 0});
+    return GroundHit{best, normal, city.ground_kinds[found->index]};
 }
 
 // The ray's parameter where it meets a triangle's plane inside the triangle (Moller and Trumbore 1997), or
@@ -130,10 +134,9 @@ std::optional<RayHit> raycast(const City& city, Vec3 origin, Vec3 direction, flo
     const Grid& triangles = city.triangle_grid;
     for_cells_of_ray(triangles, on_ground(origin), on_ground(direction), reach, [&](size_t cell, float exit) {
         for (uint32_t k = triangles.first[cell]; k < triangles.first[cell + 1]; ++k) {
-            const uint32_t* index = &city.ground_indices[triangles.items[k] * 3];
-            take(hit_triangle(origin, direction, city.ground_vertices[index[0]],
-                              city.ground_vertices[index[1]], city.ground_vertices[index[2]]),
-                 RayHit::What::ground, triangles.items[k]);
+            const GridTriangle& triangle = city.grid_triangles[k];
+            take(hit_triangle(origin, direction, triangle.a, triangle.b, triangle.c), RayHit::What::ground,
+                 triangle.index);
         }
         return best.distance > exit;
     });
@@ -200,6 +203,7 @@ uint64_t hash_city(const City& city) {
     add_array(city.ground_vertices);
     add_array(city.ground_indices);
     add_array(city.ground_kinds);
+    add_array(city.ground_axes);
     // Field by field where a struct has padding.
     for (const Face& f : city.faces) {
         add(&f.a, sizeof f.a);

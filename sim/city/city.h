@@ -56,6 +56,12 @@ struct Grid {
     std::vector<uint32_t> first, items;
 };
 
+// A ground triangle as `ground` reads it.
+struct GridTriangle {
+    Vec3 a, b, c;
+    uint32_t index = 0;  // in the city's list
+};
+
 struct City {
     std::string name;
     Vec2 low, high;  // bounds on the ground plane
@@ -80,7 +86,8 @@ struct City {
     std::vector<Prop> props;
 
     // Filled by index_city.
-    Grid triangle_grid, wall_grid;  // ground triangles; facades and garden walls
+    Grid triangle_grid, wall_grid;             // ground triangles; facades and garden walls
+    std::vector<GridTriangle> grid_triangles;  // one for each item of triangle_grid, side by side in memory
 
     std::vector<std::string> notes;  // what an import skipped or repaired, a counted sentence each
 };

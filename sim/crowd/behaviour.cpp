@@ -1,5 +1,6 @@
 // Where walkers want to go: goals, paths, and the velocity along them.
 #include <algorithm>
+#include <functional>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -168,18 +169,20 @@ void think(Crowd& c, const City&, const Navmesh& mesh, Workers& workers, uint32_
         last = i + 1 < c.count ? i + 1 : 0;
     }
     c.next_path = last;
-    parallel_for(workers, c.requests.size(), 1, [&](size_t begin, size_t end, int thread) {
+    auto plan_some = [&](size_t begin, size_t end, int thread) {
         for (size_t r = begin; r < end; ++r) plan_path(c, mesh, thread, c.requests[r], tick, seed);
-    });
+    };
+    parallel_for(workers, c.requests.size(), 1, std::ref(plan_some));
 
     uint32_t phase = tick % k_decision_ticks;
     size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    parallel_for(workers, due, 256, [&](size_t begin, size_t end, int thread) {
+    auto follow_some = [&](size_t begin, size_t end, int thread) {
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
             c.wanted[i] = tick < c.pause_until[i] ? Vec2{0, 0} : follow_path(c, mesh, thread, i, tick, seed);
         }
-    });
+    };
+    parallel_for(workers, due, 256, std::ref(follow_some));
 }
 
 }  // namespace flaneur

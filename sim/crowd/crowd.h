@@ -116,14 +116,14 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
 void think(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,
            uint64_t seed);
 
-// The k_neighbours nearest others within k_neighbour_reach, ties by id.
+// Sorts everyone by place; then the k_neighbours nearest others within k_neighbour_reach, ties by id.
 void find_neighbours(Crowd& crowd, Workers& workers, uint32_t tick);
 
 // A velocity near the wanted one that avoids others and the mesh's border: optimal reciprocal collision
 // avoidance (van den Berg et al. 2011), then a speed that keeps headway (Tordeux et al. 2016).
 void steer(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick);
 
-// Turns and moves everyone by one tick, on the mesh, within what legs can do.
+// Turns and moves everyone by one tick, on the mesh, within what legs can do. Comes after find_neighbours.
 void move(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers);
 
 // All four.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/deciders.h"
 
 namespace flaneur {
 
@@ -69,12 +70,7 @@ static void nearest_walkers(Crowd& c, uint32_t i) {
 
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
     sort_by_cell(c);
-    uint32_t phase = tick % k_decision_ticks;
-    size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    parallel_for(workers, due, 128, [&](size_t begin, size_t end, int) {
-        for (size_t k = begin; k < end; ++k)
-            nearest_walkers(c, static_cast<uint32_t>(k * k_decision_ticks + phase));
-    });
+    for_deciders(c, workers, tick, [&](uint32_t i) { nearest_walkers(c, i); });
 }
 
 }  // namespace flaneur

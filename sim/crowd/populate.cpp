@@ -71,7 +71,7 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
         w.radius = k_body_radius;
         w.body = static_cast<uint32_t>(random_bits(body, 0) % std::max(bodies, 1u));
         w.scale = random_between(body, 0.95f, 1.05f, 2);
-        w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 1.6f);
+        w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 2.2f);
         add_walker(c, city, w);
         uint32_t& head = placed.head[placed.cell(column(w.place.position.x), column(w.place.position.z))];
         placed.next[i] = head;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/deciders.h"
 #include "sim/crowd/half_planes.h"
 
 namespace flaneur {
@@ -105,14 +106,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i) {
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
-    uint32_t phase = tick % k_decision_ticks;
-    size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    parallel_for(workers, due, 128, [&](size_t begin, size_t end, int) {
-        for (size_t k = begin; k < end; ++k) {
-            auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
-            c.chosen[i] = choose_velocity(c, mesh, i);
-        }
-    });
+    for_deciders(c, workers, tick, [&](uint32_t i) { c.chosen[i] = choose_velocity(c, mesh, i); });
 }
 
 }  // namespace flaneur

@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/half_planes.h"
+#include "tests/sim/allocations.h"
 #include "tests/sim/small_cities.h"
 
 namespace flaneur {
 namespace {
-
-constexpr float k_body = 0.25f;
 
 struct World {
     City city;
@@ -307,6 +305,19 @@ TEST(Crowd, NobodyIsStuckOnTheStreetOrTheSteps) {
         }
         for (uint32_t i = 0; i < 80; ++i) EXPECT_GE(w.crowd.trip[i], 2u);
     }
+}
+
+TEST(Crowd, StepAllocatesNothing) {
+    World w = make_world(street(), 0);
+    auto made = populate(w.city, *w.mesh, *w.workers, 200, 4, 4);
+    ASSERT_TRUE(made);
+    w.crowd = std::move(*made);
+    size_t before = allocations();
+    for (int k = 0; k < 1200; ++k) step(w);
+    EXPECT_EQ(allocations() - before, 0u);
+    uint32_t trips = 0;
+    for (uint32_t i = 0; i < 200; ++i) trips = std::max(trips, w.crowd.trip[i]);
+    EXPECT_GE(trips, 2u) << "no path was sought";
 }
 
 TEST(Crowd, TheSameOnAnyNumberOfThreads) {

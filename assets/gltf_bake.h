@@ -1,0 +1,26 @@
+// The skinned mesh of a glTF scene in one pose, in one array, and the skeleton that carries it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assets/gltf_read.h"
+#include "assets/gltf_rig.h"
+
+namespace flaneur {
+
+struct BakedMesh {
+    std::vector<CharacterVertex> vertices;  // joints and weights not set yet; normals may be zero
+    std::vector<std::vector<std::pair<int, float>>>
+        influences;  // by vertex: rig joint, weight; they sum to 1
+    std::vector<uint32_t> indices;
+    std::vector<RigJoint> rig;
+    Vec3 low, high;  // bounding box
+    std::vector<std::string> notes;
+};
+
+// The bind pose where the skins agree on one, else the rest pose; in the scene's units and axes.
+Result<BakedMesh> bake(const GltfScene& scene);
+
+}  // namespace flaneur

@@ -1,0 +1,251 @@
+#include "assets/gltf_read.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "assets/gltf_accessor.h"
+#include "assets/gltf_mesh.h"
+
+namespace flaneur {
+
+namespace {
+
+// Keeps an image that cannot be decoded as an empty one: a character without its texture is still a
+// character.
+bool load_image(tinygltf::Image* image, const int index, std::string* error, std::string* warning, int width,
+                int height, const unsigned char* bytes, int size, void*) {
+    std::string why;
+    if (!tinygltf::LoadImageData(image, index, &why, warning, width, height, bytes, size, nullptr)) {
+        image->image.clear();
+        (void)error;
+    }
+    return true;
+}
+
+constexpr uintmax_t k_most_bytes = uintmax_t{1} << 30;
+
+// Only regular files of a sensible size: a file may name a folder, a device or a pipe as its buffer.
+bool readable(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) &&
+           std::filesystem::file_size(path, error) <= k_most_bytes && !error;
+}
+
+bool file_exists(const std::string& path, void*) { return readable(path); }
+
+std::string same_path(const std::string& path, void*) { return path; }  // no shell expansion
+
+bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
+    std::ifstream file(path, std::ios::binary);
+    if (!readable(path) || !file) {
+        if (error) *error += "cannot read " + path;
+        return false;
+    }
+    out->assign(std::istreambuf_iterator<char>(file), {});
+    return true;
+}
+
+Result<tinygltf::Model> parse(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!readable(path) || !file)
+        return Error{path + ": cannot be opened as a file; check the path and its permissions"};
+    char magic[4] = {};
+    file.read(magic, 4);
+    if (file.gcount() < 4) return Error{path + ": not a glTF file (it has fewer than four bytes)"};
+    bool binary = std::string_view(magic, 4) == "glTF";
+    file.close();
+
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(load_image, nullptr);
+    loader.SetFsCallbacks({file_exists, same_path, read_file, nullptr, nullptr});
+    tinygltf::Model model;
+    std::string error, warning;
+    bool loaded = false;
+    try {
+        loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
+                        : loader.LoadASCIIFromFile(&model, &error, &warning, path);
+    } catch (const std::bad_alloc&) {
+        error = "it claims more memory than there is";
+    } catch (const std::exception& e) {
+        error = e.what();
+    }
+    while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    if (!loaded)
+        return Error{path + ": not a readable glTF 2.0 file (" + (error.empty() ? "unknown reason" : error) +
+                     "); export it again as .glb"};
+    return model;
+}
+
+Result<void> check_extensions(const tinygltf::Model& model) {
+    static constexpr std::string_view k_understood[] = {"KHR_mesh_quantization", "KHR_texture_transform",
+                                                        "VRM", "VRMC_vrm"};
+    for (const std::string& name : model.extensionsRequired) {
+        bool fine =
+            std::find(std::begin(k_understood), std::end(k_understood), name) != std::end(k_understood) ||
+            name.starts_with("KHR_materials_") || name.starts_with("VRMC_");
+        if (!fine)
+            return Error{"requires the extension " + name +
+                         ", which is not supported; export it without compression"};
+    }
+    return {};
+}
+
+Affine local_transform(const tinygltf::Node& node) {
+    auto f = [](double v) { return float(v); };
+    if (node.matrix.size() == 16) {
+        const auto& m = node.matrix;
+        return {{f(m[0]), f(m[1]), f(m[2])},
+                {f(m[4]), f(m[5]), f(m[6])},
+                {f(m[8]), f(m[9]), f(m[10])},
+                {f(m[12]), f(m[13]), f(m[14])}};
+    }
+    Affine a;
+    Vec3 scale{1, 1, 1};
+    if (node.scale.size() == 3) scale = {f(node.scale[0]), f(node.scale[1]), f(node.scale[2])};
+    if (node.rotation.size() == 4) {
+        Quat q{f(node.rotation[0]), f(node.rotation[1]), f(node.rotation[2]), f(node.rotation[3])};
+        if (dot(q, q) > 1e-12f) {
+            q = normalize(q);
+            a = {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1}), {}};
+        }
+    }
+    a.x = a.x * scale.x, a.y = a.y * scale.y, a.z = a.z * scale.z;
+    if (node.translation.size() == 3)
+        a.t = {f(node.translation[0]), f(node.translation[1]), f(node.translation[2])};
+    return a;
+}
+
+bool finite(const Affine& a) {
+    for (Vec3 v : {a.x, a.y, a.z, a.t})
+        for (float f : {v.x, v.y, v.z})
+            if (!(f > -1e9f && f < 1e9f)) return false;
+    return true;
+}
+
+Result<void> read_nodes(const tinygltf::Model& model, GltfScene& scene) {
+    size_t count = model.nodes.size();
+    scene.nodes.resize(count);
+    for (size_t n = 0; n < count; ++n) {
+        const tinygltf::Node& node = model.nodes[n];
+        GltfNode& out = scene.nodes[n];
+        out.name = node.name;
+        out.local = local_transform(node);
+        if (!finite(out.local))
+            return Error{"node " + std::to_string(n) + " has a transform that is not finite"};
+        out.mesh = node.mesh >= 0 && size_t(node.mesh) < model.meshes.size() ? node.mesh : -1;
+        out.skin = node.skin >= 0 && size_t(node.skin) < model.skins.size() ? node.skin : -1;
+        if (out.mesh != node.mesh && node.mesh >= 0)
+            return Error{"node " + std::to_string(n) + " names a mesh that does not exist"};
+        if (out.skin != node.skin && node.skin >= 0)
+            return Error{"node " + std::to_string(n) + " names a skin that does not exist"};
+        for (int child : node.children) {
+            if (child < 0 || size_t(child) >= count)
+                return Error{"node " + std::to_string(n) + " has a child that does not exist"};
+            if (scene.nodes[size_t(child)].parent >= 0)
+                return Error{"node " + std::to_string(child) + " has two parents"};
+            scene.nodes[size_t(child)].parent = int(n);
+        }
+    }
+    std::vector<uint8_t> done(count, 0);
+    for (size_t n = 0; n < count; ++n) {
+        std::vector<int> path;
+        for (int at = int(n); at >= 0 && !done[size_t(at)]; at = scene.nodes[size_t(at)].parent) {
+            path.push_back(at);
+            if (path.size() > count) return Error{"the nodes form a cycle"};
+        }
+        for (; !path.empty(); path.pop_back()) {
+            GltfNode& node = scene.nodes[size_t(path.back())];
+            node.world = node.parent < 0 ? node.local : scene.nodes[size_t(node.parent)].world * node.local;
+            if (!finite(node.world)) return Error{"the nodes' transforms grow beyond reason"};
+            done[size_t(path.back())] = 1;
+        }
+    }
+    return {};
+}
+
+Result<void> read_skins(const tinygltf::Model& model, GltfScene& scene) {
+    for (size_t s = 0; s < model.skins.size(); ++s) {
+        const tinygltf::Skin& skin = model.skins[s];
+        std::string what = "skin " + std::to_string(s);
+        GltfSkin out;
+        for (int joint : skin.joints) {
+            if (joint < 0 || size_t(joint) >= scene.nodes.size())
+                return Error{what + " names a joint that does not exist"};
+            out.joints.push_back(joint);
+        }
+        out.inverse_binds.resize(out.joints.size());
+        if (skin.inverseBindMatrices >= 0) {
+            auto data =
+                read_accessor(model, skin.inverseBindMatrices, "the inverse bind matrices of " + what);
+            if (!data) return data.error();
+            if (data->components != 16 || data->count < out.joints.size())
+                return Error{what + " has fewer inverse bind matrices than joints"};
+            for (size_t j = 0; j < out.joints.size(); ++j) {
+                const float* m = &data->values[j * 16];
+                Affine a{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
+                float volume = determinant(a);
+                if (!finite(a) || !(volume * volume > 1e-30f))
+                    return Error{what + " has an inverse bind matrix that cannot be inverted"};
+                out.inverse_binds[j] = a;
+            }
+        }
+        scene.skins.push_back(std::move(out));
+    }
+    return {};
+}
+
+// The bones' names that VRM 0 and VRM 1 give outright.
+void read_vrm(const tinygltf::Model& model, GltfScene& scene) {
+    scene.humanoid.resize(scene.nodes.size());
+    auto name_node = [&](const tinygltf::Value& node, const std::string& bone) {
+        if (node.IsInt() && node.GetNumberAsInt() >= 0 && size_t(node.GetNumberAsInt()) < scene.nodes.size())
+            scene.humanoid[size_t(node.GetNumberAsInt())] = bone;
+    };
+    for (const char* extension : {"VRM", "VRMC_vrm"}) {
+        auto found = model.extensions.find(extension);
+        if (found == model.extensions.end() || !found->second.IsObject()) continue;
+        const tinygltf::Value& humanoid = found->second.Get("humanoid");
+        if (!humanoid.IsObject()) continue;
+        const tinygltf::Value& bones = humanoid.Get("humanBones");
+        if (bones.IsArray())
+            for (size_t i = 0; i < bones.ArrayLen(); ++i) {
+                const tinygltf::Value& bone = bones.Get(int(i));
+                if (bone.IsObject() && bone.Get("bone").IsString())
+                    name_node(bone.Get("node"), bone.Get("bone").Get<std::string>());
+            }
+        if (bones.IsObject())
+            for (const std::string& key : bones.Keys()) {
+                const tinygltf::Value& bone = bones.Get(key);
+                if (bone.IsObject()) name_node(bone.Get("node"), key);
+            }
+    }
+}
+
+}  // namespace
+
+Result<GltfScene> read_gltf(const std::string& path) {
+    auto model = parse(path);
+    if (!model) return model.error();
+    auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
+    GltfScene scene;
+    try {
+        if (auto done = check_extensions(*model); !done) return refuse(done.error());
+        if (auto done = read_nodes(*model, scene); !done) return refuse(done.error());
+        if (auto done = read_skins(*model, scene); !done) return refuse(done.error());
+        read_vrm(*model, scene);
+        auto meshes = read_meshes(*model, scene);
+        if (!meshes) return refuse(meshes.error());
+        scene.meshes = std::move(*meshes);
+    } catch (const std::bad_alloc&) {
+        return Error{path + ": needs more memory than there is"};
+    }
+    return scene;
+}
+
+}  // namespace flaneur

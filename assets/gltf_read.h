@@ -1,0 +1,50 @@
+// A glTF 2.0 file as plain, validated data: what load_character needs of it and nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assets/affine.h"
+#include "assets/character.h"
+
+namespace flaneur {
+
+struct GltfNode {
+    std::string name;
+    int parent = -1, mesh = -1, skin = -1;
+    Affine local, world;  // at rest
+};
+
+struct GltfSkin {
+    std::vector<int> joints;            // nodes
+    std::vector<Affine> inverse_binds;  // one a joint
+};
+
+struct GltfPrimitive {
+    std::vector<Vec3> positions, normals;  // normals may be empty
+    std::vector<Vec2> uvs;                 // may be empty; x = u, z = v
+    std::vector<uint32_t> colours;         // sRGB, one a vertex, the material's factor included
+    struct Influence {
+        uint16_t joint;  // index into the skin's joints
+        float weight;
+    };
+    std::vector<Influence> influences;  // influences_per_vertex for each vertex; empty: no skin
+    int influences_per_vertex = 0;
+    std::vector<uint32_t> indices;  // triangles
+    uint16_t texture = CharacterVertex::k_no_texture;
+};
+
+struct GltfScene {
+    std::vector<GltfNode> nodes;
+    std::vector<GltfSkin> skins;
+    std::vector<std::vector<GltfPrimitive>> meshes;
+    std::vector<Texture> textures;
+    std::vector<std::string>
+        humanoid;  // by node: the bone's name where a VRM extension gives one, else empty
+    std::vector<std::string> notes;
+};
+
+// Refuses, in a sentence, what cannot be read or breaks the format where it matters.
+Result<GltfScene> read_gltf(const std::string& path);
+
+}  // namespace flaneur

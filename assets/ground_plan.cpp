@@ -1,0 +1,98 @@
+#include "assets/ground_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sim/base/parallel_for.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_highest_step = 0.35f;  // higher ones are walls
+
+// An edge as its lower and its higher corner, and which piece has it which way round.
+struct Edge {
+    Point low, high;
+    uint32_t piece;
+    bool forward;  // the piece runs from low to high
+
+    auto key() const { return std::tuple(low.X, low.Y, high.X, high.Y, piece, forward); }
+    bool along(const Edge& e) const { return low == e.low && high == e.high; }
+};
+
+void add_edges(std::vector<Edge>& edges, const Ring& ring, uint32_t piece) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+        Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        bool forward = a.X != b.X ? a.X < b.X : a.Y < b.Y;
+        edges.push_back(forward ? Edge{a, b, piece, true} : Edge{b, a, piece, false});
+    }
+}
+
+}  // namespace
+
+float lift_at(const Lift& lift, Vec2 p) {
+    return clamp(lift.base + dot(p - lift.origin, lift.slope), lift.low, lift.high);
+}
+
+void lay_ground(const GroundPlan& plan, City& city) {
+    std::vector<Piece> pieces = cut_pieces(plan);
+    auto height = [&](const Piece& piece, Point p) {
+        Vec2 at = to_metres(p);
+        return (plan.terrain ? plan.terrain(at) : 0) + lift_at(plan.areas[piece.area].lift, at);
+    };
+
+    std::vector<std::vector<uint32_t>> triangles(pieces.size());
+    WorkersPtr workers = make_workers(0);
+    parallel_for(*workers, pieces.size(), 16, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin; i < end; ++i) triangles[i] = triangulate(pieces[i].region);
+    });
+
+    std::vector<Edge> edges;
+    for (uint32_t i = 0; i < pieces.size(); ++i) {
+        const Piece& piece = pieces[i];
+        const Area& area = plan.areas[piece.area];
+        auto first = static_cast<uint32_t>(city.ground_vertices.size());
+        for (const Ring& ring : rings_of(piece.region)) {
+            add_edges(edges, ring, i);
+            for (Point p : ring) city.ground_vertices.push_back(at_height(to_metres(p), height(piece, p)));
+        }
+        for (size_t t = 0; t < triangles[i].size(); t += 3) {
+            // Positive in x, z is clockwise seen from above.
+            for (size_t corner : {t, t + 2, t + 1})
+                city.ground_indices.push_back(first + triangles[i][corner]);
+            city.ground_kinds.push_back(area.kind);
+            city.ground_axes.push_back(area.axis);
+        }
+    }
+
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
+    for (size_t i = 0; i + 1 < edges.size(); ++i) {
+        const Edge &e = edges[i], &f = edges[i + 1];
+        if (!e.along(f) || e.forward == f.forward || e.piece == f.piece) continue;
+        const Piece &forward = pieces[e.forward ? e.piece : f.piece],
+                    &backward = pieces[e.forward ? f.piece : e.piece];
+        float fl = height(forward, e.low), fh = height(forward, e.high);
+        float bl = height(backward, e.low), bh = height(backward, e.high);
+        float most = std::max(std::fabs(fl - bl), std::fabs(fh - bh));
+        if (most < 1e-3f) continue;
+        bool forward_above = fl + fh > bl + bh;
+        // The free side of the higher piece's edge is to its right.
+        Face face;
+        face.a = at_height(to_metres(e.high), std::min(fh, bh));
+        face.b = at_height(to_metres(e.low), std::min(fl, bl));
+        face.a_top = std::max(fh, bh);
+        face.b_top = std::max(fl, bl);
+        if (!forward_above) {
+            std::swap(face.a, face.b);
+            std::swap(face.a_top, face.b_top);
+        }
+        bool steps = plan.areas[forward.area].kind == Surface::steps ||
+                     plan.areas[backward.area].kind == Surface::steps;
+        face.kind = most > k_highest_step ? FaceKind::garden_wall : steps ? FaceKind::riser : FaceKind::kerb;
+        city.faces.push_back(face);
+    }
+}
+
+}  // namespace flaneur

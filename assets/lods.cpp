@@ -1,0 +1,202 @@
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <array>
+
+#include "assets/character.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr std::array<size_t, 4> k_level_triangles = {1500, 500, 180, 60};
+constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
+constexpr size_t k_repainted_below = 100;  // and these across garments, whose colours are then laid on anew
+
+// Places as the simplifier measures errors: the head twice as large, for the eye goes there.
+std::vector<Vec3> weighed_places(const Character& c) {
+    std::vector<Vec3> places;
+    Vec3 pivot = c.bind_joints[head];
+    for (const CharacterVertex& v : c.vertices) {
+        float share = 0;
+        for (int n = 0; n < 4; ++n)
+            if (v.joints[n] == head) share += float(v.weights[n]) / 255;
+        places.push_back(v.position + (v.position - pivot) * (0.8f * share));
+    }
+    return places;
+}
+
+std::vector<uint32_t> simplify(const std::vector<uint32_t>& indices, const std::vector<Vec3>& places,
+                               size_t triangles) {
+    std::vector<uint32_t> out(indices.size());
+    out.resize(meshopt_simplify(out.data(), indices.data(), indices.size(), &places[0].x, places.size(),
+                                sizeof(Vec3), triangles * 3, 1.0f, 0, nullptr));
+    return out;
+}
+
+std::vector<uint32_t> simplify_sloppily(const std::vector<uint32_t>& indices, const std::vector<Vec3>& places,
+                                        size_t triangles) {
+    std::vector<uint32_t> out(indices.size());
+    out.resize(meshopt_simplifySloppy(out.data(), indices.data(), indices.size(), &places[0].x, places.size(),
+                                      sizeof(Vec3), triangles * 3, 1.0f, nullptr));
+    return out;
+}
+
+// Vertices at one place, as one: a surface without the seams of colour, texture and hard edges.
+struct Weld {
+    std::vector<uint32_t> place;                 // by vertex: the number of its place
+    std::vector<std::vector<uint32_t>> members;  // by place: the vertices there
+    std::vector<Vec3> places;                    // as the simplifier measures errors
+};
+
+// The garments whose borders are still seen from afar.
+int garment(Tint tint) {
+    switch (tint) {
+        case Tint::hair:
+            return 1;
+        case Tint::top:
+        case Tint::accent:
+            return 2;
+        case Tint::bottom:
+        case Tint::shoes:
+            return 3;
+        default:
+            return 0;
+    }
+}
+
+// With `keep_garments`, vertices of two garments at one place stay two.
+Weld weld(const Character& c, const std::vector<Vec3>& weighed, bool keep_garments) {
+    auto group = [&](uint32_t v) { return keep_garments ? garment(c.vertices[v].tint) : 0; };
+    Weld w;
+    std::vector<uint32_t> order(c.vertices.size());
+    for (size_t v = 0; v < order.size(); ++v) order[v] = uint32_t(v);
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        Vec3 p = c.vertices[a].position, q = c.vertices[b].position;
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        if (p.z != q.z) return p.z < q.z;
+        return group(a) != group(b) ? group(a) < group(b) : a < b;
+    });
+    w.place.resize(order.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        uint32_t v = order[i];
+        bool same = i > 0 && c.vertices[v].position == c.vertices[order[i - 1]].position &&
+                    group(v) == group(order[i - 1]);
+        if (!same) {
+            w.members.emplace_back();
+            w.places.push_back(weighed[v]);
+        }
+        w.place[v] = uint32_t(w.members.size() - 1);
+        w.members.back().push_back(v);
+    }
+    return w;
+}
+
+// From places back to vertices: each corner of a triangle takes, among the vertices at its place, one that
+// shows what most of the triangle shows and whose normal fits best.
+std::vector<uint32_t> unweld(const std::vector<uint32_t>& places, const Character& c, const Weld& w) {
+    auto look = [&](uint32_t v) { return uint32_t(c.vertices[v].tint) << 16 | c.vertices[v].texture; };
+    auto shows = [&](uint32_t place, uint32_t wanted) {
+        const auto& m = w.members[place];
+        return std::any_of(m.begin(), m.end(), [&](uint32_t v) { return look(v) == wanted; });
+    };
+    std::vector<uint32_t> out;
+    for (size_t t = 0; t + 2 < places.size(); t += 3) {
+        std::array<uint32_t, 3> corner = {places[t], places[t + 1], places[t + 2]};
+        std::array<Vec3, 3> p;
+        for (size_t i = 0; i < 3; ++i) p[i] = c.vertices[w.members[corner[i]][0]].position;
+        Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+        uint32_t best = 0;
+        int best_votes = 0;
+        for (uint32_t place : corner)
+            for (uint32_t v : w.members[place]) {
+                int votes = 0;
+                for (uint32_t other : corner) votes += shows(other, look(v));
+                if (votes > best_votes) best_votes = votes, best = look(v);
+            }
+        for (uint32_t place : corner) {
+            uint32_t chosen = w.members[place][0];
+            float fit = -1e30f;
+            for (uint32_t v : w.members[place]) {
+                float f = dot(c.vertices[v].normal, normal) + (look(v) == best ? 1e6f : 0.0f);
+                if (f > fit) fit = f, chosen = v;
+            }
+            out.push_back(chosen);
+        }
+    }
+    return out;
+}
+
+// Where a level has lost the borders of garments, each of its triangles takes vertices of its own in the
+// colour that the fine surface shows nearest to its middle. Textured surfaces stay.
+void repaint(std::vector<uint32_t>& level, Character& c) {
+    size_t fine = c.vertices.size();
+    for (size_t t = 0; t + 2 < level.size(); t += 3) {
+        std::array<CharacterVertex, 3> corner;
+        for (size_t i = 0; i < 3; ++i) corner[i] = c.vertices[level[t + i]];
+        Vec3 middle = (corner[0].position + corner[1].position + corner[2].position) / 3;
+        Vec3 normal = cross(corner[1].position - corner[0].position, corner[2].position - corner[0].position);
+        size_t nearest = level[t];
+        float best = 1e30f;
+        for (size_t v = 0; v < fine; ++v) {
+            float d = length_squared(c.vertices[v].position - middle);
+            if (d < best && dot(c.vertices[v].normal, normal) > 0) best = d, nearest = v;
+        }
+        const CharacterVertex shown = c.vertices[nearest];
+        for (size_t i = 0; i < 3; ++i) {
+            bool plain = corner[i].tint != Tint::none && shown.tint != Tint::none;
+            if (!plain || corner[i].tint == shown.tint) continue;
+            corner[i].tint = shown.tint;
+            corner[i].colour = shown.colour;
+            level[t + i] = uint32_t(c.vertices.size());
+            c.vertices.push_back(corner[i]);
+        }
+    }
+}
+
+}  // namespace
+
+void build_lods(Character& c) {
+    c.lods.resize(1);
+    if (c.vertices.empty() || c.lods[0].empty()) return;
+    std::vector<Vec3> places = weighed_places(c);
+    const std::array<Weld, 2> welds = {weld(c, places, true), weld(c, places, false)};
+    for (size_t triangles : k_level_triangles) {
+        const std::vector<uint32_t>& before = c.lods.back();
+        if (before.size() / 3 <= triangles + triangles / 4) continue;
+        auto fits = [&](const std::vector<uint32_t>& level) {
+            return !level.empty() && level.size() / 3 <= triangles + triangles / 4;
+        };
+        std::vector<uint32_t> level;
+        if (triangles > k_welded_below) level = simplify(before, places, triangles);
+        // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
+        for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
+            std::vector<uint32_t> whole;
+            for (uint32_t v : c.lods[0]) whole.push_back(welds[w].place[v]);
+            level = simplify(whole, welds[w].places, triangles);
+            if (w + 1 == welds.size() && level.size() / 3 > 2 * triangles)
+                level = simplify_sloppily(whole, welds[w].places, triangles);
+            level = unweld(level, c, welds[w]);
+        }
+        if (triangles < k_repainted_below) repaint(level, c);
+        if (level.empty() || level.size() * 10 > before.size() * 9) continue;
+        c.lods.push_back(std::move(level));
+    }
+    for (std::vector<uint32_t>& level : c.lods)
+        meshopt_optimizeVertexCache(level.data(), level.data(), level.size(), c.vertices.size());
+
+    // One order of vertices serves all levels: the coarse ones' vertices come first.
+    std::vector<uint32_t> all;
+    for (size_t l = c.lods.size(); l-- > 0;) all.insert(all.end(), c.lods[l].begin(), c.lods[l].end());
+    std::vector<uint32_t> remap(c.vertices.size());
+    size_t kept = meshopt_optimizeVertexFetchRemap(remap.data(), all.data(), all.size(), c.vertices.size());
+    std::vector<CharacterVertex> vertices(kept);
+    for (size_t v = 0; v < remap.size(); ++v)
+        if (remap[v] != ~0u) vertices[remap[v]] = c.vertices[v];
+    c.vertices = std::move(vertices);
+    for (std::vector<uint32_t>& level : c.lods)
+        for (uint32_t& v : level) v = remap[v];
+}
+
+}  // namespace flaneur

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "assets/city.h"
+#include "assets/masses.h"
+#include "assets/osm_map.h"
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr double k_widest_degrees = 0.25;  // of latitude; about 28 km
+
+// The box that the file states, or else that of its buildings and streets: west, south, east, north. None
+// where there are neither.
+std::optional<std::array<double, 4>> extent_of(const OsmMap& map) {
+    std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
+    for (const OsmWay& way : map.ways) {
+        if (!way.tags.has("building") && !highway_of(way.tags)) continue;
+        for (int64_t id : way.nodes) {
+            const OsmNode* node = map.node(id);
+            if (!node) continue;
+            box = {std::min(box[0], node->longitude), std::min(box[1], node->latitude),
+                   std::max(box[2], node->longitude), std::max(box[3], node->latitude)};
+        }
+    }
+    if (box[0] > box[2]) return std::nullopt;
+    if (map.box) {
+        std::array<double, 4> stated{std::max(box[0], (*map.box)[0]), std::max(box[1], (*map.box)[1]),
+                                     std::min(box[2], (*map.box)[2]), std::min(box[3], (*map.box)[3])};
+        if (stated[0] < stated[2] && stated[1] < stated[3]) return stated;
+    }
+    return box;
+}
+
+std::string counted(int count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+void write_notes(OsmImport& in) {
+    const OsmCounts& c = in.counts;
+    std::vector<std::string>& notes = in.city.notes;
+    auto note = [&](int count, const char* one, const char* many) {
+        if (count > 0) notes.push_back(counted(count, one, many));
+    };
+    note(c.default_heights, "building says neither its height nor its storeys; a usual height was taken.",
+         "buildings say neither their height nor their storeys; usual heights were taken.");
+    note(c.open_buildings, "building was left out because its outline is not closed.",
+         "buildings were left out because their outlines are not closed.");
+    note(c.broken_relations, "multipolygon was left out because its rings are incomplete.",
+         "multipolygons were left out because their rings are incomplete.");
+    note(c.missing_nodes, "reference to a node that the file lacks was skipped.",
+         "references to nodes that the file lacks were skipped.");
+    note(c.hidden, "way or building under ground or indoors was left out.",
+         "ways and buildings under ground or indoors were left out.");
+    note(c.bridges, "street on a bridge was laid on the ground.",
+         "streets on bridges were laid on the ground.");
+    note(c.outside, "building outside the map's bounds was left out.",
+         "buildings outside the map's bounds were left out.");
+    note(c.props_off_ground, "tree or lamp was left out because it would stand in a building or on a road.",
+         "trees, lamps and benches were left out because they would stand in buildings or on roads.");
+}
+
+}  // namespace
+
+void add_osm_props(OsmImport& in) {
+    auto place = [&](PropKind kind, Vec2 p, uint64_t id, float height, float radius) {
+        std::optional<GroundHit> hit = ground(in.city, at_height(p, 0), 3, 3);
+        bool off = !hit || hit->kind == Surface::road || hit->kind == Surface::crossing ||
+                   hit->kind == Surface::water;
+        if (p.x < in.plan.low.x || p.z < in.plan.low.z || p.x > in.plan.high.x || p.z > in.plan.high.z)
+            return;
+        if (off) {
+            ++in.counts.props_off_ground;
+            return;
+        }
+        RandomKey key{id, 0, 0, Purpose::tree};
+        in.city.props.push_back({kind, at_height(p, hit->height), random_between(key, -k_pi, k_pi), height,
+                                 radius, static_cast<uint32_t>(random_bits(key, 9))});
+    };
+    auto tree = [&](Vec2 p, uint64_t id, const OsmTags& tags) {
+        RandomKey key{id, 0, 0, Purpose::tree};
+        float height = parse_metres(tags["height"]).value_or(random_between(key, 6, 10, 1));
+        height = clamp(height, 2.5f, 28);
+        float crown =
+            parse_metres(tags["diameter_crown"]).value_or(height * random_between(key, 0.5f, 0.65f, 2));
+        place(PropKind::tree, p, id, height, clamp(crown * 0.5f, 0.8f, 7));
+    };
+    for (const OsmNode& node : in.map.nodes) {
+        if (node.tags.items.empty() || is_hidden(node.tags)) continue;
+        Vec2 p = in.project(node);
+        auto id = static_cast<uint64_t>(node.id);
+        if (node.tags.is("natural", "tree")) tree(p, id, node.tags);
+        if (node.tags.is("highway", "street_lamp")) place(PropKind::lamp, p, id, 5.5f, 0);
+        if (node.tags.is("amenity", "bench")) place(PropKind::bench, p, id, 0.8f, 0);
+        if (node.tags.is("barrier", "bollard")) place(PropKind::bollard, p, id, 0.9f, 0);
+    }
+    for (const OsmWay& way : in.map.ways) {
+        if (!way.tags.is("natural", "tree_row")) continue;
+        uint64_t id = static_cast<uint64_t>(way.id) << 16;
+        for (const std::vector<Vec2>& line : lines_of(in, way)) {
+            for (size_t i = 0; i + 1 < line.size(); ++i) {
+                int trees = std::min(500, std::max(1, static_cast<int>(length(line[i + 1] - line[i]) / 8)));
+                for (int t = 0; t < trees; ++t) {
+                    tree(lerp(line[i], line[i + 1], static_cast<float>(t) / static_cast<float>(trees)), id++,
+                         way.tags);
+                }
+            }
+        }
+    }
+}
+
+Result<City> load_osm(const std::string& path) {
+    Result<OsmMap> map = read_osm(path);
+    if (!map) return map.error();
+    std::optional<std::array<double, 4>> extent = extent_of(*map);
+    if (!extent) {
+        return Error{
+            "The map " + path +
+            " has neither buildings nor streets, so there is no city in it; take an extract of a town."};
+    }
+    auto [west, south, east, north] = *extent;
+    if (north - south > k_widest_degrees || (east - west) > 2 * k_widest_degrees || north > 84 ||
+        south < -84) {
+        return Error{"The map " + path +
+                     " is more than 28 km wide or reaches a pole; cut out a part of a few kilometres (osmium "
+                     "extract does)."};
+    }
+    OsmImport in{*map, projection_about((west + east) * 0.5, (south + north) * 0.5), {}, {}, {}};
+    in.city.name = std::filesystem::path(path).stem().string();
+    OsmNode corner{0, east, south, {}};
+    in.plan.high = in.project(corner) + Vec2{6, 6};
+    in.plan.low = -in.plan.high;
+    in.plan.cell = 32;
+
+    add_osm_buildings(in);
+    add_osm_streets(in);
+    add_osm_areas(in);
+    Area rest;
+    rest.rank = k_rank_rest;
+    rest.kind = Surface::grass;
+    rest.lift = flat(k_kerb);
+    rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
+    in.plan.areas.push_back(std::move(rest));
+    lay_ground(in.plan, in.city);
+    index_city(in.city);
+    add_osm_props(in);
+    write_notes(in);
+    return std::move(in.city);
+}
+
+}  // namespace flaneur

@@ -1,0 +1,120 @@
+// An OpenStreetMap extract in memory, and the steps that make a city of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "assets/ground_plan.h"
+#include "sim/base/result.h"
+#include "sim/city/city.h"
+
+namespace flaneur {
+
+struct OsmTags {
+    std::vector<std::pair<std::string, std::string>> items;
+
+    // The value, or an empty one where the key is missing.
+    std::string_view operator[](std::string_view key) const;
+    bool is(std::string_view key, std::string_view value) const { return (*this)[key] == value; }
+    bool has(std::string_view key) const { return !(*this)[key].empty(); }
+};
+
+struct OsmNode {
+    int64_t id = 0;
+    double longitude = 0, latitude = 0;
+    OsmTags tags;
+};
+
+struct OsmWay {
+    int64_t id = 0;
+    std::vector<int64_t> nodes;
+    OsmTags tags;
+
+    bool closed() const { return nodes.size() > 3 && nodes.front() == nodes.back(); }
+};
+
+struct OsmRelation {
+    int64_t id = 0;
+    struct Member {
+        int64_t way = 0;
+        bool inner = false;
+    };
+    std::vector<Member> ways;
+    OsmTags tags;
+};
+
+// Sorted by id, each id once. Objects marked as deleted are left out.
+struct OsmMap {
+    std::vector<OsmNode> nodes;
+    std::vector<OsmWay> ways;
+    std::vector<OsmRelation> relations;        // multipolygons and buildings only
+    std::optional<std::array<double, 4>> box;  // west, south, east, north, where the file states it
+
+    const OsmNode* node(int64_t id) const;
+    const OsmWay* way(int64_t id) const;
+};
+
+// Reads .osm and .osm.pbf (also .gz, .bz2), in any order. Refuses what libosmium cannot read to the end.
+Result<OsmMap> read_osm(const std::string& path);
+
+// A length in metres: "12", "12.5 m", "1,5", "40 ft", "12'6\"". None for anything else.
+std::optional<float> parse_metres(std::string_view text);
+std::optional<float> parse_number(std::string_view text);
+// Below ground, in a tunnel or indoors.
+bool is_hidden(const OsmTags& tags);
+
+// Longitude and latitude to metres about a point, equirectangular on the WGS84 ellipsoid.
+struct Projection {
+    double longitude = 0, latitude = 0;  // of the origin
+    double metres_per_longitude = 0, metres_per_latitude = 0;
+
+    Vec2 operator()(const OsmNode& node) const;
+};
+Projection projection_about(double longitude, double latitude);
+
+// How often something was met, for City::notes.
+struct OsmCounts {
+    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0,
+        default_heights = 0;
+    int outside = 0, props_off_ground = 0;
+};
+
+// What the steps read and add to.
+struct OsmImport {
+    const OsmMap& map;
+    Projection project;
+    GroundPlan plan;
+    City city;
+    OsmCounts counts;
+};
+
+// The known points of a way; missing ones split it. Lines of fewer than two points are left out.
+std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way);
+// The regions that a closed way or a relation encloses; empty, and counted, where nodes are missing or rings
+// stay open.
+std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way);
+std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relation);
+
+struct OsmHighway {
+    float width = 0;     // metres
+    float sidewalk = 0;  // width of a sidewalk where tags do not say; 0: none without a tag
+    bool drives =
+        false;  // a carriageway with kerbs; service roads are level with the sidewalks that they cross
+    Surface kind = Surface::path;
+};
+// None for what is not built, not on the ground or not for streets and ways.
+std::optional<OsmHighway> highway_of(const OsmTags& tags);
+
+void add_osm_streets(OsmImport& in);
+void add_osm_areas(OsmImport& in);  // parks, water, squares, the sea
+// Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
+void add_osm_sea(OsmImport& in);
+void add_osm_buildings(OsmImport& in);
+void add_osm_props(OsmImport& in);  // after the ground is laid
+
+}  // namespace flaneur

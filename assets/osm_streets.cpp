@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <cmath>
+
+#include "assets/masses.h"
+#include "assets/osm_map.h"
+#include "assets/streets.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_apron = 5;  // paved beyond a sidewalk, metres
+
+struct Segment {
+    Vec2 a, b;
+};
+
+// Segments by squares of 16 m, for asking what runs alongside.
+struct SegmentIndex {
+    static constexpr float k_square = 16;
+    std::vector<Segment> segments;
+    std::vector<std::pair<std::pair<int, int>, uint32_t>> by_square;
+
+    static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
+
+    void add(Vec2 a, Vec2 b) {
+        auto index = static_cast<uint32_t>(segments.size());
+        segments.push_back({a, b});
+        for (int x = square(std::min(a.x, b.x)); x <= square(std::max(a.x, b.x)); ++x) {
+            for (int z = square(std::min(a.z, b.z)); z <= square(std::max(a.z, b.z)); ++z) {
+                by_square.push_back({{x, z}, index});
+            }
+        }
+    }
+    void sort() { std::sort(by_square.begin(), by_square.end()); }
+
+    template <class Visit>
+    void near(Vec2 p, float radius, Visit visit) const {
+        for (int x = square(p.x - radius); x <= square(p.x + radius); ++x) {
+            for (int z = square(p.z - radius); z <= square(p.z + radius); ++z) {
+                auto at = std::lower_bound(by_square.begin(), by_square.end(),
+                                           std::make_pair(std::make_pair(x, z), 0u));
+                for (; at != by_square.end() && at->first == std::make_pair(x, z); ++at)
+                    visit(segments[at->second]);
+            }
+        }
+    }
+};
+
+// A carriageway of the map.
+struct Road {
+    const OsmWay* way;
+    OsmHighway highway;
+};
+
+// What tags say about one side's sidewalk.
+enum class SideTag { unknown, none, own, separate };
+
+SideTag side_tag(const OsmTags& tags, bool left) {
+    std::string_view side = left ? "left" : "right", value = tags[left ? "sidewalk:left" : "sidewalk:right"];
+    if (value.empty()) value = tags["sidewalk:both"];
+    if (value == "yes") return SideTag::own;
+    if (value == "no" || value == "none") return SideTag::none;
+    if (value == "separate") return SideTag::separate;
+    value = tags["sidewalk"];
+    if (value == "both" || value == "yes" || value == side) return SideTag::own;
+    if (value == "left" || value == "right" || value == "no" || value == "none") return SideTag::none;
+    return value == "separate" ? SideTag::separate : SideTag::unknown;
+}
+
+// How far from the road's centre a footway runs along on one side, if it does along at least two fifths of
+// it.
+std::optional<float> alongside(const SegmentIndex& footways, const std::vector<Vec2>& line, float half_width,
+                               bool left) {
+    constexpr float k_step = 6, k_beyond = 8;
+    int samples = 0;
+    std::vector<float> found;
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+        Vec2 along = normalize_or(line[i + 1] - line[i], {1, 0}),
+             out = Vec2{along.z, -along.x} * (left ? 1.0f : -1.0f);
+        float distance = length(line[i + 1] - line[i]);
+        int steps = std::max(1, static_cast<int>(distance / k_step));
+        for (int s = 0; s < steps; ++s) {
+            Vec2 p =
+                line[i] + along * (distance * (static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
+            float best = half_width + k_beyond;
+            bool any = false;
+            footways.near(p, best, [&](const Segment& f) {
+                Vec2 d = f.b - f.a;
+                if (std::fabs(dot(normalize_or(d, {1, 0}), along)) < 0.9f) return;
+                float forward = dot(d, along);
+                float t = dot(p - f.a, along) / (std::fabs(forward) < 0.01f ? 0.01f : forward);
+                if (t < 0 || t > 1) return;
+                float away = dot(f.a + d * t - p, out);
+                if (away < half_width - 1.5f || away >= best) return;
+                best = away;
+                any = true;
+            });
+            ++samples;
+            if (any) found.push_back(best);
+        }
+    }
+    if (samples == 0 || static_cast<int>(found.size()) * 5 < samples * 2) return std::nullopt;
+    std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2),
+                     found.end());
+    return found[found.size() / 2];
+}
+
+// The width of a sidewalk that belongs to the road itself, so that what both schemas map is laid once: where
+// the sidewalk is a way of its own, the pavement reaches from the kerb to that way.
+float sidewalk_width(const Road& road, const SegmentIndex& footways, const std::vector<Vec2>& line,
+                     bool left) {
+    const OsmTags& tags = road.way->tags;
+    SideTag tag = side_tag(tags, left);
+    if (tag == SideTag::none) return 0;
+    float half = road.highway.width * 0.5f;
+    if (std::optional<float> separate = alongside(footways, line, half, left)) {
+        return clamp(*separate - half + 1.1f, 1.5f, 7);
+    }
+    std::optional<float> width = parse_metres(tags[left ? "sidewalk:left:width" : "sidewalk:right:width"]);
+    if (!width) width = parse_metres(tags["sidewalk:both:width"]);
+    if (!width) width = parse_metres(tags["sidewalk:width"]);
+    if (tag != SideTag::unknown) return width && *width < 20 ? *width : std::max(road.highway.sidewalk, 2.2f);
+    return road.highway.sidewalk;
+}
+
+void add_way(OsmImport& in, const OsmWay& way, const OsmHighway& highway) {
+    for (const std::vector<Vec2>& line : lines_of(in, way)) {
+        Area area;
+        area.rank = highway.kind == Surface::sidewalk ? k_rank_sidewalk
+                    : highway.kind == Surface::plaza  ? k_rank_plaza
+                                                      : k_rank_path;
+        area.kind = highway.kind;
+        area.lift = flat(k_kerb);
+        if (highway.kind == Surface::steps) area.axis = normalize_or(line.back() - line.front(), {1, 0});
+        add_strip(area.rings, line, highway.width * 0.5f, highway.width * 0.5f,
+                  highway.kind != Surface::steps);
+        in.plan.areas.push_back(std::move(area));
+    }
+}
+
+// The ways that leave a node, as far as they are known.
+struct Meeting {
+    int64_t node;
+    uint32_t road;
+    uint32_t place;  // of the node in the way
+    auto key() const { return std::tuple(node, road, place); }
+};
+
+Vec2 at(const OsmImport& in, int64_t id, Vec2 otherwise) {
+    const OsmNode* node = in.map.node(id);
+    return node ? in.project(*node) : otherwise;
+}
+
+// The unit direction from place `from` of the way towards its end (step 1) or start (-1), over at least 4 m.
+std::optional<Vec2> direction_from(const OsmImport& in, const OsmWay& way, size_t from, int step) {
+    Vec2 start = at(in, way.nodes[from], {}), last = start;
+    for (auto i = static_cast<std::ptrdiff_t>(from) + step;
+         i >= 0 && i < static_cast<std::ptrdiff_t>(way.nodes.size()); i += step) {
+        last = at(in, way.nodes[static_cast<size_t>(i)], last);
+        if (length(last - start) > 4) break;
+    }
+    if (length(last - start) < 1) return std::nullopt;
+    return normalize_or(last - start, {1, 0});
+}
+
+void add_junctions_and_crossings(OsmImport& in, const std::vector<Road>& roads) {
+    std::vector<Meeting> meetings;
+    for (uint32_t r = 0; r < roads.size(); ++r) {
+        for (uint32_t i = 0; i < roads[r].way->nodes.size(); ++i)
+            meetings.push_back({roads[r].way->nodes[i], r, i});
+    }
+    std::sort(meetings.begin(), meetings.end(),
+              [](const Meeting& a, const Meeting& b) { return a.key() < b.key(); });
+    // Nodes of footways that are crossings, with the way's direction there.
+    std::vector<std::pair<int64_t, std::pair<const OsmWay*, size_t>>> crossed;
+    for (const OsmWay& way : in.map.ways) {
+        bool crossing = way.tags.is("footway", "crossing") || way.tags.is("cycleway", "crossing") ||
+                        way.tags.is("path", "crossing");
+        if (!crossing || is_hidden(way.tags)) continue;
+        for (size_t i = 0; i < way.nodes.size(); ++i) crossed.push_back({way.nodes[i], {&way, i}});
+    }
+    std::stable_sort(crossed.begin(), crossed.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+
+    for (size_t i = 0; i < meetings.size();) {
+        size_t end = i;
+        while (end < meetings.size() && meetings[end].node == meetings[i].node) ++end;
+        const OsmNode* node = in.map.node(meetings[i].node);
+        std::vector<Arm> arms;
+        for (size_t m = i; node && m < end; ++m) {
+            const Road& road = roads[meetings[m].road];
+            for (int step : {-1, 1}) {
+                std::optional<Vec2> d = direction_from(in, *road.way, meetings[m].place, step);
+                if (d) arms.push_back({*d, road.highway.width * 0.5f});
+            }
+        }
+        if (node && arms.size() >= 3) add_corners(in.plan, in.project(*node), arms, 4);
+        if (node && arms.size() == 2) {
+            auto by_id = [](const auto& a, int64_t id) { return a.first < id; };
+            auto footway = std::lower_bound(crossed.begin(), crossed.end(), node->id, by_id);
+            bool has_way = footway != crossed.end() && footway->first == node->id;
+            std::string_view type = node->tags["crossing"];
+            const OsmTags& way_tags = has_way ? footway->second.first->tags : node->tags;
+            bool none = type == "no" || way_tags.is("crossing", "no");
+            if ((node->tags.is("highway", "crossing") || has_way) && !none) {
+                bool marked = type != "unmarked" && !way_tags.is("crossing", "unmarked") &&
+                              !node->tags.is("crossing:markings", "no") &&
+                              !way_tags.is("crossing:markings", "no");
+                // The carriageway runs from one arm to the other; a bend counts half to each.
+                Vec2 along = normalize_or(arms[0].direction - arms[1].direction, arms[0].direction),
+                     across{-along.z, along.x};
+                if (has_way) {
+                    auto [way, place] = footway->second;
+                    std::optional<Vec2> d = direction_from(in, *way, place, 1);
+                    if (!d) d = direction_from(in, *way, place, -1);
+                    if (d) across = *d;
+                }
+                float half = std::max(arms[0].half_width, arms[1].half_width);
+                add_crossing(in.plan, in.project(*node), along, across, half, 4, marked);
+            }
+        }
+        i = end;
+    }
+}
+
+// Where a street goes on as a narrower one, its end is square: a round one would bulge into the other.
+bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const Road& road, int64_t node) {
+    auto first = std::lower_bound(ends.begin(), ends.end(), std::pair(node, 0.0f));
+    auto last = std::upper_bound(first, ends.end(), std::pair(node, 1e9f));
+    return last - first == 2 && first->second < road.highway.width;
+}
+
+}  // namespace
+
+void add_osm_streets(OsmImport& in) {
+    std::vector<Road> roads;
+    SegmentIndex footways;
+    for (const OsmWay& way : in.map.ways) {
+        if (!way.tags.has("highway")) continue;
+        if (is_hidden(way.tags)) ++in.counts.hidden;
+        std::optional<OsmHighway> highway = highway_of(way.tags);
+        bool is_area = way.tags.is("area", "yes") || (way.closed() && way.tags.has("area:highway"));
+        if (!highway || is_area || way.nodes.size() < 2) continue;
+        if (way.tags.has("bridge") && !way.tags.is("bridge", "no")) ++in.counts.bridges;
+        if (highway->drives) {
+            roads.push_back({&way, *highway});
+            continue;
+        }
+        add_way(in, way, *highway);
+        if (!way.tags.is("footway", "sidewalk")) continue;
+        for (const std::vector<Vec2>& line : lines_of(in, way)) {
+            for (size_t i = 0; i + 1 < line.size(); ++i) footways.add(line[i], line[i + 1]);
+        }
+    }
+    footways.sort();
+    std::vector<std::pair<int64_t, float>> ends;
+    for (const Road& road : roads) {
+        for (int64_t id : {road.way->nodes.front(), road.way->nodes.back()}) {
+            ends.push_back({id, road.highway.width});
+        }
+    }
+    std::sort(ends.begin(), ends.end());
+    Area apron;
+    apron.rank = k_rank_apron;
+    apron.kind = Surface::sidewalk;
+    apron.lift = flat(k_kerb);
+    for (const Road& road : roads) {
+        for (const std::vector<Vec2>& line : lines_of(in, *road.way)) {
+            Street street;
+            street.line = line;
+            street.width = road.highway.width;
+            street.left = sidewalk_width(road, footways, line, true);
+            street.right = sidewalk_width(road, footways, line, false);
+            street.round_start = !ends_square(ends, road, road.way->nodes.front());
+            street.round_end = !ends_square(ends, road, road.way->nodes.back());
+            add_street(in.plan, street);
+            // What lies between the sidewalk and the houses is paved too, unless the map says otherwise.
+            auto reach = [&](float sidewalk) {
+                return sidewalk > 0 ? road.highway.width * 0.5f + sidewalk + k_apron : 0;
+            };
+            if (street.left + street.right > 0)
+                add_strip(apron.rings, line, reach(street.left), reach(street.right), true);
+        }
+    }
+    in.plan.areas.push_back(std::move(apron));
+    add_junctions_and_crossings(in, roads);
+}
+
+}  // namespace flaneur

@@ -1,0 +1,147 @@
+#include "assets/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include "embedded/scenes.h"
+
+namespace flaneur {
+
+namespace {
+
+using Json = nlohmann::json;
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+    return all;
+}
+
+// Reads the keys of one scene. The first thing that is wrong is kept; what follows changes nothing.
+struct Reader {
+    const Json& json;
+    std::vector<std::string> known;
+    std::string wrong;
+
+    const Json* find(const char* key) {
+        known.emplace_back(key);
+        auto it = json.find(key);
+        return it == json.end() || !wrong.empty() ? nullptr : &*it;
+    }
+
+    void text(const char* key, std::string& to) {
+        const Json* value = find(key);
+        if (!value) return;
+        if (value->is_string()) {
+            to = value->get<std::string>();
+        } else {
+            wrong = std::string("\"") + key + "\" must be a text in quotes, not " + value->dump();
+        }
+    }
+
+    void texts(const char* key, std::vector<std::string>& to) {
+        const Json* value = find(key);
+        if (!value) return;
+        auto is_text = [](const Json& item) { return item.is_string(); };
+        if (value->is_array() && std::all_of(value->begin(), value->end(), is_text)) {
+            to = value->get<std::vector<std::string>>();
+        } else {
+            wrong = std::string("\"") + key + "\" must be a list of texts, not " + value->dump();
+        }
+    }
+
+    template <class T>
+    void number(const char* key, T low, T high, T& to) {
+        const Json* value = find(key);
+        if (!value) return;
+        constexpr bool whole = std::numeric_limits<T>::is_integer;
+        bool fits = whole ? value->is_number_integer() : value->is_number();
+        if (fits && whole && value->is_number_unsigned()) {
+            fits = value->get<uint64_t>() >= static_cast<uint64_t>(low) &&
+                   value->get<uint64_t>() <= static_cast<uint64_t>(high);
+        } else if (fits && whole) {
+            fits = low < T{1} && value->get<int64_t>() >= static_cast<int64_t>(low);  // it is negative
+        } else if (fits) {
+            fits = value->get<double>() >= static_cast<double>(low) &&
+                   value->get<double>() <= static_cast<double>(high);
+        }
+        if (fits) {
+            to = value->get<T>();
+            return;
+        }
+        std::ostringstream sentence;
+        sentence << '"' << key << "\" must be a " << (whole ? "whole " : "") << "number from " << low
+                 << " to " << high << ", not " << value->dump();
+        wrong = sentence.str();
+    }
+};
+
+Result<Scene> parse_scene(std::string_view text, const std::string& name) {
+    auto refused = [&](const std::string& why) { return Error{"Scene " + name + ": " + why + "."}; };
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        size_t end = std::min(error.byte, text.size());
+        auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n') + 1;
+        return refused("this is not JSON, as line " + std::to_string(line) + " shows");
+    }
+    if (!json.is_object()) return refused("the JSON must be an object: { \"walkers\": 500 }");
+
+    Scene scene;
+    scene.name = name;
+    Reader reader{json, {}, {}};
+    reader.text("city", scene.city);
+    reader.texts("characters", scene.characters);
+    reader.number("walkers", 0, k_max_walkers, scene.walkers);
+    reader.number("seed", uint64_t{0}, std::numeric_limits<uint64_t>::max(), scene.seed);
+    reader.number("blocks", 1, 32, scene.blocks);
+    reader.text("camera", scene.camera);
+    reader.number("sun_height", 2.0f, 90.0f, scene.sun_height);
+    reader.number("sun_heading", 0.0f, 360.0f, scene.sun_heading);
+    if (!reader.wrong.empty()) return refused(reader.wrong);
+    for (const auto& item : json.items()) {
+        if (std::find(reader.known.begin(), reader.known.end(), item.key()) == reader.known.end())
+            return refused("\"" + item.key() + "\" is not known; a scene may have " + joined(reader.known));
+    }
+    return scene;
+}
+
+}  // namespace
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : k_scene_files) names.emplace_back(file.name);
+    return names;
+}
+
+Result<Scene> load_scene(const std::string& name_or_path) {
+    for (const EmbeddedFile& file : k_scene_files) {
+        if (file.name == name_or_path) return parse_scene(file.text, name_or_path);
+    }
+    std::filesystem::path path = name_or_path;
+    if (!name_or_path.ends_with(".json")) {
+        return Error{"There is no scene \"" + name_or_path + "\"; the built-in ones are " +
+                     joined(scene_names()) + ", and FILE.json is read as one."};
+    }
+    std::ifstream file(path);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) {
+        return Error{"Cannot read the scene " + name_or_path +
+                     ": is it there, is it a file with anything in it, and may it be read?"};
+    }
+    Result<Scene> scene = parse_scene(text.str(), name_or_path);
+    if (!scene) return scene;
+    scene->name = path.stem().string();
+    auto beside = [&](std::string& other) { other = (path.parent_path() / other).string(); };
+    if (!scene->city.empty()) beside(scene->city);
+    for (std::string& character : scene->characters) beside(character);
+    return scene;
+}
+
+}  // namespace flaneur

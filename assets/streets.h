@@ -1,0 +1,34 @@
+// Streets as people drew them on a map: centre lines with widths, and what belongs to them.
+#pragma once
+
+#include <vector>
+
+#include "assets/ground_plan.h"
+
+namespace flaneur {
+
+struct Street {
+    std::vector<Vec2> line;     // centre of the carriageway
+    float width = 7;            // of the carriageway, kerb to kerb
+    float left = 3, right = 3;  // sidewalks' widths, as seen along the line; 0: none
+    bool round_start = true, round_end = true;
+};
+// Carriageway and sidewalks. Round ends leave no notch where streets meet.
+void add_street(GroundPlan& plan, const Street& street);
+
+// A street as seen from a junction: the unit direction away from it, and half the carriageway's width.
+struct Arm {
+    Vec2 direction;
+    float half_width = 3.5f;
+};
+// Rounds the corners between neighbouring arms to about `radius` metres. Returns for each arm how far from
+// the junction its kerbs become straight.
+std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vector<Arm>& arms, float radius);
+
+// A crossing over the carriageway at `centre`: people walk along the unit vector `across`, cars along
+// `along`. At both ends the sidewalk's kerb is dropped and rises over 1.2 m. An unmarked one has dropped
+// kerbs only.
+void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
+                  bool marked);
+
+}  // namespace flaneur

@@ -1,0 +1,135 @@
+#include "renderer/city_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace flaneur {
+namespace {
+
+constexpr int k_grid = 12;            // chunks along each side of the city, for each class
+constexpr float k_least_cell = 24;    // metres
+constexpr float k_least_wall = 1.6f;  // narrower ones have no windows, metres
+
+struct Extent {
+    float low_u = std::numeric_limits<float>::max(), high_u = std::numeric_limits<float>::lowest();
+    float low_v = low_u, high_v = high_u;
+};
+
+// Vertices joined by triangles are one wall: `parent` leads from each to the wall's first vertex.
+uint32_t first_of(std::vector<uint32_t>& parent, uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+bool is_facade(const CityVertex& vertex) { return vertex.material == k_material_facade; }
+
+void fit_windows(PreparedCity& city) {
+    std::vector<uint32_t> parent(city.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    for (size_t i = 0; i + 2 < city.indices.size(); i += 3)
+        for (size_t k = 1; k < 3; ++k) {
+            const uint32_t a = first_of(parent, city.indices[i]), b = first_of(parent, city.indices[i + k]);
+            parent[std::max(a, b)] = std::min(a, b);
+        }
+    std::vector<Extent> walls(city.vertices.size());
+    for (uint32_t i = 0; i < city.vertices.size(); ++i) {
+        if (!is_facade(city.vertices[i])) continue;
+        Extent& wall = walls[first_of(parent, i)];
+        const glm::vec2 uv = city.vertices[i].uv;
+        wall.low_u = std::min(wall.low_u, uv.x), wall.high_u = std::max(wall.high_u, uv.x);
+        wall.low_v = std::min(wall.low_v, uv.y), wall.high_v = std::max(wall.high_v, uv.y);
+    }
+    for (uint32_t i = 0; i < city.vertices.size(); ++i) {
+        CityVertex& vertex = city.vertices[i];
+        if (!is_facade(vertex)) continue;
+        const Extent& wall = walls[first_of(parent, i)];
+        const float width = wall.high_u - wall.low_u, height = wall.high_v;
+        const float storey = std::max(static_cast<float>(vertex.extra & 0x7fff) * 0.01f, 2.0f);
+        vertex.normal[3] = 0;
+        if (!(width >= k_least_wall && height >= storey * 0.8f && width < 1e5f && height < 1e4f)) continue;
+        const float bays = std::max(std::round(width / k_bay), 1.0f);
+        const float storeys = std::clamp(std::round(height / storey), 1.0f, 127.0f);
+        vertex.uv.x = (vertex.uv.x - wall.low_u) * (bays * k_bay / width);
+        vertex.uv.y *= storeys / height;
+        vertex.normal[3] = static_cast<int8_t>(storeys);
+    }
+}
+
+// Sorts the triangles by (class, cell), keeping their order within each.
+void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
+    const size_t triangle_count = indices.size() / 3;
+    glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
+    for (uint32_t index : indices) {
+        low = glm::min(low, city.vertices[index].position);
+        high = glm::max(high, city.vertices[index].position);
+    }
+    city.ground_low = triangle_count ? low.y : 0;
+    const float cell = std::max(std::max(high.x - low.x, high.z - low.z) / k_grid, k_least_cell);
+    auto place = [&](float value, float from) {
+        return static_cast<size_t>(std::clamp((value - from) / cell, 0.0f, k_grid - 1.0f));
+    };
+    constexpr size_t cells = k_grid * k_grid;
+    std::vector<uint32_t> bucket_of(triangle_count);
+    std::vector<uint32_t> firsts(cells * k_city_classes + 1, 0);
+    for (size_t t = 0; t < triangle_count; ++t) {
+        const CityVertex& a = city.vertices[indices[3 * t]];
+        const CityVertex& b = city.vertices[indices[3 * t + 1]];
+        const CityVertex& c = city.vertices[indices[3 * t + 2]];
+        const glm::vec3 centre = (a.position + b.position + c.position) / 3.0f;
+        const size_t kind = static_cast<size_t>(city_class(a.material));
+        bucket_of[t] =
+            static_cast<uint32_t>(kind * cells + place(centre.z, low.z) * k_grid + place(centre.x, low.x));
+        ++firsts[bucket_of[t] + 1];
+    }
+    std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
+    std::vector<uint32_t> next(firsts.begin(), firsts.end() - 1);
+    city.indices.resize(triangle_count * 3);
+    for (size_t t = 0; t < triangle_count; ++t) {
+        const size_t at = 3 * size_t{next[bucket_of[t]]++};
+        for (size_t k = 0; k < 3; ++k) city.indices[at + k] = indices[3 * t + k];
+    }
+    for (size_t bucket = 0; bucket < cells * k_city_classes; ++bucket) {
+        const MeshRange range{3 * firsts[bucket], 3 * (firsts[bucket + 1] - firsts[bucket])};
+        if (range.index_count == 0) continue;
+        CityChunk chunk{glm::vec3(std::numeric_limits<float>::max()),
+                        glm::vec3(std::numeric_limits<float>::lowest()), range};
+        for (uint32_t i = 0; i < range.index_count; ++i) {
+            const glm::vec3 position = city.vertices[city.indices[range.first_index + i]].position;
+            chunk.low = glm::min(chunk.low, position);
+            chunk.high = glm::max(chunk.high, position);
+        }
+        city.chunks[bucket / cells].push_back(chunk);
+    }
+}
+
+}  // namespace
+
+CityClass city_class(uint32_t material) {
+    if (material == k_material_facade) return CityClass::facade;
+    return material < k_material_facade && material != k_material_steps ? CityClass::ground
+                                                                        : CityClass::detail;
+}
+
+Result<PreparedCity> prepare_city(const CityMesh& mesh) {
+    if (mesh.indices.size() % 3 != 0)
+        return Error{"The city's mesh has " + std::to_string(mesh.indices.size()) +
+                     " indices, which is no whole number of triangles."};
+    for (uint32_t index : mesh.indices)
+        if (index >= mesh.vertices.size())
+            return Error{"The city's mesh refers to vertex " + std::to_string(index) + " but has only " +
+                         std::to_string(mesh.vertices.size()) + "."};
+    for (const CityVertex& vertex : mesh.vertices)
+        if (!(std::isfinite(vertex.position.x) && std::isfinite(vertex.position.y) &&
+              std::isfinite(vertex.position.z)))
+            return Error{"The city's mesh has a vertex whose place is not a number."};
+    PreparedCity city;
+    city.vertices = mesh.vertices;
+    city.indices = mesh.indices;
+    fit_windows(city);
+    gather_chunks(city, mesh.indices);
+    return city;
+}
+
+}  // namespace flaneur

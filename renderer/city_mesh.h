@@ -1,0 +1,33 @@
+// A city's triangles as the renderer keeps them: facades fitted with whole windows, triangles gathered in
+// chunks.
+#pragma once
+
+#include <array>
+
+#include "renderer/passes/cull.h"
+#include "renderer/scene.h"
+#include "sim/base/result.h"
+
+namespace flaneur {
+
+// What is drawn by one pipeline.
+enum class CityClass { ground, facade, detail };
+inline constexpr int k_city_classes = 3;
+CityClass city_class(uint32_t material);
+
+struct PreparedCity {
+    // As handed in, but facades' u runs in bays of k_bay and v in storeys, a whole number of each on every
+    // wall, and normal[3] holds how many storeys there are (0: a wall too small for windows).
+    std::vector<CityVertex> vertices;
+    std::vector<uint32_t> indices;
+    std::array<std::vector<CityChunk>, k_city_classes> chunks;
+    float ground_low = 0;  // lowest vertex, metres
+};
+
+inline constexpr float k_bay =
+    2.7f;  // width of a wall's part with one window, metres; facade.frag knows it too
+
+// Refuses triangles that refer to vertices that are not there.
+Result<PreparedCity> prepare_city(const CityMesh& mesh);
+
+}  // namespace flaneur

@@ -1,0 +1,301 @@
+#include "renderer/frame.h"
+
+#include <chrono>
+#include <cstring>
+
+#include "renderer/check.h"
+
+namespace flaneur {
+namespace {
+
+constexpr VkBufferUsageFlags k_storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+
+template <class T>
+Result<void> upload(const Device& device, std::span<const T> first, std::span<const T> second,
+                    VkBufferUsageFlags usage, Buffer& buffer) {
+    FLANEUR_TRY(
+        reserve_buffer(device, first.size_bytes() + second.size_bytes(), usage, MemoryKind::upload, buffer));
+    auto* out = static_cast<std::byte*>(buffer.mapped);
+    if (!first.empty()) std::memcpy(out, first.data(), first.size_bytes());
+    if (!second.empty()) std::memcpy(out + first.size_bytes(), second.data(), second.size_bytes());
+    return {};
+}
+
+void update_descriptors(const Renderer& renderer, const FrameSlot& slot) {
+    const VkDescriptorBufferInfo buffers[] = {{slot.constants.handle, 0, VK_WHOLE_SIZE},
+                                              {slot.instances.handle, 0, VK_WHOLE_SIZE},
+                                              {slot.palette.handle, 0, VK_WHOLE_SIZE}};
+    const VkDescriptorImageInfo images[] = {
+        {renderer.pipelines.shadow_sampler, renderer.shadows.map.view, k_sampled.layout},
+        {renderer.pipelines.texture_sampler, renderer.scene.textures.view, k_sampled.layout},
+        {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout}};
+    VkWriteDescriptorSet writes[6] = {};
+    for (uint32_t i = 0; i < 6; ++i) {
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstSet = slot.set;
+        writes[i].dstBinding = i;
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = i == k_binding_frame     ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                   : i <= k_binding_palette ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                            : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        if (i <= k_binding_palette)
+            writes[i].pBufferInfo = &buffers[i];
+        else
+            writes[i].pImageInfo = &images[i - k_binding_shadow];
+    }
+    vkUpdateDescriptorSets(renderer.device.handle, 6, writes, 0, nullptr);
+}
+
+Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input, const FramePlan& plan,
+                          VkExtent2D extent) {
+    const Device& device = renderer.device;
+    const uint64_t limit = device.properties.limits.maxStorageBufferRange;
+    if (input.palette.size_bytes() > limit)
+        return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
+                     " MiB; the device takes " + std::to_string(limit >> 20) +
+                     " MiB at once. Draw fewer walkers."};
+    const FrameConstants constants = frame_constants(plan, extent);
+    FLANEUR_TRY(upload<FrameConstants>(device, std::span(&constants, 1), {},
+                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
+    FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances,
+                                       k_storage, slot.instances));
+    FLANEUR_TRY(upload<JointTransform>(device, input.palette, {}, k_storage, slot.palette));
+    FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
+    FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.contacts));
+    update_descriptors(renderer, slot);
+    return {};
+}
+
+Result<void> fit_targets(Renderer& renderer, VkExtent2D extent) {
+    PictureTargets& targets = renderer.targets;
+    if (targets.colour.view && targets.depth.view && targets.colour.width == extent.width &&
+        targets.colour.height == extent.height)
+        return {};
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    destroy_picture_targets(renderer.device, targets);
+    Result<void> result = make_picture_targets(renderer.device, extent.width, extent.height, targets);
+    if (!result) destroy_picture_targets(renderer.device, targets);
+    return result;
+}
+
+// Begins drawing into the picture before anti-aliasing; `is_fresh`: over nothing, rather than over what is
+// there.
+void begin_picture(const FrameRecord& record, bool is_fresh) {
+    const PictureTargets& targets = record.renderer.targets;
+    VkRenderingAttachmentInfo colour{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    colour.imageView = targets.colour.view;
+    colour.imageLayout = k_colour_target.layout;
+    // Nothing needs clearing: the sky fills what nothing covers.
+    colour.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_LOAD;
+    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    depth.imageView = targets.depth.view;
+    depth.imageLayout = k_depth_target.layout;
+    depth.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea.extent = record.target.extent;
+    info.layerCount = 1;
+    info.colorAttachmentCount = 1;
+    info.pColorAttachments = &colour;
+    info.pDepthAttachment = &depth;
+    vkCmdBeginRendering(record.commands, &info);
+    set_viewport(record.commands, record.target.extent);
+}
+
+// Crowd, city and sky, lit and tone-mapped. Each is a stage of its own that waits for the one before, so that
+// each one's time is its own on a device that draws lazily, as lavapipe does.
+void draw_scene(const FrameRecord& record) {
+    const PictureTargets& targets = record.renderer.targets;
+    auto colour_barrier = [&](Access from, Access to) {
+        image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
+    };
+    auto depth_barrier = [&](Access from) {
+        image_barrier(record.commands, targets.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, from, k_depth_target);
+    };
+    begin_stage(record, "crowd");
+    colour_barrier(discarded(k_sampled), k_colour_target);
+    depth_barrier(
+        {k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED});
+    begin_picture(record, true);
+    draw_crowd(record);
+    vkCmdEndRendering(record.commands);
+    colour_barrier(k_colour_target, k_colour_target);
+    depth_barrier(k_depth_target);
+    end_stage(record);
+
+    begin_stage(record, "city");
+    begin_picture(record, false);
+    draw_city(record);
+    vkCmdEndRendering(record.commands);
+    colour_barrier(k_colour_target, k_colour_target);
+    depth_barrier(k_depth_target);
+    end_stage(record);
+
+    begin_stage(record, "sky");
+    begin_picture(record, false);
+    draw_contacts(record);
+    draw_sky(record);
+    vkCmdEndRendering(record.commands);
+    colour_barrier(k_colour_target, k_sampled);
+    end_stage(record);
+}
+
+// To the host.
+void copy_picture(const FrameRecord& record) {
+    const PictureTarget& target = record.target;
+    begin_stage(record, "copy");
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {target.extent.width, target.extent.height, 1};
+    vkCmdCopyImageToBuffer(record.commands, target.image, target.after.layout, target.readback, 1, &region);
+    end_stage(record);
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(record.commands, &info);
+}
+
+// Between two empty barriers, which cost nothing but make lavapipe draw what it has put off: it would take
+// the time only after the draws that follow.
+void write_timestamp(const FrameRecord& record, uint32_t number) {
+    if (!record.slot.timestamps) return;
+    const VkDependencyInfo nothing{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    vkCmdPipelineBarrier2(record.commands, &nothing);
+    vkCmdWriteTimestamp2(record.commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, record.slot.timestamps,
+                         number);
+    vkCmdPipelineBarrier2(record.commands, &nothing);
+}
+
+Result<void> record_frame(const FrameRecord& record) {
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    const Renderer& renderer = record.renderer;
+    FLANEUR_VK(vkResetCommandPool(renderer.device.handle, record.slot.pool, 0), "record a frame");
+    FLANEUR_VK(vkBeginCommandBuffer(record.commands, &begin), "record a frame");
+    if (record.slot.timestamps)
+        vkCmdResetQueryPool(record.commands, record.slot.timestamps, 0, k_max_stages + 1);
+    write_timestamp(record, 0);
+    vkCmdBindDescriptorSets(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.layout, 0, 1,
+                            &record.slot.set, 0, nullptr);
+    vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+
+    draw_shadows(record);
+    draw_scene(record);
+    image_barrier(record.commands, record.target.image, VK_IMAGE_ASPECT_COLOR_BIT, record.target.before,
+                  k_colour_target);
+    begin_stage(record, "fxaa");
+    draw_fxaa(record);
+    image_barrier(record.commands, record.target.image, VK_IMAGE_ASPECT_COLOR_BIT, k_colour_target,
+                  record.target.after);
+    end_stage(record);
+    if (record.target.readback) copy_picture(record);
+
+    FLANEUR_VK(vkEndCommandBuffer(record.commands), "record a frame");
+    return {};
+}
+
+Result<void> submit(Renderer& renderer, FrameSlot& slot, VkSemaphore wait, VkSemaphore signal) {
+    VkSemaphoreSubmitInfo waits{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    waits.semaphore = wait;
+    waits.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    VkSemaphoreSubmitInfo signals{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    signals.semaphore = signal;
+    signals.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+    commands.commandBuffer = slot.commands;
+    VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    info.waitSemaphoreInfoCount = wait ? 1 : 0;
+    info.pWaitSemaphoreInfos = &waits;
+    info.commandBufferInfoCount = 1;
+    info.pCommandBufferInfos = &commands;
+    info.signalSemaphoreInfoCount = signal ? 1 : 0;
+    info.pSignalSemaphoreInfos = &signals;
+    FLANEUR_VK(vkResetFences(renderer.device.handle, 1, &slot.done), "submit a frame");
+    FLANEUR_VK(vkQueueSubmit2(renderer.device.queue, 1, &info, slot.done), "submit a frame");
+    slot.is_pending = true;
+    return {};
+}
+
+void count_frame(const FramePlan& plan, Renderer& renderer) {
+    FrameStats& stats = renderer.stats;
+    stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size());
+    stats.walkers_in_shadow = static_cast<uint32_t>(renderer.casters.instances.size());
+    stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
+    stats.direct_draws = (plan.contacts.empty() ? 0 : 1) + 2;  // contacts, sky, fxaa
+    stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
+    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.near_city, plan.far_city})
+        for (uint32_t i = 0; i < range.count; ++i)
+            stats.triangles += plan.draws[range.first + i].index_count / 3;
+}
+
+}  // namespace
+
+void begin_stage(const FrameRecord& record, const char* name) {
+    record.slot.stages.emplace_back(name);
+    if (!record.renderer.device.has_labels) return;
+    VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
+    label.pLabelName = name;
+    vkCmdBeginDebugUtilsLabelEXT(record.commands, &label);
+}
+
+void end_stage(const FrameRecord& record) {
+    if (record.renderer.device.has_labels) vkCmdEndDebugUtilsLabelEXT(record.commands);
+    write_timestamp(record, static_cast<uint32_t>(record.slot.stages.size()));
+}
+
+void draw_indirect(const FrameRecord& record, DrawRange range) {
+    if (range.count == 0) return;
+    vkCmdDrawIndexedIndirect(record.commands, record.slot.draws.handle, sizeof(DrawCommand) * range.first,
+                             range.count, sizeof(DrawCommand));
+}
+
+void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {
+    const VkViewport viewport{0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height),
+                              0, 1};
+    const VkRect2D scissor{{0, 0}, extent};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &scissor);
+}
+
+Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
+                        const PictureTarget& target, VkSemaphore wait, VkSemaphore signal) {
+    const auto begin = std::chrono::steady_clock::now();
+    FramePlan plan;
+    plan_frame(renderer, input, target.extent, plan);
+    FLANEUR_TRY(fit_targets(renderer, target.extent));
+    FLANEUR_TRY(upload_frame(renderer, slot, input, plan, target.extent));
+    slot.stages.clear();
+    FLANEUR_TRY(record_frame({renderer, slot, plan, target, slot.commands}));
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    FLANEUR_TRY(submit(renderer, slot, wait, signal));
+    renderer.shadows.near_box = plan.near_box;
+    renderer.shadows.far_box = plan.far_box;
+    renderer.stats.cpu_record_ms = took.count();
+    count_frame(plan, renderer);
+    return {};
+}
+
+Result<void> finish_slot(Renderer& renderer, FrameSlot& slot) {
+    if (!slot.is_pending) return {};
+    FLANEUR_VK(vkWaitForFences(renderer.device.handle, 1, &slot.done, VK_TRUE, UINT64_MAX), "finish a frame");
+    slot.is_pending = false;
+    renderer.stats.stages.clear();
+    if (!slot.timestamps) return {};
+    uint64_t times[k_max_stages + 1] = {};
+    const uint32_t count = static_cast<uint32_t>(slot.stages.size()) + 1;
+    FLANEUR_VK(vkGetQueryPoolResults(renderer.device.handle, slot.timestamps, 0, count, sizeof times, times,
+                                     sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
+               "read a frame's times");
+    const double ms = static_cast<double>(renderer.device.properties.limits.timestampPeriod) * 1e-6;
+    for (size_t i = 0; i < slot.stages.size(); ++i)
+        renderer.stats.stages.push_back({slot.stages[i], static_cast<double>(times[i + 1] - times[i]) * ms});
+    return {};
+}
+
+}  // namespace flaneur

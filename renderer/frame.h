@@ -1,0 +1,72 @@
+// One frame, from what moves to a picture: the same for a window and off-screen.
+#pragma once
+
+#include "renderer/state.h"
+
+namespace flaneur {
+
+// The picture that a frame is drawn into, and what becomes of it.
+struct PictureTarget {
+    VkImage image = {};
+    VkImageView view = {};
+    VkPipeline fxaa = {};  // the one for the image's format
+    VkExtent2D extent = {};
+    Access before, after;    // of the image
+    VkBuffer readback = {};  // where the picture is copied to; null: nowhere
+};
+
+// Consecutive draws in FrameSlot::draws.
+struct DrawRange {
+    uint32_t first = 0, count = 0;
+};
+
+// All that is settled on the CPU before recording.
+struct FramePlan {
+    View view;
+    glm::vec3 to_sun;
+    Slice slice;
+    ShadowBox near_box, far_box;
+    bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
+    DrawRange facades, surfaces[2], crowd_smooth, crowd_rigid, casters, near_city, far_city;
+    std::vector<DrawCommand> draws;
+    std::vector<Contact> contacts;
+};
+
+struct FrameRecord {
+    Renderer& renderer;
+    FrameSlot& slot;
+    const FramePlan& plan;
+    const PictureTarget& target;
+    VkCommandBuffer commands;
+};
+
+// Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
+void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
+
+// What the shaders are told.
+FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent);
+
+// Draws into `target` with a free slot: culls, uploads, records and submits. `wait` and `signal` may be null.
+Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
+                        const PictureTarget& target, VkSemaphore wait, VkSemaphore signal);
+
+// Waits until the slot's frame is done and reads its timestamps.
+Result<void> finish_slot(Renderer& renderer, FrameSlot& slot);
+
+// The passes, in order; each records into `record.commands`.
+void draw_shadows(const FrameRecord& record);  // leaves the shadow map ready for sampling
+void draw_city(const FrameRecord& record);
+void draw_crowd(const FrameRecord& record);
+void draw_contacts(const FrameRecord& record);
+void draw_sky(const FrameRecord& record);
+void draw_fxaa(const FrameRecord& record);
+
+// A named stretch of the frame, labelled for debuggers and timed from the end of the one before to its own.
+void begin_stage(const FrameRecord& record, const char* name);
+void end_stage(const FrameRecord& record);
+
+// For the passes.
+void draw_indirect(const FrameRecord& record, DrawRange range);
+void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
+
+}  // namespace flaneur

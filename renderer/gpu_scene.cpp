@@ -1,0 +1,155 @@
+#include "renderer/gpu_scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#define STB_IMAGE_RESIZE_STATIC
+#define STB_IMAGE_RESIZE_IMPLEMENTATION
+#include <stb/stb_image_resize.h>
+
+#include "renderer/check.h"
+
+namespace flaneur {
+namespace {
+
+constexpr uint32_t k_largest_texture = 1024;                 // edge of a layer, texels
+constexpr uint64_t k_texture_memory = 256ull * 1024 * 1024;  // bytes of level 0
+constexpr size_t k_most_people = 4096;                       // kinds
+
+Result<void> check_person(const PersonMesh& mesh, size_t number) {
+    const std::string name = "Person mesh " + std::to_string(number);
+    for (const auto& lod : mesh.lods) {
+        if (lod.size() % 3 != 0)
+            return Error{name + " has a level of detail with no whole number of triangles."};
+        for (uint32_t index : lod)
+            if (index >= mesh.vertices.size())
+                return Error{name + " refers to vertex " + std::to_string(index) + " but has only " +
+                             std::to_string(mesh.vertices.size()) + "."};
+    }
+    for (const PersonVertex& vertex : mesh.vertices) {
+        for (int k = 0; k < 4; ++k)
+            if (vertex.joints[k] >= k_palette_joints)
+                return Error{name + " refers to joint " + std::to_string(vertex.joints[k]) + " of " +
+                             std::to_string(k_palette_joints) + "."};
+        if (vertex.texture != ~0u && vertex.texture >= mesh.textures.size())
+            return Error{name + " refers to texture " + std::to_string(vertex.texture) + " but has only " +
+                         std::to_string(mesh.textures.size()) + "."};
+        if (vertex.normal[3] < 0 || vertex.normal[3] >= k_tints)
+            return Error{name + " refers to tint " + std::to_string(vertex.normal[3]) + " of " +
+                         std::to_string(k_tints) + "."};
+    }
+    for (const RgbaImage& texture : mesh.textures)
+        if (texture.width == 0 || texture.height == 0 ||
+            texture.rgba.size() != size_t{4} * texture.width * texture.height)
+            return Error{name + " has a texture whose size does not agree with its texels."};
+    return {};
+}
+
+// The middle of the lowest 2 cm of what a foot moves.
+glm::vec3 find_sole(const PersonMesh& mesh, int foot) {
+    auto is_of_foot = [&](const PersonVertex& vertex) {
+        return vertex.joints[0] == foot || vertex.joints[0] == foot + 1;
+    };
+    float low = std::numeric_limits<float>::max();
+    for (const PersonVertex& vertex : mesh.vertices)
+        if (is_of_foot(vertex)) low = std::min(low, vertex.position.y);
+    glm::vec3 sum(0);
+    float count = 0;
+    for (const PersonVertex& vertex : mesh.vertices)
+        if (is_of_foot(vertex) && vertex.position.y < low + 0.02f) sum += vertex.position, ++count;
+    return count > 0 ? glm::vec3(sum.x / count, low, sum.z / count) : glm::vec3(0);
+}
+
+// All textures at one size, after a white layer.
+Result<void> upload_textures(const Device& device, const SceneMeshes& meshes, GpuScene& scene) {
+    uint32_t layers = 1, edge = 1;
+    for (const PersonMesh& mesh : meshes.people)
+        for (const RgbaImage& texture : mesh.textures) {
+            ++layers;
+            edge = std::max({edge, texture.width, texture.height});
+        }
+    if (layers > device.properties.limits.maxImageArrayLayers)
+        return Error{"The people have " + std::to_string(layers - 1) + " textures; the device takes " +
+                     std::to_string(device.properties.limits.maxImageArrayLayers - 1) +
+                     ". Load fewer characters."};
+    edge = std::min(std::bit_ceil(edge), k_largest_texture);
+    while (edge > 64 && uint64_t{edge} * edge * 4 * layers > k_texture_memory) edge /= 2;
+    scene.is_textured = layers > 1;
+
+    const size_t layer_bytes = size_t{edge} * edge * 4;
+    std::vector<std::byte> texels(layer_bytes * layers, std::byte{255});
+    size_t at = layer_bytes;
+    for (const PersonMesh& mesh : meshes.people)
+        for (const RgbaImage& texture : mesh.textures) {
+            auto* out = reinterpret_cast<unsigned char*>(texels.data() + at);
+            const int size = static_cast<int>(edge);
+            if (!stbir_resize_uint8_srgb(texture.rgba.data(), static_cast<int>(texture.width),
+                                         static_cast<int>(texture.height), 0, out, size, size, 0, 4, 3, 0))
+                return Error{"There is not enough memory to resize a texture."};
+            at += layer_bytes;
+        }
+    ImageShape shape;
+    shape.format = VK_FORMAT_R8G8B8A8_SRGB;
+    shape.width = shape.height = edge;
+    shape.layers = layers;
+    shape.levels = static_cast<uint32_t>(std::bit_width(edge));
+    shape.usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    shape.is_array = true;
+    FLANEUR_TRY(make_image(device, shape, scene.textures));
+    return upload_layers(device, texels, scene.textures);
+}
+
+}  // namespace
+
+Result<void> make_scene(const Device& device, const SceneMeshes& meshes, GpuScene& scene) {
+    Result<PreparedCity> city = prepare_city(meshes.city);
+    if (!city) return city.error();
+    if (meshes.people.size() > k_most_people)
+        return Error{"The scene has " + std::to_string(meshes.people.size()) + " kinds of people; at most " +
+                     std::to_string(k_most_people) + " can be drawn."};
+    std::vector<PersonVertex> vertices;
+    std::vector<uint32_t> indices = std::move(city->indices);
+    uint32_t first_layer = 1;
+    for (size_t number = 0; number < meshes.people.size(); ++number) {
+        const PersonMesh& mesh = meshes.people[number];
+        FLANEUR_TRY(check_person(mesh, number));
+        PersonRanges ranges;
+        ranges.vertex_offset = static_cast<int32_t>(vertices.size());
+        vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+        for (size_t i = vertices.size() - mesh.vertices.size(); i < vertices.size(); ++i)
+            vertices[i].texture = vertices[i].texture == ~0u ? 0 : vertices[i].texture + first_layer;
+        first_layer += static_cast<uint32_t>(mesh.textures.size());
+        for (size_t lod = 0; lod < std::min<size_t>(mesh.lods.size(), k_max_lods); ++lod) {
+            ranges.lods.push_back(
+                {static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(mesh.lods[lod].size())});
+            indices.insert(indices.end(), mesh.lods[lod].begin(), mesh.lods[lod].end());
+        }
+        ranges.soles[0] = find_sole(mesh, k_left_foot);
+        ranges.soles[1] = find_sole(mesh, k_right_foot);
+        scene.people.push_back(std::move(ranges));
+    }
+    if (indices.size() > 0xffffffffu || vertices.size() > 0x7fffffffu)
+        return Error{"The scene has too many triangles for one index buffer."};
+    scene.chunks = std::move(city->chunks);
+    scene.ground_low = city->ground_low;
+    FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(city->vertices)),
+                              VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, scene.city_vertices));
+    FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                              scene.person_vertices));
+    FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                              scene.indices));
+    return upload_textures(device, meshes, scene);
+}
+
+void destroy_scene(const Device& device, GpuScene& scene) {
+    destroy_buffer(device, scene.city_vertices);
+    destroy_buffer(device, scene.person_vertices);
+    destroy_buffer(device, scene.indices);
+    destroy_image(device, scene.textures);
+    scene = {};
+}
+
+}  // namespace flaneur

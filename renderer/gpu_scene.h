@@ -1,0 +1,23 @@
+// A scene on the device: one vertex buffer for the city, one for all people, one index buffer for both.
+#pragma once
+
+#include "renderer/city_mesh.h"
+#include "renderer/resources.h"
+
+namespace flaneur {
+
+struct GpuScene {
+    Buffer city_vertices, person_vertices, indices;
+    GpuImage textures;  // an array; layer 0 is white
+    std::array<std::vector<CityChunk>, k_city_classes> chunks;
+    std::vector<PersonRanges> people;
+    float ground_low = 0;  // metres
+    bool is_textured = false;
+};
+
+// Fills an empty `scene`; after a failure destroy_scene() frees what had been made. Refuses meshes that refer
+// to vertices, joints or textures that are not there.
+Result<void> make_scene(const Device& device, const SceneMeshes& meshes, GpuScene& scene);
+void destroy_scene(const Device& device, GpuScene& scene);
+
+}  // namespace flaneur

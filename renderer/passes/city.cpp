@@ -1,0 +1,15 @@
+#include "renderer/frame.h"
+
+namespace flaneur {
+
+void draw_city(const FrameRecord& record) {
+    const Pipelines& pipelines = record.renderer.pipelines;
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_facade);
+    draw_indirect(record, record.plan.facades);
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_surface);
+    for (DrawRange range : record.plan.surfaces) draw_indirect(record, range);
+}
+
+}  // namespace flaneur

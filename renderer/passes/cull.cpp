@@ -1,0 +1,144 @@
+#include "renderer/passes/cull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flaneur {
+namespace {
+
+constexpr uint16_t k_no_bucket = 0xffff;
+constexpr float k_least_tan_elevation = 0.1f;  // shadows are not followed farther than ten times the body
+
+bool is_drawable(const CrowdInput& input, const WalkerDraw& walker) {
+    return walker.mesh < input.people.size() && !input.people[walker.mesh].lods.empty() &&
+           uint64_t{walker.instance.palette} + k_palette_joints <= input.palette_size;
+}
+
+// A stable counting sort of the walkers by `level_of` (-1: left out).
+template <class LevelOf>
+void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_of) {
+    const size_t mesh_count = input.people.size(), bucket_count = mesh_count * k_max_lods;
+    out.buckets.assign(input.walkers.size(), k_no_bucket);
+    out.firsts.assign(bucket_count + 1, 0);
+    out.draws.clear();
+    out.smooth_draws = out.triangles = 0;
+    for (size_t i = 0; i < input.walkers.size(); ++i) {
+        const WalkerDraw& walker = input.walkers[i];
+        if (!is_drawable(input, walker)) continue;
+        const int wanted = level_of(walker);
+        if (wanted < 0) continue;
+        const size_t level = std::min(static_cast<size_t>(wanted), input.people[walker.mesh].lods.size() - 1);
+        const size_t bucket = level * mesh_count + walker.mesh;
+        out.buckets[i] = static_cast<uint16_t>(bucket);
+        ++out.firsts[bucket + 1];
+    }
+    for (size_t bucket = 0; bucket < bucket_count; ++bucket) {
+        const uint32_t count = out.firsts[bucket + 1];
+        out.firsts[bucket + 1] += out.firsts[bucket];
+        if (count == 0) continue;
+        const PersonRanges& person = input.people[bucket % mesh_count];
+        const size_t level = bucket / mesh_count;
+        const MeshRange& range = person.lods[level];
+        out.draws.push_back(
+            {range.index_count, count, range.first_index, person.vertex_offset, out.firsts[bucket]});
+        if (level < k_first_rigid_lod) ++out.smooth_draws;
+        out.triangles += range.index_count / 3 * count;
+    }
+    out.instances.resize(out.firsts[bucket_count]);
+    for (size_t i = 0; i < input.walkers.size(); ++i)
+        if (out.buckets[i] != k_no_bucket)
+            out.instances[out.firsts[out.buckets[i]]++] = input.walkers[i].instance;
+}
+
+glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
+    const glm::vec3 u(joint.rotation);
+    const glm::vec3 t = 2.0f * glm::cross(u, v);
+    return v + joint.rotation.w * t + glm::cross(u, t) + glm::vec3(joint.translation);
+}
+
+DrawCommand draw_of(const CityChunk& chunk) {
+    return {chunk.range.index_count, 1, chunk.range.first_index, 0, 0};
+}
+
+}  // namespace
+
+uint32_t lod_of(const View& view, glm::vec3 centre, float radius) {
+    const float distance = glm::length(centre - view.eye);
+    const float pixels = 2 * radius * view.pixels_at_one_metre;  // times a metre over the distance
+    uint32_t lod = 0;
+    while (lod < k_max_lods - 1 && !(pixels >= k_lod_pixels[lod] * distance)) ++lod;
+    return lod;
+}
+
+void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
+    sort_into_draws(input, out, [&](const WalkerDraw& walker) {
+        return sees_sphere(view, walker.centre, walker.radius)
+                   ? static_cast<int>(lod_of(view, walker.centre, walker.radius))
+                   : -1;
+    });
+}
+
+void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
+                         float reach, CrowdDraws& out) {
+    sort_into_draws(input, out, [&](const WalkerDraw& walker) {
+        if (!(glm::length(walker.centre - view.eye) <= reach) ||
+            !casts_into(box, walker.centre, walker.radius))
+            return -1;
+        // The body and its shadow on the ground lie within a sphere about the middle of the two.
+        const float across = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
+        const float fall =
+            2 * walker.radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
+        const glm::vec3 middle = walker.centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2);
+        if (!sees_sphere(view, middle, walker.radius + fall / 2)) return -1;
+        return static_cast<int>(lod_of(view, walker.centre, walker.radius)) + 1;
+    });
+}
+
+void find_contacts(const CrowdInput& input, std::span<const JointTransform> palette, const View& view,
+                   std::vector<Contact>& contacts) {
+    constexpr float foot_radius = 0.19f, body_radius = 0.55f;
+    constexpr float foot_strength = 0.55f, body_strength = 0.28f;
+    constexpr float lifted = 0.12f;  // a foot this high above the other leaves no spot, metres
+    contacts.clear();
+    for (const WalkerDraw& walker : input.walkers) {
+        if (!is_drawable(input, walker) || !sees_sphere(view, walker.centre, walker.radius) ||
+            lod_of(view, walker.centre, walker.radius) + 1 >= k_max_lods)
+            continue;
+        const PersonRanges& person = input.people[walker.mesh];
+        const JointTransform* joints = &palette[walker.instance.palette];
+        const float scale = walker.instance.scale;
+        const glm::vec3 left = moved_by(joints[k_left_foot], person.soles[0] * scale);
+        const glm::vec3 right = moved_by(joints[k_right_foot], person.soles[1] * scale);
+        const float ground = std::min(left.y, right.y);
+        for (const glm::vec3& sole : {left, right}) {
+            const float near = 1 - (sole.y - ground) / (lifted * scale);
+            if (near > 0)
+                contacts.push_back({{sole.x, ground, sole.z}, foot_radius * scale, foot_strength * near});
+        }
+        const glm::vec3 middle = (left + right) * 0.5f;
+        contacts.push_back({{middle.x, ground, middle.z}, body_radius * scale, body_strength});
+    }
+}
+
+uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, std::vector<DrawCommand>& draws) {
+    std::vector<std::pair<float, uint32_t>> order;
+    for (uint32_t i = 0; i < chunks.size(); ++i) {
+        if (!sees_box(view, chunks[i].low, chunks[i].high)) continue;
+        const glm::vec3 nearest = glm::clamp(view.eye, chunks[i].low, chunks[i].high) - view.eye;
+        order.emplace_back(glm::dot(nearest, nearest), i);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [distance, i] : order) draws.push_back(draw_of(chunks[i]));
+    return static_cast<uint32_t>(order.size());
+}
+
+uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box,
+                            std::vector<DrawCommand>& draws) {
+    uint32_t count = 0;
+    for (const CityChunk& chunk : chunks)
+        if (casts_into(box, chunk.low, chunk.high)) draws.push_back(draw_of(chunk)), ++count;
+    return count;
+}
+
+}  // namespace flaneur

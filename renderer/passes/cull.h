@@ -1,0 +1,88 @@
+// Who is drawn, how finely: pure functions from a frame's walkers and the city's chunks to lists of draws.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/view.h"
+
+namespace flaneur {
+
+struct MeshRange {
+    uint32_t first_index = 0, index_count = 0;
+};
+
+// Where a person's mesh lies in the shared buffers; finest level first, at most k_max_lods.
+struct PersonRanges {
+    std::vector<MeshRange> lods;
+    int32_t vertex_offset = 0;
+    glm::vec3 soles[2] =
+        {};  // middles of the left and right sole in the bind pose, moved by k_left_foot, k_right_foot
+};
+
+inline constexpr uint32_t k_max_lods = 4;
+// A body shorter than these many pixels takes the next coarser level.
+inline constexpr float k_lod_pixels[k_max_lods - 1] = {150, 70, 35};
+// Levels before this one are skinned by four joints, the others by one.
+inline constexpr uint32_t k_first_rigid_lod = 2;
+
+// As vkCmdDrawIndexedIndirect takes it.
+struct DrawCommand {
+    uint32_t index_count, instance_count, first_index;
+    int32_t vertex_offset;
+    uint32_t first_instance;
+};
+
+// Instances sorted by (level, mesh), in the order of the walkers within each, and a draw for each such
+// bucket.
+struct CrowdDraws {
+    std::vector<WalkerInstance> instances;
+    std::vector<DrawCommand> draws;
+    uint32_t smooth_draws = 0;  // the first of `draws`, to be skinned by four joints
+    uint32_t triangles = 0;
+    std::vector<uint16_t> buckets;  // scratch: one a walker
+    std::vector<uint32_t> firsts;   // scratch: one a bucket
+};
+
+struct CrowdInput {
+    std::span<const WalkerDraw> walkers;
+    std::span<const PersonRanges> people;
+    size_t palette_size = 0;  // walkers that refer beyond it are left out, as are those of unknown meshes
+};
+
+// The level for a body: by its height on the picture.
+uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
+
+// Those that the view sees.
+void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
+
+// Those within `reach` of the eye that the view sees, or whose shadows it may see; a level coarser than in
+// view.
+void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
+                         float reach, CrowdDraws& out);
+
+// A soft dark spot on the ground, as contact.vert takes it.
+struct Contact {
+    glm::vec3 place;
+    float radius, strength;
+};
+
+// Spots under the feet of those walkers that the view sees finely enough, and a wider one under each body.
+void find_contacts(const CrowdInput& input, std::span<const JointTransform> palette, const View& view,
+                   std::vector<Contact>& contacts);
+
+// A piece of the city: triangles that lie together.
+struct CityChunk {
+    glm::vec3 low, high;
+    MeshRange range;
+};
+
+// Appends a draw for each chunk that the view sees, nearest first; returns how many.
+uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, std::vector<DrawCommand>& draws);
+
+// Appends a draw for each chunk that may throw a shadow into the box.
+uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box,
+                            std::vector<DrawCommand>& draws);
+
+}  // namespace flaneur

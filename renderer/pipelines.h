@@ -1,0 +1,30 @@
+// Every pipeline, over one descriptor set layout (bindings: shaders/shared.h) and one 4x4 matrix of push
+// constants.
+#pragma once
+
+#include "renderer/device.h"
+
+namespace flaneur {
+
+inline constexpr VkFormat k_picture_format =
+    VK_FORMAT_R8G8B8A8_UNORM;  // holds display-ready sRGB; luma in alpha
+inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
+inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
+
+struct Pipelines {
+    VkDescriptorSetLayout set_layout = {};
+    VkPipelineLayout layout = {};
+    VkSampler shadow_sampler = {}, texture_sampler = {};
+    VkPipeline shadow_city = {}, shadow_crowd = {};
+    VkPipeline city_surface = {}, city_facade = {};
+    VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
+    VkPipeline contact = {}, sky = {};
+    VkPipeline fxaa_image = {}, fxaa_window = {};
+};
+
+// `window_format` VK_FORMAT_UNDEFINED: no window. After a failure destroy_pipelines() frees what had been
+// made.
+Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipelines& pipelines);
+void destroy_pipelines(const Device& device, Pipelines& pipelines);
+
+}  // namespace flaneur

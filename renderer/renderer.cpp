@@ -1,0 +1,251 @@
+#include "renderer/renderer.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "renderer/check.h"
+#include "renderer/frame.h"
+
+namespace flaneur {
+namespace {
+
+constexpr uint32_t k_largest_picture = 8192;
+
+Result<void> make_slot(const Device& device, FrameSlot& slot) {
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool.queueFamilyIndex = device.queue_family;
+    FLANEUR_VK(vkCreateCommandPool(device.handle, &pool, nullptr, &slot.pool), "make a command pool");
+    VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    commands.commandPool = slot.pool;
+    commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    commands.commandBufferCount = 1;
+    FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &commands, &slot.commands), "make a command buffer");
+    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    FLANEUR_VK(vkCreateFence(device.handle, &fence, nullptr, &slot.done), "make a fence");
+    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    FLANEUR_VK(vkCreateSemaphore(device.handle, &semaphore, nullptr, &slot.image_ready), "make a semaphore");
+    if (!device.has_timestamps) return {};
+    VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    queries.queryCount = k_max_stages + 1;
+    FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.timestamps), "make timers");
+    return {};
+}
+
+Result<void> make_descriptor_sets(Renderer& renderer) {
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
+                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * k_slots},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3 * k_slots}};
+    VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    pool.maxSets = k_slots;
+    pool.poolSizeCount = 3;
+    pool.pPoolSizes = sizes;
+    FLANEUR_VK(vkCreateDescriptorPool(renderer.device.handle, &pool, nullptr, &renderer.descriptor_pool),
+               "make a descriptor pool");
+    for (FrameSlot& slot : renderer.slots) {
+        VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+        info.descriptorPool = renderer.descriptor_pool;
+        info.descriptorSetCount = 1;
+        info.pSetLayouts = &renderer.pipelines.set_layout;
+        FLANEUR_VK(vkAllocateDescriptorSets(renderer.device.handle, &info, &slot.set),
+                   "make a descriptor set");
+    }
+    return {};
+}
+
+Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
+    RendererPtr renderer(new Renderer);
+    Renderer& r = *renderer;
+    r.window = window;
+    FLANEUR_TRY(make_device(r.device, options, window));
+    if (window) FLANEUR_TRY(choose_surface_format(r.device, r.swapchain));
+    FLANEUR_TRY(make_pipelines(r.device, r.swapchain.format, r.pipelines));
+    for (FrameSlot& slot : r.slots) FLANEUR_TRY(make_slot(r.device, slot));
+    FLANEUR_TRY(make_descriptor_sets(r));
+    FLANEUR_TRY(make_shadow_maps(r.device, r.shadows));
+    FLANEUR_TRY(make_scene(r.device, {}, r.scene));
+    return renderer;
+}
+
+// An image to draw into off-screen, and the buffer that it is read from.
+Result<void> fit_picture(Renderer& renderer, uint32_t width, uint32_t height) {
+    if (renderer.picture.view && renderer.picture.width == width && renderer.picture.height == height)
+        return {};
+    destroy_image(renderer.device, renderer.picture);
+    ImageShape shape{.format = k_picture_format, .width = width, .height = height};
+    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    Result<void> result = make_image(renderer.device, shape, renderer.picture);
+    if (!result) {
+        destroy_image(renderer.device, renderer.picture);
+        return result;
+    }
+    return reserve_buffer(renderer.device, VkDeviceSize{4} * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                          MemoryKind::readback, renderer.readback);
+}
+
+Result<void> remake_swapchain(Renderer& renderer) {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(renderer.window, &width, &height);
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    FLANEUR_TRY(make_swapchain(renderer.device, {static_cast<uint32_t>(width), static_cast<uint32_t>(height)},
+                               renderer.swapchain));
+    renderer.is_swapchain_stale = false;
+    return {};
+}
+
+// After the surface was lost: a new one, and a new swapchain on it.
+Result<void> remake_surface(Renderer& renderer) {
+    Device& device = renderer.device;
+    FLANEUR_VK(vkDeviceWaitIdle(device.handle), "finish earlier frames");
+    destroy_swapchain(device, renderer.swapchain);
+    vkDestroySurfaceKHR(device.instance, device.surface, nullptr);
+    device.surface = {};
+    FLANEUR_TRY(make_surface(device, renderer.window));
+    VkBool32 presents = VK_FALSE;
+    FLANEUR_VK(
+        vkGetPhysicalDeviceSurfaceSupportKHR(device.physical, device.queue_family, device.surface, &presents),
+        "ask whether the device draws into the window");
+    if (!presents) return Error{"The device no longer draws into the window: start again."};
+    return remake_swapchain(renderer);
+}
+
+}  // namespace
+
+void destroy_slot(const Device& device, FrameSlot& slot) {
+    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.draws, &slot.contacts})
+        destroy_buffer(device, *buffer);
+    if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
+    if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
+    if (slot.done) vkDestroyFence(device.handle, slot.done, nullptr);
+    if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);
+}
+
+void RendererDelete::operator()(Renderer* renderer) const {
+    Renderer& r = *renderer;
+    if (r.device.handle) {
+        vkDeviceWaitIdle(r.device.handle);
+        destroy_swapchain(r.device, r.swapchain);
+        destroy_scene(r.device, r.scene);
+        destroy_picture_targets(r.device, r.targets);
+        destroy_shadow_maps(r.device, r.shadows);
+        destroy_image(r.device, r.picture);
+        destroy_buffer(r.device, r.readback);
+        for (FrameSlot& slot : r.slots) destroy_slot(r.device, slot);
+        if (r.descriptor_pool) vkDestroyDescriptorPool(r.device.handle, r.descriptor_pool, nullptr);
+        destroy_pipelines(r.device, r.pipelines);
+    }
+    destroy_device(r.device);
+    delete renderer;
+}
+
+Result<RendererPtr> make_renderer(const RendererOptions& options) { return make(options, nullptr); }
+
+Result<RendererPtr> make_window_renderer(const RendererOptions& options, GLFWwindow* window) {
+    return make(options, window);
+}
+
+std::string device_name(const Renderer& renderer) {
+    const VkPhysicalDeviceProperties& device = renderer.device.properties;
+    const uint32_t version = device.apiVersion;
+    return std::string(device.deviceName) + ", Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) +
+           "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
+    GpuScene scene;
+    if (Result<void> made = make_scene(renderer.device, meshes, scene); !made) {
+        destroy_scene(renderer.device, scene);
+        return made;
+    }
+    std::swap(renderer.scene, scene);
+    renderer.shadows.near_box = renderer.shadows.far_box = {};
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    destroy_scene(renderer.device, scene);
+    return {};
+}
+
+Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
+    const uint32_t largest =
+        std::min(k_largest_picture, renderer.device.properties.limits.maxImageDimension2D);
+    if (width < 1 || height < 1 || width > largest || height > largest)
+        return Error{"A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                     " cannot be drawn: each side must be 1 to " + std::to_string(largest) + " pixels."};
+    for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer, slot));
+    FLANEUR_TRY(fit_picture(renderer, width, height));
+    PictureTarget target;
+    target.image = renderer.picture.handle;
+    target.view = renderer.picture.view;
+    target.fxaa = renderer.pipelines.fxaa_image;
+    target.extent = {width, height};
+    target.before = discarded(k_copied_from);
+    target.after = k_copied_from;
+    target.readback = renderer.readback.handle;
+    FrameSlot& slot = renderer.slots[0];
+    FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
+    FLANEUR_TRY(finish_slot(renderer, slot));
+    Image image{width, height, {}};
+    const auto* bytes = static_cast<const uint8_t*>(renderer.readback.mapped);
+    image.rgba.assign(bytes, bytes + size_t{4} * width * height);
+    return image;
+}
+
+Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
+    assert(renderer.window);
+    Swapchain& swapchain = renderer.swapchain;
+    FrameSlot& slot = renderer.slots[renderer.next_slot];
+    FLANEUR_TRY(finish_slot(renderer, slot));
+    uint32_t index = 0;
+    constexpr int tries = 4;  // a window may change again while its images are made anew
+    for (int i = 0;; ++i) {
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(renderer.window, &width, &height);
+        if (width <= 0 || height <= 0) return {};
+        if (renderer.is_swapchain_stale || !swapchain.handle) FLANEUR_TRY(remake_swapchain(renderer));
+        if (!swapchain.handle) return {};
+        const VkResult result = vkAcquireNextImageKHR(renderer.device.handle, swapchain.handle, UINT64_MAX,
+                                                      slot.image_ready, VK_NULL_HANDLE, &index);
+        if (result == VK_SUBOPTIMAL_KHR) renderer.is_swapchain_stale = true;
+        if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) break;
+        if (i == tries) return vulkan_error(result, "get an image of the window");
+        if (result == VK_ERROR_OUT_OF_DATE_KHR)
+            renderer.is_swapchain_stale = true;
+        else if (result == VK_ERROR_SURFACE_LOST_KHR)
+            FLANEUR_TRY(remake_surface(renderer));
+        else
+            return vulkan_error(result, "get an image of the window");
+    }
+    PictureTarget target;
+    target.image = swapchain.images[index];
+    target.view = swapchain.views[index];
+    target.fxaa = renderer.pipelines.fxaa_window;
+    target.extent = swapchain.extent;
+    target.before = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_NONE,
+                     VK_IMAGE_LAYOUT_UNDEFINED};
+    target.after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+    FLANEUR_TRY(draw_frame(renderer, slot, frame, target, slot.image_ready, swapchain.drawn[index]));
+    renderer.next_slot = (renderer.next_slot + 1) % k_slots;
+
+    VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+    info.waitSemaphoreCount = 1;
+    info.pWaitSemaphores = &swapchain.drawn[index];
+    info.swapchainCount = 1;
+    info.pSwapchains = &swapchain.handle;
+    info.pImageIndices = &index;
+    const VkResult result = vkQueuePresentKHR(renderer.device.queue, &info);
+    if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
+        renderer.is_swapchain_stale = true;
+    else if (result == VK_ERROR_SURFACE_LOST_KHR)
+        return remake_surface(renderer);
+    else
+        FLANEUR_VK(result, "show a frame");
+    return {};
+}
+
+const FrameStats& frame_stats(const Renderer& renderer) { return renderer.stats; }
+
+uint32_t validation_messages(const Renderer& renderer) { return renderer.device.messages; }
+
+}  // namespace flaneur

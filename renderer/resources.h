@@ -1,0 +1,94 @@
+// Buffers and images as plain data with their own memory: there are a few dozen, so each has its own
+// allocation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "renderer/device.h"
+
+namespace flaneur {
+
+struct Buffer {
+    VkBuffer handle = {};
+    VkDeviceMemory memory = {};
+    VkDeviceSize size = 0;
+    void* mapped = nullptr;  // host-visible ones stay mapped and are coherent
+};
+
+struct GpuImage {
+    VkImage handle = {};
+    VkDeviceMemory memory = {};
+    VkImageView view = {};  // of all layers and levels
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    uint32_t width = 0, height = 0, layers = 1, levels = 1;
+};
+
+enum class MemoryKind {
+    device,    // fastest for the device
+    upload,    // written by the host once a frame, read by the device
+    readback,  // written by the device, read by the host
+};
+
+Result<void> make_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryKind kind,
+                         Buffer& buffer);
+void destroy_buffer(const Device& device, Buffer& buffer);
+
+// Makes `buffer` anew if it is smaller than `size`, with room to grow. What it held is lost.
+Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
+                            MemoryKind kind, Buffer& buffer);
+
+struct ImageShape {
+    VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
+    uint32_t width = 1, height = 1, layers = 1, levels = 1;
+    VkImageUsageFlags usage = 0;
+    bool is_array = false;  // the view is of an array even for one layer
+};
+Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image);
+void destroy_image(const Device& device, GpuImage& image);
+VkImageAspectFlags aspect_of(VkFormat format);
+
+// One side of a barrier.
+struct Access {
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+};
+
+inline constexpr VkPipelineStageFlags2 k_depth_stages =
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+inline constexpr Access k_depth_target = {
+    k_depth_stages,
+    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+    VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL};
+inline constexpr Access k_colour_target = {
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+    VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL};
+inline constexpr Access k_sampled = {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                                     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+inline constexpr Access k_copied_from = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+inline constexpr Access k_copied_to = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+
+// `from` with what it holds thrown away.
+constexpr Access discarded(Access from) { return {from.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED}; }
+
+struct LayerRange {
+    uint32_t first_layer = 0, layers = VK_REMAINING_ARRAY_LAYERS;
+    uint32_t first_level = 0, levels = VK_REMAINING_MIP_LEVELS;
+};
+void image_barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, Access from, Access to,
+                   LayerRange range = {});
+
+// Copies `bytes` into a new device buffer. An empty span makes a buffer of a few bytes.
+Result<void> upload_buffer(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
+                           Buffer& buffer);
+
+// Fills every layer of an sRGB image with its level 0 (layers one after the other) and makes the coarser
+// levels. Leaves it ready for sampling.
+Result<void> upload_layers(const Device& device, std::span<const std::byte> texels, GpuImage& image);
+
+}  // namespace flaneur

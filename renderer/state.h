@@ -1,0 +1,49 @@
+// What a renderer holds. Only the renderer's own files see it.
+#pragma once
+
+#include "renderer/gpu_scene.h"
+#include "renderer/pipelines.h"
+#include "renderer/renderer.h"
+#include "renderer/swapchain.h"
+#include "renderer/targets.h"
+
+namespace flaneur {
+
+inline constexpr uint32_t k_slots = 2;        // frames in flight in a window
+inline constexpr uint32_t k_max_stages = 16;  // timed ones of a frame
+
+// What one frame in flight owns.
+struct FrameSlot {
+    VkCommandPool pool = {};
+    VkCommandBuffer commands = {};
+    VkFence done = {};
+    VkSemaphore image_ready = {};
+    VkDescriptorSet set = {};
+    VkQueryPool timestamps = {};  // at the start, and at the end of each stage
+    Buffer constants, instances, palette, draws, contacts;
+    std::vector<std::string> stages;  // names of those timed
+    bool is_pending = false;          // submitted, and not yet waited for
+};
+
+struct Renderer {
+    Device device;
+    Pipelines pipelines;
+    VkDescriptorPool descriptor_pool = {};
+    FrameSlot slots[k_slots];
+    uint32_t next_slot = 0;
+    GpuScene scene;
+    ShadowMaps shadows;
+    PictureTargets targets;
+    GpuImage picture;  // off-screen
+    Buffer readback;
+    GLFWwindow* window = nullptr;
+    Swapchain swapchain;
+    bool is_swapchain_stale = true;
+    CrowdDraws crowd, casters;
+    FrameStats stats;
+};
+
+// Frees all but the device's own objects; the device must be idle.
+void destroy_slot(const Device& device, FrameSlot& slot);
+
+}  // namespace flaneur

@@ -1,0 +1,95 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/common.glsl"
+#include "shaders/light.glsl"
+#include "shaders/pattern.glsl"
+
+layout(location = 0) in vec3 in_place;
+layout(location = 1) in vec2 in_uv;  // x: metres, a window every k_bay; y: storeys
+layout(location = 2) in vec3 in_normal;
+layout(location = 3) flat in vec3 in_colour;
+layout(location = 4) flat in vec4 in_pattern;  // storey height, shop, storeys
+
+layout(location = 0) out vec4 out_picture;
+
+const float k_bay = 2.7;
+const float k_reveal = 0.16;  // how deep windows sit, metres
+
+void main() {
+    vec3 normal = normalize(in_normal);
+    float height = max(in_pattern.x, 2.0), shop = in_pattern.y, storeys = in_pattern.z;
+    float has_windows = float(storeys > 0.5);
+    float above = in_uv.y * height;  // metres above the foot
+    vec2 pixel = max(fwidth(vec2(in_uv.x, above)), vec2(1e-4));
+
+    float bay = floor(in_uv.x / k_bay), storey = floor(in_uv.y);
+    vec2 at = vec2(in_uv.x - (bay + 0.5) * k_bay, above - storey * height);  // from the bay's foot
+    float ground = float(storey < 0.5) * has_windows;
+    float is_shop = ground * shop;
+    float is_door = ground * (1.0 - shop) * float(hash(vec2(bay, in_colour.x * 255.0)) < 0.16);
+
+    // The opening: a window, a door, or a shop's wide pane.
+    vec2 low = mix(mix(vec2(-0.58, 0.85), vec2(-0.55, 0.02), is_door), vec2(-1.12, 0.45), is_shop);
+    vec2 high = mix(mix(vec2(0.58, height - 0.62), vec2(0.55, 2.25), is_door), vec2(1.12, height - 0.75), is_shop);
+    float open = inside(at, low, high, pixel) * has_windows * float(storey < storeys - 0.5);
+    float glass = inside(at, low + 0.075, high - 0.075, pixel);
+    // A window has a mullion and a transom.
+    float bar = between(at.x, -0.025, 0.025, pixel.x) + between(at.y, high.y - 0.55, high.y - 0.50, pixel.y);
+    glass *= 1.0 - saturate(bar) * (1.0 - is_shop);
+    glass *= 1.0 - is_door * (1.0 - between(at.y, 2.0, 2.2, pixel.y));
+
+    // The wall: a base course, a string course at each floor, sills, a surround, and a cornice on top.
+    float surround = inside(at, low - 0.12, high + 0.12, pixel) * has_windows;
+    float sill = inside(at, vec2(low.x - 0.16, low.y - 0.09), vec2(high.x + 0.16, low.y), pixel) * has_windows *
+                 (1.0 - is_door) * (1.0 - is_shop);
+    float under_sill = inside(at, vec2(low.x - 0.16, low.y - 0.19), vec2(high.x + 0.16, low.y - 0.09), pixel) *
+                       has_windows * (1.0 - is_door) * (1.0 - is_shop);
+    float course = between(at.y, height - 0.16, height + 0.01, pixel.y) * has_windows;
+    float under_course = between(at.y, height - 0.24, height - 0.16, pixel.y) * has_windows;
+    float from_top = storeys * height - above;
+    float cornice = between(from_top, -1.0, 0.34, pixel.y) * has_windows;
+    float under_cornice = between(from_top, 0.34, 0.56, pixel.y) * has_windows;
+    float base = between(above, -1.0, 0.5, pixel.y);
+    float sign_band = is_shop * inside(at, vec2(-1.25, height - 0.68), vec2(1.25, height - 0.24), pixel);
+
+    float shade = 1.0 + 0.07 * surround + 0.12 * sill + 0.05 * course + 0.08 * cornice - 0.22 * base -
+                  0.10 * is_shop;
+    float occluded = 1.0 - 0.30 * under_sill - 0.20 * under_course - 0.32 * under_cornice;
+    vec3 albedo = in_colour * shade;
+
+    // Awnings and signs: few quiet colours by bay.
+    float pick = hash(vec2(floor(bay * 0.5), storeys + 7.0));
+    vec3 sign_colour = pick < 0.25 ? vec3(0.14, 0.02, 0.03) : pick < 0.5 ? vec3(0.02, 0.05, 0.05)
+                       : pick < 0.75 ? vec3(0.03, 0.035, 0.04) : vec3(0.35, 0.19, 0.04);
+    albedo = mix(albedo, sign_colour, sign_band);
+    vec3 frame_colour = is_shop > 0.5 ? vec3(0.045) : is_door > 0.5 ? vec3(0.07, 0.05, 0.035) : vec3(0.55, 0.53, 0.48);
+    albedo = mix(albedo, frame_colour, open);
+
+    // The street's walls see less sky near the ground, least at the foot.
+    float contact = above / (above + 0.35);
+    float canyon = 0.72 + 0.28 * saturate(above * 0.07);
+    float ao = (0.55 + 0.45 * saturate(contact)) * canyon * (1.0 - 0.35 * open) * occluded;
+
+    float facing = saturate(dot(normal, frame.sun_direction.xyz));
+    float sun = sunlit(in_place, normal, 2.0) * occluded;
+    // The reveal's shadow on the window: its rectangle, moved by the sun.
+    vec3 along = vec3(-normal.z, 0, normal.x);
+    float towards = max(facing, 0.15);
+    vec2 slide = -k_reveal * vec2(-dot(along, frame.sun_direction.xyz), frame.sun_direction.y) / towards;
+    float in_window = inside(at - slide, low, high, pixel);
+    sun *= mix(1.0, in_window, open);
+    vec3 light = albedo * (frame.sun_light.xyz * facing * sun + ambient(normal) * ao);
+
+    // Glass: dark rooms, some with curtains, behind a mirror of the sky.
+    vec3 ray = normalize(in_place - frame.eye.xyz);
+    float lean = hash(vec2(bay * 3.0 + 1.0, storey + storeys * 17.0)) - 0.5;
+    vec3 mirror = reflect(ray, normalize(normal + along * (0.05 * lean)));
+    mirror.y = abs(mirror.y + 0.03 * lean);
+    float grazing = 1.0 - saturate(-dot(ray, normal));
+    float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
+    float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
+    vec3 room = ambient(normal) * mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
+    vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
+    light = mix(light, pane, open * glass);
+    out_picture = picture(through_air(light, in_place));
+}

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "assets/character.h"
+
+namespace flaneur {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path k_corpus = fs::path(FLANEUR_SHARED_DIR) / "corpus";
+
+#define SKIP_WITHOUT(path) \
+    if (!fs::exists(path)) GTEST_SKIP() << (path) << " is not here: the files that it holds are not tried"
+
+void expect_sound(const Character& c) {
+    ASSERT_FALSE(c.lods.empty());
+    ASSERT_FALSE(c.lods[0].empty());
+    for (const auto& level : c.lods) {
+        ASSERT_EQ(level.size() % 3, 0u);
+        for (uint32_t i : level) ASSERT_LT(i, c.vertices.size());
+    }
+    for (size_t l = 1; l < c.lods.size(); ++l) EXPECT_LT(c.lods[l].size(), c.lods[l - 1].size());
+    for (const CharacterVertex& v : c.vertices) {
+        int sum = 0;
+        for (size_t n = 0; n < 4; ++n) {
+            sum += v.weights[n];
+            ASSERT_LT(v.joints[n], k_joint_count);
+        }
+        ASSERT_EQ(sum, 255);
+        ASSERT_TRUE(std::isfinite(v.position.x + v.position.y + v.position.z));
+        ASSERT_TRUE(v.texture == CharacterVertex::k_no_texture || v.texture < c.textures.size());
+    }
+    const auto& j = c.body.joints;
+    EXPECT_GT(c.body.height, 0.4f);
+    EXPECT_LT(c.body.height, 2.6f);
+    EXPECT_GT(j[head].y, j[neck].y);
+    EXPECT_GT(j[neck].y, j[hips].y);
+    EXPECT_GT(j[left_upper_leg].x, 0);
+    EXPECT_GT(j[left_upper_arm].x, 0);
+    for (Joint leg : {left_upper_leg, right_upper_leg}) {
+        EXPECT_GT(j[leg].y, j[size_t(leg) + 1].y) << "the knee is below the hip";
+        EXPECT_GT(j[size_t(leg) + 1].y, j[size_t(leg) + 2].y) << "the ankle is below the knee";
+        EXPECT_GT(j[size_t(leg) + 3].z, j[size_t(leg) + 2].z) << "the toes lead";
+        EXPECT_GE(j[size_t(leg) + 2].y, 0);
+    }
+    for (int n = 0; n < 4; ++n) {
+        Vec3 left = j[size_t(left_shoulder + n)], right = j[size_t(right_shoulder + n)];
+        EXPECT_EQ(left, (Vec3{-right.x, right.y, right.z}));
+    }
+    EXPECT_GT(c.body.heel, 0);
+    EXPECT_GT(c.body.toe, 0);
+}
+
+std::string refusal(const fs::path& path) {
+    auto c = load_character(path.string());
+    return c ? "(was loaded)" : c.error().message;
+}
+
+struct Known {
+    const char* file;
+    float height, leg;  // metres, leg as a part of the height
+};
+
+class KnownCharacter : public testing::TestWithParam<Known> {};
+
+TEST_P(KnownCharacter, StandsAsItShould) {
+    fs::path path = k_corpus / "characters" / GetParam().file;
+    SKIP_WITHOUT(path);
+    auto c = load_character(path.string());
+    ASSERT_TRUE(c) << c.error().message;
+    expect_sound(*c);
+    EXPECT_NEAR(c->body.height, GetParam().height, 0.06f);
+    EXPECT_NEAR(leg_length(c->body) / c->body.height, GetParam().leg, 0.05f);
+    EXPECT_NEAR(thigh_length(c->body) / shank_length(c->body), 1, 0.25f);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, KnownCharacter,
+                         testing::Values(Known{"khronos_CesiumMan.glb", 1.52f, 0.41f},
+                                         Known{"mpfb_male_mixamo.glb", 1.75f, 0.53f},
+                                         Known{"quaternius_modular_men_Casual.glb", 1.87f, 0.52f}));
+
+TEST(Gltf, CharactersLoadOrSayWhyNot) {
+    SKIP_WITHOUT(k_corpus / "characters");
+    for (const auto& entry : fs::recursive_directory_iterator(k_corpus / "characters")) {
+        std::string kind = entry.path().extension().string();
+        if (kind != ".glb" && kind != ".gltf" && kind != ".vrm") continue;
+        auto c = load_character(entry.path().string());
+        if (c) {
+            SCOPED_TRACE(entry.path());
+            expect_sound(*c);
+        } else {
+            EXPECT_NE(c.error().message.find(entry.path().filename().string()), std::string::npos);
+            std::cout << "refused: " << c.error().message << "\n";
+        }
+    }
+}
+
+// Nothing in there may crash, hang or load into nonsense.
+TEST(Gltf, OddFilesAreLoadedOrRefused) {
+    SKIP_WITHOUT(k_corpus / "odd");
+    size_t loaded = 0, refused = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(k_corpus / "odd")) {
+        std::string kind = entry.path().extension().string();
+        if (kind != ".glb" && kind != ".gltf" && kind != ".vrm") continue;
+        auto c = load_character(entry.path().string());
+        if (c) {
+            SCOPED_TRACE(entry.path());
+            expect_sound(*c);
+            ++loaded;
+        } else {
+            EXPECT_GT(c.error().message.size(), entry.path().filename().string().size() + 10);
+            ++refused;
+        }
+    }
+    std::cout << loaded << " loaded, " << refused << " refused\n";
+    EXPECT_GT(refused, 0u);
+}
+
+TEST(Gltf, RefusalsNameWhatIsMissing) {
+    EXPECT_NE(refusal("no/such/file.glb").find("cannot be opened"), std::string::npos);
+
+    fs::path scratch = fs::temp_directory_path() / "flaneur_test_gltf";
+    fs::create_directories(scratch);
+    std::ofstream(scratch / "text.glb") << "This is a letter, not a model.";
+    EXPECT_NE(refusal(scratch / "text.glb").find("not a readable glTF"), std::string::npos);
+    std::ofstream(scratch / "empty.gltf") << R"({"asset":{"version":"2.0"}})";
+    EXPECT_NE(refusal(scratch / "empty.gltf").find("no skinned mesh"), std::string::npos);
+    std::ofstream(scratch / "cycle.gltf")
+        << R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]})";
+    EXPECT_NE(refusal(scratch / "cycle.gltf").find("cycle"), std::string::npos);
+    std::ofstream(scratch / "stray.gltf") << R"({"asset":{"version":"2.0"},"nodes":[{"children":[7]}]})";
+    EXPECT_NE(refusal(scratch / "stray.gltf").find("does not exist"), std::string::npos);
+    std::ofstream(scratch / "draco.gltf")
+        << R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_draco_mesh_compression"],)"
+        << R"("extensionsRequired":["KHR_draco_mesh_compression"]})";
+    EXPECT_NE(refusal(scratch / "draco.gltf").find("KHR_draco_mesh_compression"), std::string::npos);
+    fs::remove_all(scratch);
+}
+
+TEST(Gltf, CorpusRefusalsNameWhatIsMissing) {
+    fs::path characters = k_corpus / "characters";
+    SKIP_WITHOUT(characters);
+    EXPECT_NE(refusal(characters / "khronos_Fox.glb").find("no arms"), std::string::npos);
+    EXPECT_NE(refusal(characters / "khronos_RiggedSimple.glb").find("no pair of limbs"), std::string::npos);
+
+    // Truncated halfway.
+    std::ifstream whole(characters / "khronos_CesiumMan.glb", std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(whole)), {});
+    fs::path cut = fs::temp_directory_path() / "flaneur_test_truncated.glb";
+    std::ofstream(cut, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    EXPECT_NE(refusal(cut).find("not a readable glTF"), std::string::npos);
+    fs::remove(cut);
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,254 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "assets/city.h"
+#include "assets/osm_map.h"
+#include "city_checks.h"
+
+namespace flaneur {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path corpus() { return fs::path(FLANEUR_SHARED_DIR) / "corpus" / "osm"; }
+
+#define NEEDS_CORPUS()         \
+    if (!fs::exists(corpus())) \
+    GTEST_SKIP() << "There is no " << corpus() << ": tests on real maps are left out."
+
+// A file that goes when the test ends.
+struct Temporary {
+    fs::path path;
+    Temporary(const std::string& name, const std::string& content) {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        path = fs::temp_directory_path() / ("flaneur_" + std::string(test->name()) + "_" + name);
+        std::ofstream(path, std::ios::binary) << content;
+    }
+    ~Temporary() { fs::remove(path); }
+};
+
+std::string read(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A street of 110 m running east, a square house of 22 m to its north; degrees of 1e-4 are about 11 m at the
+// equator.
+const char* const k_street =
+    R"(<way id="1"><nd ref="1"/><nd ref="2"/><tag k="highway" v="residential"/>%TAGS%</way>)";
+const char* const k_nodes = R"(
+<node id="1" lat="0" lon="0"/><node id="2" lat="0" lon="0.001"/>
+<node id="3" lat="0.0002" lon="0.0004"/><node id="4" lat="0.0002" lon="0.0006"/>
+<node id="5" lat="0.0004" lon="0.0006"/><node id="6" lat="0.0004" lon="0.0004"/>)";
+const char* const k_house = R"(<way id="2"><nd ref="3"/><nd ref="4"/><nd ref="5"/><nd ref="6"/><nd ref="3"/>
+<tag k="building" v="yes"/>%TAGS%</way>)";
+
+std::string with_tags(std::string text, const std::string& tags) {
+    text.replace(text.find("%TAGS%"), 6, tags);
+    return text;
+}
+
+std::string map_of(const std::string& body) { return "<osm version=\"0.6\">" + body + "</osm>"; }
+
+Result<City> load_text(const std::string& xml) {
+    Temporary file("map.osm", xml);
+    return load_osm(file.path.string());
+}
+
+TEST(Osm, ParsesLengths) {
+    EXPECT_FLOAT_EQ(*parse_metres("12"), 12);
+    EXPECT_FLOAT_EQ(*parse_metres("12.5 m"), 12.5f);
+    EXPECT_FLOAT_EQ(*parse_metres("1,5"), 1.5f);
+    EXPECT_NEAR(*parse_metres("40 ft"), 12.192f, 1e-4f);
+    EXPECT_NEAR(*parse_metres("12'6\""), 3.81f, 1e-4f);
+    for (const char* bad : {"", "m", "wide", "3;4", "-2", "1e99x", "12'x"})
+        EXPECT_FALSE(parse_metres(bad)) << bad;
+    EXPECT_FLOAT_EQ(*parse_number("-1"), -1);
+    EXPECT_FALSE(parse_number("1;2"));
+}
+
+TEST(Osm, ProjectsToMetres) {
+    // One minute of latitude is a nautical mile; at 60 degrees one of longitude is half as long.
+    Projection p = projection_about(10, 60);
+    Vec2 north = p({0, 10, 60 + 1.0 / 60, {}}), east = p({0, 10 + 1.0 / 60, 60, {}});
+    EXPECT_NEAR(north.z, -1856.9f, 1);
+    EXPECT_NEAR(north.x, 0, 1e-3f);
+    EXPECT_NEAR(east.x, 930.0f, 1);
+}
+
+TEST(Osm, StreetGetsWidthKerbsAndSidewalks) {
+    Result<City> city =
+        load_text(map_of(k_nodes + with_tags(k_street, "<tag k='width' v='8'/>") + with_tags(k_house, "")));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    // The box ends 6 m beyond the map; its middle is the street's and the house's: x from -61 to 61.
+    float z = city->high.z - 6;
+    auto at = [&](float south) { return ground(*city, {0, 0, z + south}, 1, 1); };
+    EXPECT_EQ(at(0)->kind, Surface::road);
+    EXPECT_EQ(at(-3.9f)->kind, Surface::road);
+    EXPECT_EQ(at(-4.1f)->kind, Surface::sidewalk);
+    EXPECT_FLOAT_EQ(at(-4.1f)->height, 0.12f);
+    EXPECT_EQ(at(4.1f)->kind, Surface::sidewalk);
+    EXPECT_FALSE(at(-33)) << "inside the house";
+}
+
+TEST(Osm, SidewalkTagsAreObeyed) {
+    auto kind = [&](const std::string& tags, float south) {
+        Result<City> city = load_text(
+            map_of(k_nodes + with_tags(k_street, "<tag k='width' v='8'/>" + tags) + with_tags(k_house, "")));
+        return ground(*city, {-40, 0, city->high.z - 6 + south}, 1, 1)->kind;
+    };
+    EXPECT_EQ(kind("<tag k='sidewalk' v='left'/>", -4.5f), Surface::sidewalk);
+    EXPECT_EQ(kind("<tag k='sidewalk' v='left'/>", 4.5f), Surface::grass);
+    EXPECT_EQ(kind("<tag k='sidewalk:right' v='no'/>", 4.5f), Surface::grass);
+    EXPECT_EQ(kind("<tag k='sidewalk' v='no'/>", -4.5f), Surface::grass);
+}
+
+TEST(Osm, HeightsComeFromTags) {
+    auto top = [&](const std::string& tags) {
+        Result<City> city = load_text(map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, tags)));
+        return city->buildings.at(0).top;
+    };
+    EXPECT_FLOAT_EQ(top("<tag k='height' v='17.5'/>"), 17.5f);
+    EXPECT_FLOAT_EQ(top("<tag k='building:levels' v='3'/>"), 3 * 3.2f + 0.8f);
+    EXPECT_NEAR(top("<tag k='height' v='12\"'/>"), top(""), 8);
+    EXPECT_GT(top(""), 5);
+}
+
+TEST(Osm, PassageLeadsThroughTheHouse) {
+    std::string way = R"(<node id="7" lat="0.00005" lon="0.0005"/><node id="8" lat="0.0005" lon="0.0005"/>
+        <way id="3"><nd ref="7"/><nd ref="8"/><tag k="highway" v="footway"/><tag k="tunnel" v="building_passage"/></way>)";
+    Result<City> city = load_text(
+        map_of(k_nodes + way + with_tags(k_street, "") + with_tags(k_house, "<tag k='height' v='15'/>")));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    Vec3 inside{0, 0, city->high.z - 6 - 33};
+    ASSERT_TRUE(ground(*city, inside, 1, 1));
+    EXPECT_FALSE(ground(*city, inside + Vec3{5, 0, 0}, 1, 1));
+    // Overhead the house goes on.
+    bool storeys_above = false;
+    for (const Building& b : city->buildings) storeys_above |= b.base > 3 && b.top > 14;
+    EXPECT_TRUE(storeys_above);
+}
+
+TEST(Osm, CrossingLiesOnTheRoadWithDroppedKerbs) {
+    std::string way = R"(<node id="9" lat="0" lon="0.0003"><tag k="highway" v="crossing"/></node>
+        <way id="1"><nd ref="1"/><nd ref="9"/><nd ref="2"/><tag k="highway" v="residential"/><tag k="width" v="8"/></way>)";
+    Result<City> city = load_text(map_of(k_nodes + way + with_tags(k_house, "")));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    float x = city->low.x + 6 + 0.0003f * 111320, z = city->high.z - 6;
+    EXPECT_EQ(ground(*city, {x, 0, z + 3.5f}, 1, 1)->kind, Surface::crossing);
+    EXPECT_FLOAT_EQ(ground(*city, {x, 0, z + 3.5f}, 1, 1)->height, 0);
+    EXPECT_NEAR(ground(*city, {x, 0, z + 4.05f}, 1, 1)->height, 0.02f, 0.01f);
+    EXPECT_NEAR(ground(*city, {x, 0, z + 5.5f}, 1, 1)->height, 0.12f, 1e-3f);
+}
+
+TEST(Osm, RefusesWhatIsNoCity) {
+    Result<City> empty = load_text(map_of(""));
+    ASSERT_FALSE(empty);
+    EXPECT_NE(empty.error().message.find("neither buildings nor streets"), std::string::npos);
+    Result<City> missing = load_osm("/nowhere/at all.osm");
+    ASSERT_FALSE(missing);
+    EXPECT_NE(missing.error().message.find("/nowhere/at all.osm"), std::string::npos);
+    EXPECT_FALSE(load_osm("/tmp"));
+    std::string wide = R"(<node id="1" lat="0" lon="0"/><node id="2" lat="3" lon="1"/>)";
+    EXPECT_FALSE(load_text(map_of(wide + with_tags(k_street, ""))));
+}
+
+TEST(Osm, OddMapsDoNotCrash) {
+    // A street of one node, of one place, with missing nodes; a house that crosses itself, one that stays
+    // open, one of missing nodes; a relation without its ways; nonsense in tags.
+    std::string odd = R"(<node id="10" lat="0" lon="0"/>
+        <way id="10"><nd ref="1"/><tag k="highway" v="primary"/></way>
+        <way id="11"><nd ref="1"/><nd ref="10"/><tag k="highway" v="primary"/></way>
+        <way id="12"><nd ref="1"/><nd ref="77"/><nd ref="2"/><tag k="highway" v="footway"/></way>
+        <way id="17"><tag k="highway" v="primary"/></way>
+        <way id="13"><nd ref="3"/><nd ref="5"/><nd ref="4"/><nd ref="6"/><nd ref="3"/><tag k="building" v="yes"/></way>
+        <way id="14"><nd ref="3"/><nd ref="4"/><nd ref="5"/><tag k="building" v="yes"/></way>
+        <way id="15"><nd ref="3"/><nd ref="4"/><nd ref="78"/><nd ref="3"/><tag k="building" v="yes"/></way>
+        <way id="16"><nd ref="3"/><nd ref="4"/><nd ref="3"/><tag k="building" v="yes"/></way>
+        <relation id="1"><member type="way" ref="99" role="outer"/><tag k="type" v="multipolygon"/><tag k="building" v="yes"/></relation>)";
+    Result<City> city = load_text(
+        map_of(k_nodes + odd + with_tags(k_street, "<tag k='width' v='1e9'/><tag k='lanes' v='-4'/>") +
+               with_tags(k_house, "<tag k='height' v='9999'/><tag k='min_height' v='-3'/>")));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    EXPECT_GE(city->notes.size(), 3u);
+}
+
+TEST(Osm, RealMapsMakeSoundCities) {
+    NEEDS_CORPUS();
+    for (const char* name :
+         {"berlin_neukolln_2024.osm", "monaco_2021.osm.pbf", "austin_downtown_2019.osm.pbf",
+          "london_moorgate_2024.osm.pbf", "taipei_2024.osm", "nyc_manhattan_2015_unsorted.osm.pbf"}) {
+        SCOPED_TRACE(name);
+        Result<City> city = load_osm((corpus() / name).string());
+        ASSERT_TRUE(city) << city.error().message;
+        EXPECT_GT(city->buildings.size(), 50u);
+        check_city(*city);
+    }
+}
+
+TEST(Osm, ImportRepeatsItself) {
+    NEEDS_CORPUS();
+    std::string path = (corpus() / "berlin_neukolln_2024.osm").string();
+    EXPECT_EQ(hash_city(*load_osm(path)), hash_city(*load_osm(path)));
+}
+
+TEST(Osm, TestDataLoadsOrIsRefused) {
+    NEEDS_CORPUS();
+    Result<City> none = load_osm((corpus() / "osm-testdata" / "multipolygon_testcases.osm").string());
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("multipolygon_testcases.osm"), std::string::npos);
+    Result<City> grid = load_osm((corpus() / "osm-testdata" / "grid_all.osm").string());
+    if (!grid) {
+        EXPECT_NE(grid.error().message.find("grid_all.osm"), std::string::npos);
+    }
+}
+
+TEST(Osm, SpoiltFilesDoNotCrash) {
+    NEEDS_CORPUS();
+    for (const char* name : {"taipei_2024.osm", "london_moorgate_2024.osm.pbf"}) {
+        std::string whole = read(corpus() / name);
+        for (size_t seed = 0; seed < 6; ++seed) {
+            std::string spoilt = whole;
+            for (size_t i = 0; i < 40; ++i) {
+                uint64_t r = random_bits({seed, 0, 0, Purpose::spawn}, static_cast<uint32_t>(i));
+                spoilt[r % spoilt.size()] = static_cast<char>(r >> 56);
+            }
+            Temporary file(name, spoilt);
+            Result<City> city = load_osm(file.path.string());
+            if (!city) {
+                EXPECT_FALSE(city.error().message.empty());
+            }
+        }
+    }
+}
+
+TEST(Osm, CutFilesAndNoiseAreRefused) {
+    NEEDS_CORPUS();
+    for (const char* name :
+         {"berlin_neukolln_2024.osm", "monaco_2021.osm.pbf", "london_moorgate_2024.osm.pbf"}) {
+        std::string whole = read(corpus() / name);
+        for (size_t part : {1, 3, 5, 9}) {
+            Temporary file(name, whole.substr(0, whole.size() * part / 10));
+            Result<City> city = load_osm(file.path.string());
+            ASSERT_FALSE(city) << name << " cut to " << part << " tenths";
+            EXPECT_NE(city.error().message.find(file.path.string()), std::string::npos);
+        }
+    }
+    for (const char* name : {"noise.osm", "noise.osm.pbf", "noise.xyz", "noise"}) {
+        Temporary file(name, "\x7f not a map \x01\x02\x03 at all");
+        EXPECT_FALSE(load_osm(file.path.string())) << name;
+        Temporary empty(std::string("empty_") + name, "");
+        EXPECT_FALSE(load_osm(empty.path.string())) << name;
+    }
+}
+
+}  // namespace
+}  // namespace flaneur

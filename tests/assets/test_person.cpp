@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "assets/character.h"
+#include "sim/base/hash.h"
+
+namespace flaneur {
+namespace {
+
+struct Made {
+    PersonOptions options;
+    Character person;
+};
+
+// Some of each sex, enough to meet every garment and cut.
+const std::vector<Made>& several() {
+    static const std::vector<Made> all = [] {
+        std::vector<Made> made;
+        for (uint64_t seed = 1; seed <= 8; ++seed) {
+            PersonOptions options{seed, 1.5f + 0.05f * float(seed), seed % 2 == 0};
+            made.push_back({options, generate_person(options)});
+        }
+        return made;
+    }();
+    return all;
+}
+
+Vec3 canonical_place(const Character& c, const CharacterVertex& v) {
+    Vec3 sum;
+    for (size_t n = 0; n < 4; ++n) {
+        size_t j = v.joints[n];
+        Vec3 p = c.body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]);
+        sum += p * (float(v.weights[n]) / 255);
+    }
+    return sum;
+}
+
+// Vertices at one place count as one.
+std::vector<uint32_t> places_of(const Character& c) {
+    std::map<std::array<float, 3>, uint32_t> known;
+    std::vector<uint32_t> out;
+    for (const CharacterVertex& v : c.vertices)
+        out.push_back(known.try_emplace({v.position.x, v.position.y, v.position.z}, uint32_t(known.size()))
+                          .first->second);
+    return out;
+}
+
+uint64_t hash_of(const Character& c) {
+    uint64_t h = 0;
+    for (const CharacterVertex& v : c.vertices) {
+        float numbers[6] = {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z};
+        h = hash_bytes(h, numbers, sizeof numbers);
+        h = hash_bytes(h, &v.colour, sizeof v.colour);
+        h = hash_bytes(h, v.joints, 4);
+        h = hash_bytes(h, v.weights, 4);
+    }
+    for (const auto& level : c.lods) h = hash_array(h, level);
+    return h;
+}
+
+TEST(Person, SurfaceIsClosedAndWoundOneWay) {
+    for (const auto& [options, c] : several()) {
+        std::vector<uint32_t> place = places_of(c);
+        std::map<std::pair<uint32_t, uint32_t>, int> directed;
+        const auto& triangles = c.lods[0];
+        for (size_t t = 0; t < triangles.size(); t += 3)
+            for (size_t i = 0; i < 3; ++i)
+                ++directed[{place[triangles[t + i]], place[triangles[t + (i + 1) % 3]]}];
+        size_t bad = 0;
+        for (const auto& [edge, count] : directed) {
+            auto back = directed.find({edge.second, edge.first});
+            bad += count != 1 || back == directed.end() || back->second != 1;
+        }
+        EXPECT_EQ(bad, 0u) << "edges not shared by exactly two triangles, seed " << options.seed;
+    }
+}
+
+TEST(Person, FacesOutward) {
+    for (const auto& [options, c] : several()) {
+        double volume = 0;
+        size_t against = 0;
+        const auto& triangles = c.lods[0];
+        for (size_t t = 0; t < triangles.size(); t += 3) {
+            const CharacterVertex &a = c.vertices[triangles[t]], &b = c.vertices[triangles[t + 1]],
+                                  &d = c.vertices[triangles[t + 2]];
+            volume += double(dot(a.position, cross(b.position, d.position))) / 6;
+            against += dot(cross(b.position - a.position, d.position - a.position),
+                           a.normal + b.normal + d.normal) < 0;
+        }
+        double litres = volume * 1000,
+               expected = 22 * std::pow(options.height, 2);  // about a body mass index of 22
+        EXPECT_GT(litres, 0.7 * expected) << options.seed;
+        EXPECT_LT(litres, 2.0 * expected) << options.seed;
+        EXPECT_LT(against, triangles.size() / 3 / 50)
+            << "triangles against their normals, seed " << options.seed;
+    }
+}
+
+TEST(Person, WeightsSumTo255AndFall) {
+    for (const auto& [options, c] : several())
+        for (const CharacterVertex& v : c.vertices) {
+            int sum = 0;
+            for (size_t n = 0; n < 4; ++n) {
+                sum += v.weights[n];
+                ASSERT_LT(v.joints[n], k_joint_count);
+                if (n > 0) {
+                    ASSERT_LE(v.weights[n], v.weights[n - 1]);
+                }
+            }
+            ASSERT_EQ(sum, 255);
+        }
+}
+
+TEST(Person, StandsOnTheGroundAtFullHeight) {
+    for (const auto& [options, c] : several()) {
+        float low = 1e9f, high = -1e9f, back = 0, front = 0;
+        for (const CharacterVertex& v : c.vertices) {
+            Vec3 p = canonical_place(c, v);
+            low = std::min(low, p.y);
+            high = std::max(high, p.y);
+            if (v.joints[0] == left_foot) back = std::min(back, p.z);
+            if (v.joints[0] == left_toes) front = std::max(front, p.z);
+        }
+        EXPECT_NEAR(low, 0, 0.005f) << options.seed;
+        EXPECT_NEAR(high, options.height, 0.01f) << options.seed;
+        EXPECT_NEAR(c.body.height, options.height, 1e-5f);
+        EXPECT_NEAR(c.body.heel, c.body.joints[left_foot].z - back, 0.01f);
+        EXPECT_NEAR(c.body.toe, front - c.body.joints[left_toes].z, 0.01f);
+    }
+}
+
+TEST(Person, ArmsHangBesideTheBody) {
+    for (const auto& [options, c] : several()) {
+        Vec3 shoulder = c.body.joints[left_upper_arm], wrist = c.body.joints[left_hand];
+        EXPECT_NEAR(shoulder.x, wrist.x, 1e-4f);
+        EXPECT_LT(wrist.y, shoulder.y);
+        float hand_inner = 1, hip_outer = 0;
+        for (const CharacterVertex& v : c.vertices) {
+            Vec3 p = canonical_place(c, v);
+            if (v.joints[0] == left_hand && v.weights[0] > 250) hand_inner = std::min(hand_inner, p.x);
+            bool hip = v.joints[0] == hips || v.joints[0] == left_upper_leg;
+            if (hip && std::fabs(p.y - wrist.y) < 0.05f) hip_outer = std::max(hip_outer, p.x);
+        }
+        EXPECT_GT(hand_inner, hip_outer - 0.05f * options.height) << options.seed;
+    }
+}
+
+TEST(Person, JointsMirror) {
+    for (const auto& [options, c] : several()) {
+        for (auto [left, right] :
+             {std::pair{int(left_shoulder), int(right_shoulder)}, {left_upper_leg, right_upper_leg}})
+            for (int n = 0; n < 4; ++n)
+                for (const auto& joints : {c.body.joints, c.bind_joints}) {
+                    Vec3 l = joints[size_t(left + n)], r = joints[size_t(right + n)];
+                    EXPECT_EQ(l, (Vec3{-r.x, r.y, r.z})) << k_joint_names[size_t(left + n)];
+                }
+    }
+}
+
+TEST(Person, LevelsOfDetailFall) {
+    for (const auto& [options, c] : several()) {
+        ASSERT_EQ(c.lods.size(), 5u);
+        const size_t wanted[] = {7600, 1500, 500, 180, 60};
+        for (size_t l = 0; l < 5; ++l) {
+            size_t triangles = c.lods[l].size() / 3;
+            EXPECT_LE(triangles, wanted[l] + wanted[l] / 10 + 4)
+                << "level " << l << ", seed " << options.seed;
+            EXPECT_GE(triangles, wanted[l] / 2) << "level " << l << ", seed " << options.seed;
+            for (uint32_t v : c.lods[l]) ASSERT_LT(v, c.vertices.size());
+        }
+    }
+}
+
+TEST(Person, SameOptionsSameBytes) {
+    EXPECT_EQ(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, true})));
+    EXPECT_NE(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, false})));
+    EXPECT_NE(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({4, 1.7f, true})));
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "assets/scene.h"
+
+namespace flaneur {
+namespace {
+
+struct SceneFile : testing::Test {
+    SceneFile() {
+        char name[] = "/tmp/flaneur-test-XXXXXX";
+        folder = mkdtemp(name);
+    }
+    ~SceneFile() override { std::filesystem::remove_all(folder); }
+    Result<Scene> load(const std::string& text) {
+        std::ofstream(folder / "mine.json") << text;
+        return load_scene(folder / "mine.json");
+    }
+    std::filesystem::path folder;
+};
+
+TEST(Scenes, BuiltInOnesAreSortedAndSound) {
+    std::vector<std::string> names = scene_names();
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+    EXPECT_EQ(std::count(names.begin(), names.end(), "district"), 1);
+    for (const std::string& name : names) {
+        Result<Scene> scene = load_scene(name);
+        ASSERT_TRUE(scene) << scene.error().message;
+        EXPECT_EQ(scene->name, name);
+    }
+}
+
+TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
+    Result<Scene> scene = load(R"({ "walkers": 12, "seed": 18446744073709551615, "camera": "overview",
+        "city": "maps/a.osm", "characters": ["a.glb", "/b.glb"], "sun_height": 40.5 })");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->name, "mine");
+    EXPECT_EQ(scene->walkers, 12);
+    EXPECT_EQ(scene->seed, ~uint64_t{0});
+    EXPECT_EQ(scene->camera, "overview");
+    EXPECT_EQ(scene->city, folder / "maps/a.osm");
+    EXPECT_EQ(scene->characters, (std::vector<std::string>{folder / "a.glb", "/b.glb"}));
+    EXPECT_EQ(scene->sun_height, 40.5f);
+    EXPECT_EQ(scene->blocks, Scene().blocks);
+}
+
+TEST_F(SceneFile, IsRefusedByKeyAndRange) {
+    for (const char* text :
+         {R"({"walkers": -1})", R"({"walkers": 100001})", R"({"walkers": 1.5})", R"({"walkers": "ten"})",
+          R"({"walkers": 18446744073709551615})", R"({"seed": -1})", R"({"seed": 1e30})", R"({"blocks": 0})",
+          R"({"blocks": 33})", R"({"camera": 3})", R"({"city": null})", R"({"characters": "a.glb"})",
+          R"({"characters": [1]})", R"({"sun_height": 91})", R"({"sun_heading": -1})"}) {
+        Result<Scene> scene = load(text);
+        ASSERT_FALSE(scene) << text;
+        std::string key(text + 2, std::string(text + 2).find('"'));
+        EXPECT_NE(scene.error().message.find('"' + key + '"'), std::string::npos) << scene.error().message;
+    }
+    Result<Scene> unknown = load(R"({"walkers": 3, "wlakers": 3})");
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().message.find("wlakers"), std::string::npos);
+}
+
+TEST_F(SceneFile, ThatIsNoJsonObjectIsRefused) {
+    for (const char* text : {"", "{", "[]", "3", "{\"walkers\": }", "{\"walkers\": 1} x", "\xff\xfe"})
+        EXPECT_FALSE(load(text)) << text;
+    EXPECT_NE(load("{\n\n\"walkers\": }").error().message.find("line 3"), std::string::npos);
+}
+
+TEST(Scenes, UnknownOnesAreRefused) {
+    EXPECT_FALSE(load_scene("atlantis"));
+    EXPECT_FALSE(load_scene("nowhere.json"));
+    EXPECT_FALSE(load_scene(""));
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,149 @@
+#include "renderer/passes/cull.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "synthetic_scene.h"
+
+namespace flaneur {
+namespace {
+
+std::vector<PersonRanges> two_kinds() {
+    std::vector<PersonRanges> people(2);
+    people[0] = {{{0, 300}, {300, 150}, {450, 60}, {510, 30}}, 0, {}};
+    people[1] = {{{540, 600}, {1140, 90}}, 100, {}};  // two levels only
+    return people;
+}
+
+std::vector<WalkerDraw> ring_of_walkers(int count) {
+    std::vector<WalkerDraw> walkers;
+    for (int i = 0; i < count; ++i) {
+        const float t = static_cast<float>(i) * 2.399963f, distance = 1 + 0.1f * static_cast<float>(i);
+        WalkerDraw walker{};
+        walker.centre = {distance * std::sin(t), 0.9f, distance * std::cos(t)};
+        walker.radius = 0.95f;
+        walker.mesh = static_cast<uint32_t>(i % 2);
+        walker.instance.palette = static_cast<uint32_t>(i * k_palette_joints);
+        walkers.push_back(walker);
+    }
+    return walkers;
+}
+
+TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
+    const std::vector<PersonRanges> people = two_kinds();
+    const std::vector<WalkerDraw> walkers = ring_of_walkers(1500);
+    const View view = make_view({}, 1280, 720);
+    CrowdDraws out;
+    cull_crowd({walkers, people, walkers.size() * k_palette_joints}, view, out);
+
+    std::vector<std::vector<uint32_t>> expected(k_max_lods * 2);
+    uint32_t seen = 0;
+    for (const WalkerDraw& walker : walkers) {
+        bool is_in = true;
+        for (const glm::vec4& plane : view.planes)
+            is_in = is_in && glm::dot(glm::vec3(plane), walker.centre) + plane.w >= -walker.radius;
+        if (!is_in) continue;
+        ++seen;
+        const float pixels =
+            2 * walker.radius * view.pixels_at_one_metre / glm::length(walker.centre - view.eye);
+        size_t lod = pixels >= 150 ? 0 : pixels >= 70 ? 1 : pixels >= 35 ? 2 : 3;
+        lod = std::min(lod, people[walker.mesh].lods.size() - 1);
+        expected[lod * 2 + walker.mesh].push_back(walker.instance.palette);
+    }
+    ASSERT_EQ(out.instances.size(), seen);
+    ASSERT_GT(seen, 100u);
+    size_t draw = 0, instance = 0, smooth = 0;
+    for (size_t bucket = 0; bucket < expected.size(); ++bucket) {
+        if (expected[bucket].empty()) continue;
+        const DrawCommand& command = out.draws.at(draw++);
+        const PersonRanges& person = people[bucket % 2];
+        EXPECT_EQ(command.instance_count, expected[bucket].size());
+        EXPECT_EQ(command.first_instance, instance);
+        EXPECT_EQ(command.first_index, person.lods[bucket / 2].first_index);
+        EXPECT_EQ(command.index_count, person.lods[bucket / 2].index_count);
+        EXPECT_EQ(command.vertex_offset, person.vertex_offset);
+        for (uint32_t palette : expected[bucket]) EXPECT_EQ(out.instances[instance++].palette, palette);
+        if (bucket / 2 < k_first_rigid_lod) ++smooth;
+    }
+    EXPECT_EQ(out.draws.size(), draw);
+    EXPECT_EQ(out.smooth_draws, smooth);
+}
+
+TEST(Cull, LevelsGetCoarserWithDistance) {
+    const View view = make_view({}, 1280, 720);
+    uint32_t last = 0;
+    for (float distance = 1; distance < 300; distance *= 1.1f) {
+        const uint32_t lod = lod_of(view, view.eye + view.forward * distance, 0.95f);
+        EXPECT_GE(lod, last);
+        last = lod;
+    }
+    EXPECT_EQ(lod_of(view, view.eye + view.forward, 0.95f), 0u);
+    EXPECT_EQ(last, k_max_lods - 1);
+}
+
+TEST(Cull, LeavesOutWhatRefersNowhere) {
+    const std::vector<PersonRanges> people = two_kinds();
+    std::vector<WalkerDraw> walkers = ring_of_walkers(4);
+    for (WalkerDraw& walker : walkers) walker.centre = {0, 1.6f, 5};
+    walkers[0].mesh = 2;
+    walkers[1].instance.palette = 4 * k_palette_joints - 1;
+    walkers[2].centre.x = std::nanf("");
+    CrowdDraws out;
+    cull_crowd({walkers, people, 4 * k_palette_joints}, make_view({}, 1280, 720), out);
+    ASSERT_EQ(out.instances.size(), 1u);
+    EXPECT_EQ(out.instances[0].palette, walkers[3].instance.palette);
+}
+
+TEST(Cull, ShadowCastersAreNearCoarserAndMayStandBehindTheEye) {
+    const std::vector<PersonRanges> people = two_kinds();
+    const View view = make_view({}, 1280, 720);
+    const glm::vec3 to_sun = glm::normalize(glm::vec3(0, 0.42f, -0.9f));  // behind the viewer
+    const ShadowBox box = fit_shadow(view, to_sun, {0, 60}, 2048);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(3);
+    for (WalkerDraw& walker : walkers) walker.mesh = 0;
+    walkers[0].centre = {0, 0.9f, 5};
+    walkers[1].centre = {0, 0.9f, -1.2f};  // its shadow falls ahead of the eye
+    walkers[2].centre = {0, 0.9f, 61};     // too far
+    CrowdDraws out;
+    cull_shadow_casters({walkers, people, 3 * k_palette_joints}, view, box, to_sun, 60, out);
+    ASSERT_EQ(out.instances.size(), 2u);
+    ASSERT_EQ(out.draws.size(), 1u);
+    EXPECT_EQ(out.draws[0].first_index, people[0].lods[1].first_index);
+    CrowdDraws seen;
+    cull_crowd({walkers, people, 3 * k_palette_joints}, view, seen);
+    EXPECT_EQ(seen.instances.size(), 2u);  // the first and the third
+}
+
+TEST(Cull, ChunksComeNearestFirst) {
+    const View view = make_view({}, 1280, 720);
+    const CityChunk chunks[] = {{{-1, 0, 50}, {1, 2, 52}, {0, 3}},
+                                {{-1, 0, 5}, {1, 2, 7}, {3, 6}},
+                                {{-1, 0, -20}, {1, 2, -10}, {9, 3}},
+                                {{-1, 0, 20}, {1, 2, 22}, {12, 9}}};
+    std::vector<DrawCommand> draws;
+    ASSERT_EQ(cull_chunks(chunks, view, draws), 3u);
+    EXPECT_EQ(draws[0].first_index, 3u);
+    EXPECT_EQ(draws[1].first_index, 12u);
+    EXPECT_EQ(draws[2].first_index, 0u);
+}
+
+TEST(Cull, ContactsLieUnderTheFeet) {
+    SyntheticScene scene;
+    add_walker(scene, {0, 0.5f, 6}, 0, 0.0f, 1);
+    std::vector<PersonRanges> people = two_kinds();
+    people[0].soles[0] = {0.09f, 0, 0.05f};
+    people[0].soles[1] = {-0.09f, 0, 0.05f};
+    std::vector<Contact> contacts;
+    find_contacts({scene.walkers, people, scene.palette.size()}, scene.palette, make_view({}, 1280, 720),
+                  contacts);
+    ASSERT_GE(contacts.size(), 2u);
+    for (const Contact& contact : contacts) {
+        EXPECT_NEAR(contact.place.y, 0.5f, 0.05f);
+        EXPECT_NEAR(contact.place.z, 6, 0.5f);
+        EXPECT_GT(contact.strength, 0);
+    }
+}
+
+}  // namespace
+}  // namespace flaneur

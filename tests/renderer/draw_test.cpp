@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <cmath>
+
+#include "synthetic_scene.h"
+#include "test_renderer.h"
+
+namespace flaneur {
+namespace {
+
+RendererPtr renderer_with(const SyntheticScene& scene) {
+    Result<RendererPtr> renderer = make_renderer(validated());
+    if (!renderer) throw std::runtime_error(renderer.error().message);
+    if (Result<void> done = upload_scene(**renderer, scene.meshes); !done)
+        throw std::runtime_error(done.error().message);
+    return std::move(*renderer);
+}
+
+Image draw(Renderer& renderer, const FrameInput& frame, uint32_t width = 320, uint32_t height = 180) {
+    Result<Image> image = draw_image(renderer, frame, width, height);
+    if (!image) throw std::runtime_error(image.error().message);
+    return std::move(*image);
+}
+
+float luma(const Image& image, uint32_t x, uint32_t y) {
+    const uint8_t* p = &image.rgba[4 * (size_t{y} * image.width + x)];
+    return 0.299f * p[0] + 0.587f * p[1] + 0.114f * p[2];
+}
+
+// The mean of a square of pixels.
+float luma_about(const Image& image, uint32_t x, uint32_t y, uint32_t reach) {
+    float sum = 0;
+    for (uint32_t j = y - reach; j <= y + reach; ++j)
+        for (uint32_t i = x - reach; i <= x + reach; ++i) sum += luma(image, i, j);
+    return sum / static_cast<float>((2 * reach + 1) * (2 * reach + 1));
+}
+
+// A wide plaza seen from above, with the sun at the left (+x).
+SyntheticScene plaza() {
+    SyntheticScene scene = synthetic_scene(0);
+    CityMesh& city = scene.meshes.city;
+    city = {};
+    for (glm::vec2 at : {glm::vec2(-50, 50), {50, 50}, {50, -50}, {-50, -50}}) {
+        CityVertex vertex{};
+        vertex.position = {at.x, 0, at.y};
+        vertex.colour = 0xff959ea3u;
+        vertex.uv = at;
+        vertex.normal[1] = 127;
+        vertex.material = static_cast<uint16_t>(k_material_plaza);
+        city.vertices.push_back(vertex);
+    }
+    city.indices = {0, 1, 2, 0, 2, 3};
+    return scene;
+}
+const Camera k_above{.eye = {0, 10, -0.01f}, .target = {0, 0, 0}, .vertical_fov = 0.6f, .near_plane = 0.1f};
+const Sun k_side_sun{{0.9f, 0.42f, 0}};
+
+TEST(Draw, TwoRenderersGiveTheSameBytes) {
+    const SyntheticScene scene = synthetic_scene(200);
+    const RendererPtr a = renderer_with(scene), b = renderer_with(scene);
+    const FrameInput street = scene.frame(street_camera()), overview = scene.frame(overview_camera());
+    const Image first = draw(*a, street);
+    EXPECT_EQ(first.rgba, draw(*a, street).rgba);
+    draw(*b, overview);  // other history, same picture
+    EXPECT_EQ(first.rgba, draw(*b, street).rgba);
+    EXPECT_GT(frame_stats(*a).walkers_drawn, 20u);
+    EXPECT_LE(frame_stats(*a).sub_draws, 300u);
+    EXPECT_EQ(validation_messages(*a), 0u);
+}
+
+TEST(Draw, EveryStageIsTimed) {
+    const SyntheticScene scene = synthetic_scene(50);
+    const RendererPtr renderer = renderer_with(scene);
+    auto names = [&] {
+        std::vector<std::string> out;
+        for (const auto& stage : frame_stats(*renderer).stages) {
+            EXPECT_GE(stage.gpu_ms, 0);
+            EXPECT_LT(stage.gpu_ms, 60'000);
+            out.push_back(stage.name);
+        }
+        return out;
+    };
+    draw(*renderer, scene.frame(street_camera()));
+    EXPECT_EQ(names(), (std::vector<std::string>{"city shadows", "crowd shadows", "crowd", "city", "sky",
+                                                 "fxaa", "copy"}));
+    draw(*renderer, scene.frame(street_camera()));  // the city's shadows are kept
+    EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "crowd", "city", "sky", "fxaa", "copy"}));
+}
+
+TEST(Draw, SunlitPavementIsMidGrey) {
+    const SyntheticScene scene = plaza();
+    const RendererPtr renderer = renderer_with(scene);
+    const Image image = draw(*renderer, scene.frame(k_above));
+    EXPECT_NEAR(luma_about(image, 160, 90, 40), 135, 25);
+    for (size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255);
+}
+
+TEST(Draw, WalkerStandsWhereItIsAndThrowsAShadowAwayFromTheSun) {
+    SyntheticScene scene = plaza();
+    const RendererPtr renderer = renderer_with(scene);
+    const Image empty = draw(*renderer, scene.frame(k_above, k_side_sun));
+    add_walker(scene, {0, 0, 0}, 0, 0, 3);
+    const Image image = draw(*renderer, scene.frame(k_above, k_side_sun));
+    EXPECT_EQ(frame_stats(*renderer).walkers_drawn, 1u);
+    EXPECT_EQ(frame_stats(*renderer).walkers_in_shadow, 1u);
+    auto change = [&](uint32_t x, uint32_t y) {
+        return std::fabs(luma_about(image, x, y, 2) - luma_about(empty, x, y, 2));
+    };
+    // Looking straight down with +z up the page, +x is to the left.
+    const float pixels = 90 / (10 * std::tan(0.3f));  // a metre on the ground
+    auto across = [&](float metres) { return static_cast<uint32_t>(160 - metres * pixels); };
+    EXPECT_GT(change(160, 90), 10);
+    EXPECT_GT(luma_about(empty, across(-2), 90, 2) - luma_about(image, across(-2), 90, 2), 10);
+    EXPECT_LT(change(across(2), 90), 4);
+    EXPECT_LT(change(160, 30), 4);
+}
+
+TEST(Draw, FourBonesBendAndOneMoves) {
+    // The same walker, near (level 0, four joints) and far (level 2, one joint): a picture of each, where
+    // expected.
+    for (float distance : {4.0f, 25.0f}) {
+        SyntheticScene scene = plaza();
+        add_walker(scene, {0, 0, distance - 30}, 0, 1.2f, 5);
+        const RendererPtr renderer = renderer_with(scene);
+        const Camera camera{
+            .eye = {0, 0.9f, -30}, .target = {0, 0.9f, 0}, .vertical_fov = 0.6f, .near_plane = 0.1f};
+        const Image with = draw(*renderer, scene.frame(camera), 640, 360);
+        scene.walkers.clear();
+        const Image without = draw(*renderer, scene.frame(camera), 640, 360);
+        uint32_t low = 360, high = 0;
+        for (uint32_t y = 0; y < 180; ++y)  // above the ground
+            for (uint32_t x = 0; x < 640; ++x)
+                if (std::fabs(luma(with, x, y) - luma(without, x, y)) > 6)
+                    low = std::min(low, y), high = std::max(high, y);
+        const float pixels = 180 / std::tan(0.3f) / distance;
+        ASSERT_LT(low, high);
+        EXPECT_NEAR(180 - static_cast<float>(low), 0.84f * pixels, 0.16f * pixels + 1.5f) << distance;
+    }
+}
+
+TEST(Draw, SceneWithoutAnythingIsSky) {
+    const RendererPtr renderer = std::move(*make_renderer(validated()));
+    const Image image = draw(*renderer, {});  // no scene at all
+    EXPECT_GT(luma(image, 160, 20), 60);
+    const SceneMeshes nothing;
+    ASSERT_TRUE(upload_scene(*renderer, nothing));
+    EXPECT_EQ(draw(*renderer, {}).rgba, image.rgba);
+}
+
+TEST(Draw, SizesFromOnePixelToFourThousand) {
+    const SyntheticScene scene = synthetic_scene(30);
+    const RendererPtr renderer = renderer_with(scene);
+    const uint32_t sizes[][2] = {{1, 1},     {1, 7},       {7, 1}, {64, 64},
+                                 {333, 111}, {4096, 2160}, {1, 1}, {320, 180}};
+    for (const auto& size : sizes) {
+        const Image image = draw(*renderer, scene.frame(street_camera()), size[0], size[1]);
+        EXPECT_EQ(image.rgba.size(), size_t{4} * size[0] * size[1]);
+    }
+    for (const auto& size :
+         {std::pair(0u, 1u), std::pair(1u, 0u), std::pair(8193u, 1u), std::pair(1u, ~0u)}) {
+        const Result<Image> image =
+            draw_image(*renderer, scene.frame(street_camera()), size.first, size.second);
+        ASSERT_FALSE(image);
+        EXPECT_NE(image.error().message.find("8192"), std::string::npos);
+    }
+}
+
+TEST(Draw, OddInputsDoNoHarm) {
+    SyntheticScene scene = synthetic_scene(20);
+    const RendererPtr renderer = renderer_with(scene);
+    scene.walkers[0].mesh = 99;
+    scene.walkers[1].instance.palette = ~0u;
+    scene.walkers[2].centre = glm::vec3(std::nanf(""));
+    draw(*renderer, scene.frame({.eye = {0, 5, 0}, .target = {0, 5, 0}}, {{0, -1, 0}}));
+    draw(*renderer, scene.frame({.eye = glm::vec3(std::nanf(""))}, {glm::vec3(0)}));
+    draw(*renderer, {.camera = street_camera(), .sun = {}, .walkers = scene.walkers, .palette = {}});
+    EXPECT_EQ(frame_stats(*renderer).walkers_drawn, 0u);
+}
+
+TEST(Draw, BrokenMeshesAreRefusedAndTheOldSceneStays) {
+    const SyntheticScene scene = synthetic_scene(20);
+    const RendererPtr renderer = renderer_with(scene);
+    const Image before = draw(*renderer, scene.frame(street_camera()));
+    auto refused = [&](auto&& spoil) {
+        SceneMeshes meshes = scene.meshes;
+        spoil(meshes.people[0]);
+        const Result<void> done = upload_scene(*renderer, meshes);
+        return !done && done.error().message.find("Person mesh 0") == 0;
+    };
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.lods[1][4] = 1u << 30; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.lods[0].pop_back(); }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].joints[2] = 22; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].texture = 0; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].normal[3] = 7; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.textures.push_back({2, 2, {1, 2, 3}}); }));
+    EXPECT_EQ(draw(*renderer, scene.frame(street_camera())).rgba, before.rgba);
+}
+
+TEST(Draw, TexturesColourPeople) {
+    SyntheticScene scene = plaza();
+    add_walker(scene, {0, 0, 0}, 0, 0, 3);
+    auto redness = [](const Image& image) {
+        double sum = 0;
+        for (size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i] - image.rgba[i + 2];
+        return sum;
+    };
+    const Camera near{.eye = {0, 1, -3}, .target = {0, 1, 0}};
+    const double plain = redness(draw(*renderer_with(scene), scene.frame(near)));
+    PersonMesh& mesh = scene.meshes.people[0];
+    mesh.textures.push_back({3, 5, std::vector<uint8_t>(60, 0)});
+    for (size_t i = 0; i < 15; ++i)
+        mesh.textures[0].rgba[4 * i] = mesh.textures[0].rgba[4 * i + 3] = 255;  // red
+    for (PersonVertex& vertex : mesh.vertices) vertex.texture = 0;
+    for (uint32_t& tint : scene.walkers[0].instance.tints) tint = 0xffffffffu;
+    EXPECT_GT(redness(draw(*renderer_with(scene), scene.frame(near))), plain + 100'000);
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,16 @@
+#!/bin/bash
+# pictures.sh FLANEUR: a picture, numbered pictures and a film have the size and length that was asked for.
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+probe() { ffprobe -v error -count_frames -show_entries "stream=$1" -of csv=p=0 "$2"; }
+expect() { if [[ $1 != "$2" ]]; then echo "FAILED: '$1' instead of '$2'" && exit 1; fi; }
+
+"$1" render --scene corner --frames 30 --size 321x181 --camera overview --out one/city.png
+expect "$(probe width,height one/city.png)" 321,181
+"$1" render --scene corner --frames 0:4:2 --size 64x48 --camera follow:3 --out many/%04d.png
+expect "$(echo many/*)" "many/0000.png many/0002.png many/0004.png"
+"$1" render --scene corner --frames 0:20:2 --size 65x48 --camera 0,30,40/0,0,0 --out city.mp4
+expect "$(probe width,height,r_frame_rate,nb_read_frames city.mp4)" 66,48,30/1,11
+expect "$(echo *)" "city.mp4 many one"

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "tools/flaneur/options.h"
+
+namespace flaneur {
+namespace {
+
+Result<std::variant<std::monostate, Options>> parse(std::vector<std::string> words) {
+    words.insert(words.begin(), "flaneur");
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    return parse_options(static_cast<int>(argv.size()), argv.data());
+}
+
+Options parsed(const std::vector<std::string>& words) {
+    auto result = parse(words);
+    EXPECT_TRUE(result) << result.error().message;
+    return result ? std::get<Options>(*result) : Options();
+}
+
+TEST(Options, TheCommandLineOverridesTheScene) {
+    Options plain = parsed({"sim", "--scene", "corner"});
+    Options changed = parsed({"sim", "--scene", "corner", "--walkers", "7", "--seed", "18446744073709551615"});
+    EXPECT_EQ(plain.command, Command::sim);
+    EXPECT_EQ(plain.scene.walkers, 40);
+    EXPECT_EQ(changed.scene.walkers, 7);
+    EXPECT_EQ(changed.scene.seed, ~uint64_t{0});
+    EXPECT_EQ(changed.scene.blocks, plain.scene.blocks);
+}
+
+TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
+    Options options = parsed({"render", "--character", "a.glb", "--character", "b.glb", "--walkers", "1", "--walkers",
+                              "2", "--out", "a.png", "--out", "b.png", "--size", "10x20", "--size", "30x40"});
+    EXPECT_EQ(options.scene.characters, (std::vector<std::string>{"a.glb", "b.glb"}));
+    EXPECT_EQ(options.scene.walkers, 2);
+    EXPECT_EQ(options.out, "b.png");
+    EXPECT_EQ(options.size.width, 30);
+    EXPECT_EQ(options.size.height, 40);
+}
+
+TEST(Options, FramesMeanTicksForRenderAndACountElsewhere) {
+    EXPECT_EQ(parsed({"render", "--out", "a.png", "--frames", "3:9:2"}).ticks.last, 9u);
+    EXPECT_EQ(parsed({"view", "--frames", "5"}).close_after, 5u);
+    EXPECT_EQ(parsed({"bench", "pose", "--frames", "5"}).bench_frames, 5u);
+    EXPECT_EQ(parsed({"bench", "pose"}).load, BenchLoad::pose);
+    EXPECT_FALSE(parse({"bench"}));
+    EXPECT_FALSE(parse({"bench", "pose", "--frames", "0"}));
+}
+
+TEST(Options, WalkersAreZeroToAHundredThousand) {
+    EXPECT_TRUE(parse({"sim", "--walkers", "0"}));
+    EXPECT_TRUE(parse({"sim", "--walkers", "100000"}));
+    for (const char* text : {"-1", "100001", "10000000", "99999999999", "x", "1.5", ""})
+        EXPECT_FALSE(parse({"sim", "--walkers", text})) << text;
+}
+
+TEST(Ticks, OneOrARange) {
+    Result<TickRange> one = parse_ticks("600"), range = parse_ticks("0:600"), stepped = parse_ticks("1:10:4");
+    ASSERT_TRUE(one && range && stepped);
+    EXPECT_EQ(count(*one), 1u);
+    EXPECT_EQ(one->first, 600u);
+    EXPECT_EQ(count(*range), 601u);
+    EXPECT_EQ(count(*stepped), 3u);  // 1, 5, 9
+    for (const char* text : {"", ":", "1:", ":1", "1:0", "0:9:0", "0:9:-1", "-1", "0:1:1:1", "a", "1 ", "4294967296",
+                             "0:10000001"})
+        EXPECT_FALSE(parse_ticks(text)) << text;
+}
+
+TEST(Size, WidthByHeight) {
+    Result<Size> size = parse_size("8192x1");
+    ASSERT_TRUE(size);
+    EXPECT_EQ(size->width, 8192);
+    EXPECT_EQ(size->height, 1);
+    for (const char* text : {"", "x", "12", "0x5", "5x0", "8193x5", "-5x5", "5x5x5", "5X5", " 5x5"})
+        EXPECT_FALSE(parse_size(text)) << text;
+}
+
+TEST(CameraOption, NamesWalkersAndPoints) {
+    EXPECT_EQ(parse_camera("overview")->kind, CameraChoice::Kind::overview);
+    EXPECT_EQ(parse_camera("street")->kind, CameraChoice::Kind::street);
+    EXPECT_EQ(parse_camera("follow:12")->walker, 12u);
+    Result<CameraChoice> fixed = parse_camera("0,1.7,-2e1/10,1.5,0");
+    ASSERT_TRUE(fixed);
+    EXPECT_EQ(fixed->kind, CameraChoice::Kind::fixed);
+    EXPECT_EQ(fixed->eye, (Vec3{0, 1.7f, -20}));
+    EXPECT_EQ(fixed->target, (Vec3{10, 1.5f, 0}));
+    for (const char* text : {"", "Street", "follow", "follow:", "follow:-1", "follow:x", "1,2,3", "1,2/3,4", "1,2,3/4,5",
+                             "1,2,3/1,2,3", "nan,0,0/1,1,1", "inf,0,0/1,1,1", "1,2,3/4,5,6/7,8,9"})
+        EXPECT_FALSE(parse_camera(text)) << text;
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,16 @@
+#!/bin/bash
+# validation.sh FLANEUR: the validation layer has nothing to say about drawing off-screen, each camera and --device.
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+for camera in street overview follow:0; do
+    "$1" render --validate --scene corner --frames 20:30:5 --size 320x180 --camera $camera --out "$folder/%03d.png"
+done
+"$1" render --validate --scene corner --walkers 0 --frames 0 --size 33x17 --device 0 --out "$folder/empty.png"
+
+# It would be heard: with advice switched on, which the renderer does not follow to the letter, the program fails.
+export VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_BEST_PRACTICES_EXT
+if "$1" render --validate --scene corner --walkers 3 --frames 0 --size 64x64 --out "$folder/x.png" 2> "$folder/said"; then
+    echo "FAILED: validation messages do not count." && exit 1
+fi
+grep '^flaneur: The validation layer had something to say' "$folder/said"

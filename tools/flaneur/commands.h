@@ -1,0 +1,14 @@
+// The subcommands. Each says what went wrong in a sentence; main prints it.
+#pragma once
+
+#include "sim/base/result.h"
+#include "tools/flaneur/options.h"
+
+namespace flaneur {
+
+Result<void> run_view(const Options& options);
+Result<void> run_render(const Options& options);
+Result<void> run_sim(const Options& options);
+Result<void> run_bench(const Options& options);
+
+}  // namespace flaneur

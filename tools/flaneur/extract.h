@@ -1,0 +1,36 @@
+// The bridge from simulation to picture, and the only one: it turns a world into what the renderer draws.
+#pragma once
+
+#include <vector>
+
+#include "assets/character.h"
+#include "renderer/scene.h"
+#include "sim/world.h"
+
+namespace flaneur {
+
+// What is uploaded once: the city's surfaces, facades, roofs and props, and the characters' meshes. World
+// walkers whose body is i are drawn as characters[i].
+SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
+PersonMesh extract_character(const Character& character);
+
+// Colours of each walker's skin, hair and clothes; constant over a run.
+struct Wardrobe {
+    struct Outfit {
+        uint32_t tints[k_tints];
+    };
+    std::vector<Outfit> outfits;
+};
+Wardrobe make_wardrobe(const World& world);
+
+// The moving part of a frame; kept between frames so that its memory is.
+struct PeopleFrame {
+    std::vector<WalkerDraw> walkers;
+    std::vector<JointTransform> palette;
+};
+
+// Walkers between the world's last two ticks: `between` 0 is the one before last, 1 the last.
+void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
+                    float between, PeopleFrame& frame);
+
+}  // namespace flaneur

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+
+#include "assets/outfit.h"
+#include "tools/flaneur/extract.h"
+
+namespace flaneur {
+
+namespace {
+
+glm::vec3 to_glm(Vec3 v) { return {v.x, v.y, v.z}; }
+
+int8_t packed(float v) { return static_cast<int8_t>(std::lround(clamp(v, -1, 1) * 127)); }
+
+PersonVertex to_vertex(const CharacterVertex& v) {
+    PersonVertex out{};
+    out.position = to_glm(v.position);
+    out.colour = v.colour;
+    out.uv = {v.u, v.v};
+    out.normal[0] = packed(v.normal.x);
+    out.normal[1] = packed(v.normal.y);
+    out.normal[2] = packed(v.normal.z);
+    out.normal[3] = static_cast<int8_t>(v.tint);
+    std::copy(std::begin(v.joints), std::end(v.joints), std::begin(out.joints));
+    std::copy(std::begin(v.weights), std::end(v.weights), std::begin(out.weights));
+    out.texture = v.texture == CharacterVertex::k_no_texture ? ~0u : v.texture;
+    return out;
+}
+
+Quat nearest_mix(Quat a, Quat b, float t) {
+    float sign = dot(a, b) < 0 ? -1.0f : 1.0f;
+    return normalize(Quat{lerp(a.x, sign * b.x, t), lerp(a.y, sign * b.y, t), lerp(a.z, sign * b.z, t),
+                          lerp(a.w, sign * b.w, t)});
+}
+
+}  // namespace
+
+PersonMesh extract_character(const Character& character) {
+    PersonMesh mesh;
+    mesh.vertices.reserve(character.vertices.size());
+    for (const CharacterVertex& v : character.vertices) mesh.vertices.push_back(to_vertex(v));
+    mesh.lods = character.lods;
+    for (const Texture& t : character.textures) {
+        mesh.textures.push_back({static_cast<uint32_t>(t.width), static_cast<uint32_t>(t.height), t.rgba});
+    }
+    return mesh;
+}
+
+Wardrobe make_wardrobe(const World& world) {
+    Wardrobe wardrobe;
+    wardrobe.outfits.resize(world.crowd.count);
+    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+        auto tints = outfit(world.seed, i);
+        static_assert(tints.size() == k_tints);
+        std::copy(tints.begin(), tints.end(), std::begin(wardrobe.outfits[i].tints));
+    }
+    return wardrobe;
+}
+
+void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
+                    float between, PeopleFrame& frame) {
+    const Crowd& crowd = world.crowd;
+    frame.walkers.resize(crowd.count);
+    frame.palette.resize(size_t{crowd.count} * k_palette_joints);
+    parallel_for(*world.workers, crowd.count, 64, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin; i < end; ++i) {
+            const Character& character = characters[crowd.body[i]];
+            float scale = crowd.scale[i];
+            JointTransform* palette = &frame.palette[i * k_palette_joints];
+            for (int j = 0; j < k_joint_count; ++j) {
+                JointPose last = joint_pose(world.poses, i, static_cast<Joint>(j));
+                JointPose before = joint_pose(world.previous_poses, i, static_cast<Joint>(j));
+                Vec3 place = lerp(before.position, last.position, between);
+                Quat turn = nearest_mix(before.rotation, last.rotation, between) *
+                            character.bind_to_canonical[static_cast<size_t>(j)];
+                Vec3 shift = place - rotate(turn, character.bind_joints[static_cast<size_t>(j)] * scale);
+                palette[j] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+            }
+            WalkerDraw& draw = frame.walkers[i];
+            Vec3 pelvis = lerp(joint_pose(world.previous_poses, i, hips).position,
+                               joint_pose(world.poses, i, hips).position, between);
+            draw.centre = to_glm(pelvis);
+            draw.radius = 0.62f * character.body.height * scale;
+            draw.mesh = crowd.body[i];
+            draw.instance.palette = static_cast<uint32_t>(i) * k_palette_joints;
+            draw.instance.scale = scale;
+            draw.instance.fade = 0;
+            std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
+                      std::begin(draw.instance.tints));
+        }
+    });
+}
+
+}  // namespace flaneur

@@ -1,0 +1,90 @@
+#include "tools/flaneur/load.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "assets/city.h"
+
+namespace flaneur {
+
+namespace {
+
+// The built-in people: women and men of several heights, each with a look of its own.
+constexpr float k_person_heights[] = {1.66f, 1.78f, 1.60f, 1.72f, 1.73f, 1.86f};
+
+bool is_terminal() {
+    static const bool terminal = isatty(STDERR_FILENO) != 0;
+    return terminal;
+}
+
+void print_notes(const std::string& source, const std::vector<std::string>& notes) {
+    clear_progress();
+    for (const std::string& note : notes) std::fprintf(stderr, "%s: %s\n", source.c_str(), note.c_str());
+}
+
+Result<std::vector<Character>> load_characters(const Scene& scene) {
+    std::vector<Character> characters;
+    for (const std::string& path : scene.characters) {
+        show_progress("reading " + path);
+        Result<Character> character = load_character(path);
+        if (!character) return character.error();
+        print_notes(path, character->notes);
+        characters.push_back(std::move(*character));
+    }
+    if (!characters.empty()) return characters;
+    uint64_t seed = 1;
+    for (float height : k_person_heights) {
+        show_progress("making people");
+        PersonOptions person;
+        person.woman = seed % 2 == 1;
+        person.seed = seed++;
+        person.height = height;
+        characters.push_back(generate_person(person));
+    }
+    return characters;
+}
+
+Result<City> load_city(const Scene& scene) {
+    show_progress("making the city");
+    if (!scene.city.empty()) return load_osm(scene.city);
+    return generate_district({scene.seed, scene.blocks});
+}
+
+}  // namespace
+
+void show_progress(const std::string& line) {
+    if (is_terminal()) std::fprintf(stderr, "\r\033[K%s", line.c_str());
+}
+
+void clear_progress() { show_progress(""); }
+
+Result<Loaded> load(const Options& options) {
+    const Scene& scene = options.scene;
+    Loaded loaded;
+    Result<std::vector<Character>> characters = load_characters(scene);
+    if (!characters) return characters.error();
+    loaded.characters = std::move(*characters);
+
+    Result<City> city = load_city(scene);
+    if (!city) return city.error();
+    print_notes(city->name, city->notes);
+
+    WorldOptions world;
+    world.walkers = static_cast<uint32_t>(scene.walkers);
+    world.seed = scene.seed;
+    world.threads = options.threads;
+    world.bodies.clear();
+    for (const Character& character : loaded.characters) world.bodies.push_back(character.body);
+    auto progress = [](std::string_view what, float done) {
+        show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
+    };
+    auto made = make_world(std::move(*city), world, progress);
+    clear_progress();
+    if (!made) return made.error();
+    loaded.world = std::move(*made);
+    return loaded;
+}
+
+}  // namespace flaneur

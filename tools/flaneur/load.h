@@ -1,0 +1,26 @@
+// From options to a city with people in it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assets/character.h"
+#include "sim/base/result.h"
+#include "sim/world.h"
+#include "tools/flaneur/options.h"
+
+namespace flaneur {
+
+struct Loaded {
+    std::unique_ptr<World> world;
+    std::vector<Character> characters;  // one for each of the world's bodies
+};
+
+// Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
+Result<Loaded> load(const Options& options);
+
+// A line on stderr that the next one replaces; nothing where stderr is not a terminal.
+void show_progress(const std::string& line);
+void clear_progress();
+
+}  // namespace flaneur

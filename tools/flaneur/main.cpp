@@ -1,0 +1,55 @@
+#include <csignal>
+#include <cstdio>
+
+#include "tools/flaneur/commands.h"
+
+namespace flaneur {
+
+namespace {
+
+Result<void> run(const Options& options) {
+#ifndef FLANEUR_VULKAN
+    bool draws = options.command == Command::view || options.command == Command::render ||
+                 (options.command == Command::bench && options.load == BenchLoad::frame);
+    if (draws) {
+        return Error{
+            "This flaneur was built without Vulkan: it has sim and bench crowd|pose. One that draws is made "
+            "by "
+            "./tools/build release."};
+    }
+#endif
+    switch (options.command) {
+#ifdef FLANEUR_VULKAN
+        case Command::view:
+            return run_view(options);
+        case Command::render:
+            return run_render(options);
+#endif
+        case Command::sim:
+            return run_sim(options);
+        default:
+            return run_bench(options);
+    }
+}
+
+int fail(const Error& error) {
+    std::fprintf(stderr, "flaneur: %s\n", error.message.c_str());
+    return 1;
+}
+
+}  // namespace
+
+}  // namespace flaneur
+
+int main(int argc, char** argv) {
+    using namespace flaneur;
+    std::signal(SIGPIPE, SIG_IGN);  // a pipe that closes is an error like others
+    auto parsed = parse_options(argc, argv);
+    if (!parsed) return fail(parsed.error());
+    const Options* options = std::get_if<Options>(&*parsed);
+    if (!options) return 0;
+    Result<void> done = run(*options);
+    if (!done) return fail(done.error());
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail({"Cannot write to standard output."});
+    return 0;
+}

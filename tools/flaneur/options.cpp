@@ -1,0 +1,328 @@
+#include "tools/flaneur/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+namespace flaneur {
+
+namespace {
+
+constexpr const char* k_footer = R"(Examples:
+  flaneur view                                             walk about in the built-in city
+  flaneur render --out out/city.png                        a picture of it
+  flaneur render --city berlin.osm --walkers 2000 --frames 600:1200 --out out/berlin.mp4
+  flaneur sim --seconds 60 --hash                          the same number on every machine
+  flaneur bench frame --walkers 2000                       where the time of a frame goes
+`flaneur render --help` and so on tell more.)";
+
+constexpr const char* k_view_footer =
+    R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
+Space pauses; 1 street, 2 overview, 3 follow a walker, Tab the next one; F12 writes a picture to out/; Esc quits.
+Examples:
+  flaneur view --scene square
+  flaneur view --city berlin.osm --walkers 5000 --camera follow:12
+  flaneur view --character me.glb --character you.glb)";
+
+constexpr const char* k_render_footer =
+    R"(One tick is 1/60 s of simulation. A film plays in real time: 60 pictures a second, or 60 / STEP.
+Examples:
+  flaneur render --out out/city.png                                       one picture, ten seconds in
+  flaneur render --frames 0:600:2 --size 1920x1080 --out out/city.mp4     ten seconds at 30 pictures a second
+  flaneur render --frames 0:59 --out out/%05d.png                         a picture for each tick
+  flaneur render --city berlin.osm --camera overview --out out/berlin.png
+  flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png)";
+
+constexpr const char* k_sim_footer =
+    R"(Runs without Vulkan. The hash covers the whole state; the same city, people, walkers and seed give the same
+one for any number of threads, on any machine.
+Examples:
+  flaneur sim --walkers 500 --seconds 60 --hash
+  flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff)";
+
+constexpr const char* k_bench_footer =
+    R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation's stages), pose (the stages that pose
+bodies). Prints the median and percentiles of each stage in milliseconds.
+Examples:
+  flaneur bench frame --walkers 500 --size 1280x720
+  flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json)";
+
+template <class T>
+bool parse_number(std::string_view text, T& to) {
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (size_t at = 0;;) {
+        size_t next = text.find(separator, at);
+        parts.push_back(text.substr(at, next - at));
+        if (next == std::string_view::npos) return parts;
+        at = next + 1;
+    }
+}
+
+bool parse_point(std::string_view text, Vec3& to) {
+    auto parts = split(text, ',');
+    constexpr float k_far = 1e6f;
+    float* values[] = {&to.x, &to.y, &to.z};
+    if (parts.size() != 3) return false;
+    for (size_t i = 0; i < 3; ++i) {
+        if (!parse_number(parts[i], *values[i]) || !(*values[i] >= -k_far && *values[i] <= k_far))
+            return false;
+    }
+    return true;
+}
+
+// What the command line says about the scene, on top of the one it names.
+struct SceneWords {
+    std::string scene = "district";
+    std::optional<std::string> city, camera;
+    std::vector<std::string> characters;
+    std::optional<int> walkers;
+    std::optional<uint64_t> seed;
+};
+
+// An option whose text one of the parse_ functions takes apart.
+template <class T, class To>
+CLI::Option* add_parsed(CLI::App& app, const char* name, Result<T> (*parse)(const std::string&), To& to,
+                        const char* description, const char* type, const char* shown) {
+    return app
+        .add_option_function<std::string>(
+            name,
+            [=, &to](const std::string& text) {
+                Result<T> value = parse(text);
+                if (!value)
+                    throw CLI::ValidationError(value.error().message, CLI::ExitCodes::ValidationError);
+                to = *value;
+            },
+            description)
+        ->type_name(type)
+        ->default_str(shown);
+}
+
+Result<BenchLoad> parse_load(const std::string& text) {
+    if (text == "frame") return BenchLoad::frame;
+    if (text == "crowd") return BenchLoad::crowd;
+    if (text == "pose") return BenchLoad::pose;
+    return Error{"bench measures frame, crowd or pose, not " + text + "."};
+}
+
+Result<uint64_t> parse_seed(const std::string& text) {
+    uint64_t seed = 0;
+    if (parse_number(text, seed)) return seed;
+    return Error{"--seed " + text + " is not a whole number from 0 to 18446744073709551615."};
+}
+
+void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
+    std::string names;
+    for (const std::string& name : scene_names()) names += (names.empty() ? "" : ", ") + name;
+    app.add_option("--scene", words.scene, "A built-in scene (" + names + ") or a .json file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str()
+        ->group("Scene");
+    app.add_option("--city", words.city, "An OpenStreetMap extract: .osm or .osm.pbf")
+        ->type_name("FILE")
+        ->group("Scene");
+    app.add_option("--character", words.characters,
+                   "A skinned humanoid, .glb or .gltf; may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->group("Scene");
+    app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
+        ->type_name("N")
+        ->check(CLI::Range(0, k_max_walkers).description(""))
+        ->group("Scene");
+    add_parsed(app, "--seed", parse_seed, words.seed,
+               "Another seed makes other people, ways and, built in, another city", "S", "")
+        ->group("Scene");
+    app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(0, 256).description(""))
+        ->capture_default_str()
+        ->group("Scene");
+}
+
+void add_drawing_options(CLI::App& app, Options& options) {
+    app.add_option("--device", options.device, "Part of the name of a Vulkan device, or its number")
+        ->type_name("NAME");
+    app.add_flag("--validate", options.validate, "Fail if the Khronos validation layer has anything to say");
+    add_parsed(app, "--size", parse_size, options.size, "Pixels", "WxH", "1280x720");
+}
+
+void add_camera_option(CLI::App& app, SceneWords& words) {
+    app.add_option(
+           "--camera", words.camera,
+           "overview, street, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres")
+        ->type_name("CAMERA");
+}
+
+void add_view(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* view = app.add_subcommand("view", "Watch the city in a window")->footer(k_view_footer);
+    view->callback([&] { options.command = Command::view; });
+    add_scene_options(*view, words, options);
+    add_drawing_options(*view, options);
+    add_camera_option(*view, words);
+    view->add_option("--frames", options.close_after, "Close after so many frames; 0: stay open")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1'000'000'000).description(""))
+        ->capture_default_str();
+}
+
+void add_render(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* render = app.add_subcommand("render", "Write pictures or a film")->footer(k_render_footer);
+    render->callback([&] { options.command = Command::render; });
+    add_scene_options(*render, words, options);
+    add_drawing_options(*render, options);
+    add_camera_option(*render, words);
+    add_parsed(*render, "--frames", parse_ticks, options.ticks, "Ticks to draw: N, A:B or A:B:STEP", "TICKS",
+               "600");
+    render
+        ->add_option(
+            "--out", options.out,
+            "FILE.png for one picture, DIR/%05d.png for one a tick, FILE.mp4 for a film (needs ffmpeg)")
+        ->type_name("FILE")
+        ->required();
+}
+
+void add_sim(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* sim = app.add_subcommand("sim", "Simulate without drawing")->footer(k_sim_footer);
+    sim->callback([&] { options.command = Command::sim; });
+    add_scene_options(*sim, words, options);
+    sim->add_option("--seconds", options.seconds, "How long, in simulated time")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 1e6).description(""))
+        ->capture_default_str();
+    sim->add_flag("--hash", options.hash, "Print the hash of the last state");
+    sim->add_option("--hash-log", options.hash_log, "Write a line with tick and hash for each tick")
+        ->type_name("FILE");
+}
+
+void add_bench(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
+    bench->callback([&] { options.command = Command::bench; });
+    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd or pose", "LOAD", "")
+        ->required();
+    add_scene_options(*bench, words, options);
+    add_drawing_options(*bench, options);
+    add_camera_option(*bench, words);
+    bench
+        ->add_option("--frames", options.bench_frames, "How many frames or ticks to measure, after a warm-up")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1'000'000).description(""))
+        ->capture_default_str();
+    bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
+}
+
+Result<void> settle_scene(const SceneWords& words, Options& options) {
+    Result<Scene> scene = load_scene(words.scene);
+    if (!scene) return scene.error();
+    options.scene = *scene;
+    if (words.city) options.scene.city = *words.city;
+    if (!words.characters.empty()) options.scene.characters = words.characters;
+    if (words.walkers) options.scene.walkers = *words.walkers;
+    if (words.seed) options.scene.seed = *words.seed;
+    if (words.camera) options.scene.camera = *words.camera;
+    Result<CameraChoice> camera = parse_camera(options.scene.camera);
+    if (!camera) return camera.error();
+    options.camera = *camera;
+    if (camera->kind == CameraChoice::Kind::follow &&
+        camera->walker >= static_cast<uint32_t>(options.scene.walkers)) {
+        return Error{"--camera " + options.scene.camera +
+                     " follows nobody: walkers are numbered from 0, and there are " +
+                     std::to_string(options.scene.walkers) + "."};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<CameraChoice> parse_camera(const std::string& text) {
+    CameraChoice camera;
+    if (text == "street") return camera;
+    camera.kind = CameraChoice::Kind::overview;
+    if (text == "overview") return camera;
+    constexpr std::string_view k_follow = "follow:";
+    camera.kind = CameraChoice::Kind::follow;
+    if (text.starts_with(k_follow) &&
+        parse_number(std::string_view(text).substr(k_follow.size()), camera.walker))
+        return camera;
+    camera.kind = CameraChoice::Kind::fixed;
+    auto points = split(text, '/');
+    if (points.size() == 2 && parse_point(points[0], camera.eye) && parse_point(points[1], camera.target)) {
+        if (length(camera.target - camera.eye) > 1e-3f) return camera;
+        return Error{"--camera " + text + " looks at where it stands; eye and target must differ."};
+    }
+    return Error{
+        "--camera " + text +
+        " is none of overview, street, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)."};
+}
+
+Result<Size> parse_size(const std::string& text) {
+    constexpr int k_most = 8192;
+    auto parts = split(text, 'x');
+    Size size;
+    if (parts.size() == 2 && parse_number(parts[0], size.width) && parse_number(parts[1], size.height) &&
+        size.width >= 1 && size.width <= k_most && size.height >= 1 && size.height <= k_most)
+        return size;
+    return Error{"--size " + text + " is not a width and a height from 1 to 8192, such as 1280x720."};
+}
+
+Result<TickRange> parse_ticks(const std::string& text) {
+    constexpr uint32_t k_most = 10'000'000;
+    auto parts = split(text, ':');
+    TickRange ticks;
+    bool good = parts.size() <= 3 && parse_number(parts[0], ticks.first);
+    ticks.last = ticks.first;
+    if (good && parts.size() > 1) good = parse_number(parts[1], ticks.last);
+    if (good && parts.size() > 2) good = parse_number(parts[2], ticks.step) && ticks.step > 0;
+    if (!good)
+        return Error{"--frames " + text + " is not a tick (600) or a range of ticks (0:600 or 0:600:2)."};
+    if (ticks.first > ticks.last) return Error{"--frames " + text + " ends before it begins."};
+    if (ticks.last > k_most)
+        return Error{"--frames " + text + " goes beyond tick 10000000, 46 hours of simulated time."};
+    return ticks;
+}
+
+Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv) {
+    using Parsed = std::variant<std::monostate, Options>;
+    Options options;
+    SceneWords words;
+    CLI::App app("flaneur fills a city with people and lets you watch, check and profile them.", "flaneur");
+    app.footer(k_footer);
+    app.set_version_flag("--version", "flaneur " FLANEUR_VERSION);
+    app.require_subcommand(1);
+    app.option_defaults()->take_last();
+    app.get_formatter()->column_width(32);
+    add_view(app, words, options);
+    add_render(app, words, options);
+    add_sim(app, words, options);
+    add_bench(app, words, options);
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        app.exit(asked, std::cout, std::cerr);
+        return Parsed();
+    } catch (const CLI::ParseError& error) {
+        auto chosen = app.get_subcommands();
+        std::string who = chosen.empty() ? "flaneur" : "flaneur " + chosen.front()->get_name();
+        std::string what = error.what();
+        if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
+            what = who + " has no option or word " + app.remaining(true).front() + ".";
+        } else if (app.get_subcommands().empty()) {
+            what = "say what to do: view, render, sim or bench.";
+        }
+        if (!what.ends_with('.')) what += ".";
+        return Error{what + " `" + who + " --help` explains."};
+    }
+    Result<void> settled = settle_scene(words, options);
+    if (!settled) return settled.error();
+    return Parsed(std::move(options));
+}
+
+}  // namespace flaneur

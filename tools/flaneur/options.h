@@ -1,0 +1,72 @@
+// The command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "assets/scene.h"
+#include "sim/base/result.h"
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+enum class Command { view, render, sim, bench };
+enum class BenchLoad { frame, crowd, pose };
+
+struct Size {
+    int width = 1280, height = 720;  // pixels, 1..8192
+};
+
+// Ticks first, first + step, ... not beyond last.
+struct TickRange {
+    uint32_t first = 600, last = 600, step = 1;
+};
+constexpr uint32_t count(const TickRange& t) { return (t.last - t.first) / t.step + 1; }
+
+struct CameraChoice {
+    enum class Kind { overview, street, follow, fixed } kind = Kind::street;
+    uint32_t walker = 0;  // follow
+    Vec3 eye, target;     // fixed, metres
+};
+
+struct Options {
+    Command command = Command::view;
+    Scene scene;  // with what the command line says instead
+    CameraChoice camera;
+    int threads = 0;  // 0: one a core
+
+    // view, render, bench frame
+    std::string device;
+    bool validate = false;
+    Size size;
+
+    // view
+    uint32_t close_after = 0;  // frames; 0: stays open
+
+    // render
+    TickRange ticks;
+    std::string out;
+
+    // sim
+    double seconds = 10;
+    bool hash = false;
+    std::string hash_log;
+
+    // bench
+    BenchLoad load = BenchLoad::frame;
+    uint32_t bench_frames = 120;  // or ticks
+    std::string json;
+};
+
+// "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0". Refuses anything else.
+Result<CameraChoice> parse_camera(const std::string& text);
+// "1280x720".
+Result<Size> parse_size(const std::string& text);
+// "600", "0:600" or "0:600:2".
+Result<TickRange> parse_ticks(const std::string& text);
+
+// What to do; or, when help was asked for and printed, nothing (monostate).
+Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv);
+
+}  // namespace flaneur

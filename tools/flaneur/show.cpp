@@ -1,0 +1,49 @@
+#include "tools/flaneur/show.h"
+
+#include <cstdio>
+
+#include "tools/flaneur/camera.h"
+
+namespace flaneur {
+
+RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& messages) {
+    auto count = [&messages](const std::string& message) {
+        ++messages;
+        clear_progress();
+        std::fprintf(stderr, "%s\n", message.c_str());
+    };
+    return {options.device, options.validate, count};
+}
+
+Result<void> check_messages(uint32_t messages) {
+    if (messages == 0) return {};
+    return Error{"The validation layer had something to say (" + std::to_string(messages) +
+                 " times); see above."};
+}
+
+Result<Show> make_show(RendererPtr renderer, const Options& options) {
+    Show show;
+    show.renderer = std::move(renderer);
+    std::fprintf(stderr, "Drawing on %s\n", device_name(*show.renderer).c_str());
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    show.loaded = std::move(*loaded);
+    const World& world = *show.loaded.world;
+    show.wardrobe = make_wardrobe(world);
+    show.sun = scene_sun(options.scene);
+    Result<void> uploaded = upload_scene(*show.renderer, extract_scene(world.city, show.loaded.characters));
+    if (!uploaded) return uploaded.error();
+    return show;
+}
+
+FrameInput extract_frame(Show& show, const Camera& camera, float between) {
+    extract_people(*show.loaded.world, show.loaded.characters, show.wardrobe, between, show.people);
+    FrameInput frame;
+    frame.camera = camera;
+    frame.sun = show.sun;
+    frame.walkers = show.people.walkers;
+    frame.palette = show.people.palette;
+    return frame;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,32 @@
+// A loaded city on a device, ready to be drawn tick by tick.
+#pragma once
+
+#include <atomic>
+
+#include "renderer/renderer.h"
+#include "tools/flaneur/extract.h"
+#include "tools/flaneur/load.h"
+#include "tools/flaneur/options.h"
+
+namespace flaneur {
+
+struct Show {
+    RendererPtr renderer;
+    Loaded loaded;
+    Wardrobe wardrobe;
+    Sun sun;
+    PeopleFrame people;
+};
+
+// Counts what the validation layer says, with --validate, until the renderer is gone.
+RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& messages);
+// Refuses if it said anything.
+Result<void> check_messages(uint32_t messages);
+
+// Loads what the options name and uploads it. Says on stderr which device draws.
+Result<Show> make_show(RendererPtr renderer, const Options& options);
+
+// The frame between the world's last two ticks, valid until the next call.
+FrameInput extract_frame(Show& show, const Camera& camera, float between);
+
+}  // namespace flaneur

@@ -1,0 +1,43 @@
+#include <chrono>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+
+#include "tools/flaneur/commands.h"
+#include "tools/flaneur/load.h"
+#include "tools/flaneur/output.h"
+
+namespace flaneur {
+
+Result<void> run_sim(const Options& options) {
+    PartFilePtr log;
+    if (!options.hash_log.empty()) {
+        Result<PartFilePtr> file = open_file(options.hash_log);
+        if (!file) return file.error();
+        log = std::move(*file);
+    }
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    World& world = *loaded->world;
+
+    auto start = std::chrono::steady_clock::now();
+    auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
+    while (world.tick < ticks) {
+        step(world);
+        if (log) std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world));
+        if (world.tick % 60 == 0) {
+            show_progress("simulating, " + std::to_string(world.tick / 60) + " s of " +
+                          std::to_string(ticks / 60) + " s");
+        }
+    }
+    clear_progress();
+    std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+
+    std::fprintf(stderr, "%s: %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s\n",
+                 world.city.name.c_str(), world.crowd.count, world.tick, thread_count(*world.workers),
+                 spent.count());
+    if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
+    return log ? keep_file(std::move(log)) : Result<void>();
+}
+
+}  // namespace flaneur
