@@ -15,7 +15,7 @@ struct DistrictOptions {
 };
 
 // The built-in district: streets, sidewalks with 0.12 m kerbs and crossings, blocks of buildings, a square, a
-// flight of steps up to a terrace, and a sloping street. Indexed, ready for use.
+// flight of steps up to a terrace, and from two blocks on a sloping street. Indexed, ready for use.
 City generate_district(const DistrictOptions& options);
 
 // An OpenStreetMap extract (.osm, .osm.pbf), projected to metres about its middle: +x east, +z south, +y up.

@@ -49,8 +49,8 @@ uint32_t varied(uint32_t colour, float amount, RandomKey key, uint32_t index) {
     return out;
 }
 
-// A chip of the Monk scale shows skin as it is perceived; as an albedo under a bright sun the pale ones would be
-// white, so they are brought down to what is measured on skin, the more the paler they are.
+// A chip of the Monk scale shows skin as it is perceived; as an albedo under a bright sun the pale ones would
+// be white, so they are brought down to what is measured on skin, the more the paler they are.
 uint32_t skin_albedo(uint32_t chip) {
     constexpr float k_pale[3] = {0.86f, 0.76f, 0.70f};
     uint32_t out = 0xff000000u;

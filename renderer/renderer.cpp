@@ -34,6 +34,15 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
     return {};
 }
 
+void destroy_slot(const Device& device, FrameSlot& slot) {
+    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.draws, &slot.contacts})
+        destroy_buffer(device, *buffer);
+    if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
+    if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
+    if (slot.done) vkDestroyFence(device.handle, slot.done, nullptr);
+    if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);
+}
+
 Result<void> make_descriptor_sets(Renderer& renderer) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
                                           {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * k_slots},
@@ -112,15 +121,6 @@ Result<void> remake_surface(Renderer& renderer) {
 }
 
 }  // namespace
-
-void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.draws, &slot.contacts})
-        destroy_buffer(device, *buffer);
-    if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
-    if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
-    if (slot.done) vkDestroyFence(device.handle, slot.done, nullptr);
-    if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);
-}
 
 void RendererDelete::operator()(Renderer* renderer) const {
     Renderer& r = *renderer;

@@ -43,7 +43,4 @@ struct Renderer {
     FrameStats stats;
 };
 
-// Frees all but the device's own objects; the device must be idle.
-void destroy_slot(const Device& device, FrameSlot& slot);
-
 }  // namespace flaneur

@@ -7,7 +7,7 @@
 layout(location = 0) in vec3 in_place;
 layout(location = 1) in vec2 in_uv;
 layout(location = 2) in vec3 in_normal;
-layout(location = 3) flat in vec3 in_colour;
+layout(location = 3) in vec3 in_colour;
 layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 
 layout(location = 0) out vec4 out_picture;

@@ -125,17 +125,6 @@ NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
     return result;
 }
 
-bool is_clear(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
-    constexpr int k_most_polygons = 64;
-    dtPolyRef polygons[k_most_polygons];
-    float t = 0, normal[3];
-    int count = 0;
-    dtStatus status = m.queries[thread]->raycast(from.polygon, floats(from.position), floats(to), &m.filter,
-                                                 &t, normal, polygons, &count, k_most_polygons);
-    if (dtStatusFailed(status)) return false;
-    return (1 - t) * length(on_ground(to - from.position)) <= 0.05f;
-}
-
 static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
     Vec2 ab = on_ground(line.b) - on_ground(line.a);
     float t = clamp(dot(on_ground(p) - on_ground(line.a), ab) / length_squared(ab), 0, 1);
@@ -144,6 +133,30 @@ static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
 
 // Borders of another level do not count, metres.
 static constexpr float k_same_level = 1.5f;
+
+// Not Detour's raycast: it can run for ever along an edge that the ray touches.
+bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
+    constexpr float k_forgiven_start = 0.02f, k_forgiven_end = 0.05f;
+    Vec2 p = on_ground(from), way = on_ground(to) - p;
+    float distance = length(way);
+    if (distance <= k_forgiven_end) return true;
+    Vec2 direction = way / distance;
+    bool clear = true;
+    for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float) {
+        for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
+            const BorderLine& line = m.borders[m.border_grid.items[k]];
+            Vec2 ab = on_ground(line.b - line.a), to_a = on_ground(line.a) - p;
+            float outward = cross(direction, ab);  // positive when the way leaves the mesh here
+            if (outward <= 1e-6f) continue;
+            float t = cross(to_a, ab) / outward, s = cross(to_a, direction) / outward;
+            if (t <= k_forgiven_start || t >= distance - k_forgiven_end || s < 0 || s > 1) continue;
+            float rise = lerp(line.a.y, line.b.y, s) - lerp(from.y, to.y, t / distance);
+            if (std::fabs(rise) < k_same_level) clear = false;
+        }
+        return clear;
+    });
+    return clear;
+}
 
 int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, int capacity) {
     const Grid& grid = m.border_grid;

@@ -79,8 +79,9 @@ struct Border {
 };
 std::optional<Border> nearest_border(const Navmesh& mesh, int thread, NavPoint from, float radius);
 
-// Whether one can walk straight from `from` to `to` without meeting the border; 5 cm at the end are forgiven.
-bool is_clear(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
+// Whether the straight way between two places of the mesh does not leave it. Its first 2 cm and last 5 cm are
+// forgiven, for places on the border.
+bool is_clear(const Navmesh& mesh, Vec3 from, Vec3 to);
 
 // A straight piece of the mesh's border. Walking from `a` to `b` has the mesh on the side where cross(b - a,
 // p - a) > 0.

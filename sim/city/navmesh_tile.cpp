@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/math.h"
 #include "sim/city/navmesh_data.h"
 
 namespace flaneur {
@@ -47,8 +48,7 @@ static bool rasterize(rcContext& context, const City& city, const NavmeshSetting
                       const uint32_t* triangles, size_t triangle_count, const uint32_t* walls,
                       size_t wall_count, rcHeightfield& field) {
     constexpr int k_merge = 1;  // voxels of height that are one surface
-    double slope = static_cast<double>(s.max_slope_degrees) * 3.14159265358979 / 180;
-    float least_normal = static_cast<float>(std::cos(slope));
+    float least_normal = sin_cos(s.max_slope_degrees * k_radians).cosine;
     for (Surface kind : k_order) {
         for (size_t i = 0; i < triangle_count; ++i) {
             if (city.ground_kinds[triangles[i]] != kind) continue;
@@ -80,6 +80,29 @@ static bool rasterize(rcContext& context, const City& city, const NavmeshSetting
         }
     }
     return true;
+}
+
+// Takes what trunks, posts and benches stand on away from walkers. Comes after the erosion, with the walker's
+// radius in the circles: voxels would widen a post to a metre and a half, and a sidewalk has no room for
+// that.
+static void mark_props(rcContext& context, const City& city, const NavmeshSettings& s,
+                       rcCompactHeightfield& field) {
+    for (const Prop& prop : city.props) {
+        Vec3 p = prop.position;
+        constexpr float k_reach = 2;
+        if (p.x < field.bmin[0] - k_reach || p.x > field.bmax[0] + k_reach || p.z < field.bmin[2] - k_reach ||
+            p.z > field.bmax[2] + k_reach) {
+            continue;
+        }
+        float radius = prop.kind == PropKind::bench ? 0.4f : prop.kind == PropKind::tree ? 0.2f : 0.12f;
+        Vec2 ahead = heading_direction(prop.yaw);
+        for (float along : {-0.6f, 0.0f, 0.6f}) {
+            if (prop.kind != PropKind::bench && along != 0) continue;
+            Vec3 at = p + Vec3{ahead.z * along, -0.5f, -ahead.x * along};
+            rcMarkCylinderArea(&context, floats(at), radius + s.agent_radius, s.agent_height, RC_NULL_AREA,
+                               field);
+        }
+    }
 }
 
 TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, const uint32_t* triangles,
@@ -123,6 +146,7 @@ TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, co
         !rcErodeWalkableArea(&context, radius_in_voxels(s), *compact)) {
         return fail("its heightfield could not be made");
     }
+    mark_props(context, city, s, *compact);
     field.reset();
     // Monotone regions cost an eighth of the watershed's and serve as well in streets; layer regions would
     // mix surfaces.

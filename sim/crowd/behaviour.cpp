@@ -29,7 +29,7 @@ static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::gra
 static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec3 previous = c.position[i];
-    NavPoint before{c.position[i], c.polygon[i]};  // the corner before, as widened
+    Vec3 before = previous;  // the corner before, as widened
     for (int k = 0; k + 1 < c.corner_count[i]; ++k) {
         Vec3 here = corners[k];
         Vec2 in = normalize_or(on_ground(here - previous), {0, 0});
@@ -42,15 +42,13 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
         for (float shift : {c.lateral[i], c.lateral[i] * 0.4f, 0.1f}) {
             NavPoint moved = move_along(mesh, thread, *place, here + at_height(outward * shift, 0));
             if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
-            if (!is_clear(mesh, thread, before, moved.position) ||
-                !is_clear(mesh, thread, moved, corners[k + 1])) {
+            if (!is_clear(mesh, before, moved.position) || !is_clear(mesh, moved.position, corners[k + 1])) {
                 continue;
             }
-            place = moved;
             corners[k] = moved.position;
             break;
         }
-        before = *place;
+        before = corners[k];
     }
 }
 
@@ -112,7 +110,7 @@ static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
     return length(a + ab * t - p);
 }
 
-static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
+static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick, uint64_t seed) {
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec2 p = on_ground(c.position[i]);
     while (c.corner[i] < c.corner_count[i]) {
@@ -126,8 +124,7 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
             Vec2 in = normalize_or(here - c.leg_start[i], {0, 0}),
                  out = normalize_or(on_ground(next) - here, {0, 0});
             bool level = dot(in + out, to) <= 0 && dot(out, to) <= 0.3f;
-            passed = (level || distance < k_corner_reach) &&
-                     is_clear(mesh, thread, {c.position[i], c.polygon[i]}, next);
+            passed = (level || distance < k_corner_reach) && is_clear(mesh, c.position[i], next);
         }
         if (!passed) {
             if (distance < c.closest[i] - k_progress) {
@@ -176,10 +173,10 @@ void think(Crowd& c, const City&, const Navmesh& mesh, Workers& workers, uint32_
 
     uint32_t phase = tick % k_decision_ticks;
     size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    auto follow_some = [&](size_t begin, size_t end, int thread) {
+    auto follow_some = [&](size_t begin, size_t end, int) {
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
-            c.wanted[i] = tick < c.pause_until[i] ? Vec2{0, 0} : follow_path(c, mesh, thread, i, tick, seed);
+            c.wanted[i] = tick < c.pause_until[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
         }
     };
     parallel_for(workers, due, 256, std::ref(follow_some));

@@ -16,6 +16,8 @@ static constexpr float k_border_reach = 1;       // metres
 static constexpr int k_borders = 6;
 static constexpr float k_headway = 0.5f;      // seconds: a walker needs this long to cover the gap ahead
 static constexpr float k_keep_right = 0.15f;  // of the speed, where others come the other way
+static constexpr float k_patience = 0.7f;     // seconds without getting nearer before one gives way
+static constexpr float k_give_way = 0.6f;     // of the speed, to the right, for each second of that
 static constexpr float k_haste = 1.1f;        // times the preferred speed, at most
 
 // Walkers who meet head-on must not both wait: half the change each, on the side where it is smallest.
@@ -69,7 +71,7 @@ static float headway_speed(const Crowd& c, uint32_t i, Vec2 direction) {
     return speed;
 }
 
-static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i) {
+static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick) {
     HalfPlane planes[k_borders + k_neighbours];
     Vec2 p = on_ground(c.position[i]), velocity = c.velocity[i], wish = c.wanted[i];
 
@@ -96,7 +98,11 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i) {
         planes[count++] = avoid(between, velocity, c.velocity[j], c.radius[i] + c.radius[j] + k_margin);
         if (dot(c.velocity[j], wish) < 0 && dot(between, wish) > 0) oncoming = 1;
     }
-    wish += Vec2{-wish.z, wish.x} * (k_keep_right * oncoming);
+    // Those who do not get on in a jam give way to the right, ever more, until two streams have sorted
+    // themselves.
+    float waited = static_cast<float>(tick - c.closest_tick[i]) * k_tick;
+    float right = oncoming * (k_keep_right + k_give_way * clamp(waited - k_patience, 0, 2));
+    wish += Vec2{-wish.z, wish.x} * right;
 
     float most = std::max(c.preferred_speed[i], 0.3f) * k_haste;
     Vec2 v = best_velocity(planes, count, firm, most, wish);
@@ -106,7 +112,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i) {
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
-    for_deciders(c, workers, tick, [&](uint32_t i) { c.chosen[i] = choose_velocity(c, mesh, i); });
+    for_deciders(c, workers, tick, [&](uint32_t i) { c.chosen[i] = choose_velocity(c, mesh, i, tick); });
 }
 
 }  // namespace flaneur

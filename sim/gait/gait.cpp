@@ -301,7 +301,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
         person.step_width[lane] = std::max(0.055f * b.height * s + 0.012f * random_normal(key, 4),
                                            0.5f * b.joints[left_upper_leg].x * s);
         person.lean[lane] = k_radians * clamp(3 + 1.5f * random_normal(key, 5), -1.0f, 8.0f);
-        person.carriage[lane] = k_radians * clamp(7 + 2 * random_normal(key, 6), 3.0f, 14.0f);
+        person.carriage[lane] = k_radians * clamp(8.5f + 1.5f * random_normal(key, 6), 6.5f, 13.0f);
 
         g.duty[lane] = duty_factor(0);
         g.phase[lane] = random_unit(key, 200) < 0.5f ? 0.05f : 0.55f;

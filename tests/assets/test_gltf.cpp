@@ -68,6 +68,8 @@ struct Known {
     float height, leg;  // metres, leg as a part of the height
 };
 
+void PrintTo(const Known& known, std::ostream* out) { *out << known.file; }
+
 class KnownCharacter : public testing::TestWithParam<Known> {};
 
 TEST_P(KnownCharacter, StandsAsItShould) {

@@ -1,9 +1,9 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-
-#include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include "assets/scene.h"
 

@@ -136,6 +136,21 @@ TEST(Navmesh, BordersAreOrientedAndNearestFirst) {
     EXPECT_FALSE(nearest_border(*mesh, 0, *nearest(*mesh, 0, p), 0.1f));
 }
 
+TEST(Navmesh, ClearViews) {
+    NavmeshPtr mesh = build(corner(30, 3));
+    EXPECT_TRUE(is_clear(*mesh, {1, 0, 1.5f}, {28.5f, 0, 1.5f}));
+    EXPECT_TRUE(is_clear(*mesh, {28.5f, 0, 1.5f}, {28.5f, 0, 28}));
+    EXPECT_FALSE(is_clear(*mesh, {1, 0, 1.5f}, {28.5f, 0, 28}));
+    EXPECT_FALSE(is_clear(*mesh, {28.5f, 0, 28}, {1, 0, 1.5f}));
+    EXPECT_FALSE(is_clear(*mesh, {15, 0, 1.5f}, {15, 0, 3}));
+    EXPECT_TRUE(is_clear(*mesh, {15, 0, 1.5f}, {15, 0, 1.5f}));
+    // Along each border line, and from its ends into the mesh.
+    BorderLine lines[32];
+    int n = borders_near(*mesh, {28, 0, 3}, 20, lines, 32);
+    ASSERT_GT(n, 3);
+    for (int i = 0; i < n; ++i) EXPECT_TRUE(is_clear(*mesh, lines[i].a, lines[i].b));
+}
+
 TEST(Navmesh, PlacesLieOnThePreferredGround) {
     City city = street();
     NavmeshPtr mesh = build(city);

@@ -20,7 +20,8 @@ Options parsed(const std::vector<std::string>& words) {
 
 TEST(Options, TheCommandLineOverridesTheScene) {
     Options plain = parsed({"sim", "--scene", "corner"});
-    Options changed = parsed({"sim", "--scene", "corner", "--walkers", "7", "--seed", "18446744073709551615"});
+    Options changed =
+        parsed({"sim", "--scene", "corner", "--walkers", "7", "--seed", "18446744073709551615"});
     EXPECT_EQ(plain.command, Command::sim);
     EXPECT_EQ(plain.scene.walkers, 40);
     EXPECT_EQ(changed.scene.walkers, 7);
@@ -29,8 +30,9 @@ TEST(Options, TheCommandLineOverridesTheScene) {
 }
 
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
-    Options options = parsed({"render", "--character", "a.glb", "--character", "b.glb", "--walkers", "1", "--walkers",
-                              "2", "--out", "a.png", "--out", "b.png", "--size", "10x20", "--size", "30x40"});
+    Options options =
+        parsed({"render", "--character", "a.glb", "--character", "b.glb", "--walkers", "1", "--walkers", "2",
+                "--out", "a.png", "--out", "b.png", "--size", "10x20", "--size", "30x40"});
     EXPECT_EQ(options.scene.characters, (std::vector<std::string>{"a.glb", "b.glb"}));
     EXPECT_EQ(options.scene.walkers, 2);
     EXPECT_EQ(options.out, "b.png");
@@ -61,8 +63,8 @@ TEST(Ticks, OneOrARange) {
     EXPECT_EQ(one->first, 600u);
     EXPECT_EQ(count(*range), 601u);
     EXPECT_EQ(count(*stepped), 3u);  // 1, 5, 9
-    for (const char* text : {"", ":", "1:", ":1", "1:0", "0:9:0", "0:9:-1", "-1", "0:1:1:1", "a", "1 ", "4294967296",
-                             "0:10000001"})
+    for (const char* text : {"", ":", "1:", ":1", "1:0", "0:9:0", "0:9:-1", "-1", "0:1:1:1", "a", "1 ",
+                             "4294967296", "0:10000001"})
         EXPECT_FALSE(parse_ticks(text)) << text;
 }
 
@@ -84,8 +86,9 @@ TEST(CameraOption, NamesWalkersAndPoints) {
     EXPECT_EQ(fixed->kind, CameraChoice::Kind::fixed);
     EXPECT_EQ(fixed->eye, (Vec3{0, 1.7f, -20}));
     EXPECT_EQ(fixed->target, (Vec3{10, 1.5f, 0}));
-    for (const char* text : {"", "Street", "follow", "follow:", "follow:-1", "follow:x", "1,2,3", "1,2/3,4", "1,2,3/4,5",
-                             "1,2,3/1,2,3", "nan,0,0/1,1,1", "inf,0,0/1,1,1", "1,2,3/4,5,6/7,8,9"})
+    for (const char* text :
+         {"", "Street", "follow", "follow:", "follow:-1", "follow:x", "1,2,3", "1,2/3,4", "1,2,3/4,5",
+          "1,2,3/1,2,3", "nan,0,0/1,1,1", "inf,0,0/1,1,1", "1,2,3/4,5,6/7,8,9"})
         EXPECT_FALSE(parse_camera(text)) << text;
 }
 

@@ -1,8 +1,8 @@
-#include <filesystem>
-#include <fstream>
-
 #include <gtest/gtest.h>
 #include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "tools/flaneur/output.h"
 

@@ -12,7 +12,7 @@ finish() {
 trap finish EXIT
 
 exec 3> "$folder/display"
-Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp 2> "$folder/xvfb" &
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp -noreset 2> "$folder/xvfb" &
 children+=($!)
 for _ in {1..100}; do if [[ -s $folder/display ]]; then break; fi; sleep 0.1; done
 DISPLAY=:$(cat "$folder/display")

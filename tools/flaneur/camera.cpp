@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "sim/base/math.h"
@@ -40,21 +40,27 @@ Vec3 heading_vector(float yaw) {
     return {d.x, 0, d.z};
 }
 
-// The walkers nearest the middle of the city, as places to stand; its middle if there is nobody.
+// Where walkers stand who have most others around, as places to look from; the city's middle if there is
+// nobody.
 std::vector<Vec3> places_to_stand(const World& world) {
     const City& city = world.city;
     Vec2 middle = (city.low + city.high) * 0.5f;
-    std::vector<uint32_t> ids(world.crowd.count);
-    std::iota(ids.begin(), ids.end(), 0u);
-    auto off_middle = [&](uint32_t id) {
-        Vec3 p = world.crowd.position[id];
-        return std::pair(length(Vec2{p.x, p.z} - middle), id);
-    };
+    constexpr size_t k_sample = 1000;
+    constexpr float k_company = 25;
+    size_t stride = world.crowd.count / k_sample + 1;
+    std::vector<std::pair<float, uint32_t>> ids;
+    for (size_t i = 0; i < world.crowd.count; i += stride) {
+        float company = 0;
+        for (size_t j = 0; j < world.crowd.count; j += stride) {
+            float distance = length(world.crowd.position[i] - world.crowd.position[j]);
+            if (distance < k_company) company += 1 - distance / k_company;
+        }
+        ids.push_back({-company, static_cast<uint32_t>(i)});
+    }
     size_t kept = std::min(k_candidates, ids.size());
-    std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end(),
-                      [&](uint32_t a, uint32_t b) { return off_middle(a) < off_middle(b); });
+    std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end());
     std::vector<Vec3> places;
-    for (size_t i = 0; i < kept; ++i) places.push_back(world.crowd.position[ids[i]]);
+    for (size_t i = 0; i < kept; ++i) places.push_back(world.crowd.position[ids[i].second]);
     if (!places.empty()) return places;
     for (float x = -40; x <= 40; x += 8) {
         for (float z = -40; z <= 40; z += 8) {

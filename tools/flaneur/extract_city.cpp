@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "assets/city.h"
@@ -30,7 +29,8 @@ constexpr uint32_t k_ground_materials[k_surface_count] = {
     k_material_road, k_material_sidewalk, k_material_crossing, k_material_plaza,
     k_material_path, k_material_steps,    k_material_grass,    k_material_water};
 constexpr uint32_t k_kerb = rgb(0x8c8984), k_riser = rgb(0x9a948a), k_garden_wall = rgb(0xb5a88f);
-constexpr uint32_t k_flat_roof = rgb(0x8b8983), k_tile_roof = rgb(0xb5694a), k_slate_roof = rgb(0x5b626b);
+constexpr uint32_t k_flat_roof = rgb(0x8b8983), k_cornice = rgb(0xb5ac9c), k_tile_roof = rgb(0xb5694a),
+                   k_slate_roof = rgb(0x5b626b);
 
 uint32_t shaded(uint32_t colour, float factor) {
     uint32_t out = 0xff000000u;
@@ -61,55 +61,7 @@ uint32_t add_vertex(CityMesh& mesh, const CityVertex& v) {
     return static_cast<uint32_t>(mesh.vertices.size() - 1);
 }
 
-// For each triangle of a crossing the direction in which people cross: the long axis of the connected piece
-// it belongs to, from the covariance of its points.
-std::vector<Vec2> crossing_directions(const City& city) {
-    size_t triangles = city.ground_kinds.size();
-    std::vector<uint32_t> leader(city.ground_vertices.size());
-    std::iota(leader.begin(), leader.end(), 0u);
-    auto find = [&](uint32_t v) {
-        while (leader[v] != v) v = leader[v] = leader[leader[v]];
-        return v;
-    };
-    for (size_t t = 0; t < triangles; ++t) {
-        if (city.ground_kinds[t] != Surface::crossing) continue;
-        uint32_t a = find(city.ground_indices[3 * t]);
-        for (size_t k : {1, 2}) leader[find(city.ground_indices[3 * t + k])] = a;
-    }
-    struct Moments {
-        double area = 0, x = 0, z = 0, xx = 0, xz = 0, zz = 0;
-    };
-    std::vector<Moments> moments(city.ground_vertices.size());
-    for (size_t t = 0; t < triangles; ++t) {
-        if (city.ground_kinds[t] != Surface::crossing) continue;
-        Vec2 p[3];
-        for (size_t k = 0; k < 3; ++k) p[k] = on_ground(city.ground_vertices[city.ground_indices[3 * t + k]]);
-        double area = std::fabs(cross(p[1] - p[0], p[2] - p[0])) / 6;
-        Moments& m = moments[find(city.ground_indices[3 * t])];
-        for (Vec2 v : p) {
-            m.area += area;
-            m.x += area * v.x;
-            m.z += area * v.z;
-            m.xx += area * v.x * v.x;
-            m.xz += area * v.x * v.z;
-            m.zz += area * v.z * v.z;
-        }
-    }
-    std::vector<Vec2> directions(triangles, Vec2{1, 0});
-    for (size_t t = 0; t < triangles; ++t) {
-        if (city.ground_kinds[t] != Surface::crossing) continue;
-        const Moments& m = moments[find(city.ground_indices[3 * t])];
-        if (m.area <= 0) continue;
-        double x = m.x / m.area, z = m.z / m.area;
-        double xx = m.xx / m.area - x * x, xz = m.xz / m.area - x * z, zz = m.zz / m.area - z * z;
-        double angle = 0.5 * std::atan2(2 * xz, xx - zz);
-        directions[t] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
-    }
-    return directions;
-}
-
 void add_ground(CityMesh& mesh, const City& city) {
-    std::vector<Vec2> directions = crossing_directions(city);
     for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
         Vec3 p[3];
         for (size_t k = 0; k < 3; ++k) p[k] = city.ground_vertices[city.ground_indices[3 * t + k]];
@@ -117,7 +69,7 @@ void add_ground(CityMesh& mesh, const City& city) {
         auto kind = static_cast<size_t>(city.ground_kinds[t]);
         for (Vec3 v : p) {
             glm::vec2 uv{v.x, v.z};
-            if (city.ground_kinds[t] == Surface::crossing) uv = {dot(on_ground(v), directions[t]), 0};
+            if (city.ground_kinds[t] == Surface::crossing) uv = {dot(on_ground(v), city.ground_axes[t]), 0};
             mesh.indices.push_back(
                 add_vertex(mesh, vertex(v, normal, k_ground_colours[kind], uv, k_ground_materials[kind])));
         }
@@ -167,6 +119,7 @@ void add_roofs(CityMesh& mesh, const City& city) {
         RandomKey key{seed, 1, 0, Purpose::colour};
         bool slate = random_unit(key) < 0.4f;
         uint32_t colour = normal.y > 0.95f ? k_flat_roof : slate ? k_slate_roof : k_tile_roof;
+        if (normal.y < 0.3f) colour = k_cornice;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
         for (Vec3 v : p) {
             mesh.indices.push_back(add_vertex(mesh, vertex(v, normal, colour, {v.x, v.z}, k_material_roof)));

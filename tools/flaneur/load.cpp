@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <iterator>
 #include <string>
 
 #include "assets/city.h"
@@ -24,7 +25,7 @@ void print_notes(const std::string& source, const std::vector<std::string>& note
     for (const std::string& note : notes) std::fprintf(stderr, "%s: %s\n", source.c_str(), note.c_str());
 }
 
-Result<std::vector<Character>> load_characters(const Scene& scene) {
+Result<std::vector<Character>> load_characters(const Scene& scene, int threads) {
     std::vector<Character> characters;
     for (const std::string& path : scene.characters) {
         show_progress("reading " + path);
@@ -34,15 +35,16 @@ Result<std::vector<Character>> load_characters(const Scene& scene) {
         characters.push_back(std::move(*character));
     }
     if (!characters.empty()) return characters;
-    uint64_t seed = 1;
-    for (float height : k_person_heights) {
-        show_progress("making people");
+    show_progress("making people");
+    characters.resize(std::size(k_person_heights));
+    WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, characters.size(), 1, [&](size_t begin, size_t, int) {
         PersonOptions person;
-        person.woman = seed % 2 == 1;
-        person.seed = seed++;
-        person.height = height;
-        characters.push_back(generate_person(person));
-    }
+        person.seed = begin + 1;
+        person.woman = begin % 2 == 0;
+        person.height = k_person_heights[begin];
+        characters[begin] = generate_person(person);
+    });
     return characters;
 }
 
@@ -63,7 +65,7 @@ void clear_progress() { show_progress(""); }
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
     Loaded loaded;
-    Result<std::vector<Character>> characters = load_characters(scene);
+    Result<std::vector<Character>> characters = load_characters(scene, options.threads);
     if (!characters) return characters.error();
     loaded.characters = std::move(*characters);
 

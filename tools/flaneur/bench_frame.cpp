@@ -1,0 +1,76 @@
+#include <chrono>
+
+#include "tools/flaneur/bench.h"
+#include "tools/flaneur/camera.h"
+#include "tools/flaneur/show.h"
+
+namespace flaneur {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// One frame of the load: a tick, the extraction, and a picture read back.
+Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures) {
+    World& world = *show.loaded.world;
+    auto start = Clock::now();
+    step(world);
+    add_sample(figures, "step", ms_since(start));
+    add_stages(figures, world, Stage::think, Stage::pose);
+    auto extracting = Clock::now();
+    FrameInput frame = extract_frame(show, camera, 1);
+    add_sample(figures, "extract", ms_since(extracting));
+    auto drawing = Clock::now();
+    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.size.width),
+                                     static_cast<uint32_t>(options.size.height));
+    if (!image) return image.error();
+    add_sample(figures, "draw", ms_since(drawing));
+    const FrameStats& stats = frame_stats(*show.renderer);
+    add_sample(figures, "record", stats.cpu_record_ms);
+    for (const FrameStats::Stage& stage : stats.stages)
+        add_sample(figures, "gpu " + stage.name, stage.gpu_ms);
+    add_sample(figures, "frame", ms_since(start));
+    return {};
+}
+
+}  // namespace
+
+Result<Figures> bench_frame(const Options& options) {
+    std::atomic<uint32_t> messages = 0;
+    Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
+    if (!renderer) return renderer.error();
+    Result<Show> show = make_show(std::move(*renderer), options);
+    if (!show) return show.error();
+    World& world = *show->loaded.world;
+    for (uint32_t i = 0; i < k_warm_up; ++i) step(world);
+    Camera camera = choose_camera(world, options.camera, 1);
+
+    Figures first, figures;
+    Result<void> done = measure_frame(*show, options, camera, first);
+    for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
+        if (options.camera.kind == CameraChoice::Kind::follow)
+            camera = choose_camera(world, options.camera, 1);
+        done = measure_frame(*show, options, camera, figures);
+    }
+    if (done) done = check_messages(messages);
+    if (!done) return done.error();
+
+    add_setting(figures, options, world);
+    figures.setting.emplace_back("device", device_name(*show->renderer));
+    figures.setting.emplace_back(
+        "size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height));
+    figures.setting.emplace_back("first frame", std::to_string(first.series.back().ms.front()) + " ms");
+    const FrameStats& stats = frame_stats(*show->renderer);
+    figures.counts = {{"walkers drawn", stats.walkers_drawn},
+                      {"walkers in shadow", stats.walkers_in_shadow},
+                      {"triangles", stats.triangles},
+                      {"sub-draws", stats.sub_draws},
+                      {"direct draws", stats.direct_draws}};
+    return figures;
+}
+
+}  // namespace flaneur
