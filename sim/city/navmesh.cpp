@@ -40,12 +40,27 @@ NavPoint random_place(const Navmesh& m, float u, float v, float w) {
     return inside_place(m, place, v, w);
 }
 
-NavPoint random_place_near(const Navmesh& m, Vec2 centre, float radius, float u, float v, float w) {
-    const Grid& grid = m.place_grid;
-    CellRange r = cells_of_box(grid, centre - Vec2{radius, radius}, centre + Vec2{radius, radius});
-    auto row = [&](int z, int x) { return grid.first[static_cast<size_t>(z) * grid.width + x]; };
+static size_t place_row(const Navmesh& m, int z, int x) {
+    return m.place_grid.first[static_cast<size_t>(z) * m.place_grid.width + x];
+}
+
+static CellRange place_cells(const Navmesh& m, Vec2 centre, float radius) {
+    return cells_of_box(m.place_grid, centre - Vec2{radius, radius}, centre + Vec2{radius, radius});
+}
+
+double place_area_near(const Navmesh& m, Vec2 centre, float radius) {
+    CellRange r = place_cells(m, centre, radius);
     double total = 0;
-    for (int z = r.z0; z <= r.z1; ++z) total += m.area_before[row(z, r.x1 + 1)] - m.area_before[row(z, r.x0)];
+    for (int z = r.z0; z <= r.z1; ++z) {
+        total += m.area_before[place_row(m, z, r.x1 + 1)] - m.area_before[place_row(m, z, r.x0)];
+    }
+    return total;
+}
+
+NavPoint random_place_near(const Navmesh& m, Vec2 centre, float radius, float u, float v, float w) {
+    CellRange r = place_cells(m, centre, radius);
+    auto row = [&](int z, int x) { return place_row(m, z, x); };
+    double total = place_area_near(m, centre, radius);
     if (total <= 0) return random_place(m, u, v, w);
     double wanted = static_cast<double>(u) * total;
     size_t begin = 0, end = 0;

@@ -57,6 +57,9 @@ NavPoint random_place(const Navmesh& mesh, float u, float v, float w);
 // about `centre`; anywhere if there are none.
 NavPoint random_place_near(const Navmesh& mesh, Vec2 centre, float radius, float u, float v, float w);
 
+// Square metres of those places; 0 if there are none.
+double place_area_near(const Navmesh& mesh, Vec2 centre, float radius);
+
 // The number of the connected piece of mesh that a polygon belongs to (pieces are numbered by falling area).
 uint32_t island(const Navmesh& mesh, uint32_t polygon);
 

@@ -107,8 +107,10 @@ void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 // Whether a walker stands where it was sent.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
-// A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching, under way to
-// random goals, with bodies 0 .. bodies - 1. Refuses more walkers than fit.
+// A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching (in a large city
+// over those about the middle of its houses, one walker to some 60 square metres), under way to random goals,
+// with bodies 0
+// .. bodies - 1. Refuses more walkers than fit.
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
                        uint32_t bodies, uint64_t seed);
 

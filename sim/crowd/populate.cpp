@@ -43,6 +43,37 @@ static bool is_free(const Placed& placed, const Crowd& c, Vec3 p) {
     return true;
 }
 
+namespace {
+struct Neighbourhood {
+    Vec2 centre;
+    float radius = 0;
+};
+}  // namespace
+
+static float median(std::vector<float>& values) {
+    auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+// A crowd too thin for its city keeps to the streets where the city is densest, about the median of its
+// facades, so that one meets people there.
+static Neighbourhood find_neighbourhood(const City& city, const Navmesh& mesh, uint32_t walkers) {
+    constexpr double k_room = 60;  // square metres a walker
+    std::vector<float> xs, zs;
+    for (const Face& f : city.faces) {
+        if (f.kind != FaceKind::facade) continue;
+        xs.push_back((f.a.x + f.b.x) * 0.5f);
+        zs.push_back((f.a.z + f.b.z) * 0.5f);
+    }
+    Neighbourhood n{(city.low + city.high) * 0.5f, 20};
+    if (!xs.empty()) n.centre = {median(xs), median(zs)};
+    float widest = length(city.high - city.low);
+    while (n.radius < widest && place_area_near(mesh, n.centre, n.radius) < walkers * k_room)
+        n.radius *= 1.25f;
+    return n;
+}
+
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
                        uint32_t bodies, uint64_t seed) {
     Crowd c = make_crowd(walkers);
@@ -50,12 +81,14 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
     placed.next.resize(walkers);
+    Neighbourhood home = find_neighbourhood(city, mesh, walkers);
     constexpr uint32_t k_attempts = 64;
     for (uint32_t i = 0; i < walkers; ++i) {
         Walker w;
         for (uint32_t attempt = 0; attempt < k_attempts && w.place.polygon == 0; ++attempt) {
             RandomKey key{seed, i, attempt, Purpose::spawn};
-            NavPoint p = random_place(mesh, random_unit(key, 0), random_unit(key, 1), random_unit(key, 2));
+            NavPoint p = random_place_near(mesh, home.centre, home.radius, random_unit(key, 0),
+                                           random_unit(key, 1), random_unit(key, 2));
             auto hit = ground(city, p.position, 1, 2);
             if (!hit) continue;
             p.position.y = hit->height;

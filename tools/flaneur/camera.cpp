@@ -104,7 +104,11 @@ std::vector<float> rate_headings(const World& world, Vec3 eye) {
         };
         float& r = rating[static_cast<size_t>(h)];
         r += 3 * sight(0) / k_sight;
-        for (float off : {-0.5f, -0.25f, 0.25f, 0.5f}) r -= sight(off) < 4 ? 1.5f : 0.0f;
+        // Houses on both sides make a street of it.
+        for (float off : {-0.5f, -0.25f, 0.25f, 0.5f}) {
+            float far = sight(off);
+            r += far < 4 ? -1.5f : far < 45 ? 1.0f : 0.0f;
+        }
     }
     return rating;
 }
