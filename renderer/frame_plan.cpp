@@ -102,7 +102,7 @@ FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
     out.shadow_texels = {plan.near_box.texel, plan.far_box.texel, static_cast<float>(k_shadow_resolution),
                          1.0f / static_cast<float>(k_shadow_resolution)};
     out.eye = v4(plan.view.eye);
-    out.ray_forward = v4(plan.view.forward);
+    out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
     out.ray_down = v4(plan.view.down);
     out.sun_direction = v4(plan.to_sun);

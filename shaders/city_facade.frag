@@ -70,8 +70,11 @@ void main() {
     float canyon = 0.72 + 0.28 * saturate(above * 0.07);
     float ao = (0.55 + 0.45 * saturate(contact)) * canyon * (1.0 - 0.35 * open) * occluded;
 
+    vec3 ray = in_place - frame.eye.xyz;
+    float distance = length(ray);
+    ray /= distance;
     float facing = saturate(dot(normal, frame.sun_direction.xyz));
-    float sun = sunlit(in_place, normal, 2.0) * occluded;
+    float sun = sunlit(in_place, normal, facing, distance, 2.0) * occluded;
     // The reveal's shadow on the window: its rectangle, moved by the sun.
     vec3 along = vec3(-normal.z, 0, normal.x);
     float towards = max(facing, 0.15);
@@ -81,15 +84,17 @@ void main() {
     vec3 light = albedo * (frame.sun_light.xyz * facing * sun + ambient(normal) * ao);
 
     // Glass: dark rooms, some with curtains, behind a mirror of the sky.
-    vec3 ray = normalize(in_place - frame.eye.xyz);
-    float lean = hash(vec2(bay * 3.0 + 1.0, storey + storeys * 17.0)) - 0.5;
-    vec3 mirror = reflect(ray, normalize(normal + along * (0.05 * lean)));
-    mirror.y = abs(mirror.y + 0.03 * lean);
-    float grazing = 1.0 - saturate(-dot(ray, normal));
-    float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
-    float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
-    vec3 room = ambient(normal) * mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
-    vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
-    light = mix(light, pane, open * glass);
-    out_picture = picture(through_air(light, in_place));
+    ONLY_IF(open * glass > 0.0) {
+        float lean = hash(vec2(bay * 3.0 + 1.0, storey + storeys * 17.0)) - 0.5;
+        vec3 mirror = reflect(ray, normalize(normal + along * (0.05 * lean)));
+        mirror.y = abs(mirror.y + 0.03 * lean);
+        float grazing = 1.0 - saturate(-dot(ray, normal));
+        float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
+        float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
+        vec3 room = ambient(normal) *
+                    mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
+        vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
+        light = mix(light, pane, open * glass);
+    }
+    out_picture = picture(through_air(light, ray, distance));
 }

@@ -16,39 +16,47 @@ const vec3 k_asphalt = vec3(0.058, 0.061, 0.065);  // between the stripes of a c
 
 void main() {
     vec3 normal = normalize(in_normal);
-    float edge = in_pattern.x;
-    vec2 pixel = fwidth(in_uv);
-    float wide = max(pixel.x, pixel.y);
+    vec3 ray = in_place - frame.eye.xyz;
+    float distance = length(ray);
+    ray /= distance;
+    float edge = in_pattern.x, inverse_edge = 1.0 / edge;
+    vec2 pixel = max(fwidth(in_uv), vec2(1e-4));
 
     // Slabs: each a little lighter or darker, with dark joints.
-    vec2 slab = in_uv / edge;
-    vec2 cell = floor(slab), within = abs(slab - cell - 0.5) * edge;
-    float shown = saturate(2.0 - 2.0 * wide / edge);
-    float shade = 1.0 + (hash(cell) - 0.5) * min(in_pattern.z, 1.0) * shown * (in_pattern.z > 1.0 ? 0.1 : 1.0);
-    pixel = max(pixel, vec2(1e-4));
-    vec2 joint = clamp((within - (0.5 * edge - in_pattern.y)) / pixel + 0.5, 0.0, 1.0) *
-                 clamp(2.0 * in_pattern.y / pixel, 0.0, 1.0);
-    shade *= 1.0 - 0.45 * max(joint.x, joint.y) * float(in_pattern.y > 0.0) * shown;
-
+    vec2 slab = in_uv * inverse_edge;
+    float shown = saturate(2.0 - 2.0 * max(pixel.x, pixel.y) * inverse_edge);
+    float shade = 1.0;
+    ONLY_IF(shown > 0.0) {
+        vec2 cell = floor(slab), within = abs(slab - cell - 0.5) * edge;
+        shade += (hash(cell) - 0.5) * min(in_pattern.z, 1.0) * shown * (in_pattern.z > 1.0 ? 0.1 : 1.0);
+        ONLY_IF(in_pattern.y > 0.0) {
+            vec2 inverse = 1.0 / pixel;
+            vec2 joint = clamp((within - (0.5 * edge - in_pattern.y)) * inverse + 0.5, 0.0, 1.0) *
+                         clamp(2.0 * in_pattern.y * inverse, 0.0, 1.0);
+            shade *= 1.0 - 0.45 * max(joint.x, joint.y) * shown;
+        }
+    }
     // Large soft stains, so that wide surfaces are not one colour.
-    vec2 s = in_place.xz * 0.31;
-    shade *= 1.0 + 0.05 * (sin(s.x + 2.1 * sin(0.7 * s.y)) * sin(s.y * 0.9 + 1.7 * sin(0.5 * s.x)));
+    vec2 s = in_place.xz * 0.05;
+    shade *= 1.0 + 0.05 * wave(s.x + 0.33 * wave(0.7 * s.y)) * wave(0.9 * s.y + 0.27 * wave(0.5 * s.x));
 
     vec3 albedo = in_colour * shade;
     // Stripes across the way of those who cross.
-    float wave = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
-    float paint = saturate((wave - 0.5) * edge / pixel.x + 0.5);
-    paint = mix(paint, 0.5, saturate(2.0 * pixel.x / edge - 1.0));
-    albedo = in_pattern.z > 1.0 ? mix(k_asphalt, albedo, paint) : albedo;
+    ONLY_IF(in_pattern.z > 1.0) {
+        float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
+        float paint = saturate((swing - 0.5) * edge / pixel.x + 0.5);
+        paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
+        albedo = mix(k_asphalt, albedo, paint);
+    }
 
     float facing = dot(normal, frame.sun_direction.xyz);
     float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));
-    float sun = saturate(facing) * sunlit(in_place, normal, bias);
+    float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
-
-    vec3 ray = normalize(in_place - frame.eye.xyz);
-    vec3 mirrored = sky_towards(reflect(ray, normal));
-    float fresnel = in_pattern.w * (0.1 + 0.9 * pow(1.0 - saturate(-dot(ray, normal)), 4.0));
-    light = mix(light, mirrored, fresnel);
-    out_picture = picture(through_air(light, in_place));
+    ONLY_IF(in_pattern.w > 0.0) {
+        float grazing = 1.0 - saturate(-dot(ray, normal));
+        grazing *= grazing;
+        light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
+    }
+    out_picture = picture(through_air(light, ray, distance));
 }

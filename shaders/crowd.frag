@@ -22,11 +22,13 @@ void main() {
     // Cloth and skin let light round the edge a little; the rim catches the sky.
     float facing = dot(normal, frame.sun_direction.xyz);
     float wrapped = saturate((facing + 0.2) / 1.2);
-    float sun = wrapped * sunlit(in_place, normal, 1.5);
-    vec3 ray = normalize(in_place - frame.eye.xyz);
+    vec3 ray = in_place - frame.eye.xyz;
+    float distance = length(ray);
+    ray /= distance;
+    float sun = wrapped * sunlit(in_place, normal, wrapped, distance, 1.5);
     float grazing = 1.0 - saturate(-dot(ray, normal));
     float rim = 0.06 * grazing * grazing * grazing;
     vec3 sky = ambient(normal);
     vec3 light = albedo * (frame.sun_light.xyz * sun + sky) + rim * (sky + frame.sun_light.xyz * (0.5 * sun));
-    out_picture = picture(through_air(light, in_place));
+    out_picture = picture(through_air(light, ray, distance));
 }

@@ -1,5 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "shaders/common.glsl"
 
 // After Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole texels alone.
@@ -22,37 +23,40 @@ void main() {
     float w = luma(p + ivec2(-1, 0)), e = luma(p + ivec2(1, 0));
     float high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
     float contrast = high - low;
-    bool is_edge = contrast > max(0.04, high * 0.125);
+    vec3 colour = middle.rgb;
+    ONLY_IF(contrast > max(0.04, high * 0.125)) {
+        bool is_level = abs(n + s - 2.0 * m) > abs(w + e - 2.0 * m);  // the edge runs left to right
+        float before = is_level ? n : w, after = is_level ? s : e;
+        bool is_before = abs(before - m) >= abs(after - m);
+        ivec2 across = (is_level ? ivec2(0, 1) : ivec2(1, 0)) * (is_before ? -1 : 1);
+        ivec2 along = is_level ? ivec2(1, 0) : ivec2(0, 1);
+        float other = is_before ? before : after;
+        float edge_luma = 0.5 * (m + other), step_luma = 0.25 * abs(other - m);
 
-    bool is_level = abs(n + s - 2.0 * m) > abs(w + e - 2.0 * m);  // the edge runs left to right
-    float before = is_level ? n : w, after = is_level ? s : e;
-    bool is_before = abs(before - m) >= abs(after - m);
-    ivec2 across = (is_level ? ivec2(0, 1) : ivec2(1, 0)) * (is_before ? -1 : 1);
-    ivec2 along = is_level ? ivec2(1, 0) : ivec2(0, 1);
-    float other = is_before ? before : after;
-    float edge_luma = 0.5 * (m + other), step_luma = 0.25 * abs(other - m);
-
-    // Both ends of the edge: where the mean across it leaves the edge's.
-    float ends[2] = {float(k_reach), float(k_reach)};
-    float deltas[2] = {0.0, 0.0};
-    for (int side = 0; side < 2; ++side) {
-        ivec2 q = p, stride = side == 0 ? -along : along;
-        bool found = !is_edge;
-        for (int i = 1; i <= k_reach && !found; ++i) {
-            q += stride;
-            deltas[side] = 0.5 * (luma(q) + luma(q + across)) - edge_luma;
-            found = abs(deltas[side]) >= step_luma;
-            ends[side] = float(i);
+        // Both ends of the edge: where the mean across it leaves the edge's.
+        ivec2 ends = ivec2(k_reach);
+        vec2 deltas = vec2(0);
+        [[dont_unroll]] for (int side = 0; side < 2; ++side) {
+            ivec2 q = p, stride = side == 0 ? -along : along;
+            int i = 0;
+            float delta = 0.0;
+            [[dont_unroll]] while (i < k_reach && abs(delta) < step_luma) {
+                ++i;
+                q += stride;
+                delta = 0.5 * (luma(q) + luma(q + across)) - edge_luma;
+            }
+            if (side == 0) ends.x = i, deltas.x = delta; else ends.y = i, deltas.y = delta;
         }
-    }
-    float nearest = min(ends[0], ends[1]), span = ends[0] + ends[1];
-    float delta = ends[0] < ends[1] ? deltas[0] : deltas[1];
-    bool is_inside = (m < edge_luma) != (delta < 0.0);  // this pixel lies beyond the edge's end
-    float shift = is_inside ? 0.5 - nearest / span : 0.0;
+        float nearest = float(min(ends.x, ends.y)), span = float(ends.x + ends.y);
+        float delta = ends.x < ends.y ? deltas.x : deltas.y;
+        bool is_inside = (m < edge_luma) != (delta < 0.0);  // this pixel lies beyond the edge's end
+        float shift = is_inside ? 0.5 - nearest / span : 0.0;
 
-    // Specks: as much as the pixel differs from its neighbourhood.
-    float speck = saturate(abs((n + s + w + e) * 0.25 - m) / max(contrast, 1e-4));
-    speck = speck * speck * (3.0 - 2.0 * speck);
-    shift = is_edge ? max(shift, speck * speck * 0.5) : 0.0;
-    out_colour = vec4(mix(middle.rgb, at(p + across).rgb, shift), 1);
+        // Specks: as much as the pixel differs from its neighbourhood.
+        float speck = saturate(abs((n + s + w + e) * 0.25 - m) / max(contrast, 1e-4));
+        speck = speck * speck * (3.0 - 2.0 * speck);
+        shift = max(shift, speck * speck * 0.5);
+        colour = mix(colour, at(p + across).rgb, shift);
+    }
+    out_colour = vec4(colour, 1);
 }

@@ -1,33 +1,39 @@
 // Sun, shadow, sky and haze on surfaces.
+#extension GL_EXT_control_flow_attributes : require
 layout(set = 0, binding = k_binding_shadow) uniform sampler2DArrayShadow shadow_map;
 
-// How much of the sun reaches a place: 3x3 bilinear taps by four gathers over 4x4 texels. `bias` is how far, in
-// texels, the place is moved along its normal so that a surface does not shade itself.
-float sunlit(vec3 place, vec3 normal, float bias) {
-    vec3 near = (frame.shadow_from_world * vec4(place, 1)).xyz;
+const float k_fine_texel = 3.0;  // pixels: shadow texels wider than this are filtered twice as wide
+
+// How much of the sun reaches a place: 3x3 bilinear taps by four gathers over 4x4 texels, or, where texels are
+// small on the picture, one tap by one gather. `bias` is how far, in texels, the place is moved along its normal
+// so that a surface does not shade itself; `facing` the cosine to the sun: where it is not above 0 all is dark.
+float sunlit(vec3 place, vec3 normal, float facing, float distance, float bias) {
+    mat3 turn = mat3(frame.shadow_from_world);
+    vec3 near = turn * place + frame.shadow_from_world[3].xyz;
     vec3 from_middle = abs(near - 0.5);
     bool is_near = max(from_middle.x, max(from_middle.y, from_middle.z)) < 0.495;
     float texel = is_near ? frame.shadow_texels.x : frame.shadow_texels.y;
-    vec3 moved = (frame.shadow_from_world * vec4(place + normal * (bias * texel), 1)).xyz;
-    vec3 at = is_near ? moved : moved * frame.far_scale.xyz + frame.far_offset.xyz;
+    vec3 at = near + turn * (normal * (bias * texel));
+    at = is_near ? at : at * frame.far_scale.xyz + frame.far_offset.xyz;
+    bool is_wide = texel > k_fine_texel * frame.ray_forward.w * distance;
     vec2 corner = at.xy * frame.shadow_texels.z - 0.5;
     vec2 base = floor(corner), f = corner - base;
     // The gathers' corners between texels, so that rounding never picks another four.
-    vec3 uv = vec3(base * frame.shadow_texels.w, is_near ? 0.0 : 1.0);
-    float depth = saturate(at.z);
-    float step = frame.shadow_texels.w;
-    vec4 a = textureGather(shadow_map, uv, depth);
-    vec4 b = textureGather(shadow_map, uv + vec3(2.0 * step, 0, 0), depth);
-    vec4 c = textureGather(shadow_map, uv + vec3(0, 2.0 * step, 0), depth);
-    vec4 d = textureGather(shadow_map, uv + vec3(2.0 * step, 2.0 * step, 0), depth);
-    // Gather's order: (0, 1), (1, 1), (1, 0), (0, 0).
-    vec4 row0 = vec4(a.wz, b.wz), row1 = vec4(a.xy, b.xy), row2 = vec4(c.wz, d.wz), row3 = vec4(c.xy, d.xy);
-    vec4 columns = vec4(1.0 - f.x, 1, 1, f.x);
-    vec4 rows = row0 * (1.0 - f.y) + row1 + row2 + row3 * f.y;
-    float lit = dot(columns, rows) * (1.0 / 9.0);
+    float step = frame.shadow_texels.w, depth = saturate(at.z), layer = is_near ? 0.0 : 1.0;
+    vec2 first = (is_wide ? base : base + 1.0) * step;
     // Beyond the far map all is lit.
     vec2 off = abs(at.xy - 0.5);
-    return max(off.x, off.y) < 0.497 ? lit : 1.0;
+    bool is_inside = max(off.x, off.y) < 0.497;
+    int gathers = facing <= 0.0 || !is_inside ? 0 : is_wide ? 4 : 1;
+    float lit = 0.0;
+    [[dont_unroll]] for (int i = 0; i < gathers; ++i) {
+        bvec2 is_second = bvec2((i & 1) != 0, i > 1);
+        vec2 low = mix(1.0 - f, vec2(1), is_second), high = mix(is_wide ? vec2(1) : f, f, is_second);
+        vec4 a = textureGather(shadow_map, vec3(first + mix(vec2(0), vec2(2.0 * step), is_second), layer), depth);
+        // Gather's order: (0, 1), (1, 1), (1, 0), (0, 0).
+        lit += (a.w * low.x + a.z * high.x) * low.y + (a.x * low.x + a.y * high.x) * high.y;
+    }
+    return is_inside ? lit * (is_wide ? 1.0 / 9.0 : 1.0) : 1.0;
 }
 
 // Light of sky and ground.
@@ -49,12 +55,10 @@ vec3 street_towards(vec3 direction) {
     return mix(houses, sky_towards(direction), smoothstep(0.12, 0.55, direction.y));
 }
 
-// Aerial perspective: beyond some metres the air shines, and hides what is behind.
-vec3 through_air(vec3 light, vec3 place) {
-    vec3 ray = place - frame.eye.xyz;
-    float distance = length(ray);
+// Aerial perspective: beyond some metres the air shines, and hides what is behind. `ray` is a unit vector.
+vec3 through_air(vec3 light, vec3 ray, float distance) {
     float depth = max(distance - frame.haze_away.w, 0.0) * frame.haze_towards.w;
     float air = depth / (1.0 + depth);
-    float towards = dot(ray.xz, frame.sun_direction.xz) / max(distance, 1e-3) * 0.5 + 0.5;
+    float towards = dot(ray.xz, frame.sun_direction.xz) * 0.5 + 0.5;
     return mix(light, mix(frame.haze_away.xyz, frame.haze_towards.xyz, towards * towards), air);
 }

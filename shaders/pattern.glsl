@@ -8,6 +8,12 @@ float hash(vec2 cell) {
     return float(h >> 8) * (1.0 / 16777216.0);
 }
 
+// Like a sine of so many turns, by parabolas.
+float wave(float turns) {
+    float x = fract(turns) * 2.0 - 1.0;
+    return 4.0 * x * (1.0 - abs(x));
+}
+
 // How much of a pixel, `width` wide about x, lies between a and b.
 float between(float x, float a, float b, float width) {
     float inverse = 1.0 / width;

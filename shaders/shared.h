@@ -67,7 +67,8 @@ struct FrameConstants {
     vec4 shadow_texels;       // metres a texel: near, far; resolution; 1 / resolution
     vec4 eye;                 // metres
     vec4 ray_forward;         // the view ray through normalised device coordinates x, y is
-    vec4 ray_right;           //   forward + x * right + y * down
+    vec4 ray_right;           //   forward + x * right + y * down; w of forward: metres a pixel
+                              //   at one metre
     vec4 ray_down;
     vec4 sun_direction;       // towards the sun
     vec4 sun_light;           // what a white surface square to the sun reflects

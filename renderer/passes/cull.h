@@ -21,9 +21,10 @@ struct PersonRanges {
         {};  // middles of the left and right sole in the bind pose, moved by k_left_foot, k_right_foot
 };
 
-inline constexpr uint32_t k_max_lods = 4;
-// A body shorter than these many pixels takes the next coarser level.
-inline constexpr float k_lod_pixels[k_max_lods - 1] = {150, 70, 35};
+inline constexpr uint32_t k_max_lods = 5;
+// A body whose sphere is smaller than these many pixels takes the next coarser level. A person stands 0.8 of it
+// high.
+inline constexpr float k_lod_pixels[k_max_lods - 1] = {420, 150, 70, 32};
 // Levels before this one are skinned by four joints, the others by one.
 inline constexpr uint32_t k_first_rigid_lod = 2;
 

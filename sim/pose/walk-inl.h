@@ -142,7 +142,7 @@ HWY_INLINE void raise_heel(FootPose<T>& foot, V3<T> hip, T reach) {
     V3<T> axis = rotate(foot.rotation, V3<T>{T(1.0f), T(0.0f), T(0.0f)});
     T gain = dot(cross(axis, arm), to_hip) / distance;  // metres nearer for each radian
     T angle = (distance - reach) / larger(gain, T(0.03f));
-    angle = select((foot.leaving > T(0.0f)) & (distance > reach), smaller(angle, T(0.8f)), T(0.0f));
+    angle = select((foot.leaving > T(0.0f)) & (distance > reach), smaller(angle, T(0.3f)), T(0.0f));
     T half = angle * T(0.5f);
     Q4<T> turn = unit(Q4<T>{axis.x * half, axis.y * half, axis.z * half, T(1.0f)});
     foot.ankle = foot.pivot + rotate(turn, arm);

@@ -47,7 +47,7 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
         ++seen;
         const float pixels =
             2 * walker.radius * view.pixels_at_one_metre / glm::length(walker.centre - view.eye);
-        size_t lod = pixels >= 150 ? 0 : pixels >= 70 ? 1 : pixels >= 35 ? 2 : 3;
+        size_t lod = pixels >= 420 ? 0 : pixels >= 150 ? 1 : pixels >= 70 ? 2 : pixels >= 32 ? 3 : 4;
         lod = std::min(lod, people[walker.mesh].lods.size() - 1);
         expected[lod * 2 + walker.mesh].push_back(walker.instance.palette);
     }
