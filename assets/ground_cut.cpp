@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "assets/ground_plan.h"
 #include "assets/ground_weld.h"
@@ -32,9 +33,9 @@ Ring ring_of(const Box& b) { return rectangle({b.x0, b.z0}, {b.x1, b.z1}); }
 
 // A ring with its holes, on its way down to the cells.
 struct Item {
-    uint32_t area;
+    uint32_t area = 0;
     Rings rings;
-    Box box;
+    Box box{};
 };
 
 struct Cell {
@@ -79,8 +80,7 @@ void distribute(std::vector<Cell>& cells, const Box& box, int64_t cell, std::vec
             } else if (both && !last) {
                 inside.push_back(item);
             } else {
-                inside.push_back(std::move(item));
-                if (!last) item.box = {0, 0, 0, 0};
+                inside.push_back(std::exchange(item, Item{}));
             }
         }
         distribute(cells, half, cell, std::move(inside));

@@ -6,7 +6,6 @@
 namespace flaneur {
 
 using ClipperLib::Clipper;
-using ClipperLib::pftEvenOdd;
 using ClipperLib::pftNonZero;
 using ClipperLib::PolyNode;
 using ClipperLib::PolyTree;

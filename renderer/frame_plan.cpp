@@ -15,10 +15,12 @@ constexpr float k_white_level = 0.72f;
 constexpr float k_white_balance = 0.8f;
 
 // How much of the sky's colour shadows keep: walls and haze between them and the sky take the rest.
-constexpr float k_blue_of_shadow = 0.55f;
+constexpr float k_blue_of_shadow = 0.45f;
+// How much brighter walls and ground make the shadows of a street than open sky would.
+constexpr float k_bounce = 1.5f;
 
 // Seen under a low sun the model's sky comes out dim and mauve: a little brighter and bluer.
-const vec3 k_sky_tint(1.12f, 1.26f, 1.42f);
+const vec3 k_sky_tint(1.29f, 1.45f, 1.63f);
 
 vec4 v4(vec3 v, float w = 0) { return {v, w}; }
 
@@ -82,7 +84,7 @@ FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
     auto ambient_on = [&](vec3 normal) {
         vec3 light = ambient.level;
         for (int c = 0; c < 3; ++c) light[c] += glm::dot(ambient.slope[c], normal);
-        return light;
+        return light * k_bounce;
     };
     const vec3 sun = sky.sun / 3.14159265f;
     const vec3 level_white = ambient_on({0, 1, 0}) + sun * plan.to_sun.y;
@@ -110,7 +112,7 @@ FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
     const vec3 grey(0.2126f, 0.7152f, 0.0722f);
     vec4 ambient_grey(0);
     for (int c = 0; c < 3; ++c) {
-        out.ambient[c] = v4(ambient.slope[c], ambient.level[c]) * white[c];
+        out.ambient[c] = v4(ambient.slope[c], ambient.level[c]) * (white[c] * k_bounce);
         ambient_grey += grey[c] * out.ambient[c];
     }
     for (vec4& colour : out.ambient) colour = glm::mix(ambient_grey, colour, k_blue_of_shadow);

@@ -19,6 +19,7 @@
 #include "spirv/shadow_city.vert.h"
 #include "spirv/shadow_crowd.vert.h"
 #include "spirv/sky.frag.h"
+#include "spirv/sky.vert.h"
 
 namespace flaneur {
 namespace {
@@ -251,7 +252,7 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
         .writes_depth = false,
         .darkens = true};
     FLANEUR_TRY(make(contact, p.contact));
-    const PipelineShape sky{.vertex = k_spirv_fullscreen_vert,
+    const PipelineShape sky{.vertex = k_spirv_sky_vert,
                             .fragment = k_spirv_sky_frag,
                             .attributes = {},
                             .colour = k_picture_format,

@@ -54,6 +54,10 @@ FLANEUR_CONST int k_binding_picture = 5;    // the picture before anti-aliasing,
 FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4
 FLANEUR_CONST int k_constant_textured = 1;  // whether people have textures
 
+// Cells of the grid that the sky is drawn by.
+FLANEUR_CONST int k_sky_columns = 40;
+FLANEUR_CONST int k_sky_rows = 24;
+
 // The last joints of the legs, whose places on the ground darken it.
 FLANEUR_CONST int k_left_foot = 16;
 FLANEUR_CONST int k_right_foot = 20;

@@ -22,8 +22,8 @@ struct PersonRanges {
 };
 
 inline constexpr uint32_t k_max_lods = 5;
-// A body whose sphere is smaller than these many pixels takes the next coarser level. A person stands 0.8 of it
-// high.
+// A body whose sphere is smaller than these many pixels takes the next coarser level. A person stands 0.8 of
+// it high.
 inline constexpr float k_lod_pixels[k_max_lods - 1] = {420, 150, 70, 32};
 // Levels before this one are skinned by four joints, the others by one.
 inline constexpr uint32_t k_first_rigid_lod = 2;

@@ -133,7 +133,8 @@ Camera overview_camera(const World& world) {
         return std::tie(a.first, a.second.x, a.second.z) < std::tie(b.first, b.second.x, b.second.z);
     });
     std::vector<Vec3> places;
-    for (const auto& [distance, p] : streets) {
+    for (const auto& street : streets) {
+        Vec3 p = street.second;
         auto near = [&](Vec3 q) { return length(on_ground(q) - on_ground(p)) < 25; };
         if (places.size() < k_places && std::none_of(places.begin(), places.end(), near)) places.push_back(p);
     }

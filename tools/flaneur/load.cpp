@@ -15,6 +15,8 @@ namespace {
 // The built-in people: women and men of several heights, each with a look of its own.
 constexpr float k_person_heights[] = {1.66f, 1.78f, 1.60f, 1.72f, 1.73f, 1.86f};
 
+constexpr int k_most_blocks = 32;
+
 bool is_terminal() {
     static const bool terminal = isatty(STDERR_FILENO) != 0;
     return terminal;
@@ -48,10 +50,18 @@ Result<std::vector<Character>> load_characters(const Scene& scene, int threads) 
     return characters;
 }
 
+// A district as large as the scene says, or as its walkers need to walk rather than queue: some 750 to a
+// block.
+int district_blocks(const Scene& scene) {
+    int blocks = scene.blocks;
+    while (blocks < k_most_blocks && blocks * blocks * 750 < scene.walkers) ++blocks;
+    return blocks;
+}
+
 Result<City> load_city(const Scene& scene) {
     show_progress("making the city");
     if (!scene.city.empty()) return load_osm(scene.city);
-    return generate_district({scene.seed, scene.blocks});
+    return generate_district({scene.seed, district_blocks(scene)});
 }
 
 }  // namespace
@@ -65,13 +75,13 @@ void clear_progress() { show_progress(""); }
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
     Loaded loaded;
-    Result<std::vector<Character>> characters = load_characters(scene, options.threads);
-    if (!characters) return characters.error();
-    loaded.characters = std::move(*characters);
-
     Result<City> city = load_city(scene);
     if (!city) return city.error();
     print_notes(city->name, city->notes);
+
+    Result<std::vector<Character>> characters = load_characters(scene, options.threads);
+    if (!characters) return characters.error();
+    loaded.characters = std::move(*characters);
 
     WorldOptions world;
     world.walkers = static_cast<uint32_t>(scene.walkers);
