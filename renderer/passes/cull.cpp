@@ -71,9 +71,17 @@ uint32_t lod_of(const View& view, glm::vec3 centre, float radius) {
     return lod;
 }
 
+// Whether the eye is within a standing body, of which only shards beyond the near plane would be seen.
+static bool is_eye_inside(const View& view, const WalkerDraw& walker) {
+    constexpr float k_girth = 0.4f;  // share of the radius
+    const glm::vec3 away = view.eye - walker.centre;
+    return std::sqrt(away.x * away.x + away.z * away.z) < k_girth * walker.radius &&
+           std::fabs(away.y) < walker.radius;
+}
+
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
     sort_into_draws(input, out, [&](const WalkerDraw& walker) {
-        return sees_sphere(view, walker.centre, walker.radius)
+        return sees_sphere(view, walker.centre, walker.radius) && !is_eye_inside(view, walker)
                    ? static_cast<int>(lod_of(view, walker.centre, walker.radius))
                    : -1;
     });

@@ -115,6 +115,19 @@ TEST(Cull, ShadowCastersAreNearCoarserAndMayStandBehindTheEye) {
     EXPECT_EQ(seen.instances.size(), 2u);  // the first and the third
 }
 
+TEST(Cull, TheBodyThatTheEyeIsInIsNotDrawn) {
+    const std::vector<PersonRanges> people = two_kinds();
+    const View view = make_view({.eye = {0, 1.6f, 0}, .target = {0, 1.6f, 1}}, 1280, 720);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(2);
+    for (WalkerDraw& walker : walkers) walker.mesh = 0;
+    walkers[0].centre = {0.1f, 0.9f, 0.1f};
+    walkers[1].centre = {0.1f, 0.9f, 2};
+    CrowdDraws seen;
+    cull_crowd({walkers, people, 2 * k_palette_joints}, view, seen);
+    ASSERT_EQ(seen.instances.size(), 1u);
+    EXPECT_EQ(seen.instances[0].palette, walkers[1].instance.palette);
+}
+
 TEST(Cull, ChunksComeNearestFirst) {
     const View view = make_view({}, 1280, 720);
     const CityChunk chunks[] = {{{-1, 0, 50}, {1, 2, 52}, {0, 3}},
