@@ -12,7 +12,7 @@ layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 
 layout(location = 0) out vec4 out_picture;
 
-const vec3 k_asphalt = vec3(0.058, 0.061, 0.065);  // between the stripes of a crossing
+const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
 
 void main() {
     vec3 normal = normalize(in_normal);
