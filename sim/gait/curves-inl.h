@@ -36,6 +36,14 @@ HWY_INLINE T norm_phase(T phase, T duty) {
     return select(phase < duty, stance, swing);
 }
 
+// The share of the body that the left leg carries: 1 in its single support, sliding over in double support.
+// `phase` is the left foot's.
+template <class T>
+HWY_INLINE T left_load(T phase, T duty) {
+    T both = duty - T(0.5f);
+    return select(phase < T(0.5f), eased(phase / both), T(1.0f) - eased((phase - T(0.5f)) / both));
+}
+
 template <class T>
 HWY_INLINE T ramp(T low, T high, T v) {
     return eased((v - low) / (high - low));

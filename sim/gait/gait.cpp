@@ -4,6 +4,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/gait/curves-inl.h"
 #include "sim/gait/norms.h"
 
 namespace flaneur {
@@ -23,6 +24,7 @@ constexpr float k_shuffle = 0.95f;     // cycles/s of stepping on the spot
 constexpr float k_lead = 0.38f;        // share of a foot's time on the ground before the hip passes over it
 constexpr float k_settled = 0.88f;     // share of the swing after which the landing place is kept
 constexpr float k_standing_speed = 0.08f;  // m/s
+constexpr float k_lost = 1.2f;             // legs; a planted foot farther from its place is set down anew
 constexpr float k_base_stiffness = 9.0f;   // 1/s, of the critically damped pelvis height
 
 struct Place {
@@ -129,13 +131,6 @@ float foot_phase(float phase, Side side) {
     return p >= 1 ? p - 1 : p;
 }
 
-// Weight of the left leg in carrying the body: 1 in its single support, sliding over in double support.
-float left_weight(float phase, float duty) {
-    float both = duty - 0.5f;
-    if (phase < 0.5f) return smoothstep(0, both, phase);
-    return 1 - smoothstep(0, both, phase - 0.5f);
-}
-
 // Where the foot will come down if the walker goes on as it does.
 Place plan_landing(const City& city, const PersonBlock& person, int lane, Side side, Vec3 root, Vec2 velocity,
                    float heading, float turn_rate, float time_left, float contact_time) {
@@ -228,7 +223,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
         float p = foot_phase(g.phase[lane], side);
         if (foot.swinging[lane] && p < 0.5f) touch_down(foot, lane);
         if (!foot.swinging[lane]) {
-            bool lost = off[side].distance > k_overreach * 1.25f * leg;
+            bool lost = off[side].distance > k_lost * leg;
             if (lost) replant(foot, lane, city, person, side, root, heading);
             if (p < duty || p >= 0.98f || g.standing[lane]) continue;
         }
@@ -258,7 +253,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
     }
 
     // The pelvis rides on the ground under the feet that carry it.
-    float left = left_weight(g.phase[lane], duty);
+    float left = HWY_NAMESPACE::left_load(g.phase[lane], duty);
     float target = feet[k_left].from.y[lane] * left + feet[k_right].from.y[lane] * (1 - left);
     float w = k_base_stiffness;
     float& velocity_y = g.base_velocity[lane];

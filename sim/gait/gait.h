@@ -89,7 +89,4 @@ float stride_length(float v, float leg);
 // Share of the cycle that a foot stands at speed `v`.
 float duty_factor(float v);
 
-// How far a planted foot may be from its hip along the ground, as a share of the leg, before it is given up.
-inline constexpr float k_overreach = 0.98f;
-
 }  // namespace flaneur

@@ -150,13 +150,6 @@ HWY_INLINE void raise_heel(FootPose<T>& foot, V3<T> hip, T reach) {
     foot.rotation = turn * foot.rotation;
 }
 
-// The share of the load on the left leg: see left_weight in gait.cpp.
-template <class T>
-HWY_INLINE T left_load(T phase, T duty) {
-    T both = duty - T(0.5f);
-    return select(phase < T(0.5f), eased(phase / both), T(1.0f) - eased((phase - T(0.5f)) / both));
-}
-
 template <class T>
 HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane) {
     T zero = T(0.0f), one = T(1.0f);
