@@ -110,6 +110,11 @@ void add_faces(CityMesh& mesh, const City& city) {
 }
 
 void add_roofs(CityMesh& mesh, const City& city) {
+    // What has no facade is no house but a wall, and its roof a coping.
+    std::vector<uint8_t> is_house(city.buildings.size(), 0);
+    for (const Face& f : city.faces) {
+        if (f.kind == FaceKind::facade && f.building < is_house.size()) is_house[f.building] = 1;
+    }
     for (size_t t = 0; t < city.roof_buildings.size(); ++t) {
         Vec3 p[3];
         for (size_t k = 0; k < 3; ++k) p[k] = city.roof_vertices[city.roof_indices[3 * t + k]];
@@ -120,6 +125,7 @@ void add_roofs(CityMesh& mesh, const City& city) {
         bool slate = random_unit(key) < 0.4f;
         uint32_t colour = normal.y > 0.95f ? k_flat_roof : slate ? k_slate_roof : k_tile_roof;
         if (normal.y < 0.3f) colour = k_cornice;
+        if (building >= is_house.size() || !is_house[building]) colour = k_garden_wall;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
         for (Vec3 v : p) {
             mesh.indices.push_back(add_vertex(mesh, vertex(v, normal, colour, {v.x, v.z}, k_material_roof)));
