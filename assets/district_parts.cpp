@@ -2,14 +2,11 @@
 #include <cmath>
 
 #include "assets/city.h"
+#include "assets/colour.h"
 #include "assets/district.h"
 #include "sim/base/math.h"
 
 namespace flaneur {
-
-static constexpr uint32_t rgb(uint32_t hex) {
-    return 0xff000000u | (hex & 0xff) << 16 | (hex & 0xff00) | hex >> 16;
-}
 
 const uint32_t k_wall_colours[] = {
     rgb(0xd8c9ae),  // limestone

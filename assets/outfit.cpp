@@ -2,15 +2,12 @@
 
 #include <span>
 
+#include "assets/colour.h"
 #include "sim/base/rng.h"
 
 namespace flaneur {
 
 namespace {
-
-constexpr uint32_t rgb(uint32_t hex) {
-    return 0xff000000u | (hex & 0xffu) << 16 | (hex & 0xff00u) | (hex >> 16 & 0xffu);
-}
 
 // The ten tones of the Monk scale (Ellis Monk, 2022).
 constexpr uint32_t k_skin[] = {rgb(0xf6ede4), rgb(0xf3e7db), rgb(0xf7ead0), rgb(0xeadaba), rgb(0xd7bd96),
@@ -40,13 +37,7 @@ constexpr uint32_t k_inner[] = {k_white, k_cream, k_white, k_sky, k_grey};
 
 // A colour a little lighter or darker, by up to `amount`.
 uint32_t varied(uint32_t colour, float amount, RandomKey key, uint32_t index) {
-    float factor = 1 + random_between(key, -amount, amount, index);
-    uint32_t out = 0xff000000u;
-    for (int shift : {0, 8, 16}) {
-        float channel = static_cast<float>(colour >> shift & 0xffu) * factor;
-        out |= static_cast<uint32_t>(channel > 255 ? 255 : channel) << shift;
-    }
-    return out;
+    return shaded(colour, 1 + random_between(key, -amount, amount, index));
 }
 
 // A chip of the Monk scale shows skin as it is perceived; as an albedo under a bright sun the pale ones would

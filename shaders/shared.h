@@ -22,8 +22,7 @@ struct JointTransform {
 struct WalkerInstance {
     uint palette;          // first of its joint transforms
     float scale;           // of the mesh before skinning
-    uint fade;             // unused, 0
-    uint tints[9];         // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
+    uint tints[k_tints];   // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
 };
 
 // What a city vertex is made of; city.frag draws each by a procedure.

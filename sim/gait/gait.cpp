@@ -58,7 +58,7 @@ FootSize foot_size(const PersonBlock& p, int lane) {
     return {p.heel[lane], ball, ball + p.toe[lane]};
 }
 
-// Heights under heel, ball and tip of a foot. False if part of it would stand on nothing.
+// Heights under heel, ball and tip of a foot. `whole` is false if part of it would stand on nothing.
 struct Footing {
     bool whole = true;
     float low = 0, high = 0;
@@ -143,8 +143,6 @@ Place plan_landing(const City& city, const PersonBlock& person, int lane, Side s
     return find_footing(city, wanted.position, wanted.yaw, foot_size(person, lane), root);
 }
 
-void lift_off(FootBlock& foot, int lane) { foot.swinging[lane] = 1; }
-
 void touch_down(FootBlock& foot, int lane) {
     foot.swinging[lane] = 0;
     foot.obstacle[lane] = 0;
@@ -181,7 +179,6 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
     g.x[lane] = root.x;
     g.z[lane] = root.z;
     g.heading[lane] = heading;
-    g.speed[lane] = speed;
 
     float wanted_amplitude = smoothstep(0.1f, 0.85f, speed);
     g.amplitude[lane] += clamp(wanted_amplitude - g.amplitude[lane], -2.6f * dt, 2.6f * dt);
@@ -236,7 +233,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
         Place now = get_place(foot.from, lane);
         landing.yaw = now.yaw + wrap_angle(landing.yaw - now.yaw);
         if (leaves) {
-            lift_off(foot, lane);
+            foot.swinging[lane] = 1;
         } else {
             Place before = get_place(foot.to, lane);
             float blend = std::min(1.0f, 14 * dt);

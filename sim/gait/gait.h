@@ -35,7 +35,6 @@ struct alignas(64) GaitBlock {
     // Copied from the crowd each tick.
     float x[k_block], z[k_block];  // root on the ground plane
     float heading[k_block];        // yaw of the body
-    float speed[k_block];          // along the ground, m/s
     // The gait's own.
     float phase[k_block];  // of the left foot, [0, 1), 0 at its contact; the right foot is half a cycle later
     float duty[k_block];   // share of the cycle that a foot stands

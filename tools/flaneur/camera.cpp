@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/convert.h"
 
 namespace flaneur {
 
@@ -18,8 +19,6 @@ constexpr float k_sight = 60;        // how far ahead it cares, metres
 constexpr size_t k_candidates = 48;  // places that it tries
 constexpr int k_headings = 24;
 constexpr float k_half_view = 0.45f;  // radians, on the ground plane
-
-glm::vec3 to_glm(Vec3 v) { return {v.x, v.y, v.z}; }
 
 Camera make_camera(Vec3 eye, Vec3 target) {
     Camera camera;

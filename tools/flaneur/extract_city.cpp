@@ -3,17 +3,15 @@
 #include <vector>
 
 #include "assets/city.h"
+#include "assets/colour.h"
 #include "assets/props.h"
 #include "sim/base/rng.h"
+#include "tools/flaneur/convert.h"
 #include "tools/flaneur/extract.h"
 
 namespace flaneur {
 
 namespace {
-
-constexpr uint32_t rgb(uint32_t hex) {
-    return 0xff000000u | (hex & 0xffu) << 16 | (hex & 0xff00u) | (hex >> 16 & 0xffu);
-}
 
 constexpr uint32_t k_ground_colours[k_surface_count] = {
     rgb(0x45474a),  // road
@@ -32,20 +30,10 @@ constexpr uint32_t k_kerb = rgb(0x8c8984), k_riser = rgb(0x9a948a), k_garden_wal
 constexpr uint32_t k_flat_roof = rgb(0x8b8983), k_cornice = rgb(0xb5ac9c), k_tile_roof = rgb(0xb5694a),
                    k_slate_roof = rgb(0x5b626b);
 
-uint32_t shaded(uint32_t colour, float factor) {
-    uint32_t out = 0xff000000u;
-    for (int shift : {0, 8, 16}) {
-        float channel = static_cast<float>(colour >> shift & 0xffu) * factor;
-        out |= static_cast<uint32_t>(clamp(channel, 0, 255)) << shift;
-    }
-    return out;
-}
-
 CityVertex vertex(Vec3 position, Vec3 normal, uint32_t colour, glm::vec2 uv, uint32_t material,
                   uint16_t extra = 0) {
-    auto packed = [](float v) { return static_cast<int8_t>(std::lround(clamp(v, -1, 1) * 127)); };
     CityVertex v{};
-    v.position = {position.x, position.y, position.z};
+    v.position = to_glm(position);
     v.colour = colour;
     v.uv = uv;
     v.normal[0] = packed(normal.x);

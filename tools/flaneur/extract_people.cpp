@@ -1,16 +1,12 @@
 #include <algorithm>
-#include <cmath>
 
 #include "assets/outfit.h"
+#include "tools/flaneur/convert.h"
 #include "tools/flaneur/extract.h"
 
 namespace flaneur {
 
 namespace {
-
-glm::vec3 to_glm(Vec3 v) { return {v.x, v.y, v.z}; }
-
-int8_t packed(float v) { return static_cast<int8_t>(std::lround(clamp(v, -1, 1) * 127)); }
 
 PersonVertex to_vertex(const CharacterVertex& v) {
     PersonVertex out{};
@@ -84,7 +80,6 @@ void extract_people(const World& world, const std::vector<Character>& characters
             draw.mesh = crowd.body[i];
             draw.instance.palette = static_cast<uint32_t>(i) * k_palette_joints;
             draw.instance.scale = scale;
-            draw.instance.fade = 0;
             std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
                       std::begin(draw.instance.tints));
         }
