@@ -218,6 +218,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = feet[side];
         float p = foot_phase(g.phase[lane], side);
+        foot.phase[lane] = p;
         if (foot.swinging[lane] && p < 0.5f) touch_down(foot, lane);
         if (!foot.swinging[lane]) {
             bool lost = off[side].distance > k_lost * leg;
@@ -251,6 +252,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
 
     // The pelvis rides on the ground under the feet that carry it.
     float left = HWY_NAMESPACE::left_load(g.phase[lane], duty);
+    g.load[lane] = left;
     float target = feet[k_left].from.y[lane] * left + feet[k_right].from.y[lane] * (1 - left);
     float w = k_base_stiffness;
     float& velocity_y = g.base_velocity[lane];
@@ -297,6 +299,8 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
 
         g.duty[lane] = duty_factor(0);
         g.phase[lane] = random_unit(key, 200) < 0.5f ? 0.05f : 0.55f;
+        g.load[lane] = 0.5f;
+        g.course[lane] = 1;
         g.standing[lane] = 1;
         Vec3 at = real ? root.position[i] : Vec3{};
         float heading = real ? root.heading[i] : 0;
@@ -305,6 +309,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
         g.base[lane] = at.y;
         g.heading[lane] = heading;
         for (Side side : {k_left, k_right}) {
+            g.feet[side].phase[lane] = foot_phase(g.phase[lane], side);
             if (real) {
                 replant(g.feet[side], lane, city, person, side, at, heading);
             } else {

@@ -27,7 +27,16 @@ struct FootBlock {
     Place to;                 // where it stands, or will land
     float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
                               // way
+    float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
+    float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
     int32_t swinging[k_block];  // 1 from toe-off to contact
+};
+
+// What a hand reaches for.
+struct HandBlock {
+    float x[k_block], y[k_block], z[k_block];    // where the palm rests, in the world
+    float normal_x[k_block], normal_z[k_block];  // out of the wall, horizontal, unit
+    float reach[k_block];                        // 0: hangs and swings .. 1: rests there
 };
 
 // State of the gait, and what the pose reads.
@@ -38,12 +47,19 @@ struct alignas(64) GaitBlock {
     // The gait's own.
     float phase[k_block];  // of the left foot, [0, 1), 0 at its contact; the right foot is half a cycle later
     float duty[k_block];   // share of the cycle that a foot stands
+    float load[k_block];   // share of the body that the left leg carries
     float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
+    float running[k_block];    // 0 walking .. 1 running
+    float course[k_block];     // cosine between the way walked and the heading: 1 ahead, 0 aside, -1 back
+    float rise[k_block];       // metres climbed for each metre walked, smoothed
+    float lift[k_block];       // metres that a jump carries the body and both feet above their ways
+    float crouch[k_block];     // metres that the pelvis sinks, before and after a jump
     float base[k_block];       // smoothed height of the ground that the pelvis rides on
     float base_velocity[k_block];
     float look[k_block];        // yaw of the head against the body
     int32_t standing[k_block];  // 1: both feet down and the phase at rest
     FootBlock feet[2];
+    HandBlock hands[2];
 };
 
 // What makes one walker's body and manner, constant over its life. Sizes are the body's joints, scaled.
