@@ -44,6 +44,8 @@ HWY_INLINE LaneMask operator>=(Lanes a, Lanes b) { return {hn::Ge(a.v, b.v)}; }
 HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)}; }
 
+HWY_INLINE bool any(LaneMask m) { return !hn::AllFalse(LaneTag(), m.m); }
+
 HWY_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) { return hn::IfThenElse(m.m, a.v, b.v); }
 HWY_INLINE Lanes root(Lanes a) { return hn::Sqrt(a.v); }
 HWY_INLINE Lanes absolute(Lanes a) { return hn::Abs(a.v); }
@@ -51,6 +53,7 @@ HWY_INLINE Lanes rounded_down(Lanes a) { return hn::Floor(a.v); }
 HWY_INLINE void load(Lanes& to, const float* from) { to.v = hn::Load(LaneTag(), from); }
 HWY_INLINE void store(Lanes from, float* to) { hn::Store(from.v, LaneTag(), to); }
 
+HWY_INLINE bool any(bool m) { return m; }
 HWY_INLINE float select(bool m, float a, float b) { return m ? a : b; }
 HWY_INLINE float root(float a) { return std::sqrt(a); }
 HWY_INLINE float absolute(float a) { return std::fabs(a); }

@@ -35,6 +35,26 @@ HWY_INLINE SineCosine<T> sine_cosine(T x) {
     return {sine, cosine};
 }
 
+// Sine and cosine of half of `angle`, which lies within -pi .. pi: what a quaternion needs. Minimax
+// polynomials, error below 6e-7.
+template <class T>
+HWY_INLINE SineCosine<T> half_turn(T angle) {
+    T h = angle * T(0.5f), h2 = h * h;
+    T s = h * (T(9.99996616e-1f) +
+               h2 * (T(-1.66648284e-1f) + h2 * (T(8.30632497e-3f) + h2 * T(-1.83636471e-4f))));
+    T c = T(9.99999953e-1f) +
+          h2 * (T(-4.99999053e-1f) +
+                h2 * (T(4.16635847e-2f) + h2 * (T(-1.38537040e-3f) + h2 * T(2.31539249e-5f))));
+    return {s, c};
+}
+
+// Of the whole angle, from those of its half.
+template <class T>
+HWY_INLINE SineCosine<T> doubled(SineCosine<T> half) {
+    T twice = half.sine + half.sine;
+    return {twice * half.cosine, T(1.0f) - twice * half.sine};
+}
+
 template <class T>
 HWY_INLINE T arc_tangent(T y, T x) {
     T ax = absolute(x), ay = absolute(y);

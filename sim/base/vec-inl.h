@@ -7,6 +7,7 @@
 #endif
 
 #include "sim/base/lanes-inl.h"
+#include "sim/base/math-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
@@ -61,6 +62,57 @@ HWY_INLINE V3<T> rotate(Q4<T> q, V3<T> v) {
     V3<T> t = cross(u, v) * T(2.0f);
     return v + t * q.w + cross(u, t);
 }
+// q times a turn about the axis x, y or z, given by the sine and cosine of half of it.
+template <class T>
+HWY_INLINE Q4<T> turned_x(Q4<T> q, SineCosine<T> h) {
+    return {q.x * h.cosine + q.w * h.sine, q.y * h.cosine + q.z * h.sine, q.z * h.cosine - q.y * h.sine,
+            q.w * h.cosine - q.x * h.sine};
+}
+template <class T>
+HWY_INLINE Q4<T> turned_y(Q4<T> q, SineCosine<T> h) {
+    return {q.x * h.cosine - q.z * h.sine, q.y * h.cosine + q.w * h.sine, q.z * h.cosine + q.x * h.sine,
+            q.w * h.cosine - q.y * h.sine};
+}
+template <class T>
+HWY_INLINE Q4<T> turned_z(Q4<T> q, SineCosine<T> h) {
+    return {q.x * h.cosine + q.y * h.sine, q.y * h.cosine - q.x * h.sine, q.z * h.cosine + q.w * h.sine,
+            q.w * h.cosine - q.z * h.sine};
+}
+// A turn about y after q.
+template <class T>
+HWY_INLINE Q4<T> after_y(SineCosine<T> h, Q4<T> q) {
+    return {h.cosine * q.x + h.sine * q.z, h.cosine * q.y + h.sine * q.w, h.cosine * q.z - h.sine * q.x,
+            h.cosine * q.w - h.sine * q.y};
+}
+// Turns about y, then z, then x, each within the one before.
+template <class T>
+HWY_INLINE Q4<T> turned_yzx(SineCosine<T> y, SineCosine<T> z, SineCosine<T> x) {
+    Q4<T> q{y.sine * z.sine, y.sine * z.cosine, y.cosine * z.sine, y.cosine * z.cosine};
+    return turned_x(q, x);
+}
+
+// The axes that a rotation takes x, y and z to.
+template <class T>
+struct Axes {
+    V3<T> x, y, z;
+};
+template <class T>
+HWY_INLINE Axes<T> axes_of(Q4<T> q) {
+    T x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
+    T xx = q.x * x2, yy = q.y * y2, zz = q.z * z2, xy = q.x * y2, xz = q.x * z2, yz = q.y * z2;
+    T wx = q.w * x2, wy = q.w * y2, wz = q.w * z2, one = T(1.0f);
+    return {{one - yy - zz, xy + wz, xz - wy},
+            {xy - wz, one - xx - zz, yz + wx},
+            {xz + wy, yz - wx, one - xx - yy}};
+}
+// The rotation with these orthonormal axes, if it is nearer to the identity than half a turn.
+template <class T>
+HWY_INLINE Q4<T> rotation_of(Axes<T> a) {
+    T w = root(larger(T(1.0f) + a.x.x + a.y.y + a.z.z, T(1e-6f)));
+    T s = T(0.5f) / w;
+    return {(a.y.z - a.z.y) * s, (a.z.x - a.x.z) * s, (a.x.y - a.y.x) * s, w * T(0.5f)};
+}
+
 template <class T>
 HWY_INLINE Q4<T> unit(Q4<T> q) {
     T s = T(1.0f) / root(larger(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, T(1e-12f)));

@@ -13,27 +13,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-// The series in radians, from the sine and cosine of 2 pi phase; multiples of the angle by the recurrence
-// cos (k + 1)a = cos ka cos a - sin ka sin a.
+// cos and sin of 2 pi k phase, k = 1 .. N, for phase in [0, 1].
+template <class T, int N>
+struct Harmonics {
+    T cosine[N], sine[N];
+};
+// Multiples by Chebyshev's recurrence cos (k + 1)a = 2 cos a cos ka - cos (k - 1)a.
 template <int N, class T>
-HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, SineCosine<T> a) {
-    T value = T(curve.mean);
-    T c = a.cosine, s = a.sine;
-    for (int k = 0; k < N; ++k) {
-        value = value + c * T(curve.terms[k].cosine) + s * T(curve.terms[k].sine);
-        T next = c * a.cosine - s * a.sine;
-        s = s * a.cosine + c * a.sine;
-        c = next;
+HWY_INLINE Harmonics<T, N> harmonics(T phase) {
+    // sin(x + pi) = -sin x, so that the half turn stays within its range.
+    SineCosine<T> shifted = doubled(half_turn((phase - T(0.5f)) * T(2 * k_pi)));
+    Harmonics<T, N> h;
+    h.cosine[0] = T(0.0f) - shifted.cosine;
+    h.sine[0] = T(0.0f) - shifted.sine;
+    T twice = h.cosine[0] + h.cosine[0];
+    for (int k = 1; k < N; ++k) {
+        h.cosine[k] = twice * h.cosine[k - 1] - (k > 1 ? h.cosine[k - 2] : T(1.0f));
+        h.sine[k] = k > 1 ? twice * h.sine[k - 1] - h.sine[k - 2] : twice * h.sine[k - 1];
     }
-    return value * T(k_radians);
+    return h;
 }
 
-// A phase warped so that toe-off, at `duty`, meets the toe-off of the normal curves.
-template <class T>
-HWY_INLINE T norm_phase(T phase, T duty) {
-    T stance = phase * (T(k_norm_toe_off) / duty);
-    T swing = T(k_norm_toe_off) + (phase - duty) * (T(1.0f - k_norm_toe_off) / (T(1.0f) - duty));
-    return select(phase < duty, stance, swing);
+// The series in radians.
+template <int N, class T, int M>
+HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave) {
+    static_assert(N <= M);
+    T value = T(curve.mean * k_radians);
+    for (int k = 0; k < N; ++k) {
+        if (curve.terms[k].cosine != 0) value = value + wave.cosine[k] * T(curve.terms[k].cosine * k_radians);
+        if (curve.terms[k].sine != 0) value = value + wave.sine[k] * T(curve.terms[k].sine * k_radians);
+    }
+    return value;
 }
 
 // The share of the body that the left leg carries: 1 in its single support, sliding over in double support.

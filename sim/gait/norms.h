@@ -37,12 +37,19 @@ inline constexpr HarmonicCurve<6> k_norm_foot_pitch = {-12.1792f,
                                                         {0.2381f, 0.5680f}}};
 
 // Same side up +.
-inline constexpr HarmonicCurve<3> k_norm_pelvic_list = {
-    0.0f, {{2.7561f, 3.1983f}, {0.0203f, 0.0264f}, {-1.4058f, -0.0850f}}};
+inline constexpr HarmonicCurve<3> k_norm_pelvic_list = {0.0f,
+                                                        {{2.7561f, 3.1983f}, {0, 0}, {-1.4058f, -0.0850f}}};
 
 // Same side forward +.
 inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
-    0.0f, {{5.4471f, 2.6602f}, {0.1462f, -0.0164f}, {0.8309f, -0.3824f}}};
+    0.0f, {{5.4471f, 2.6602f}, {0, 0}, {0.8309f, -0.3824f}}};
+
+// The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, e = 1/2 - u, h = 16 u^2
+// (1 - u)^2: the way is 3u^2 - 2u^3 + h (way_0 + way_1 e), the lowest point stays h (clear_0 + clear_1 e +
+// clear_2 e^2) metres above the ground. Fitted so that thigh and knee move as in the norms.
+inline constexpr float k_sway = 0.020f;
+inline constexpr float k_way_0 = -0.06f, k_way_1 = 0;
+inline constexpr float k_clear_0 = 0.02f, k_clear_1 = 0, k_clear_2 = 0;
 
 // Timing of a walk at a given speed. Step length over leg length L:
 // 1.16 L (v / sqrt(g L))^0.5; stance as a share of the cycle: 62.5, 60.3, 59.1 % at 0.94, 1.24, 1.50 m/s.

@@ -1,0 +1,165 @@
+// One foot of a chunk of walkers: where it is, how it is pitched, over float or Lanes.
+#if defined(FLANEUR_SIM_POSE_FOOT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_POSE_FOOT_INL_H
+#undef FLANEUR_SIM_POSE_FOOT_INL_H
+#else
+#define FLANEUR_SIM_POSE_FOOT_INL_H
+#endif
+
+#include "sim/base/vec-inl.h"
+#include "sim/gait/curves-inl.h"
+#include "sim/gait/gait.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+template <class T>
+HWY_INLINE T at(const float* values) {
+    T v;
+    load(v, values);
+    return v;
+}
+
+template <class T>
+struct FootSizes {
+    T ankle;        // height of the ankle over the sole
+    T ball;         // from the ankle ahead to the ball
+    T ball_height;  // of the toe joint over the sole
+    T heel, toe;    // see Body
+};
+
+// What the gait wants of a walker now, shared by both feet.
+template <class T>
+struct Stride {
+    T duty, over_duty, over_swing;  // duty; its norm's share over it; the same of the swing
+    T amplitude, ahead, running, lift;
+};
+
+// The foot moves in the plane of its own `up` and `ahead`, in which places have two coordinates.
+template <class T>
+struct Foot {
+    Q4<T> flat;          // of the foot if it stood flat
+    V3<T> place;         // on the ground below the flat foot's ankle
+    V3<T> up, ahead;     // axes of the flat foot
+    T pitch, toe_pitch;  // toes up +, radians
+    T ankle_up, ankle_ahead;
+    SineCosine<T> half, toe_half;  // of -pitch, as turns about x
+    T knee;                        // flexion that the normal walk has now, radians
+    T stands;                      // 1 while planted, else 0
+    T leaving;                     // 0 while the body rests on it .. 1 at toe-off
+};
+
+template <class T>
+HWY_INLINE V3<T> from_place(const Foot<T>& foot, T up, T ahead) {
+    return foot.place + foot.up * up + foot.ahead * ahead;
+}
+template <class T>
+HWY_INLINE V3<T> ankle_of(const Foot<T>& foot) {
+    return from_place(foot, foot.ankle_up, foot.ankle_ahead);
+}
+// The toe joint, for the ankle at `ankle`.
+template <class T>
+HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> ankle) {
+    SineCosine<T> tilt = doubled(foot.half);  // of -pitch
+    T down = size.ball_height - size.ankle;
+    return ankle + foot.up * (down * tilt.cosine - size.ball * tilt.sine) +
+           foot.ahead * (size.ball * tilt.cosine + down * tilt.sine);
+}
+
+// Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
+// the heel has left, and neither point moves. In the swing the pivot wanders from ball back to heel while the
+// foot goes from one place to the next, its lowest point just above the ground.
+template <class T>
+HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s, const FootSizes<T>& size) {
+    T zero = T(0.0f), one = T(1.0f);
+    T phase = at<T>(f.phase + lane);
+    auto planted = phase < s.duty;
+    T u = select(planted, zero, (phase - s.duty) * s.over_swing);
+    T norm = select(planted, phase * s.over_duty, T(k_norm_toe_off) + u * T(1.0f - k_norm_toe_off));
+    Harmonics<T, 6> wave = harmonics<6>(norm);
+
+    Foot<T> out;
+    T pitch = curve_at(k_norm_foot_pitch, wave) * s.ahead;
+    T rolling = one - ramp(T(0.06f), T(0.12f), norm) * (one - ramp(T(0.32f), T(0.44f), norm));
+    pitch = select(planted, pitch * rolling, pitch);
+    auto toes_up = pitch > zero;
+    out.pitch = pitch;
+    out.toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)));
+    out.half = half_turn(zero - out.pitch);
+    out.toe_half = half_turn(zero - out.toe_pitch);
+    SineCosine<T> tilt = doubled(out.half);
+    T cosine = tilt.cosine, sine = zero - tilt.sine;
+
+    // How high the ankle stands over heel, ball and tip of the toes, each on the ground.
+    T level = size.ankle * cosine;
+    T over_heel = level + size.heel * sine;
+    T over_ball = level - size.ball * sine;
+    T over_tip = over_ball + size.toe * doubled(out.toe_half).sine;
+    T rest = one - u, hop4 = u * rest;
+    T hop = T(16.0f) * hop4 * hop4;  // 0 at both ends, 1 in the middle
+    T soft = T(0.05f) * hop;
+    T over = soft_larger(over_heel, soft_larger(over_ball, over_tip, soft), soft);
+    T early = T(0.5f) - u;
+    T clearance =
+        hop * mixed(T(0.05f), T(k_clear_0) + early * (T(k_clear_1) + early * T(k_clear_2)), s.amplitude);
+    out.ankle_up = over + clearance;
+
+    T back = size.ankle * sine;
+    T from_heel = size.heel * cosine - back - size.heel;
+    T from_ball = size.ball - size.ball * cosine - back;
+    out.ankle_ahead = mixed(from_ball, from_heel, select(planted, select(toes_up, one, zero), eased(u)));
+
+    // The way from place to place. A foot climbs early and comes down late.
+    T from_y = at<T>(f.from.y + lane), to_y = at<T>(f.to.y + lane);
+    T way = eased(u) + hop * (T(k_way_0) + early * T(k_way_1));  // as the foot of the normal walk moves
+    T climb = select(to_y > from_y, eased(u * T(1.6f)), eased(u * T(1.6f) - T(0.6f)));
+    out.place = {mixed(at<T>(f.from.x + lane), at<T>(f.to.x + lane), way),
+                 mixed(from_y, to_y, climb) + at<T>(f.obstacle + lane) * hop + s.lift,
+                 mixed(at<T>(f.from.z + lane), at<T>(f.to.z + lane), way)};
+    T yaw = mixed(at<T>(f.from.yaw + lane), at<T>(f.to.yaw + lane), way);
+    T nx = mixed(at<T>(f.from.normal_x + lane), at<T>(f.to.normal_x + lane), way);
+    T nz = mixed(at<T>(f.from.normal_z + lane), at<T>(f.to.normal_z + lane), way);
+
+    // The shortest way from up to the normal, after the yaw.
+    T w = one + root(larger(one - nx * nx - nz * nz, T(0.01f)));
+    T scale = one / root(nx * nx + nz * nz + w * w);
+    out.flat = turned_y(Q4<T>{nz * scale, zero, zero - nx * scale, w * scale}, sine_cosine(yaw * T(0.5f)));
+    Axes<T> axes = axes_of(out.flat);
+    out.up = axes.y;
+    out.ahead = axes.z;
+
+    out.knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave), T(0.03f)), s.amplitude);
+    out.stands = select(planted, one, zero);
+    out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
+    return out;
+}
+
+// Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
+// the angle.
+template <class T>
+HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip, T reach) {
+    V3<T> to_hip = hip - ankle_of(foot);
+    T distance2 = dot(to_hip, to_hip);
+    auto short_leg = (foot.leaving > T(0.0f)) & (foot.pitch <= T(0.0f)) & (distance2 > reach * reach);
+    if (!any(short_leg)) return;
+    T distance = root(distance2);
+    // How fast the ankle nears the hip as the heel rises: d/dpitch of its place in the foot's plane.
+    SineCosine<T> tilt = doubled(foot.half);
+    T cosine = tilt.cosine, sine = T(0.0f) - tilt.sine;
+    T move_up = size.ankle * sine + size.ball * cosine, move_ahead = size.ankle * cosine - size.ball * sine;
+    T gain = (dot(foot.up, to_hip) * move_up + dot(foot.ahead, to_hip) * move_ahead) / distance;
+    T angle = smaller((distance - reach) / larger(gain, T(0.03f)), T(0.3f));
+    foot.pitch = select(short_leg, foot.pitch - angle, foot.pitch);
+    SineCosine<T> half = half_turn(T(0.0f) - foot.pitch);
+    tilt = doubled(half);
+    foot.half = {select(short_leg, half.sine, foot.half.sine),
+                 select(short_leg, half.cosine, foot.half.cosine)};
+    foot.ankle_up = select(short_leg, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
+    foot.ankle_ahead =
+        select(short_leg, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
