@@ -34,14 +34,14 @@ HWY_INLINE Harmonics<T, N> harmonics(T phase) {
     return h;
 }
 
-// The series in radians.
+// The series, times `unit`.
 template <int N, class T, int M>
-HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave) {
+HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave, float unit = k_radians) {
     static_assert(N <= M);
-    T value = T(curve.mean * k_radians);
+    T value = T(curve.mean * unit);
     for (int k = 0; k < N; ++k) {
-        if (curve.terms[k].cosine != 0) value = value + wave.cosine[k] * T(curve.terms[k].cosine * k_radians);
-        if (curve.terms[k].sine != 0) value = value + wave.sine[k] * T(curve.terms[k].sine * k_radians);
+        if (curve.terms[k].cosine != 0) value = value + wave.cosine[k] * T(curve.terms[k].cosine * unit);
+        if (curve.terms[k].sine != 0) value = value + wave.sine[k] * T(curve.terms[k].sine * unit);
     }
     return value;
 }
@@ -50,7 +50,7 @@ HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave
 // `phase` is the left foot's.
 template <class T>
 HWY_INLINE T left_load(T phase, T duty) {
-    T both = duty - T(0.5f);
+    T both = (duty - T(0.5f)) * T(k_shift_width);
     return select(phase < T(0.5f), eased(phase / both), T(1.0f) - eased((phase - T(0.5f)) / both));
 }
 

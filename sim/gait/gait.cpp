@@ -21,7 +21,8 @@ constexpr float k_home_slack = 0.13f;  // a standing foot farther from its place
 constexpr float k_home_twist = 0.55f;  // or turned farther than this, radians
 constexpr float k_slowest = 0.62f;     // cycles/s while a foot is in the air
 constexpr float k_shuffle = 0.95f;     // cycles/s of stepping on the spot
-constexpr float k_lead = 0.38f;        // share of a foot's time on the ground before the hip passes over it
+constexpr float k_early = 0.006996f;       // share of the cycle by which the body trusts a foot before it is down
+constexpr float k_lead = 0.3891f;        // share of a foot's time on the ground before the hip passes over it
 constexpr float k_settled = 0.88f;     // share of the swing after which the landing place is kept
 constexpr float k_standing_speed = 0.08f;  // m/s
 constexpr float k_lost = 1.2f;             // legs; a planted foot farther from its place is set down anew
@@ -251,7 +252,7 @@ void advance_walker(GaitBlock& g, const PersonBlock& person, int lane, Vec3 root
     }
 
     // The pelvis rides on the ground under the feet that carry it.
-    float left = HWY_NAMESPACE::left_load(g.phase[lane], duty);
+    float left = HWY_NAMESPACE::left_load(foot_phase(g.phase[lane] + k_early, k_left), duty);
     g.load[lane] = left;
     float target = feet[k_left].from.y[lane] * left + feet[k_right].from.y[lane] * (1 - left);
     float w = k_base_stiffness;

@@ -44,16 +44,21 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_list = {0.0f,
 inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
     0.0f, {{5.4471f, 2.6602f}, {0, 0}, {0.8309f, -0.3824f}}};
 
-// The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, e = 1/2 - u, h = 16 u^2
-// (1 - u)^2: the way is 3u^2 - 2u^3 + h (way_0 + way_1 e), the lowest point stays h (clear_0 + clear_1 e +
-// clear_2 e^2) metres above the ground. Fitted so that thigh and knee move as in the norms.
+// The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, r = 1 - u, h = 16 u^2
+// r^2: its way is 3u^2 - 2u^3 - way_late u^5 r^3 - way h, its lowest point stays clear_early u^2 r^5 + clear
+// h metres above the ground, and its toes hang droop h radians lower than in the norm. Fitted so that thigh,
+// knee and ankle move as in the norms.
+inline constexpr float k_way_late = 11.99f, k_way = 0.02952f;
+inline constexpr float k_clear_early = 1.032f, k_clear = -0.001117f;
+inline constexpr float k_droop = -0.01412f, k_soft = 0.02156f;
+inline constexpr float k_land_0 = 1.187f, k_land_1 = 1.494f, k_knee_more = -0.0008148f;
+inline constexpr float k_straight = 0.004054f;
 inline constexpr float k_sway = 0.020f;
-inline constexpr float k_way_0 = -0.06f, k_way_1 = 0;
-inline constexpr float k_clear_0 = 0.02f, k_clear_1 = 0, k_clear_2 = 0;
+inline constexpr float k_shift_width = 1.138f;
 
 // Timing of a walk at a given speed. Step length over leg length L:
 // 1.16 L (v / sqrt(g L))^0.5; stance as a share of the cycle: 62.5, 60.3, 59.1 % at 0.94, 1.24, 1.50 m/s.
 inline constexpr float k_gravity = 9.81f;
-inline constexpr float k_step_factor = 1.16f;
+inline constexpr float k_step_factor = 1.141f;
 
 }  // namespace flaneur

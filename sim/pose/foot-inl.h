@@ -44,9 +44,9 @@ struct Foot {
     T pitch, toe_pitch;  // toes up +, radians
     T ankle_up, ankle_ahead;
     SineCosine<T> half, toe_half;  // of -pitch, as turns about x
-    T knee;                        // flexion that the normal walk has now, radians
-    T stands;                      // 1 while planted, else 0
+    T knee;     // cosine of the flexion that the normal walk has now
     T leaving;                     // 0 while the body rests on it .. 1 at toe-off
+    T slack;  // metres that the leg may fall short: none as it lands and stands, some as it leaves
 };
 
 template <class T>
@@ -81,7 +81,9 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     Foot<T> out;
     T pitch = curve_at(k_norm_foot_pitch, wave) * s.ahead;
     T rolling = one - ramp(T(0.06f), T(0.12f), norm) * (one - ramp(T(0.32f), T(0.44f), norm));
-    pitch = select(planted, pitch * rolling, pitch);
+    T rest = one - u, product = u * rest;
+    T hop = T(16.0f) * product * product;  // 0 at both ends, 1 in the middle
+    pitch = select(planted, pitch * rolling, pitch - T(k_droop) * hop * s.ahead);
     auto toes_up = pitch > zero;
     out.pitch = pitch;
     out.toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)));
@@ -95,13 +97,11 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T over_heel = level + size.heel * sine;
     T over_ball = level - size.ball * sine;
     T over_tip = over_ball + size.toe * doubled(out.toe_half).sine;
-    T rest = one - u, hop4 = u * rest;
-    T hop = T(16.0f) * hop4 * hop4;  // 0 at both ends, 1 in the middle
-    T soft = T(0.05f) * hop;
+    T soft = T(k_soft) * hop;
     T over = soft_larger(over_heel, soft_larger(over_ball, over_tip, soft), soft);
-    T early = T(0.5f) - u;
+    T square = product * product;
     T clearance =
-        hop * mixed(T(0.05f), T(k_clear_0) + early * (T(k_clear_1) + early * T(k_clear_2)), s.amplitude);
+        mixed(hop * T(0.05f), T(k_clear_early) * square * rest * rest * rest + T(k_clear) * hop, s.amplitude);
     out.ankle_up = over + clearance;
 
     T back = size.ankle * sine;
@@ -111,7 +111,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
 
     // The way from place to place. A foot climbs early and comes down late.
     T from_y = at<T>(f.from.y + lane), to_y = at<T>(f.to.y + lane);
-    T way = eased(u) + hop * (T(k_way_0) + early * T(k_way_1));  // as the foot of the normal walk moves
+    T way = eased(u) - T(k_way_late) * square * product * u * u - T(k_way) * hop;
     T climb = select(to_y > from_y, eased(u * T(1.6f)), eased(u * T(1.6f) - T(0.6f)));
     out.place = {mixed(at<T>(f.from.x + lane), at<T>(f.to.x + lane), way),
                  mixed(from_y, to_y, climb) + at<T>(f.obstacle + lane) * hop + s.lift,
@@ -128,9 +128,10 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     out.up = axes.y;
     out.ahead = axes.z;
 
-    out.knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave), T(0.03f)), s.amplitude);
-    out.stands = select(planted, one, zero);
+    T knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave) + T(k_knee_more), T(0.03f)), s.amplitude);
+    out.knee = doubled(half_turn(knee)).cosine;
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
+    out.slack = select(planted, out.leaving * T(0.03f), T(0.3f) * (one - ramp(T(k_land_0), T(k_land_1), u)));
     return out;
 }
 

@@ -39,8 +39,7 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
         T x = pelvis.place.x + pelvis.to_hip[side].x - ankle.x,
           z = pelvis.place.z + pelvis.to_hip[side].z - ankle.z;
         T flat2 = x * x + z * z;
-        T length2 = squares + product * doubled(half_turn(foot.knee)).cosine;
-        T above = root(larger(length2 - flat2, least)) - hip_up;
+        T above = root(larger(squares + product * foot.knee - flat2, least)) - hip_up;
         wanted = wanted + (above + ankle.y - foot.place.y) * (side == k_left ? load : one - load);
         limits[side] = root(larger(full2 - flat2, least)) + ankle.y - hip_up;
     }
@@ -48,9 +47,8 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     // but a leg about to leave may be: its heel gives.
     T y = base + wanted - crouch;
     for (int side = 0; side < 2; ++side) {
-        T free = y + T(0.3f);
-        T limit = select(feet[side].stands > T(0.5f), limits[side] + feet[side].leaving * T(0.03f), free);
-        y = soft_smaller(y, smaller(limit, free), T(0.004f));
+        T limit = smaller(limits[side] + feet[side].slack, y + T(0.3f));
+        y = soft_smaller(y, limit, T(k_straight));
     }
     pelvis.place.y = y + lift;
     for (int side = 0; side < 2; ++side) {
