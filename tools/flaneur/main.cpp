@@ -27,6 +27,8 @@ Result<void> run(const Options& options) {
 #endif
         case Command::sim:
             return run_sim(options);
+        case Command::gait:
+            return run_gait(options);
         default:
             return run_bench(options);
     }

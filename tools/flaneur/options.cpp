@@ -49,6 +49,10 @@ Examples:
   flaneur bench frame --walkers 500 --size 1280x720
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json)";
 
+constexpr const char* k_gait_footer =
+    R"(Examples:
+  flaneur gait --speed 1.3 --check)";
+
 template <class T>
 bool parse_number(std::string_view text, T& to) {
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
@@ -218,6 +222,26 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 
+void add_gait(CLI::App& app, Options& options) {
+    GaitOptions& gait = options.gait;
+    CLI::App* command =
+        app.add_subcommand("gait", "Walk one person and measure the walk")->footer(k_gait_footer);
+    command->callback([&] { options.command = Command::gait; });
+    auto number = [&](const char* name, auto& to, double low, double high, const char* unit,
+                      const char* what) {
+        command->add_option(name, to, what)
+            ->type_name(unit)
+            ->check(CLI::Range(low, high).description(""))
+            ->capture_default_str();
+    };
+    number("--speed", gait.speed, 0.3, 4, "M/S", "How fast");
+    number("--height", gait.height, 0.9, 2.2, "M", "How tall");
+    number("--seconds", gait.seconds, 10, 120, "T", "From standing to standing");
+    add_parsed(*command, "--style", parse_seed, gait.style, "Whose manner of walking", "S", "1");
+    command->add_flag("--check", gait.check, "Fail if a bar is not met");
+    command->add_flag("--curves", gait.curves, "Print the curves beside the norm");
+}
+
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene) return scene.error();
@@ -302,6 +326,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_render(app, words, options);
     add_sim(app, words, options);
     add_bench(app, words, options);
+    add_gait(app, options);
 
     try {
         app.parse(argc, argv);
@@ -315,7 +340,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
         if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
             what = who + " has no option or word " + app.remaining(true).front() + ".";
         } else if (app.get_subcommands().empty()) {
-            what = "say what to do: view, render, sim or bench.";
+            what = "say what to do: view, render, sim, bench or gait.";
         }
         if (!what.ends_with('.')) what += ".";
         return Error{what + " `" + who + " --help` explains."};

@@ -11,7 +11,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench };
+enum class Command { view, render, sim, bench, gait };
 enum class BenchLoad { frame, crowd, pose };
 
 struct Size {
@@ -28,6 +28,16 @@ struct CameraChoice {
     enum class Kind { overview, street, follow, fixed } kind = Kind::street;
     uint32_t walker = 0;  // follow
     Vec3 eye, target;     // fixed, metres
+};
+
+// One person's walk, measured.
+struct GaitOptions {
+    float speed = 1.3f;    // m/s
+    float height = 1.75f;  // metres
+    uint64_t style = 1;    // who walks: draws what differs between people
+    double seconds = 25;   // from standing to standing
+    bool check = false;
+    bool curves = false;
 };
 
 struct Options {
@@ -57,6 +67,8 @@ struct Options {
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;  // or ticks
     std::string json;
+
+    GaitOptions gait;
 };
 
 // "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0". Refuses anything else.

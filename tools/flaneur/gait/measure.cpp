@@ -1,0 +1,363 @@
+#include "tools/flaneur/gait/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/math.h"
+#include "sim/gait/norms.h"
+#include "tools/flaneur/figures.h"
+#include "tools/flaneur/gait/signal.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr double k_degrees = 180 / std::numbers::pi;
+
+// Joints of one side.
+struct Limb {
+    Joint upper_leg, lower_leg, foot, toes, upper_arm, lower_arm, hand;
+};
+constexpr Limb k_limbs[2] = {
+    {left_upper_leg, left_lower_leg, left_foot, left_toes, left_upper_arm, left_lower_arm, left_hand},
+    {right_upper_leg, right_lower_leg, right_foot, right_toes, right_upper_arm, right_lower_arm, right_hand}};
+
+Vec3 ahead(const Instant& now) { return at_height(heading_direction(now.heading), 0); }
+Vec3 left(const Instant& now) {
+    Vec2 d = heading_direction(now.heading);
+    return {d.z, 0, -d.x};
+}
+double dot_d(Vec3 a, Vec3 b) { return static_cast<double>(dot(a, b)); }
+double metres(float v) { return static_cast<double>(v); }
+
+Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }
+
+// Degrees that a hanging bone is swung forward from the vertical, seen from the side.
+double inclination(const Instant& now, Joint top, Joint bottom) {
+    Vec3 bone = place(now, bottom) - place(now, top);
+    return std::atan2(dot_d(bone, ahead(now)), -metres(bone.y)) * k_degrees;
+}
+
+double pitch(const Instant& now, Side side) {
+    Vec3 foot = now.feet[side].sole.ball - now.feet[side].sole.heel;
+    return std::asin(std::clamp(metres(foot.y) / metres(length(foot)), -1.0, 1.0)) * k_degrees;
+}
+
+// Degrees between two bones that meet in `middle`; 0 when straight.
+double bend(const Instant& now, Joint top, Joint middle, Joint bottom) {
+    Vec3 a = place(now, middle) - place(now, top), b = place(now, bottom) - place(now, middle);
+    return std::atan2(metres(length(cross(a, b))), dot_d(a, b)) * k_degrees;
+}
+
+// Yaw to the left of where the body heads.
+double yaw(const Instant& now, Joint joint) {
+    Vec3 front = rotate(now.joints[joint].rotation, Vec3{0, 0, 1});
+    return std::atan2(dot_d(front, left(now)), dot_d(front, ahead(now))) * k_degrees;
+}
+
+template <class F>
+Samples series(const Walk& walk, const F& value) {
+    Samples s;
+    s.reserve(walk.ticks.size());
+    for (const Instant& now : walk.ticks) s.push_back(value(now));
+    return s;
+}
+
+// The mean over strides of both sides of a value that `value(now, side)` gives, seen from that side.
+template <class F>
+Curve mean_curve(const Walk& walk, const std::vector<Stride>& strides, const F& value, bool centre = false) {
+    Samples sides[2];
+    for (Side side : {k_left, k_right})
+        sides[side] = series(walk, [&](const Instant& now) { return value(now, side); });
+    Curve sum{};
+    for (const Stride& s : strides) {
+        Curve one = cycle_of(sides[s.side], s.begin, s.end);
+        if (centre) one = centred(one);
+        for (size_t p = 0; p < sum.size(); ++p) sum[p] += one[p] / static_cast<double>(strides.size());
+    }
+    return sum;
+}
+
+double mirror(Side side) { return side == k_left ? 1 : -1; }
+
+// First event in `events` after `tick`, or -1.
+double next_after(const std::vector<double>& events, double tick) {
+    auto it = std::upper_bound(events.begin(), events.end(), tick);
+    return it == events.end() ? -1 : *it;
+}
+
+// A percent within the first (period) percent, brought near 0: 98 becomes -2.
+double near_zero(double percent, double period) {
+    double p = std::fmod(percent, period);
+    return p > period / 2 ? p - period : p;
+}
+
+double first_below(const Curve& c, size_t from, double value) {
+    for (size_t p = from; p < c.size(); ++p) {
+        if (c[p] <= value) {
+            if (p == 0) return 0;
+            return static_cast<double>(p) - (value - c[p]) / std::max(c[p - 1] - c[p], 1e-9);
+        }
+    }
+    return 100;
+}
+
+void measure_joints(const Curves& c, Quantities& q) {
+    auto compare = [&](const std::string& name, const Curve& is, const Curve& norm) {
+        q.push_back({name + ".rmse", rmse(is, norm)});
+        q.push_back({name + ".rmse0", rmse(centred(is), centred(norm))});
+        q.push_back({name + ".r", correlation(is, norm)});
+        q.push_back({name + ".range", range(is)});
+    };
+    compare("thigh", c.thigh, k_reference.thigh);
+    compare("knee", c.knee, k_reference.knee);
+    compare("ankle", c.ankle, k_reference.ankle);
+    compare("foot_pitch", c.foot_pitch, k_reference.foot_pitch);
+    compare("pelvis_list", c.pelvis_list, centred(k_reference.pelvis_list));
+    compare("pelvis_rotation", c.pelvis_rotation, centred(k_reference.pelvis_rotation));
+
+    auto peak = [&](const std::string& name, Peak p) {
+        q.push_back({name + ".deg", p.value});
+        q.push_back({name + ".pct", p.percent});
+    };
+    peak("knee_swing_peak", highest(c.knee, 55, 95));
+    peak("knee_loading_peak", highest(c.knee, 4, 28));
+    q.push_back({"knee_contact.deg", c.knee[0]});
+    q.push_back({"knee_stance_low.deg", lowest(c.knee, 25, 55).value});
+    q.push_back({"thigh_contact.deg", c.thigh[0]});
+    peak("thigh_back", lowest(c.thigh, 35, 70));
+    peak("ankle_up", highest(c.ankle, 20, 58));
+    peak("ankle_down", lowest(c.ankle, 50, 80));
+    q.push_back({"foot_pitch_contact.deg", c.foot_pitch[0]});
+    peak("foot_pitch_low", lowest(c.foot_pitch, 50, 85));
+    // Thresholds that the norm's own foot pitch passes at 8.6 and 42.8 percent.
+    double flat = first_below(c.foot_pitch, 0, 3);
+    q.push_back({"foot_flat.pct", flat});
+    q.push_back({"heel_off.pct", first_below(c.foot_pitch, static_cast<size_t>(flat) + 1, -5)});
+}
+
+void measure_timing(const Walk& walk, const std::vector<Stride>& all, const Curves& c, Quantities& q) {
+    double n = static_cast<double>(all.size());
+    double seconds = 0, stance = 0, both = 0, distance = 0, length_sum = 0, width = 0, out = 0;
+    for (const Stride& s : all) {
+        double ticks = s.end - s.begin;
+        seconds += ticks / walk.rate;
+        stance += (s.toe_off - s.begin) / ticks;
+        // In a run the other foot leaves before this one comes: a negative share, flight.
+        auto share = [&](double from, double to) { return near_zero((to - from) / ticks + 1, 1); };
+        both += share(s.begin, s.other_toe_off) + share(s.other_contact, s.toe_off);
+        auto at = [&](double percent) -> const Instant& {
+            return walk.ticks[static_cast<size_t>(std::lround(s.begin + percent / 100 * ticks))];
+        };
+        const Instant &start = at(0), &here = at(20), &other = at(70), &end = at(100);
+        Side far = s.side == k_left ? k_right : k_left;
+        distance += metres(length(on_ground(end.root) - on_ground(start.root)));
+        Vec3 step = place(other, k_limbs[far].foot) - place(here, k_limbs[s.side].foot);
+        length_sum += dot_d(step, ahead(here));
+        width += -mirror(s.side) * dot_d(step, left(here));
+        Vec3 foot = here.feet[s.side].sole.ball - here.feet[s.side].sole.heel;
+        out += mirror(s.side) * std::atan2(dot_d(foot, left(here)), dot_d(foot, ahead(here))) * k_degrees;
+    }
+    double speed = distance / seconds, step = length_sum / n, cadence = 120 * n / seconds;
+    double leg = metres(leg_length(walk.body)), g = metres(k_gravity);
+    q.push_back({"speed.m_s", speed});
+    q.push_back({"leg.m", leg});
+    q.push_back({"stride.s", seconds / n});
+    q.push_back({"step_length.m", step});
+    q.push_back({"step_length.ratio", step / (1.16 * leg * std::sqrt(speed / std::sqrt(g * leg)))});
+    q.push_back({"cadence.spm", cadence});
+    q.push_back({"walk_ratio.m_spm", step / cadence});
+    q.push_back({"stance.pct", 100 * stance / n});
+    q.push_back({"double_support.pct", 100 * both / n});
+    q.push_back({"step_width.m", width / n});
+    q.push_back({"toe_out.deg", out / n});
+
+    // The toe's low point in mid-swing: lowest after the hump that follows toe-off.
+    Peak hump = highest(c.toe_height, static_cast<int>(100 * stance / n), 84);
+    Peak low = lowest(c.toe_height, static_cast<int>(hump.percent) + 1, 92);
+    q.push_back({"toe_clearance.mm", low.value});
+    q.push_back({"toe_clearance.pct", low.percent});
+
+    double fastest = 0;
+    for (size_t p = 0; p < 100; ++p) {
+        double slope = (c.knee[p + 1] - c.knee[p]) * 100 / (seconds / n);
+        fastest = std::max(fastest, std::fabs(slope));
+    }
+    q.push_back({"knee_speed.deg_s", fastest});
+}
+
+void measure_trunk(const Walk& walk, const std::vector<Stride>& all, const Curves& c, Quantities& q) {
+    q.push_back({"pelvis_vertical.mm", range(c.pelvis_height)});
+    q.push_back({"pelvis_lateral.mm", range(c.pelvis_side)});
+    // Twice a cycle: both halves laid over each other.
+    Curve half;
+    for (size_t p = 0; p < half.size(); ++p)
+        half[p] = (c.pelvis_height[p % 100] + c.pelvis_height[(p + 50) % 100]) / 2;
+    q.push_back({"pelvis_low.pct", lowest(half, -20, 24).percent});
+    q.push_back({"pelvis_high.pct", highest(half, 10, 45).percent});
+    q.push_back(
+        {"trunk_pelvis.deg", phase_between(harmonic(c.pelvis_rotation, 1), harmonic(c.trunk_rotation, 1))});
+    q.push_back({"trunk_rotation.deg", range(c.trunk_rotation)});
+    q.push_back({"head_yaw.deg", range(c.head_rotation)});
+    q.push_back({"head_pitch.deg", range(c.head_pitch)});
+    q.push_back({"upper_arm.range", range(c.upper_arm)});
+    q.push_back({"elbow.range", range(c.elbow)});
+    q.push_back({"elbow.mean", mean(c.elbow)});
+    Wave arm = harmonic(c.upper_arm, 1), arm2 = harmonic(c.upper_arm, 2);
+    q.push_back({"arm_leg.deg", phase_between(harmonic(c.thigh, 1), arm)});
+    q.push_back({"arm_twice.ratio", arm2.amplitude / std::max(arm.amplitude, 1e-9)});
+
+    auto begin = static_cast<size_t>(all.front().begin), end = static_cast<size_t>(all.back().end);
+    auto jerk = [&](const char* name, Joint joint) {
+        std::vector<Vec3> path;
+        for (const Instant& now : walk.ticks) path.push_back(place(now, joint));
+        q.push_back({name, mean_jerk(path, walk.rate, begin, end)});
+    };
+    jerk("jerk_pelvis.m_s3", hips);
+    jerk("jerk_head.m_s3", head);
+    jerk("jerk_wrist.m_s3", left_hand);
+    jerk("jerk_ankle.m_s3", left_foot);
+}
+
+}  // namespace
+
+std::vector<Stride> strides(const Walk& walk, size_t first, size_t last) {
+    std::vector<double> contacts[2], toe_offs[2];
+    for (Side side : {k_left, k_right}) {
+        for (size_t t = 1; t < walk.ticks.size(); ++t) {
+            bool was = walk.ticks[t - 1].feet[side].swinging, is = walk.ticks[t].feet[side].swinging;
+            if (was && !is) contacts[side].push_back(static_cast<double>(t) - 0.5);
+            if (!was && is) toe_offs[side].push_back(static_cast<double>(t) - 0.5);
+        }
+    }
+    std::vector<Stride> found;
+    for (Side side : {k_left, k_right}) {
+        Side other = side == k_left ? k_right : k_left;
+        for (size_t i = 0; i + 1 < contacts[side].size(); ++i) {
+            Stride s{side, contacts[side][i], 0, contacts[side][i + 1], 0, 0};
+            if (s.begin < static_cast<double>(first) || s.end > static_cast<double>(last)) continue;
+            s.toe_off = next_after(toe_offs[side], s.begin);
+            s.other_contact = next_after(contacts[other], s.begin);
+            s.other_toe_off = next_after(toe_offs[other], s.begin);
+            bool whole = s.other_contact > 0 && s.other_contact <= s.end && s.other_toe_off > 0 &&
+                         s.other_toe_off <= s.end;
+            if (whole) found.push_back(s);
+        }
+    }
+    std::sort(found.begin(), found.end(), [](const Stride& a, const Stride& b) { return a.begin < b.begin; });
+    return found;
+}
+
+Curves curves_of(const Walk& walk, const std::vector<Stride>& all) {
+    auto of = [&](auto value, bool centre = false) { return mean_curve(walk, all, value, centre); };
+    auto shank = [](const Instant& now, Side s) {
+        return inclination(now, k_limbs[s].lower_leg, k_limbs[s].foot);
+    };
+    Curves c;
+    c.thigh = of([](const Instant& now, Side s) {
+        return inclination(now, k_limbs[s].upper_leg, k_limbs[s].lower_leg);
+    });
+    c.knee = of([&](const Instant& now, Side s) {
+        return inclination(now, k_limbs[s].upper_leg, k_limbs[s].lower_leg) - shank(now, s);
+    });
+    c.ankle = of([&](const Instant& now, Side s) { return pitch(now, s) - shank(now, s); });
+    c.foot_pitch = of([](const Instant& now, Side s) { return pitch(now, s); });
+    c.pelvis_list = of(
+        [](const Instant& now, Side s) {
+            Vec3 across = rotate(now.joints[hips].rotation, Vec3{1, 0, 0});
+            return mirror(s) * std::asin(std::clamp(metres(across.y), -1.0, 1.0)) * k_degrees;
+        },
+        true);
+    // A pelvis that yaws to the left has its right side forward.
+    auto turned = [](Joint joint) {
+        return [joint](const Instant& now, Side s) { return -mirror(s) * yaw(now, joint); };
+    };
+    c.pelvis_rotation = of(turned(hips), true);
+    c.trunk_rotation = of(turned(upper_chest), true);
+    c.head_rotation = of(turned(head), true);
+    c.head_pitch = of(
+        [](const Instant& now, Side) {
+            Vec3 front = rotate(now.joints[head].rotation, Vec3{0, 0, 1});
+            return std::asin(std::clamp(metres(front.y), -1.0, 1.0)) * k_degrees;
+        },
+        true);
+    c.upper_arm = of([](const Instant& now, Side s) {
+        return inclination(now, k_limbs[s].upper_arm, k_limbs[s].lower_arm);
+    });
+    c.elbow = of([](const Instant& now, Side s) {
+        return bend(now, k_limbs[s].upper_arm, k_limbs[s].lower_arm, k_limbs[s].hand);
+    });
+    c.pelvis_height =
+        of([](const Instant& now, Side) { return 1000 * metres(place(now, hips).y - now.root.y); }, true);
+    c.pelvis_side =
+        of([](const Instant& now,
+              Side s) { return 1000 * mirror(s) * dot_d(place(now, hips) - now.root, left(now)); },
+           true);
+    c.heel_height = of([](const Instant& now, Side s) {
+        return 1000 * metres(now.feet[s].sole.heel.y - now.feet[s].ground[0]);
+    });
+    c.toe_height = of([](const Instant& now, Side s) {
+        const FootInstant& f = now.feet[s];
+        return 1000 * metres(std::min(f.sole.ball.y - f.ground[1], f.sole.tip.y - f.ground[2]));
+    });
+    return c;
+}
+
+Quantities measure_contact(const Walk& walk, const std::vector<Stride>& all) {
+    double ankle = 0, toe = 0, below = 0, above = 0, skate = 0;
+    int skated = 0;
+    Samples slips{0};
+    for (const Stride& s : all) {
+        auto at = [&](double percent) {
+            return static_cast<size_t>(std::ceil(s.begin + (s.end - s.begin) * percent / 100));
+        };
+        const Instant& start = walk.ticks[at(15)];
+        Joint foot = k_limbs[s.side].foot;
+        for (size_t t = at(15); t <= at(45) && static_cast<double>(t) < s.toe_off; ++t) {
+            const Instant &now = walk.ticks[t], &before = walk.ticks[t - 1];
+            if (t <= at(30)) ankle = std::max(ankle, metres(length(place(now, foot) - place(start, foot))));
+            const FootInstant& f = now.feet[s.side];
+            toe = std::max(toe, metres(length(f.sole.ball - start.feet[s.side].sole.ball)));
+            // Zhang et al. 2018: displacement a frame of 1/30 s, weighted by 2 - 2^(h / 25 mm).
+            double height = std::clamp(metres(f.sole.ball.y - f.ground[1]) / 0.025, 0.0, 1.0);
+            Vec2 moved = on_ground(f.sole.ball) - on_ground(before.feet[s.side].sole.ball);
+            skate += metres(length(moved)) * walk.rate / 30 * (2 - std::exp2(height));
+            ++skated;
+        }
+        for (size_t t = at(0); static_cast<double>(t) < s.toe_off; ++t) {
+            const FootInstant &f = walk.ticks[t].feet[s.side], &b = walk.ticks[t + 1].feet[s.side];
+            const Vec3 now[3] = {f.sole.heel, f.sole.ball, f.sole.tip};
+            const Vec3 next[3] = {b.sole.heel, b.sole.ball, b.sole.tip};
+            double lowest = 1e9, slowest = 1e9;
+            for (size_t i = 0; i < 3; ++i) {
+                double height = metres(now[i].y - f.ground[i]);
+                lowest = std::min(lowest, height);
+                slowest = std::min(slowest, metres(length(next[i] - now[i])) * walk.rate);
+            }
+            below = std::max(below, -lowest);
+            above = std::max(above, lowest);
+            if (!b.swinging) slips.push_back(slowest);
+        }
+    }
+    return {{"planted_ankle_drift.mm", 1000 * ankle},
+            {"planted_toe_drift.mm", 1000 * toe},
+            {"slip_speed_p99.m_s", quantile(slips, 0.99)},
+            {"penetration.mm", 1000 * below},
+            {"float.mm", 1000 * above},
+            {"skate_zhang.mm", skated ? 1000 * skate / skated : 0}};
+}
+
+Level measure_level(const Walk& walk, size_t first, size_t last) {
+    std::vector<Stride> all = strides(walk, first, last);
+    Level level;
+    if (all.size() < 2) return level;
+    level.curves = curves_of(walk, all);
+    measure_joints(level.curves, level.quantities);
+    measure_timing(walk, all, level.curves, level.quantities);
+    measure_trunk(walk, all, level.curves, level.quantities);
+    for (Quantity& q : measure_contact(walk, all)) level.quantities.push_back(std::move(q));
+    return level;
+}
+
+}  // namespace flaneur

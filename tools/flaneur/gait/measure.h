@@ -1,0 +1,49 @@
+// The quantities of gait analysis, out of a recorded walk. Angles in degrees, lengths as the names say;
+// percent of the gait cycle from initial contact of the same side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/flaneur/gait/reference.h"
+#include "tools/flaneur/gait/walk.h"
+
+namespace flaneur {
+
+struct Quantity {
+    std::string name;
+    double value = 0;
+};
+using Quantities = std::vector<Quantity>;
+
+// One cycle of contacts of one foot: ticks, a half before the one that first showed each event, which is
+// where it lies on average.
+struct Stride {
+    Side side = k_left;
+    double begin = 0, toe_off = 0, end = 0;
+    double other_contact = 0, other_toe_off = 0;  // of the other foot, within the stride
+};
+
+// Strides that begin at tick `first` or later and end at `last` or sooner.
+std::vector<Stride> strides(const Walk& walk, size_t first, size_t last);
+
+// Mean curves over the strides of both sides.
+struct Curves {
+    Curve thigh, knee, ankle, foot_pitch, pelvis_list, pelvis_rotation;
+    Curve trunk_rotation, head_rotation, head_pitch, upper_arm, elbow;
+    Curve pelvis_height, pelvis_side;  // mm, mean 0; side: towards the foot that has come down
+    Curve heel_height, toe_height;     // mm of the sole over the ground; toe: the lower one of ball and tip
+};
+Curves curves_of(const Walk& walk, const std::vector<Stride>& strides);
+
+// Everything about steady straight walking over ticks [first, last).
+struct Level {
+    Curves curves;
+    Quantities quantities;
+};
+Level measure_level(const Walk& walk, size_t first, size_t last);
+
+// Drift, penetration and float of planted feet over the whole walk; names as in the bars.
+Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides);
+
+}  // namespace flaneur
