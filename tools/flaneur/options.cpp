@@ -50,8 +50,15 @@ Examples:
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json)";
 
 constexpr const char* k_gait_footer =
-    R"(Examples:
-  flaneur gait --speed 1.3 --check)";
+    R"(Prints each quantity of the walk beside the bar it is held to; docs/gait.md explains both.
+Examples:
+  flaneur gait --speed 1.3                                 one person on level ground
+  flaneur gait --speed 1.3 --check                         every walk that has bars: fails if one is missed
+  flaneur gait --speed 1.3 --svg out/gait.svg --json out/gait.json
+  flaneur gait --sex woman --age 75                        as fast as she likes
+  flaneur gait --turn 180                                  a half turn on the way
+  flaneur gait --stairs up --riser 0.16 --tread 0.32
+  flaneur gait --slope -8)";
 
 template <class T>
 bool parse_number(std::string_view text, T& to) {
@@ -222,24 +229,52 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 
+Result<Sex> parse_sex(const std::string& text) {
+    if (text == "woman") return Sex::woman;
+    if (text == "man") return Sex::man;
+    return Error{"--sex " + text + " is neither woman nor man."};
+}
+
+Result<std::string> parse_stairs(const std::string& text) {
+    if (text == "up" || text == "down") return text;
+    return Error{"--stairs " + text + " is neither up nor down."};
+}
+
 void add_gait(CLI::App& app, Options& options) {
     GaitOptions& gait = options.gait;
     CLI::App* command =
         app.add_subcommand("gait", "Walk one person and measure the walk")->footer(k_gait_footer);
     command->callback([&] { options.command = Command::gait; });
-    auto number = [&](const char* name, auto& to, double low, double high, const char* unit,
-                      const char* what) {
+    auto number = [&](const char* group, const char* name, double& to, double low, double high,
+                      const char* unit, const std::string& what, const char* shown = "") {
         command->add_option(name, to, what)
             ->type_name(unit)
             ->check(CLI::Range(low, high).description(""))
-            ->capture_default_str();
+            ->default_str(shown)
+            ->group(group);
     };
-    number("--speed", gait.speed, 0.3, 4, "M/S", "How fast");
-    number("--height", gait.height, 0.9, 2.2, "M", "How tall");
-    number("--seconds", gait.seconds, 10, 120, "T", "From standing to standing");
-    add_parsed(*command, "--style", parse_seed, gait.style, "Whose manner of walking", "S", "1");
-    command->add_flag("--check", gait.check, "Fail if a bar is not met");
-    command->add_flag("--curves", gait.curves, "Print the curves beside the norm");
+    constexpr const char *k_who = "Who", *k_where = "Where";
+    number(k_who, "--speed", gait.speed, 0.3, 4, "M/S", "How fast; without it, as fast as such people like");
+    number(k_who, "--height", gait.height, 0.8, 2.3, "M", "How tall; without it, as tall as such people are");
+    add_parsed(*command, "--sex", parse_sex, gait.sex, "woman or man", "SEX", "man")->group(k_who);
+    number(k_who, "--age", gait.age, 4, 100, "YEARS", "How old", "30");
+    add_parsed(*command, "--style", parse_seed, gait.style, "Another seed gives another manner of walking",
+               "S", "1")
+        ->group(k_who);
+    number(k_where, "--seconds", gait.seconds, 12, 600, "T", "On level ground, from standing to standing",
+           "25");
+    number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");
+    add_parsed(*command, "--stairs", parse_stairs, gait.stairs, "A flight up or down", "up|down", "")
+        ->group(k_where);
+    number(k_where, "--riser", gait.riser, 0.05, 0.25, "M", "Height of a stair", "0.17");
+    number(k_where, "--tread", gait.tread, 0.2, 0.6, "M", "Depth of a stair", "0.29");
+    number(k_where, "--slope", gait.slope, -25, 25, "PERCENT", "Up, or down, so many metres in a hundred");
+    number(k_where, "--kerb", gait.kerb, 0.02, 0.25, "M", "Up a kerb so high and down again");
+    command->add_option("--csv", gait.csv, "Write every quantity and curve")->type_name("FILE");
+    command->add_option("--json", options.json, "The same")->type_name("FILE");
+    command->add_option("--svg", gait.svg, "Draw the curves over those of people")->type_name("FILE");
+    command->add_flag("--check", gait.check,
+                      "Fail if a bar is not met; without a place, try every walk that has bars");
 }
 
 Result<void> settle_scene(const SceneWords& words, Options& options) {

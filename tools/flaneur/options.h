@@ -30,14 +30,23 @@ struct CameraChoice {
     Vec3 eye, target;     // fixed, metres
 };
 
-// One person's walk, measured.
+enum class Sex { woman, man };
+
+// Who walks where; zeros and empty words ask for nothing.
 struct GaitOptions {
-    float speed = 1.3f;    // m/s
-    float height = 1.75f;  // metres
-    uint64_t style = 1;    // who walks: draws what differs between people
-    double seconds = 25;   // from standing to standing
+    double speed = 0;   // m/s; 0: what people of that age and sex prefer
+    double height = 0;  // metres; 0: what people of that age and sex have
+    Sex sex = Sex::man;
+    double age = 30;
+    uint64_t style = 1;  // draws what differs between people of one body
+    double seconds = 25;
+    double turn = 0;                    // degrees to the left
+    std::string stairs;                 // up, down
+    double riser = 0.17, tread = 0.29;  // metres
+    double slope = 0;                   // metres up in a hundred
+    double kerb = 0;                    // metres
     bool check = false;
-    bool curves = false;
+    std::string csv, svg;
 };
 
 struct Options {

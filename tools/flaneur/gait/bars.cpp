@@ -1,11 +1,17 @@
 #include "tools/flaneur/gait/bars.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sim/gait/norms.h"
 
 namespace flaneur {
 
 namespace {
 
+constexpr const char* k_mocap = "CMU motion capture";
+constexpr const char* k_upper = "Murakami & Otaka 2017";
+constexpr const char* k_rigid = "feet are rigid and stand";
 constexpr const char* k_norms = "Winter 1991, Fukuchi 2018";
 
 // Bars at natural speed.
@@ -48,23 +54,17 @@ constexpr Bar k_natural[] = {
     {"toe_clearance.pct", 78, 87, 0, "Winter 1991, Schulz 2011"},
     {"pelvis_low.pct", -2, 8, 0, "Orendurff 2004"},
     {"pelvis_high.pct", 25, 35, 0, "Orendurff 2004"},
-    {"trunk_pelvis.deg", 120, 240, 0, "Murakami & Otaka 2017"},
-    {"head_yaw.deg", 0, 6, 0, "Murakami & Otaka 2017"},
-    {"head_pitch.deg", 0, 5, 0, "Murakami & Otaka 2017"},
-    {"upper_arm.range", 20, 40, 0, "Murakami & Otaka 2017"},
-    {"elbow.range", 12, 35, 0, "Murakami & Otaka 2017"},
-    {"elbow.mean", 25, 42, 0, "Murakami & Otaka 2017"},
-    {"arm_leg.deg", 150, 210, 0, "Murakami & Otaka 2017"},
-    {"planted_ankle_drift.mm", 0, 2, 0, "CMU motion capture: 7"},
-    {"planted_toe_drift.mm", 0, 3, 0, "CMU motion capture: 13"},
-    {"slip_speed_p99.m_s", 0, 0.05, 0, ""},
-    {"skate_zhang.mm", 0, 0.2, 0, "Zhang 2018; motion capture: 1.2"},
-    {"penetration.mm", -k_open, 3, 0, ""},
-    {"float.mm", -k_open, 5, 0, ""},
-    {"jerk_pelvis.m_s3", 50, 140, 0, "CMU motion capture"},
-    {"jerk_head.m_s3", 50, 140, 0, "CMU motion capture"},
-    {"jerk_wrist.m_s3", 60, 205, 0, "CMU motion capture"},
-    {"jerk_ankle.m_s3", 110, 300, 0, "CMU motion capture"},
+    {"trunk_pelvis.deg", 120, 240, 0, k_upper},
+    {"head_yaw.deg", 0, 6, 0, k_upper},
+    {"head_pitch.deg", 0, 5, 0, k_upper},
+    {"upper_arm.range", 20, 40, 0, k_upper},
+    {"elbow.range", 12, 35, 0, k_upper},
+    {"elbow.mean", 25, 42, 0, k_upper},
+    {"arm_leg.deg", 150, 210, 0, k_upper},
+    {"jerk_pelvis.m_s3", 50, 140, 0, k_mocap},
+    {"jerk_head.m_s3", 50, 140, 0, k_mocap},
+    {"jerk_wrist.m_s3", 60, 205, 0, k_mocap},
+    {"jerk_ankle.m_s3", 110, 300, 0, k_mocap},
 };
 
 // A bar that follows the speed: linear between the points and beyond them, with a tolerance around it.
@@ -84,8 +84,62 @@ constexpr SpeedBar k_by_speed[] = {
 };
 constexpr Bar k_any_speed[] = {
     {"step_length.ratio", 0.9, 1.1, 0, "1.16 L (v / sqrt(g L))^0.5"},
-    {"walk_ratio.m_spm", 0.0052, 0.0073, 0, "Murakami & Otaka 2017"},
+    {"walk_ratio.m_spm", 0.0052, 0.0073, 0, k_upper},
 };
+
+constexpr Bar k_slow[] = {{"arm_twice.ratio", 1, k_open, 0, k_upper}};
+constexpr Bar k_transients[] = {
+    {"start.steps", 2, 3, 0, "Winter 1991"},
+    {"stop.steps", 1, 3, 0, "Hase & Stein 1999"},
+};
+// On level ground, and wherever the whole foot finds room.
+constexpr Bar k_contact[] = {
+    {"planted_ankle_drift.mm", 0, 2, 0, "motion capture: 7"},
+    {"planted_toe_drift.mm", 0, 3, 0, "motion capture: 13"},
+    {"stance_drift.mm", 0, 3, 0, k_rigid},
+    {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
+    {"skate_zhang.mm", 0, 0.2, 0, "Zhang 2018; motion capture: 1.2"},
+    {"penetration.mm", -k_open, 3, 0, k_rigid},
+    {"float.mm", -k_open, 5, 0, k_rigid},
+    {"swing_penetration.mm", -k_open, 3, 0, k_rigid},
+};
+// Where a foot rests on a part of its sole.
+constexpr Bar k_rough_contact[] = {
+    {"stance_drift.mm", 0, 3, 0, k_rigid},
+    {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
+    {"penetration.mm", -k_open, 5, 0, k_rigid},
+    {"float.mm", -k_open, 5, 0, k_rigid},
+    {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
+};
+constexpr Bar k_run[] = {
+    {"cadence.spm", 140, 170, 0, "155 at 3.1 m/s, CMU motion capture"},
+    {"stance.pct", 38, 48, 0, "43 at 3.1 m/s, CMU motion capture"},
+    {"knee_swing_peak.deg", 84, 104, 0, "94 at 3.1 m/s, CMU motion capture"},
+    {"elbow.mean", 91, 121, 0, "106 at 3.1 m/s, CMU motion capture"},
+    {"double_support.pct", -k_open, 0, 0, "a run has flight"},
+    {"stance_drift.mm", 0, 3, 0, k_rigid},
+    {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
+    {"penetration.mm", -k_open, 3, 0, k_rigid},
+    {"float.mm", -k_open, 5, 0, k_rigid},
+    {"swing_penetration.mm", -k_open, 3, 0, k_rigid},
+};
+constexpr Bar k_half_turn[] = {
+    {"turn.s", 1.6, 2.8, 0, k_mocap},
+    {"turn_peak.deg_s", 110, 170, 0, k_mocap},
+    {"turn_least_speed.m_s", 0.05, 0.3, 0, "0.1 to 0.2; Hase & Stein 1999, CMU motion capture"},
+};
+constexpr Bar k_turn[] = {{"head_lead.ms", 150, 350, 0, "Grasso 1996"}};
+constexpr Bar k_stairs[] = {
+    {"speed.m_s", 0.45, 0.65, 0, "0.5 to 0.6; Riener 2002"},
+    {"foot_pitch_contact.deg", -k_open, 0, 0, "forefoot first; Riener 2002"},
+    {"stairs_a_step", 0.95, 1.05, 0, "one stair a step"},
+};
+constexpr Bar k_stairs_up[] = {{"knee_swing_peak.deg", 85, 105, 0, "90 to 100; Riener 2002"}};
+constexpr Bar k_stairs_down[] = {{"knee_swing_peak.deg", 80, 95, 0, "85 to 90; Riener 2002"}};
+// Self-chosen speed: Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), 15 % either way. Knees meet an
+// upward slope more bent (Leroux 2002; Lay 2006).
+constexpr Bar k_slope_up[] = {{"knee_contact.against_level", 0, 20, 0, "Leroux 2002, Lay 2006"}};
+constexpr Bar k_gaits[] = {{"run_from.m_s", 1.9, 2.3, 0, "Froude number 0.5"}};
 
 Bar at_speed(const SpeedBar& b, double speed) {
     size_t i = speed < b.speeds[1] ? 0 : 1;
@@ -95,14 +149,66 @@ Bar at_speed(const SpeedBar& b, double speed) {
     return {b.quantity, value - slack, value + slack, 0, b.source};
 }
 
+template <size_t N>
+void add(std::vector<Bar>& bars, const Bar (&more)[N]) {
+    for (const Bar& bar : more) bars.push_back(bar);
+}
+
 }  // namespace
 
-std::vector<Bar> level_bars(double speed) {
+std::vector<Bar> level_bars(double speed, double leg) {
     std::vector<Bar> bars;
-    bool natural = speed > 1.2 && speed < 1.4;
-    if (natural) bars.assign(std::begin(k_natural), std::end(k_natural));
-    bars.insert(bars.end(), std::begin(k_any_speed), std::end(k_any_speed));
+    if (speed * speed / (static_cast<double>(k_gravity) * leg) > 0.55) {
+        add(bars, k_run);
+        return bars;
+    }
+    if (speed > 1.2 && speed < 1.4) add(bars, k_natural);
+    if (speed < 0.75) add(bars, k_slow);
+    add(bars, k_any_speed);
     for (const SpeedBar& b : k_by_speed) bars.push_back(at_speed(b, speed));
+    add(bars, k_contact);
+    add(bars, k_transients);
+    return bars;
+}
+
+std::vector<Bar> turn_bars(double degrees) {
+    std::vector<Bar> bars;
+    if (std::fabs(degrees) > 170) add(bars, k_half_turn);
+    add(bars, k_turn);
+    add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> stairs_bars(bool up) {
+    std::vector<Bar> bars;
+    add(bars, k_stairs);
+    if (up) {
+        add(bars, k_stairs_up);
+    } else {
+        add(bars, k_stairs_down);
+    }
+    add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> slope_bars(double percent) {
+    double ratio = std::exp(-3.5 * std::fabs(percent / 100 + 0.05)) / std::exp(-3.5 * 0.05);
+    std::vector<Bar> bars;
+    bars.push_back({"speed.against_level", 0.85 * ratio, 1.15 * ratio, 0, "Tobler 1993"});
+    if (percent > 0) add(bars, k_slope_up);
+    add(bars, k_contact);
+    return bars;
+}
+
+std::vector<Bar> kerb_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> gaits_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_gaits);
     return bars;
 }
 

@@ -1,75 +1,100 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/gait/bars.h"
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/report.h"
+#include "tools/flaneur/output.h"
 
 namespace flaneur {
 
 namespace {
 
-// One line a bar; how many do not pass.
-int print_table(const std::string& title, const std::vector<Verdict>& verdicts) {
-    int failed = 0;
-    std::printf("%s\n  %-26s %9s   %-19s %s\n", title.c_str(), "quantity", "measured", "bar", "");
-    for (const Verdict& v : verdicts) {
-        char bar[64];
-        if (v.bar.low <= -k_open) {
-            std::snprintf(bar, sizeof bar, "<= %.4g", v.bar.high);
-        } else if (v.bar.high >= k_open) {
-            std::snprintf(bar, sizeof bar, ">= %.4g", v.bar.low);
-        } else {
-            std::snprintf(bar, sizeof bar, "%.4g .. %.4g", v.bar.low, v.bar.high);
-        }
-        std::printf("  %-26s %9.4g   %-19s %s", v.bar.quantity, v.value, bar, v.pass ? "pass" : "FAIL");
-        if (v.bar.stretch > 0) std::printf("   stretch %.4g: %+.2f", v.bar.stretch, v.value - v.bar.stretch);
-        std::printf("\n");
-        failed += !v.pass;
-    }
-    return failed;
+// Preferred speed, m/s, by decade of age from the twenties on: Bohannon & Andrews, Physiotherapy 97, 2011.
+constexpr double k_women[] = {1.34, 1.34, 1.39, 1.31, 1.24, 1.13, 0.94};
+constexpr double k_men[] = {1.36, 1.43, 1.43, 1.43, 1.34, 1.26, 0.97};
+// Middle heights, metres, of girls and boys at 4, 6 .. 18 years: WHO growth reference, 2007.
+constexpr double k_girls_grow[] = {1.03, 1.15, 1.27, 1.39, 1.51, 1.60, 1.625, 1.63};
+constexpr double k_boys_grow[] = {1.03, 1.16, 1.27, 1.38, 1.49, 1.63, 1.73, 1.765};
+
+double usual_height(const GaitOptions& gait) {
+    const double* grow = gait.sex == Sex::woman ? k_girls_grow : k_boys_grow;
+    double at = std::clamp((gait.age - 4.0) / 2, 0.0, 7.0);
+    auto i = static_cast<size_t>(std::min(at, 6.0));
+    return grow[i] + (grow[i + 1] - grow[i]) * (at - static_cast<double>(i));
+}
+
+// Children walk at the Froude number of those in their twenties.
+double usual_speed(const GaitOptions& gait, double height) {
+    const double* table = gait.sex == Sex::woman ? k_women : k_men;
+    double decade = std::clamp((gait.age - 25.0) / 10, 0.0, 6.0);
+    auto i = static_cast<size_t>(std::min(decade, 5.0));
+    double speed = table[i] + (table[i + 1] - table[i]) * (decade - static_cast<double>(i));
+    return gait.age < 18 ? speed * std::sqrt(height / (gait.sex == Sex::woman ? 1.63 : 1.765)) : speed;
+}
+
+std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
+    std::vector<Report> reports{try_level(person, speed, gait.seconds)};
+    for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
+    reports.push_back(try_gaits(person));
+    reports.push_back(try_turn(person, speed, 180));
+    for (bool up : {true, false}) reports.push_back(try_stairs(person, up, gait.riser, gait.tread));
+    for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
+    reports.push_back(try_kerb(person, speed, 0.12));
+    return reports;
+}
+
+std::vector<Report> chosen_trials(const Person& person, double speed, const GaitOptions& gait) {
+    std::vector<Report> reports;
+    if (gait.turn != 0) reports.push_back(try_turn(person, speed, gait.turn));
+    if (!gait.stairs.empty())
+        reports.push_back(try_stairs(person, gait.stairs == "up", gait.riser, gait.tread));
+    if (gait.slope != 0) reports.push_back(try_slope(person, speed, gait.slope));
+    if (gait.kerb != 0) reports.push_back(try_kerb(person, speed, gait.kerb));
+    if (!reports.empty()) return reports;
+    if (gait.check) return every_trial(person, speed, gait);
+    return {try_level(person, speed, gait.seconds)};
+}
+
+Result<void> write(PartFilePtr file, const std::string& text) {
+    if (!file) return {};
+    std::fwrite(text.data(), 1, text.size(), file->file);
+    return keep_file(std::move(file));
 }
 
 }  // namespace
 
 Result<void> run_gait(const Options& options) {
     const GaitOptions& gait = options.gait;
-    Body body = standard_body(gait.height);
-    City flat = strip([](float) { return 0.0f; }, {-50, 200}, false);
-    int failed = 0, bars = 0;
-    std::vector<float> speeds{gait.speed};
-    if (gait.check && gait.speed > 1.2f && gait.speed < 1.4f) speeds.insert(speeds.end(), {0.95f, 1.5f});
-    for (float speed : speeds) {
-        double seconds = gait.seconds;
-        Walk w = walk(flat, body, gait.style, seconds, [&](double t) {
-            return Wish{t > 1 && t < seconds - 3 ? speed : 0, 0};
-        });
-        auto tick = [&](double t) { return static_cast<size_t>(t * w.rate); };
-        Level level = measure_level(w, tick(5), tick(seconds - 3));
-        char title[64];
-        std::snprintf(title, sizeof title, "Level, %.2f m/s", static_cast<double>(speed));
-        std::vector<Verdict> verdicts = judge(level.quantities, level_bars(static_cast<double>(speed)));
-        failed += print_table(title, verdicts);
-        bars += static_cast<int>(verdicts.size());
-        if (gait.curves) {
-            std::printf(
-                "pct  thigh  norm   knee  norm  ankle  norm  pitch  norm   list  norm    rot  norm  height   "
-                "side   toe_h  arm  elbow\n");
-            const Curves& c = level.curves;
-            for (size_t p = 0; p < 100; p += 2) {
-                std::printf(
-                    "%3zu %6.1f%6.1f %6.1f%6.1f %6.1f%6.1f %6.1f%6.1f %6.1f%6.1f %6.1f%6.1f  %6.1f %6.1f "
-                    "%7.1f %5.1f %5.1f\n",
-                    p, c.thigh[p], k_reference.thigh[p], c.knee[p], k_reference.knee[p], c.ankle[p],
-                    k_reference.ankle[p], c.foot_pitch[p], k_reference.foot_pitch[p], c.pelvis_list[p],
-                    k_reference.pelvis_list[p], c.pelvis_rotation[p], k_reference.pelvis_rotation[p],
-                    c.pelvis_height[p], c.pelvis_side[p], c.toe_height[p], c.upper_arm[p], c.elbow[p]);
-            }
-        }
+    PartFilePtr files[3];
+    const std::string* paths[3] = {&gait.csv, &options.json, &gait.svg};
+    for (int i = 0; i < 3; ++i) {
+        if (paths[i]->empty()) continue;
+        Result<PartFilePtr> file = open_file(*paths[i]);
+        if (!file) return file.error();
+        files[i] = std::move(*file);
     }
-    std::printf("%d of %d bars passed.\n", bars - failed, bars);
-    if (gait.check && failed > 0)
-        return Error{std::to_string(failed) + " of " + std::to_string(bars) + " bars are not met."};
-    return {};
+    double height = gait.height > 0 ? gait.height : usual_height(gait);
+    double speed = gait.speed > 0 ? gait.speed : usual_speed(gait, height);
+    Person person{standard_body(static_cast<float>(height)), gait.style};
+    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, manner %llu\n",
+                gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
+                static_cast<double>(leg_length(person.body)), static_cast<unsigned long long>(gait.style));
+
+    std::vector<Report> reports = chosen_trials(person, speed, gait);
+    int failed = 0, bars = 0;
+    for (const Report& r : reports) {
+        print_report(r, reports.size() == 1);
+        failed += failed_count(r);
+        bars += static_cast<int>(r.verdicts.size());
+    }
+    std::printf("\n%d of %d bars met.\n", bars - failed, bars);
+    if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
+    if (Result<void> done = write(std::move(files[1]), reports_json(reports)); !done) return done;
+    if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
+    if (!gait.check || failed == 0) return {};
+    return Error{std::to_string(failed) + " of " + std::to_string(bars) +
+                 " bars are not met; the lines above that say FAIL name them."};
 }
 
 }  // namespace flaneur

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
-#include "tools/flaneur/figures.h"
+#include "tools/flaneur/gait/contact.h"
 #include "tools/flaneur/gait/signal.h"
 
 namespace flaneur {
@@ -15,14 +16,6 @@ namespace {
 
 constexpr double k_degrees = 180 / std::numbers::pi;
 
-// Joints of one side.
-struct Limb {
-    Joint upper_leg, lower_leg, foot, toes, upper_arm, lower_arm, hand;
-};
-constexpr Limb k_limbs[2] = {
-    {left_upper_leg, left_lower_leg, left_foot, left_toes, left_upper_arm, left_lower_arm, left_hand},
-    {right_upper_leg, right_lower_leg, right_foot, right_toes, right_upper_arm, right_lower_arm, right_hand}};
-
 Vec3 ahead(const Instant& now) { return at_height(heading_direction(now.heading), 0); }
 Vec3 left(const Instant& now) {
     Vec2 d = heading_direction(now.heading);
@@ -30,8 +23,6 @@ Vec3 left(const Instant& now) {
 }
 double dot_d(Vec3 a, Vec3 b) { return static_cast<double>(dot(a, b)); }
 double metres(float v) { return static_cast<double>(v); }
-
-Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }
 
 // Degrees that a hanging bone is swung forward from the vertical, seen from the side.
 double inclination(const Instant& now, Joint top, Joint bottom) {
@@ -222,6 +213,14 @@ void measure_trunk(const Walk& walk, const std::vector<Stride>& all, const Curve
 
 }  // namespace
 
+void append(Quantities& to, const Quantities& more) { to.insert(to.end(), more.begin(), more.end()); }
+
+double value_of(const Quantities& quantities, std::string_view name) {
+    auto it =
+        std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
+    return it == quantities.end() ? std::numeric_limits<double>::quiet_NaN() : it->value;
+}
+
 std::vector<Stride> strides(const Walk& walk, size_t first, size_t last) {
     std::vector<double> contacts[2], toe_offs[2];
     for (Side side : {k_left, k_right}) {
@@ -304,50 +303,6 @@ Curves curves_of(const Walk& walk, const std::vector<Stride>& all) {
     return c;
 }
 
-Quantities measure_contact(const Walk& walk, const std::vector<Stride>& all) {
-    double ankle = 0, toe = 0, below = 0, above = 0, skate = 0;
-    int skated = 0;
-    Samples slips{0};
-    for (const Stride& s : all) {
-        auto at = [&](double percent) {
-            return static_cast<size_t>(std::ceil(s.begin + (s.end - s.begin) * percent / 100));
-        };
-        const Instant& start = walk.ticks[at(15)];
-        Joint foot = k_limbs[s.side].foot;
-        for (size_t t = at(15); t <= at(45) && static_cast<double>(t) < s.toe_off; ++t) {
-            const Instant &now = walk.ticks[t], &before = walk.ticks[t - 1];
-            if (t <= at(30)) ankle = std::max(ankle, metres(length(place(now, foot) - place(start, foot))));
-            const FootInstant& f = now.feet[s.side];
-            toe = std::max(toe, metres(length(f.sole.ball - start.feet[s.side].sole.ball)));
-            // Zhang et al. 2018: displacement a frame of 1/30 s, weighted by 2 - 2^(h / 25 mm).
-            double height = std::clamp(metres(f.sole.ball.y - f.ground[1]) / 0.025, 0.0, 1.0);
-            Vec2 moved = on_ground(f.sole.ball) - on_ground(before.feet[s.side].sole.ball);
-            skate += metres(length(moved)) * walk.rate / 30 * (2 - std::exp2(height));
-            ++skated;
-        }
-        for (size_t t = at(0); static_cast<double>(t) < s.toe_off; ++t) {
-            const FootInstant &f = walk.ticks[t].feet[s.side], &b = walk.ticks[t + 1].feet[s.side];
-            const Vec3 now[3] = {f.sole.heel, f.sole.ball, f.sole.tip};
-            const Vec3 next[3] = {b.sole.heel, b.sole.ball, b.sole.tip};
-            double lowest = 1e9, slowest = 1e9;
-            for (size_t i = 0; i < 3; ++i) {
-                double height = metres(now[i].y - f.ground[i]);
-                lowest = std::min(lowest, height);
-                slowest = std::min(slowest, metres(length(next[i] - now[i])) * walk.rate);
-            }
-            below = std::max(below, -lowest);
-            above = std::max(above, lowest);
-            if (!b.swinging) slips.push_back(slowest);
-        }
-    }
-    return {{"planted_ankle_drift.mm", 1000 * ankle},
-            {"planted_toe_drift.mm", 1000 * toe},
-            {"slip_speed_p99.m_s", quantile(slips, 0.99)},
-            {"penetration.mm", 1000 * below},
-            {"float.mm", 1000 * above},
-            {"skate_zhang.mm", skated ? 1000 * skate / skated : 0}};
-}
-
 Level measure_level(const Walk& walk, size_t first, size_t last) {
     std::vector<Stride> all = strides(walk, first, last);
     Level level;
@@ -356,7 +311,7 @@ Level measure_level(const Walk& walk, size_t first, size_t last) {
     measure_joints(level.curves, level.quantities);
     measure_timing(walk, all, level.curves, level.quantities);
     measure_trunk(walk, all, level.curves, level.quantities);
-    for (Quantity& q : measure_contact(walk, all)) level.quantities.push_back(std::move(q));
+    append(level.quantities, measure_contact(walk, all));
     return level;
 }
 

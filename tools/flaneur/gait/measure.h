@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/flaneur/gait/reference.h"
@@ -10,11 +11,16 @@
 
 namespace flaneur {
 
+// `name` ends in the unit, or in what the number is: "knee_swing_peak.deg", "knee.rmse".
 struct Quantity {
     std::string name;
     double value = 0;
 };
 using Quantities = std::vector<Quantity>;
+
+void append(Quantities& to, const Quantities& more);
+// Not a number if there is none of that name.
+double value_of(const Quantities& quantities, std::string_view name);
 
 // One cycle of contacts of one foot: ticks, a half before the one that first showed each event, which is
 // where it lies on average.
@@ -42,8 +48,5 @@ struct Level {
     Quantities quantities;
 };
 Level measure_level(const Walk& walk, size_t first, size_t last);
-
-// Drift, penetration and float of planted feet over the whole walk; names as in the bars.
-Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides);
 
 }  // namespace flaneur

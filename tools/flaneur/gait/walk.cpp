@@ -1,5 +1,7 @@
 #include "tools/flaneur/gait/walk.h"
 
+#include <algorithm>
+
 #include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
 
@@ -8,21 +10,37 @@ namespace flaneur {
 namespace {
 
 constexpr float k_faster = 1.6f, k_slower = 2.2f;  // m/s2
-constexpr float k_turn_faster = 8;                 // rad/s2
+constexpr float k_turn = 2.6f, k_turn_faster = 8;  // rad/s, rad/s2
+constexpr float k_turn_stiffness = 4;              // 1/s
+constexpr float k_turn_speed = 0.15f;              // m/s, of one who faces away from the way to go
 
-FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses, Side side) {
+// One tick of velocity, heading and turn rate towards the wish.
+void follow(Vec2 wish, Vec2& velocity, float& heading, float& turn_rate) {
+    float wanted = length(wish), speed = length(velocity), off = 0;
+    if (wanted > 0.01f) off = wrap_angle(heading_of(wish) - heading);
+    float facing = std::max(0.0f, sin_cos(off).cosine);
+    float target = std::min(wanted, k_turn_speed + (wanted - k_turn_speed) * facing);
+    float rate = clamp(off * k_turn_stiffness, -k_turn, k_turn);
+    speed += clamp(target - speed, -k_slower * k_tick, k_faster * k_tick);
+    turn_rate += clamp(rate - turn_rate, -k_turn_faster * k_tick, k_turn_faster * k_tick);
+    heading += turn_rate * k_tick;
+    velocity = heading_direction(heading) * speed;
+}
+
+}  // namespace
+
+FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses,
+                         size_t walker, Side side) {
     FootInstant foot;
-    foot.sole = sole(poses, gait, 0, side);
-    foot.swinging = gait.blocks[0].feet[side].swinging[0] != 0;
+    foot.sole = sole(poses, gait, walker, side);
+    foot.swinging = gait.blocks[walker / k_block].feet[side].swinging[walker % k_block] != 0;
     const Vec3 points[3] = {foot.sole.heel, foot.sole.ball, foot.sole.tip};
     for (int i = 0; i < 3; ++i) {
-        auto hit = ground(city, points[i], 0.5f, 1);
+        auto hit = ground(city, points[i], 0.25f, 0.5f);
         foot.ground[i] = hit ? hit->height : points[i].y;
     }
     return foot;
 }
-
-}  // namespace
 
 City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped) {
     City city;
@@ -39,30 +57,25 @@ City strip(const std::function<float(float z)>& height, const std::vector<float>
     return city;
 }
 
-Walk walk(const City& city, const Body& body, uint64_t style, double seconds,
-          const std::function<Wish(double time)>& wish) {
-    Walk result{body, 1 / static_cast<double>(k_tick), {}};
-    std::vector<Body> bodies{body};
+Walk walk(const City& city, const Person& person, double seconds, const Wish& wish) {
+    Walk result{person.body, 1 / static_cast<double>(k_tick), {}};
+    std::vector<Body> bodies{person.body};
     uint32_t index = 0;
-    float scale = 1, heading = 0, turn_rate = 0, speed = 0;
+    float scale = 1, heading = 0, turn_rate = 0;
     Vec3 position;
-    if (auto hit = ground(city, {0, 1, 0}, 100, 100)) position.y = hit->height;
+    if (auto hit = ground(city, {0, 0, 0}, 100, 100)) position.y = hit->height;
     Vec2 velocity;
     RootMotion root{&position, &velocity, &heading, &turn_rate};
     Gait gait;
-    start_gait(gait, 1, bodies, &index, &scale, root, city, style);
+    start_gait(gait, 1, bodies, &index, &scale, root, city, person.style);
     std::vector<PoseBlock> poses(1);
 
     auto ticks = static_cast<uint32_t>(seconds * result.rate);
     for (uint32_t t = 0; t < ticks; ++t) {
-        Wish w = wish(t / result.rate);
-        speed += clamp(w.speed - speed, -k_slower * k_tick, k_faster * k_tick);
-        turn_rate += clamp(w.turn_rate - turn_rate, -k_turn_faster * k_tick, k_turn_faster * k_tick);
-        heading += turn_rate * k_tick;
-        velocity = heading_direction(heading) * speed;
+        follow(wish(t / result.rate), velocity, heading, turn_rate);
         position += at_height(velocity * k_tick, 0);
         if (auto hit = ground(city, position)) position.y = hit->height;
-        advance_gait(gait, 0, 1, root, city, style, t, k_tick);
+        advance_gait(gait, 0, 1, root, city, person.style, t, k_tick);
         pose_blocks(gait, 0, 1, poses);
 
         Instant now;
@@ -71,7 +84,7 @@ Walk walk(const City& city, const Body& body, uint64_t style, double seconds,
         now.heading = heading;
         for (size_t j = 0; j < k_joint_count; ++j)
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
-        for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(city, gait, poses, side);
+        for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(city, gait, poses, 0, side);
         result.ticks.push_back(now);
     }
     return result;

@@ -18,6 +18,10 @@ struct FootInstant {
     bool swinging = false;
 };
 
+// A foot of the pose as it is now.
+FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses,
+                         size_t walker, Side side);
+
 struct Instant {
     Vec3 root;
     Vec2 velocity;
@@ -26,11 +30,15 @@ struct Instant {
     FootInstant feet[2];
 };
 
-// What the legs are asked for.
-struct Wish {
-    float speed = 0;      // m/s
-    float turn_rate = 0;  // rad/s
+inline Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }
+
+// Joints of one side.
+struct Limb {
+    Joint upper_leg, lower_leg, foot, upper_arm, lower_arm, hand;
 };
+inline constexpr Limb k_limbs[2] = {
+    {left_upper_leg, left_lower_leg, left_foot, left_upper_arm, left_lower_arm, left_hand},
+    {right_upper_leg, right_lower_leg, right_foot, right_upper_arm, right_lower_arm, right_hand}};
 
 struct Walk {
     Body body;
@@ -42,9 +50,17 @@ struct Walk {
 // the height of its middle (`stepped`) or runs straight from one end's height to the other's.
 City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped);
 
-// Walks for `seconds` from (0, 0), facing +z. `wish` gives what is asked for at a time; speed and turning
-// follow it as fast as legs can.
-Walk walk(const City& city, const Body& body, uint64_t style, double seconds,
-          const std::function<Wish(double time)>& wish);
+// Who walks: a body and the seed that its manner is drawn from.
+struct Person {
+    Body body;
+    uint64_t style = 1;
+};
+
+// The velocity, m/s on the ground plane, that the person would like at a time. Legs follow it as fast as they
+// can.
+using Wish = std::function<Vec2(double time)>;
+
+// Walks for `seconds` from (0, 0), facing +z.
+Walk walk(const City& city, const Person& person, double seconds, const Wish& wish);
 
 }  // namespace flaneur

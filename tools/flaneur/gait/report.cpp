@@ -1,0 +1,155 @@
+#include "tools/flaneur/gait/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tools/flaneur/gait/signal.h"
+
+namespace flaneur {
+
+const std::vector<NamedCurve> k_named_curves = {
+    {"thigh", "Thigh to the vertical", "°, forward +", &Curves::thigh, &k_reference.thigh,
+     &k_reference.thigh_sd},
+    {"knee", "Knee", "°, flexion +", &Curves::knee, &k_reference.knee, &k_reference.knee_sd},
+    {"ankle", "Ankle", "°, dorsiflexion +", &Curves::ankle, &k_reference.ankle, &k_reference.ankle_sd},
+    {"foot_pitch", "Foot pitch", "°, toes up +", &Curves::foot_pitch, &k_reference.foot_pitch, nullptr},
+    {"pelvis_list", "Pelvic list", "°, same side up +", &Curves::pelvis_list, &k_reference.pelvis_list,
+     nullptr},
+    {"pelvis_rotation", "Pelvic rotation", "°, same side forward +", &Curves::pelvis_rotation,
+     &k_reference.pelvis_rotation, nullptr},
+    {"pelvis_height", "Pelvis, height", "mm", &Curves::pelvis_height, nullptr, nullptr},
+    {"pelvis_side", "Pelvis, to the side", "mm, same side +", &Curves::pelvis_side, nullptr, nullptr},
+    {"upper_arm", "Upper arm to the vertical", "°, forward +", &Curves::upper_arm, nullptr, nullptr},
+    {"elbow", "Elbow", "°, flexion +", &Curves::elbow, nullptr, nullptr},
+    {"trunk_rotation", "Shoulders, rotation", "°, same side forward +", &Curves::trunk_rotation, nullptr,
+     nullptr},
+    {"toe_height", "Toe over the ground", "mm", &Curves::toe_height, nullptr, nullptr},
+};
+
+namespace {
+
+bool has_bar(const Report& report, const std::string& name) {
+    return std::any_of(report.verdicts.begin(), report.verdicts.end(),
+                       [&](const Verdict& v) { return name == v.bar.quantity; });
+}
+
+bool has_curves(const Report& report) { return range(report.curves.thigh) > 0; }
+
+std::string number(double v) {
+    if (!std::isfinite(v)) return "null";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", v);
+    return text;
+}
+
+std::string bound(double v) { return std::fabs(v) >= k_open ? "" : number(v); }
+
+std::string bar_text(const Bar& bar) {
+    char text[64];
+    if (bar.low <= -k_open) {
+        std::snprintf(text, sizeof text, "<= %.4g", bar.high);
+    } else if (bar.high >= k_open) {
+        std::snprintf(text, sizeof text, ">= %.4g", bar.low);
+    } else {
+        std::snprintf(text, sizeof text, "%.4g .. %.4g", bar.low, bar.high);
+    }
+    return text;
+}
+
+std::string measured_text(const Verdict& v) {
+    if (!v.measured || !std::isfinite(v.value)) return "none";
+    char text[32];
+    // A millionth is as good as nothing in any of the units.
+    std::snprintf(text, sizeof text, "%.4g", std::fabs(v.value) < 5e-7 ? 0 : v.value);
+    return text;
+}
+
+std::string json_curve(const char* name, const Curve& c) {
+    std::string text = std::string("\"") + name + "\": [";
+    for (size_t p = 0; p < c.size(); ++p) text += (p ? ", " : "") + number(c[p]);
+    return text + "]";
+}
+
+}  // namespace
+
+int failed_count(const Report& report) {
+    return static_cast<int>(std::count_if(report.verdicts.begin(), report.verdicts.end(),
+                                          [](const Verdict& v) { return !v.pass; }));
+}
+
+void print_report(const Report& report, bool all) {
+    std::printf("\n%s\n  %-30s %10s   %-18s\n", report.title.c_str(), "quantity", "measured", "bar");
+    for (const Verdict& v : report.verdicts) {
+        std::printf("  %-30s %10s   %-18s %s", v.bar.quantity, measured_text(v).c_str(),
+                    bar_text(v.bar).c_str(), v.pass ? "pass" : "FAIL");
+        if (v.bar.stretch > 0) std::printf("   stretch %.4g: %+.2f", v.bar.stretch, v.value - v.bar.stretch);
+        std::printf("\n");
+    }
+    for (const Quantity& q : report.quantities) {
+        if (all && !has_bar(report, q.name)) std::printf("  %-30s %10.4g\n", q.name.c_str(), q.value);
+    }
+}
+
+std::string reports_csv(const std::vector<Report>& reports) {
+    std::string text = "trial,quantity,percent,value,norm,low,high,pass\n";
+    for (const Report& r : reports) {
+        for (const Quantity& q : r.quantities) {
+            auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
+                                  [&](const Verdict& one) { return q.name == one.bar.quantity; });
+            text += r.name + "," + q.name + ",," + number(q.value) + ",,";
+            if (v != r.verdicts.end())
+                text += bound(v->bar.low) + "," + bound(v->bar.high) + "," + (v->pass ? "1" : "0");
+            else
+                text += ",,";
+            text += "\n";
+        }
+        if (!has_curves(r)) continue;
+        for (const NamedCurve& c : k_named_curves) {
+            for (size_t p = 0; p < k_percents; ++p) {
+                text += r.name + "," + c.name + "," + std::to_string(p) + "," +
+                        number((r.curves.*c.curve)[p]) + "," + (c.norm ? number((*c.norm)[p]) : "") + ",,,\n";
+            }
+        }
+    }
+    return text;
+}
+
+std::string reports_json(const std::vector<Report>& reports) {
+    std::string text = "{\"trials\": [";
+    for (const Report& r : reports) {
+        text += (&r == &reports.front() ? "\n" : ",\n");
+        text += " {\"name\": \"" + r.name + "\", \"title\": \"" + r.title + "\",\n  \"quantities\": [";
+        for (const Quantity& q : r.quantities) {
+            auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
+                                  [&](const Verdict& one) { return q.name == one.bar.quantity; });
+            text += (&q == &r.quantities.front() ? "\n" : ",\n");
+            text += "   {\"name\": \"" + q.name + "\", \"value\": " + number(q.value);
+            if (v != r.verdicts.end()) {
+                if (!bound(v->bar.low).empty()) text += ", \"low\": " + bound(v->bar.low);
+                if (!bound(v->bar.high).empty()) text += ", \"high\": " + bound(v->bar.high);
+                if (v->bar.stretch > 0) text += ", \"stretch\": " + number(v->bar.stretch);
+                text += std::string(", \"source\": \"") + v->bar.source + "\", \"pass\": ";
+                text += v->pass ? "true" : "false";
+            }
+            text += "}";
+        }
+        text += "],\n  \"curves\": {";
+        for (const NamedCurve& c : k_named_curves) {
+            if (!has_curves(r)) break;
+            text += (&c == &k_named_curves.front() ? "\n   " : ",\n   ");
+            text += json_curve(c.name, r.curves.*c.curve);
+        }
+        text += "}}";
+    }
+    text += "],\n \"norm\": {";
+    bool first = true;
+    for (const NamedCurve& c : k_named_curves) {
+        if (!c.norm) continue;
+        text += (first ? "\n   " : ",\n   ") + json_curve(c.name, *c.norm);
+        first = false;
+    }
+    return text + "}}\n";
+}
+
+}  // namespace flaneur

@@ -1,0 +1,160 @@
+#include "tools/flaneur/gait/trials.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "sim/base/math.h"
+#include "sim/gait/norms.h"
+#include "tools/flaneur/gait/contact.h"
+#include "tools/flaneur/gait/transients.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr double k_stand = 1;   // seconds before walking
+constexpr double k_settle = 4;  // seconds from standing to a steady walk
+
+std::string text(const char* format, double a, double b = 0) {
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, format, a, b);
+    return buffer;
+}
+
+City flat_ground() {
+    return strip([](float) { return 0.0f; }, {-60, 600}, false);
+}
+
+Vec2 onward(double speed) { return {0, static_cast<float>(speed)}; }
+
+size_t tick_at(const Walk& w, double seconds) { return static_cast<size_t>(seconds * w.rate); }
+
+// The first tick at which the root is past z.
+size_t tick_past(const Walk& w, float z) {
+    size_t t = 0;
+    while (t < w.ticks.size() && w.ticks[t].root.z < z) ++t;
+    return t;
+}
+
+Report finished(Report report, std::vector<Bar> bars) {
+    report.verdicts = judge(report.quantities, bars);
+    return report;
+}
+
+// Steady walking between two ticks, its curves and quantities.
+Report steady(const Walk& w, size_t first, size_t last) {
+    Level level = measure_level(w, first, last);
+    return {"", "", level.curves, level.quantities, {}};
+}
+
+}  // namespace
+
+Report try_level(const Person& person, double speed, double seconds) {
+    double stop = seconds - 3;
+    Walk w = walk(flat_ground(), person, seconds,
+                  [&](double t) { return onward(t >= k_stand && t < stop ? speed : 0); });
+    Report r = steady(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
+    append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
+    append(r.quantities, measure_stop(w, tick_at(w, stop)));
+    r.name = text("level_%.2f", speed);
+    r.title = text("Level ground, %.2f m/s", speed);
+    return finished(std::move(r), level_bars(speed, static_cast<double>(leg_length(person.body))));
+}
+
+Report try_turn(const Person& person, double speed, double degrees) {
+    Vec2 after = heading_direction(static_cast<float>(degrees) * k_radians) * static_cast<float>(speed);
+    double asked = k_stand + k_settle;
+    Walk w = walk(flat_ground(), person, asked + 6, [&](double t) {
+        return t < k_stand ? Vec2{} : t < asked ? onward(speed) : after;
+    });
+    Report r;
+    r.quantities = measure_turn(w, tick_at(w, asked));
+    append(r.quantities, measure_contact(w, strides(w, tick_at(w, asked - 1), tick_at(w, asked + 5))));
+    r.name = text("turn_%.0f", degrees);
+    r.title = text("Turn by %.0f degrees at %.2f m/s", degrees, speed);
+    return finished(std::move(r), turn_bars(degrees));
+}
+
+Report try_stairs(const Person& person, bool up, double riser, double tread) {
+    constexpr int k_steps = 40;
+    constexpr float k_begin = 3;
+    auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
+    std::vector<float> edges{-60};
+    for (int i = 0; i < k_steps; ++i) edges.push_back(k_begin + static_cast<float>(i) * run);
+    edges.push_back(600);
+    City city = strip(
+        [&](float z) {
+            float step = std::floor((z - k_begin) / run) + 1;
+            return clamp(step, 0, k_steps) * rise;
+        },
+        edges, true);
+    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : k_stairs_speed); });
+    Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_steps - 4) * run));
+    double metres = 0, steps = 0;
+    for (const Stride& s : strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
+        const Instant& a = w.ticks[static_cast<size_t>(s.begin + 0.2 * (s.end - s.begin))];
+        const Instant& b = w.ticks[static_cast<size_t>(s.begin + 0.7 * (s.end - s.begin))];
+        Side other = s.side == k_left ? k_right : k_left;
+        metres += static_cast<double>(b.feet[other].sole.ball.y - a.feet[s.side].sole.ball.y);
+        ++steps;
+    }
+    if (steps > 0) r.quantities.push_back({"stairs_a_step", std::fabs(metres) / steps / riser});
+    r.name = up ? "stairs_up" : "stairs_down";
+    r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
+                      : "Stairs down, risers of %.2f and treads of %.2f m",
+                   riser, tread);
+    return finished(std::move(r), stairs_bars(up));
+}
+
+Report try_slope(const Person& person, double speed, double percent) {
+    constexpr float k_begin = 3, k_length = 60;
+    auto grade = static_cast<float>(percent / 100);
+    City city = strip([&](float z) { return clamp(z - k_begin, 0, k_length) * grade; },
+                      {-60, k_begin, k_begin + k_length, 600}, false);
+    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+    Report r = steady(w, tick_past(w, k_begin + 4), tick_past(w, k_begin + 40));
+    Report level = try_level(person, speed, 15);
+    double here = value_of(r.quantities, "speed.m_s"), there = value_of(level.quantities, "speed.m_s");
+    r.quantities.push_back({"speed.against_level", here / there});
+    r.quantities.push_back(
+        {"knee_contact.against_level",
+         value_of(r.quantities, "knee_contact.deg") - value_of(level.quantities, "knee_contact.deg")});
+    r.name = percent > 0 ? "slope_up" : "slope_down";
+    r.title = text("Slope of %.0f %%, %.2f m/s", percent, speed);
+    return finished(std::move(r), slope_bars(percent));
+}
+
+Report try_kerb(const Person& person, double speed, double height) {
+    // At twelve distances, so that the kerb comes at every part of a step.
+    Report r;
+    auto up = static_cast<float>(height);
+    for (int i = 0; i < 12; ++i) {
+        float begin = 6 + 0.11f * static_cast<float>(i);
+        City city = strip([&](float z) { return z > begin && z < begin + 4 ? up : 0; },
+                          {-60, begin, begin + 4, 600}, true);
+        Walk w = walk(city, person, 14, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+        Quantities here = measure_contact(w, strides(w, tick_past(w, begin - 2), tick_past(w, begin + 7)));
+        if (i == 0) r.quantities = here;
+        for (size_t q = 0; q < here.size(); ++q)
+            r.quantities[q].value = std::max(r.quantities[q].value, here[q].value);
+    }
+    r.name = "kerb";
+    r.title = text("A kerb of %.2f m up and down, %.2f m/s", height, speed);
+    return finished(std::move(r), kerb_bars());
+}
+
+Report try_gaits(const Person& person) {
+    Report r{"gaits", "From walk to run", {}, {}, {}};
+    for (int i = 16; i <= 28; ++i) {
+        double speed = i / 10.0;
+        Report level = try_level(person, speed, 14);
+        if (value_of(level.quantities, "double_support.pct") >= 0) continue;
+        r.quantities.push_back({"run_from.m_s", speed});
+        double leg = static_cast<double>(leg_length(person.body));
+        r.quantities.push_back({"run_from.froude", speed * speed / (static_cast<double>(k_gravity) * leg)});
+        break;
+    }
+    return finished(std::move(r), gaits_bars());
+}
+
+}  // namespace flaneur

@@ -1,0 +1,33 @@
+// The walks that a person is put through, measured and judged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/flaneur/gait/bars.h"
+
+namespace flaneur {
+
+struct Report {
+    std::string name;   // a word, for files
+    std::string title;  // for people
+    Curves curves;
+    Quantities quantities;
+    std::vector<Verdict> verdicts;
+};
+
+// Stands, walks straight on level ground at `speed` and stands again, in `seconds`. A run if that is the
+// speed of one.
+Report try_level(const Person& person, double speed, double seconds);
+// Walks at `speed` and turns by `degrees`.
+Report try_turn(const Person& person, double speed, double degrees);
+// Up or down a long flight.
+Report try_stairs(const Person& person, bool up, double riser, double tread);
+// Up (or down) ground that rises so many metres in a hundred.
+Report try_slope(const Person& person, double speed, double percent);
+// Over one kerb up and one down.
+Report try_kerb(const Person& person, double speed, double height);
+// The lowest of the speeds 1.6, 1.7 .. 2.8 m/s at which both feet are in the air for a while.
+Report try_gaits(const Person& person);
+
+}  // namespace flaneur
