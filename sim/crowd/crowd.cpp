@@ -12,10 +12,10 @@ Crowd make_crowd(uint32_t capacity) {
     c.capacity = capacity;
     size_t n = capacity;
     auto reserve = [n](auto&... arrays) { (arrays.resize(n), ...); };
-    reserve(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.preferred_speed, c.radius, c.lateral,
-            c.body, c.scale, c.errand, c.goal, c.trip, c.pause_until, c.corner, c.corner_count, c.path_due,
-            c.leg_start, c.closest, c.closest_tick, c.stuck, c.wanted, c.chosen, c.neighbour_count,
-            c.next_position, c.next_velocity, c.next_polygon, c.cell, c.sorted);
+    reserve(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.under, c.preferred_speed, c.radius,
+            c.lateral, c.body, c.scale, c.errand, c.goal, c.trip, c.pause_until, c.corner, c.corner_count,
+            c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.wanted, c.chosen,
+            c.neighbour_count, c.next_position, c.next_velocity, c.next_polygon, c.cell, c.sorted);
     c.corners.resize(n * k_corners);
     c.neighbours.resize(n * k_neighbours);
     c.requests.reserve(n);
@@ -31,7 +31,10 @@ uint32_t add_walker(Crowd& c, const City& city, const Walker& w) {
     assert(c.count < c.capacity && w.place.polygon != 0);
     uint32_t i = c.count++;
     Vec3 p = w.place.position;
-    if (auto hit = ground(city, p, 1, 2)) p.y = hit->height;
+    if (auto hit = ground(city, p, 1, 2)) {
+        p.y = hit->height;
+        c.under[i] = *hit;
+    }
     c.position[i] = p;
     c.polygon[i] = w.place.polygon;
     c.heading[i] = w.heading;

@@ -37,6 +37,7 @@ struct Crowd {
     std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;   // of the heading, radians a second
     std::vector<uint32_t> polygon;  // of the mesh, under the position
+    std::vector<GroundHit> under;   // the ground there
 
     // Identity, constant.
     std::vector<float> preferred_speed;  // metres a second, 0.7 .. 1.9

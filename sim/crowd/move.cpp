@@ -1,41 +1,16 @@
-// What legs can do with the chosen velocity: bounded acceleration and turning, forward walking, and never off
-// the mesh.
+// Everyone moves as legs can follow the chosen velocity, and never off the mesh.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/locomotion.h"
 
 namespace flaneur {
 
-static constexpr float k_acceleration = 1.8f, k_braking = 2.6f;  // metres a second squared
-static constexpr float k_turn_acceleration = 9;                  // radians a second squared
-static constexpr float k_fastest_turn = 2.5f;                    // radians a second
-static constexpr float k_sideways = 2.2f;  // of a turning walker, metres a second squared: turn rate * speed
-static constexpr float k_turn_gain = 4;    // turn rate for each radian to turn, 1/s
-static constexpr float k_turning_speed = 0.25f;     // slower wishes do not turn a body, metres a second
-static constexpr float k_forward = 24 * k_radians;  // velocity keeps this near the heading
-static constexpr float k_any_way = 0.3f;            // metres a second: so slow a step may go any way
-static constexpr float k_overlap = 0.015f;          // metres that bodies may press into each other
-static constexpr float k_push = 0.008f;             // metres that they are parted by in a tick, at most
-static constexpr int k_pushers = 6;                 // the nearest neighbours that can press
-
-// Turns the heading towards the wished direction, without overshoot: the turn rate is one that can still be
-// braked.
-static float next_turn_rate(float rate, float to_turn, float speed) {
-    float most = std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
-    float brake = std::sqrt(2 * 0.7f * k_turn_acceleration * std::fabs(to_turn));
-    float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
-    float change = k_turn_acceleration * k_tick;
-    return clamp(wished, rate - change, rate + change);
-}
-
-// `v` turned about the shorter way until it is within k_forward of the heading.
-static Vec2 turned_forward(Vec2 v, float speed, float heading, float off) {
-    if (std::fabs(off) <= k_forward) return v;
-    return heading_direction(heading + (off > 0 ? k_forward : -k_forward)) * speed;
-}
+static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other
+static constexpr float k_push = 0.008f;     // metres that they are parted by in a tick, at most
+static constexpr int k_pushers = 6;         // the nearest neighbours that can press
 
 static Vec2 push_apart(const Crowd& c, uint32_t i) {
     Vec2 push{0, 0};
@@ -54,26 +29,12 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
 }
 
 static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thread, uint32_t i) {
-    Vec2 wish = c.chosen[i], v = c.velocity[i];
-    float wished_speed = length(wish), speed = length(v);
-
-    float to_turn = wished_speed > k_turning_speed ? wrap_angle(heading_of(wish) - c.heading[i]) : 0;
-    float rate = next_turn_rate(c.turn_rate[i], to_turn, speed);
-    float heading = wrap_angle(c.heading[i] + rate * k_tick);
-    c.turn_rate[i] = rate;
-    c.heading[i] = heading;
-
-    // One who must turn far slows down for it, at last to turning on the spot.
-    if (wished_speed > k_any_way) {
-        float off = wrap_angle(heading_of(wish) - heading);
-        float keep = 1 - smoothstep(25 * k_radians, 95 * k_radians, std::fabs(off));
-        wish = turned_forward(wish, wished_speed, heading, off) * keep;
-    }
-    Vec2 change = wish - v;
-    float most = (dot(change, v) < 0 ? k_braking : k_acceleration) * k_tick, l = length(change);
-    v += l > most ? change * (most / l) : change;
-    speed = length(v);
-    if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading));
+    Motion motion =
+        next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, c.chosen[i], c.under[i], k_tick);
+    c.heading[i] = motion.heading;
+    c.turn_rate[i] = motion.turn_rate;
+    Vec2 v = motion.velocity;
+    float speed = length(v);
 
     Vec3 from = c.position[i];
     Vec2 step = v * k_tick + push_apart(c, i);
@@ -86,7 +47,10 @@ static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thr
         v = r > speed ? real * (speed / r) : real;
     }
     to.position.y = from.y;
-    if (auto hit = ground(city, to.position, 0.5f, 1.5f)) to.position.y = hit->height;
+    if (auto hit = ground(city, to.position, 0.5f, 1.5f)) {
+        to.position.y = hit->height;
+        c.under[i] = *hit;
+    }
     c.next_position[i] = to.position;
     c.next_velocity[i] = v;
     c.next_polygon[i] = to.polygon;

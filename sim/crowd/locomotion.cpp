@@ -1,0 +1,79 @@
+#include "sim/crowd/locomotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+static constexpr float k_acceleration = 1.8f, k_braking = 2.6f;  // m/s2
+static constexpr float k_quickening = 16, k_slowing = 20;        // 1/s, of the rest of a change of speed
+static constexpr float k_turn_acceleration = 7;                  // rad/s2
+static constexpr float k_fastest_turn = 2.45f;                   // rad/s
+static constexpr float k_sideways = 2.2f;                        // m/s2, turn rate times speed
+static constexpr float k_turn_gain = 4;                          // turn rate for each radian to turn, 1/s
+static constexpr float k_turning_speed = 0.25f;                  // m/s; slower wishes do not turn a body
+static constexpr float k_forward = 24 * k_radians;               // velocity keeps this near the heading
+static constexpr float k_any_way = 0.3f;                         // m/s; so slow a step may go any way
+static constexpr float k_pivot_speed = 0.15f;                    // m/s, at least, of one who turns under way
+static constexpr float k_some = 25 * k_radians,
+                       k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
+static constexpr float k_bend = 0.4f;           // 1/m; narrower bends are taken slower
+
+float stair_speed(float speed) { return std::min(speed, clamp(0.42f * speed, 0.5f, 0.6f)); }
+
+// Towards what is left to turn, without overshoot: a rate that can still be braked.
+static float next_turn_rate(float rate, float to_turn, float speed, float dt) {
+    float most = std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
+    float brake = std::sqrt(2 * 0.7f * k_turn_acceleration * std::fabs(to_turn));
+    float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
+    float change = k_turn_acceleration * dt;
+    return clamp(wished, rate - change, rate + change);
+}
+
+// `v` turned about the shorter way until it is within k_forward of the heading, `off` being its angle to it.
+static Vec2 turned_forward(Vec2 v, float speed, float heading, float off) {
+    if (std::fabs(off) <= k_forward) return v;
+    return heading_direction(heading + (off > 0 ? k_forward : -k_forward)) * speed;
+}
+
+// What is left of a wished speed on this ground.
+static float on_this_ground(Vec2 wish, float speed, const GroundHit& under) {
+    if (under.kind == Surface::steps) return stair_speed(speed) / speed;
+    if (under.normal.y > 0.99999f || under.normal.y < 0.1f) return 1;
+    float rise = -dot(wish, {under.normal.x, under.normal.z}) / (speed * under.normal.y);
+    return std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
+}
+
+Motion next_motion(const Motion& motion, Vec2 wish, const GroundHit& under, float dt) {
+    Vec2 v = motion.velocity;
+    float wished = length(wish), speed = length(v);
+
+    bool turns = wished > k_turning_speed;
+    float to_turn = turns ? wrap_angle(heading_of(wish) - motion.heading) : 0;
+    float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt);
+    float heading = wrap_angle(motion.heading + rate * dt);
+
+    if (wished > 1e-4f) {
+        float keep = on_this_ground(wish, wished, under);
+        if (wished > k_any_way) {
+            float off = wrap_angle(heading_of(wish) - heading);
+            wish = turned_forward(wish, wished, heading, off);
+            float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
+            float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
+            keep = std::max(keep * turning * bend, std::min(k_pivot_speed, speed) / wished);
+        }
+        wish = wish * keep;
+    }
+    Vec2 change = wish - v;
+    bool brakes = dot(change, v) < 0;
+    float l = length(change);
+    float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? k_braking : k_acceleration) * dt;
+    if (l > 1e-6f) v += change * (std::min(step, l) / l);
+    speed = length(v);
+    if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading));
+    return {v, heading, rate};
+}
+
+}  // namespace flaneur

@@ -1,0 +1,35 @@
+// How legs can follow a wished velocity: walkers start, stop, slow down for bends and climbs, turn, and step
+// aside or back. Pure, one walker at a time; the crowd's `move` calls it, and so can whoever drives one
+// person.
+#pragma once
+
+#include "sim/base/vec.h"
+#include "sim/city/city.h"
+
+namespace flaneur {
+
+struct Motion {
+    Vec2 velocity;        // m/s
+    float heading = 0;    // where the body faces: yaw about +y, 0 = +z, growing towards +x, in [-pi, pi]
+    float turn_rate = 0;  // of the heading, rad/s
+};
+
+// The motion `dt` seconds later of one who would like to go at `wish` (m/s) over the ground `under` it.
+//
+// - Speed follows within 1.8 m/s2, braking within 2.6, both easing in at the end: 90 % of a walk after two
+//   steps, a stop in two.
+// - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 140 deg/s at
+//   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
+//   spot.
+// - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
+// where
+//   it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
+// - Uphill, and downhill beyond 10 %, speed falls as in Tobler's hiking function (1993), exp(-3.5 |s +
+// 0.05|),
+//   with s the rise along the way; on steps to 0.42 of the wish, within 0.5-0.6 m/s (see stair_speed).
+Motion next_motion(const Motion& motion, Vec2 wish, const GroundHit& under, float dt);
+
+// Speed over the ground plane, m/s, that one who walks at `speed` on the level has on stairs.
+float stair_speed(float speed);
+
+}  // namespace flaneur

@@ -1,0 +1,123 @@
+// A walker without feet, as its wish changes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "sim/base/math.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/locomotion.h"
+
+namespace flaneur {
+namespace {
+
+using Wish = std::function<Vec2(float)>;  // at a time, m/s
+
+std::vector<Motion> drive(Motion m, float seconds, const Wish& wish, const GroundHit& under = {}) {
+    std::vector<Motion> all;
+    for (float t = 0; t < seconds; t += k_tick) all.push_back(m = next_motion(m, wish(t), under, k_tick));
+    return all;
+}
+
+// Seconds until `holds` for good.
+float settles(const std::vector<Motion>& all, const std::function<bool(const Motion&)>& holds) {
+    size_t k = all.size();
+    while (k > 0 && holds(all[k - 1])) --k;
+    return static_cast<float>(k) * k_tick;
+}
+
+TEST(Locomotion, StartsWithinThreeStepsAndStopsWithinTwo) {
+    for (float speed : {0.95f, 1.3f, 1.5f}) {
+        auto start = drive({}, 4, [&](float) { return Vec2{0, speed}; });
+        float until = settles(start, [&](const Motion& m) { return length(m.velocity) > 0.9f * speed; });
+        EXPECT_GT(until, 0.4f);
+        EXPECT_LT(until, 1.2f);
+        auto stop = drive(start.back(), 4, [](float) { return Vec2{}; });
+        until = settles(stop, [](const Motion& m) { return length(m.velocity) < 0.05f; });
+        EXPECT_GT(until, 0.3f);
+        EXPECT_LT(until, 1.2f);
+    }
+}
+
+TEST(Locomotion, HalfTurnTakesItsTimeAndKeepsMoving) {
+    for (float speed : {0.95f, 1.3f, 1.5f}) {
+        auto all = drive({{0, speed}, 0, 0}, 6, [&](float) { return Vec2{0.001f, -speed}; });
+        float until = settles(
+            all, [](const Motion& m) { return std::fabs(wrap_angle(m.heading - k_pi)) < 5 * k_radians; });
+        EXPECT_GE(until, 1.6f);
+        EXPECT_LE(until, 2.8f);
+        float fastest = 0, slowest = 9;
+        for (const Motion& m : all) {
+            fastest = std::max(fastest, std::fabs(m.turn_rate));
+            slowest = std::min(slowest, length(m.velocity));
+        }
+        EXPECT_GE(fastest, 110 * k_radians);
+        EXPECT_LE(fastest, 170 * k_radians);
+        EXPECT_GE(slowest, 0.1f);
+        EXPECT_LE(slowest, 0.2f);
+    }
+}
+
+TEST(Locomotion, SpeedFollowsCurvature) {
+    // Round circles: where the wish turns steadily, the walker goes a circle of its own.
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (float rate : {0.7f, 0.9f, 1.1f, 1.3f, 1.5f, 1.7f}) {
+        auto all = drive({{0, 1.3f}, 0, 0}, 12, [&](float t) { return heading_direction(rate * t) * 1.3f; });
+        const Motion& m = all.back();
+        float speed = length(m.velocity);
+        double x = std::log(std::fabs(m.turn_rate) / speed), y = std::log(speed);
+        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    EXPECT_GT(exponent, -0.40);
+    EXPECT_LT(exponent, -0.25);
+}
+
+TEST(Locomotion, StepsAsideAndBackWithoutTurning) {
+    for (float way : {0.5f * k_pi, -0.5f * k_pi, k_pi, 2.5f}) {
+        auto all = drive({}, 3, [&](float) { return heading_direction(way) * 0.22f; });
+        for (const Motion& m : all) EXPECT_EQ(m.heading, 0);
+        EXPECT_NEAR(length(all.back().velocity - heading_direction(way) * 0.22f), 0, 0.01f);
+    }
+}
+
+TEST(Locomotion, SlowerOnSlopesAndStairs) {
+    auto speed_on = [](GroundHit under, float z) {
+        return length(drive(
+                          {{0, z}, z < 0 ? k_pi : 0, 0}, 4,
+                          [&](float) {
+                              return Vec2{0, z};
+                          },
+                          under)
+                          .back()
+                          .velocity);
+    };
+    GroundHit flat, steps{0, {0, 1, 0}, Surface::steps};
+    GroundHit slope{0, normalize_or(Vec3{0, 1, -0.1f}, {}), Surface::road};
+    EXPECT_NEAR(speed_on(flat, 1.3f), 1.3f, 1e-3f);
+    EXPECT_NEAR(speed_on(slope, 1.3f), 1.3f * std::exp(-0.35f), 2e-2f);
+    EXPECT_NEAR(speed_on(slope, -1.3f), 1.3f, 1e-2f);
+    for (float z : {0.95f, 1.3f, 1.5f}) {
+        EXPECT_GE(speed_on(steps, z), 0.49f);
+        EXPECT_LE(speed_on(steps, z), 0.61f);
+    }
+}
+
+TEST(Locomotion, NeverJumps) {
+    // Whatever is wished, speed and turn rate stay within what legs can do.
+    Motion m;
+    for (uint32_t t = 0; t < 20000; ++t) {
+        Vec2 wish{2.4f * std::sin(static_cast<float>(t / 40) * 12.9f),
+                  2.4f * std::cos(static_cast<float>(t / 40) * 4.1f)};
+        Motion next = next_motion(m, wish, {}, k_tick);
+        float turned = std::fabs(wrap_angle(next.heading - m.heading)) * length(m.velocity);
+        ASSERT_LT(length(next.velocity - m.velocity), 2.7f * k_tick + turned + 0.02f);
+        ASSERT_LE(std::fabs(next.turn_rate - m.turn_rate), 7.1f * k_tick);
+        ASSERT_LE(std::fabs(next.turn_rate), 2.5f);
+        m = next;
+    }
+}
+
+}  // namespace
+}  // namespace flaneur
