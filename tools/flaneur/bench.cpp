@@ -10,30 +10,29 @@ namespace flaneur {
 
 namespace {
 
-Result<Figures> bench_step(const Options& options) {
+Result<Figures> bench_crowd(const Options& options) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
     Figures figures;
     add_setting(figures, options, world);
-    bool crowd = options.load == BenchLoad::crowd;
     for (uint32_t i = 0; i < k_warm_up + options.bench_frames; ++i) {
         step(world);
-        if (i < k_warm_up) continue;
-        if (crowd) {
-            add_stages(figures, world, Stage::think, Stage::move);
-        } else {
-            add_stages(figures, world, Stage::gait, Stage::pose);
-        }
+        if (i >= k_warm_up) add_stages(figures, world);
     }
     return figures;
 }
 
-Result<Figures> measure(const Options& options) {
+Result<std::string> measure(const Options& options) {
+    if (options.load == BenchLoad::pose) return bench_pose(options);
 #ifdef FLANEUR_VULKAN
-    if (options.load == BenchLoad::frame) return bench_frame(options);
+    Result<Figures> figures = options.load == BenchLoad::frame ? bench_frame(options) : bench_crowd(options);
+#else
+    Result<Figures> figures = bench_crowd(options);
 #endif
-    return bench_step(options);
+    if (!figures) return figures.error();
+    print_figures(*figures);
+    return figures_json(*figures);
 }
 
 }  // namespace
@@ -45,9 +44,8 @@ void add_setting(Figures& figures, const Options& options, const World& world) {
                        {"measured", std::to_string(options.bench_frames)}};
 }
 
-void add_stages(Figures& figures, const World& world, Stage first, Stage last) {
-    for (int s = static_cast<int>(first); s <= static_cast<int>(last); ++s)
-        add_sample(figures, k_stage_names[s], world.stage_ms[s]);
+void add_stages(Figures& figures, const World& world) {
+    for (int s = 0; s < k_stage_count; ++s) add_sample(figures, k_stage_names[s], world.stage_ms[s]);
 }
 
 Result<void> run_bench(const Options& options) {
@@ -57,12 +55,10 @@ Result<void> run_bench(const Options& options) {
         if (!file) return file.error();
         json = std::move(*file);
     }
-    Result<Figures> figures = measure(options);
+    Result<std::string> figures = measure(options);
     if (!figures) return figures.error();
-    print_figures(*figures);
     if (!json) return {};
-    std::string text = figures_json(*figures);
-    std::fwrite(text.data(), 1, text.size(), json->file);
+    std::fwrite(figures->data(), 1, figures->size(), json->file);
     return keep_file(std::move(json));
 }
 

@@ -20,7 +20,7 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     auto start = Clock::now();
     step(world);
     add_sample(figures, "step", ms_since(start));
-    add_stages(figures, world, Stage::think, Stage::pose);
+    add_stages(figures, world);
     auto extracting = Clock::now();
     FrameInput frame = extract_frame(show, camera, 1);
     add_sample(figures, "extract", ms_since(extracting));

@@ -37,6 +37,7 @@ double quantile(std::vector<double> values, double share) {
 
 void print_figures(const Figures& figures) {
     for (const auto& [name, value] : figures.setting) std::printf("%-20s %s\n", name.c_str(), value.c_str());
+    if (figures.series.empty()) return;
     std::printf("\n%-20s", "stage, ms");
     for (const Column& column : k_columns) std::printf(" %9s", column.title);
     std::printf("\n");

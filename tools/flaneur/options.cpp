@@ -43,11 +43,13 @@ Examples:
   flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff)";
 
 constexpr const char* k_bench_footer =
-    R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation's stages), pose (the stages that pose
-bodies). Prints the median and percentiles of each stage in milliseconds.
+    R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation), pose (the kernels that pose bodies, on one
+thread). frame and crowd print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a
+walker on each instruction set that the CPU has, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
-  flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json)";
+  flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
+  flaneur bench pose --walkers 1000)";
 
 constexpr const char* k_gait_footer =
     R"(Prints each quantity of the walk beside the bar it is held to; docs/gait.md explains both.
@@ -211,6 +213,9 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     sim->add_flag("--hash", options.hash, "Print the hash of the last state");
     sim->add_option("--hash-log", options.hash_log, "Write a line with tick and hash for each tick")
         ->type_name("FILE");
+    sim->add_option("--isa", options.isa, "Instruction set to run on: sse4, avx2, avx512, neon or best")
+        ->type_name("NAME")
+        ->capture_default_str();
 }
 
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
@@ -222,7 +227,8 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*bench, options);
     add_camera_option(*bench, words);
     bench
-        ->add_option("--frames", options.bench_frames, "How many frames or ticks to measure, after a warm-up")
+        ->add_option("--frames", options.bench_frames,
+                     "How many frames, ticks or repetitions to measure, after a warm-up")
         ->type_name("N")
         ->check(CLI::Range(1, 1'000'000).description(""))
         ->capture_default_str();

@@ -71,10 +71,11 @@ struct Options {
     double seconds = 10;
     bool hash = false;
     std::string hash_log;
+    std::string isa = "best";
 
     // bench
     BenchLoad load = BenchLoad::frame;
-    uint32_t bench_frames = 120;  // or ticks
+    uint32_t bench_frames = 120;  // or ticks, or repetitions
     std::string json;
 
     GaitOptions gait;

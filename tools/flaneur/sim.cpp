@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/base/isa.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/load.h"
 #include "tools/flaneur/output.h"
@@ -10,6 +11,8 @@
 namespace flaneur {
 
 Result<void> run_sim(const Options& options) {
+    Result<void> isa = use_isa(options.isa);
+    if (!isa) return isa;
     PartFilePtr log;
     if (!options.hash_log.empty()) {
         Result<PartFilePtr> file = open_file(options.hash_log);
