@@ -5,6 +5,13 @@ target_compile_options(flaneur_settings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
     # The same bits from every compiler and instruction set: see docs/determinism.md.
     -ffp-contract=off -fno-fast-math)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)
+    # What Highway compiles NEON kernels for; plain functions that call one on a single lane must agree.
+    target_compile_options(flaneur_settings INTERFACE -march=armv8-a+crypto)
+    # Vectors without a fixed size cannot be members of Lanes.
+    target_compile_definitions(flaneur_settings INTERFACE
+        "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+endif()
 
 set(FLANEUR_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
 if(FLANEUR_SANITIZE)
