@@ -41,6 +41,10 @@ template <class T>
 HWY_INLINE V3<T> cross(V3<T> a, V3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+template <class M, class T>
+HWY_INLINE V3<T> select(M m, V3<T> a, V3<T> b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
 template <class T>
 HWY_INLINE V3<T> mixed(V3<T> a, V3<T> b, T t) {
     return a + (b - a) * t;

@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/ik/fabrik-inl.h"
+#include "sim/ik/fabrik_tree-inl.h"
+
+namespace flaneur {
+namespace {
+
+using namespace HWY_NAMESPACE;
+using Vector = V3<float>;
+constexpr float k_tolerance = 1e-4f;  // metres
+
+float length(Vector v) { return std::sqrt(dot(v, v)); }
+Vector direction_from(RandomKey key, uint32_t k) {
+    return unit(Vector{random_normal(key, k), random_normal(key, k + 1), random_normal(key, k + 2)});
+}
+
+struct Chain {
+    int joints = 0;
+    Vector p[k_most_joints];
+    float bones[k_most_joints], limits[k_most_joints];
+    float reach = 0, longest = 0;
+};
+// Bones of 5 to 30 cm in any directions.
+Chain random_chain(RandomKey key, int joints) {
+    Chain c;
+    c.joints = joints;
+    c.p[0] = direction_from(key, 1000);
+    for (int i = 0; i + 1 < joints; ++i) {
+        auto k = static_cast<uint32_t>(i) * 4;
+        c.bones[i] = random_between(key, 0.05f, 0.3f, k);
+        c.p[i + 1] = c.p[i] + direction_from(key, k + 1) * c.bones[i];
+        c.reach += c.bones[i];
+        c.longest = std::max(c.longest, c.bones[i]);
+    }
+    return c;
+}
+float worst_bone(const Chain& c) {
+    float worst = 0;
+    for (int i = 0; i + 1 < c.joints; ++i) {
+        worst = std::max(worst, std::fabs(length(c.p[i + 1] - c.p[i]) - c.bones[i]));
+    }
+    return worst;
+}
+Vector tip(const Chain& c) { return c.p[c.joints - 1]; }
+
+// Iterations, one at a time, until the tip is within `tolerance`; `most` if it never is.
+int solve(Chain& c, Vector target, float tolerance, int most) {
+    for (int k = 0; k < most; ++k) {
+        if (length(tip(c) - target) <= tolerance) return k;
+        fabrik(c.p, c.bones, c.joints, target, 1);
+    }
+    return most;
+}
+
+// From the hole that the longest bone leaves about the base to the whole reach: where `share` of the way is.
+float distance_at(const Chain& c, float share) {
+    float hole = std::max(0.0f, 2 * c.longest - c.reach);
+    return hole + (c.reach - hole) * share;
+}
+
+TEST(Fabrik, KeepsLengthsAndReachesOrPointsAt) {
+    for (uint32_t i = 0; i < 100000; ++i) {
+        RandomKey key{21, i};
+        Chain c = random_chain(key, 3 + static_cast<int>(i % 10));
+        Vector away = direction_from(key, 2000);
+        if (i % 4 == 0) {
+            Vector target = c.p[0] + away * (c.reach * random_between(key, 1, 3, 2003));
+            fabrik(c.p, c.bones, c.joints, target, 1);
+            ASSERT_LT(length(tip(c) - (c.p[0] + away * c.reach)), 1e-5f);
+        } else {
+            Vector target = c.p[0] + away * distance_at(c, random_between(key, 0.05f, 0.98f, 2003));
+            solve(c, target, k_tolerance, 1000);
+            ASSERT_LE(length(tip(c) - target), k_tolerance);
+        }
+        ASSERT_LT(worst_bone(c), 2e-6f);
+    }
+}
+
+// Aristidou & Lasenby (2011) give 15.461 iterations for a chain of 10 joints and reachable targets, without
+// the tolerance. Most are spent on targets near full extension, so it matters how these are drawn: here
+// evenly from the ball of the chain's reach.
+TEST(Fabrik, TakesAboutAsManyIterationsAsThePaper) {
+    auto mean_iterations = [](float tolerance, float most_share) {
+        double sum = 0;
+        constexpr uint32_t k_chains = 20000;
+        for (uint32_t i = 0; i < k_chains; ++i) {
+            RandomKey key{22, i};
+            Chain c = random_chain(key, 10);
+            float share = most_share * std::cbrt(random_unit(key, 2003));
+            sum += solve(c, c.p[0] + direction_from(key, 2000) * distance_at(c, share), tolerance, 1000);
+        }
+        return sum / k_chains;
+    };
+    double coarse = mean_iterations(1e-3f, 1), fine = mean_iterations(k_tolerance, 1);
+    double inner = mean_iterations(k_tolerance, 0.9f);
+    std::printf(
+        "FABRIK, 10 joints: %.1f iterations to 1 mm, %.1f to 0.1 mm (%.1f within 90 %% of the reach); the "
+        "paper: "
+        "15.5\n",
+        coarse, fine, inner);
+    EXPECT_LT(coarse, 15.5);
+    EXPECT_LT(fine, 25);
+    EXPECT_LT(inner, 5);
+}
+
+TEST(Fabrik, BendsAStraightChainTowardsATargetOnItsLine) {
+    for (float share : {0.1f, 0.3f, 0.5f, 0.9f, 0.99f, 0.999f}) {
+        Chain c = random_chain({23}, 6);
+        Vector axis = unit(Vector{0.3f, -1, 0.2f});
+        for (int i = 1; i < c.joints; ++i) c.p[i] = c.p[i - 1] + axis * c.bones[i - 1];
+        Vector target = c.p[0] + axis * distance_at(c, share);
+        solve(c, target, k_tolerance, 1000);
+        EXPECT_LE(length(tip(c) - target), k_tolerance) << share;
+    }
+}
+
+TEST(Fabrik, MirrorsLeftAndRight) {
+    for (uint32_t i = 0; i < 100000; ++i) {
+        RandomKey key{24, i};
+        Chain a = random_chain(key, 3 + static_cast<int>(i % 6));
+        Chain b = a;
+        for (Vector& p : b.p) p.x = -p.x;
+        Vector target = a.p[0] + direction_from(key, 2000) * (1.2f * a.reach * random_unit(key, 2003));
+        fabrik(a.p, a.bones, a.joints, target, 4);
+        target.x = -target.x;
+        fabrik(b.p, b.bones, b.joints, target, 4);
+        for (int j = 0; j < a.joints; ++j) {
+            ASSERT_EQ(a.p[j].x, -b.p[j].x);
+            ASSERT_EQ(a.p[j].y, b.p[j].y);
+            ASSERT_EQ(a.p[j].z, b.p[j].z);
+        }
+    }
+}
+
+// The largest angle, in degrees, that a bone turns while the target moves 1 mm.
+float most_turn(Chain c, Vector from, Vector to, int iterations) {
+    float most = 0;
+    int steps = static_cast<int>(length(to - from) * 1000);
+    for (int k = 0; k < 100; ++k) fabrik(c.p, c.bones, c.joints, from, iterations);
+    for (int s = 0; s <= steps; ++s) {
+        Chain before = c;
+        fabrik(c.p, c.bones, c.joints, from + unit(to - from) * (static_cast<float>(s) * 1e-3f), iterations);
+        for (int i = 0; i + 1 < c.joints; ++i) {
+            Vector was = unit(before.p[i + 1] - before.p[i]), is = unit(c.p[i + 1] - c.p[i]);
+            most = std::max(most, 2 * std::asin(std::min(1.0f, length(is - was) / 2)) / k_radians);
+        }
+    }
+    return most;
+}
+
+TEST(Fabrik, MovesWithoutAJumpThroughFullExtension) {
+    float most = 0;
+    for (uint32_t i = 0; i < 300; ++i) {
+        RandomKey key{25, i};
+        Chain c = random_chain(key, 4 + static_cast<int>(i % 5));
+        Vector away = direction_from(key, 2000);
+        Vector side = direction_from(key, 2004) * 0.05f;
+        Vector near = c.p[0] + away * distance_at(c, 0.8f) + side, far = c.p[0] + away * (1.1f * c.reach);
+        most = std::max({most, most_turn(c, near, far, 8), most_turn(c, far, near, 8)});
+    }
+    // A chain has no soft limit: a millimetre short of its reach of half a metre its bones already stand 4 to
+    // 7 degrees off the line, and twice that where a short bone does most of the bending.
+    EXPECT_LT(most, 20);
+}
+
+TEST(Fabrik, KeepsItsLimits) {
+    int reached = 0, possible = 0;
+    for (uint32_t i = 0; i < 100000; ++i) {
+        RandomKey key{26, i};
+        Chain c = random_chain(key, 3 + static_cast<int>(i % 8));
+        Vector axis = direction_from(key, 3000);
+        // Limits of 20 to 80 degrees, and a pose within them.
+        Chain goal = c;
+        Vector bone = axis;
+        for (int j = 0; j + 1 < c.joints; ++j) {
+            auto k = static_cast<uint32_t>(j) * 4;
+            c.limits[j] = sin_cos(random_between(key, 20 * k_radians, 80 * k_radians, 3004 + k)).cosine;
+            bone = within_cone(direction_from(key, 3005 + k), bone, mixed(1.0f, c.limits[j], 0.5f));
+            goal.p[j + 1] = goal.p[j] + bone * c.bones[j];
+        }
+        bool far = i % 4 == 0;
+        Vector target = far ? c.p[0] + direction_from(key, 4000) * (2 * c.reach) : tip(goal);
+        for (int k = 0; k < 50; ++k) {
+            fabrik_limited(c.p, c.bones, c.limits, axis, c.joints, target, 1);
+            if (!far && length(tip(c) - target) <= k_tolerance) break;
+        }
+        possible += !far;
+        reached += !far && length(tip(c) - target) <= k_tolerance;
+        ASSERT_LT(worst_bone(c), 2e-6f);
+        Vector before = axis;
+        for (int j = 0; j + 1 < c.joints; ++j) {
+            Vector now = unit(c.p[j + 1] - c.p[j]);
+            ASSERT_GE(dot(now, before), c.limits[j] - 5e-5f);
+            before = now;
+        }
+    }
+    // Limits can trap the iteration short of a target that some pose within them reaches.
+    std::printf("FABRIK with limits: %.1f %% of reachable targets reached\n", 100.0 * reached / possible);
+    EXPECT_GT(reached, 0.9 * possible);
+}
+
+}  // namespace
+}  // namespace flaneur
