@@ -18,6 +18,8 @@ struct HarmonicCurve {
 
 // The phase of toe-off in the curves below.
 inline constexpr float k_norm_toe_off = 0.61f;
+// The share of the cycle that a foot stands at a natural speed.
+inline constexpr float k_norm_duty = 0.603f;
 
 // Flexion +.
 inline constexpr HarmonicCurve<5> k_norm_knee = {22.9480f,
@@ -51,9 +53,37 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
 inline constexpr float k_way_late = 11.99f, k_way = 0.02952f;
 inline constexpr float k_clear_early = 1.032f, k_clear = -0.001117f;
 inline constexpr float k_droop = -0.01412f, k_soft = 0.02156f;
-inline constexpr float k_land_0 = 1.187f, k_land_1 = 1.494f, k_knee_more = -0.0008148f;
+inline constexpr float k_land = 0.8f, k_land_slack = 0.01f, k_knee_more = -0.0008148f;
 inline constexpr float k_straight = 0.004054f;
-inline constexpr float k_sway = 0.020f;
+// Share of the norm's pitch at heel strike, and radians by which the heel rises further before toe-off.
+inline constexpr float k_heel_strike = 0.85f, k_heel_rise = 0.05f;
+// Phases in which the heel comes off.
+inline constexpr float k_heel_off_0 = 0.32f, k_heel_off_1 = 0.44f;
+inline constexpr float k_straightest = 0.999f;
+// Pelvis: sway to each side and extra rise over the standing leg, metres, at a natural speed, and what a
+// longer share of stance (a slower walk) adds: 70 mm from side to side at 0.7 m/s .. 39 at 1.6, 27 mm up and
+// down .. 48.
+inline constexpr float k_sway = 0.0257f, k_sway_slow = 0.287f;
+inline constexpr float k_bob = 0.0015f, k_bob_slow = 0.15f;
+inline constexpr float k_high_cosine = -0.930f, k_high_sine = -0.368f;  // of 4 pi times the phase 0.28
+// Metres ahead of an even speed: fastest when lowest.
+// Share of the pitch of a swinging foot that its toes have: they stay bent up.
+inline constexpr float k_toes = 0.5f;
+inline constexpr float k_surge_cosine = 0, k_surge_sine = 0;
+// Arms swing twice a stride where feet stand longer than at a natural speed by these shares of the cycle
+// (0.75 m/s).
+inline constexpr float k_arms_twice_0 = 0.028f, k_arms_twice_1 = 0.036f;
+inline constexpr float k_forefoot_pitch = -0.2f;  // of a foot that lands on its ball, radians
+
+// A run at 3.1 m/s: knee 94 degrees in the swing, elbow 106.
+inline constexpr float k_heel_kick = 8;
+inline constexpr float k_run_knee_cosine = 0.90f, k_bounce = 0.038f;  // in mid-stance; metres
+inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;       // radians
+
+// A hand on a wall: how far its fingers lean ahead (half of 0.7 rad), and from the wrist's axis to the palm,
+// metres.
+inline constexpr float k_finger_tilt_sine = 0.3429f, k_finger_tilt_cosine = 0.9394f;
+inline constexpr float k_palm_thickness = 0.02f;
 inline constexpr float k_shift_width = 1.138f;
 
 // Timing of a walk at a given speed. Step length over leg length L:

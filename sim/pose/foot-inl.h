@@ -44,7 +44,7 @@ struct Foot {
     T pitch, toe_pitch;  // toes up +, radians
     T ankle_up, ankle_ahead;
     SineCosine<T> half, toe_half;  // of -pitch, as turns about x
-    T knee;     // cosine of the flexion that the normal walk has now
+    T knee;                        // cosine of the flexion that the normal walk has now
     T leaving;                     // 0 while the body rests on it .. 1 at toe-off
     T slack;  // metres that the leg may fall short: none as it lands and stands, some as it leaves
 };
@@ -80,13 +80,20 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
 
     Foot<T> out;
     T pitch = curve_at(k_norm_foot_pitch, wave) * s.ahead;
-    T rolling = one - ramp(T(0.06f), T(0.12f), norm) * (one - ramp(T(0.32f), T(0.44f), norm));
+    T rolling = one - ramp(T(0.06f), T(0.12f), norm) * (one - ramp(T(k_heel_off_0), T(k_heel_off_1), norm));
     T rest = one - u, product = u * rest;
     T hop = T(16.0f) * product * product;  // 0 at both ends, 1 in the middle
     pitch = select(planted, pitch * rolling, pitch - T(k_droop) * hop * s.ahead);
+    pitch = select(pitch > zero, pitch * T(k_heel_strike), pitch);
+    T rises = ramp(T(0.36f), T(0.48f), norm) * (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
+    pitch = pitch - rises * T(k_heel_rise) * s.ahead;
+    // One who lands on the forefoot points the foot down before and sets the heel down after.
+    T landing = select(planted, one - ramp(zero, T(0.16f), norm), ramp(T(0.45f), T(0.9f), u)) *
+                at<T>(f.forefoot + lane);
+    pitch = mixed(pitch, T(k_forefoot_pitch), landing);
     auto toes_up = pitch > zero;
     out.pitch = pitch;
-    out.toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)));
+    out.toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)) * (one - landing) * T(k_toes));
     out.half = half_turn(zero - out.pitch);
     out.toe_half = half_turn(zero - out.toe_pitch);
     SineCosine<T> tilt = doubled(out.half);
@@ -100,8 +107,10 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T soft = T(k_soft) * hop;
     T over = soft_larger(over_heel, soft_larger(over_ball, over_tip, soft), soft);
     T square = product * product;
-    T clearance =
-        mixed(hop * T(0.05f), T(k_clear_early) * square * rest * rest * rest + T(k_clear) * hop, s.amplitude);
+    T clearance = mixed(
+        hop * T(0.05f),
+        (T(k_clear_early) + T(k_heel_kick) * s.running) * square * rest * rest * rest + T(k_clear) * hop,
+        s.amplitude);
     out.ankle_up = over + clearance;
 
     T back = size.ankle * sine;
@@ -111,7 +120,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
 
     // The way from place to place. A foot climbs early and comes down late.
     T from_y = at<T>(f.from.y + lane), to_y = at<T>(f.to.y + lane);
-    T way = eased(u) - T(k_way_late) * square * product * u * u - T(k_way) * hop;
+    T way = eased(u) - T(k_way_late) * square * (u * u) * (u * u) - T(k_way) * hop;
     T climb = select(to_y > from_y, eased(u * T(1.6f)), eased(u * T(1.6f) - T(0.6f)));
     out.place = {mixed(at<T>(f.from.x + lane), at<T>(f.to.x + lane), way),
                  mixed(from_y, to_y, climb) + at<T>(f.obstacle + lane) * hop + s.lift,
@@ -131,7 +140,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave) + T(k_knee_more), T(0.03f)), s.amplitude);
     out.knee = doubled(half_turn(knee)).cosine;
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
-    out.slack = select(planted, out.leaving * T(0.03f), T(0.3f) * (one - ramp(T(k_land_0), T(k_land_1), u)));
+    out.slack = select(planted, out.leaving * T(0.03f),
+                       T(k_land_slack) * (one - ramp(T(k_land), one, u)) + T(0.3f) * (one - ramp(T(0.5f), T(k_land), u)));
     return out;
 }
 

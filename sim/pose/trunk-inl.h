@@ -58,7 +58,8 @@ struct Trunk {
     Axes<T> axes;
     V3<T> hips_place;  // canonical
     Heading<T> heading;
-    T turn, list, lean, amplitude;
+    T turn, list, lean, amplitude, running;
+    T slow;  // how much longer feet stand than at a natural speed, as a share of the cycle
 };
 
 // Of two unit quaternions not far from each other. Length 1 by two Newton steps, without a root.
@@ -72,11 +73,36 @@ HWY_INLINE Q4<T> between(Q4<T> a, Q4<T> b, float t) {
     return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
 
-// Arms swing with the leg of the other side. The wrist's target is where the curves of shoulder and elbow
-// would have it, in the frame of the chest; two-bone IK brings it there.
+// A hand on a wall: palm flat on it, fingers up and a little ahead. Returns the wrist; `rotation` is the
+// hand's.
+template <class T>
+HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror, T palm, Q4<T>& rotation) {
+    V3<T> normal{at<T>(hand.normal_x + lane), T(0.0f), at<T>(hand.normal_z + lane)};
+    // A body that has the wall at this side, its arm turned up past the shoulder: half a turn about z.
+    T cosine = normal.x * T(-mirror), sine = normal.z * T(mirror);
+    T c = root(larger((T(1.0f) + cosine) * T(0.5f), T(1e-6f)));
+    T s = T(0.5f) * sine / c;
+    Q4<T> up = unit(Q4<T>{s * T(mirror), T(0.0f), c * T(mirror), T(0.0f)});
+    rotation = turned_x(up, SineCosine<T>{T(k_finger_tilt_sine), T(k_finger_tilt_cosine)});
+    V3<T> fingers = rotate(rotation, V3<T>{T(0.0f), T(-1.0f), T(0.0f)});
+    V3<T> place{at<T>(hand.x + lane), at<T>(hand.y + lane), at<T>(hand.z + lane)};
+    return place + normal * T(k_palm_thickness) - fingers * palm;
+}
+
+// `b` where `t` is 1, `a` where it is 0, by the shorter way.
+template <class T>
+HWY_INLINE Q4<T> blended(Q4<T> a, Q4<T> b, T t) {
+    T sign = select(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < T(0.0f), T(-1.0f), T(1.0f));
+    T r = t * sign, s = T(1.0f) - t;
+    return unit(Q4<T>{a.x * s + b.x * r, a.y * s + b.y * r, a.z * s + b.z * r, a.w * s + b.w * r});
+}
+
+// Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
+// where the curves of shoulder and elbow would have it, in the frame of the chest, or a place on a wall;
+// two-bone IK brings it there.
 template <class T>
 HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
-                          V3<T> chest_at, Q4<T> chest_rot, V3<T> chest_place, T amplitude,
+                          V3<T> chest_at, Q4<T> chest_rot, V3<T> chest_place, const Trunk<T>& trunk,
                           const Harmonics<T, 3>& cycle) {
     T zero = T(0.0f), one = T(1.0f);
     V3<T> clavicle = joint_place<T>(p, left_shoulder, lane),
@@ -84,7 +110,9 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     T elbow_height = at<T>(p.joints[left_lower_arm][1] + lane);
     T wrist_height = at<T>(p.joints[left_hand][1] + lane);
     LimbSizes<T> size = limb_sizes(shoulder.y - elbow_height, elbow_height - wrist_height);
-    T swing = amplitude * at<T>(p.arm_swing + lane);
+    T swing = trunk.amplitude * at<T>(p.arm_swing + lane);
+    T mean_elbow = mixed(mixed(T(0.22f), T(0.60f), trunk.amplitude), T(k_run_elbow), trunk.running);
+    T twice = ramp(T(k_arms_twice_0), T(k_arms_twice_1), trunk.slow);
     SineCosine<T> outward = doubled(half_turn(at<T>(p.carriage + lane)));
     Axes<T> chest = axes_of(chest_rot);
     V3<T> clavicle_up = chest.y * (clavicle.y - chest_place.y) + chest.z * (clavicle.z - chest_place.z);
@@ -97,10 +125,11 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         V3<T> shoulder_at = chest_at + shoulder_up + chest.x * (shoulder.x * T(mirror));
         set_joint(out, joint, lane, clavicle_at, chest_rot);
 
-        T stroke = cycle.cosine[0] * T(mirror);  // +1 at this side's contact
+        // +1 where the arm is farthest back: at this side's contact.
+        T stroke = mixed(cycle.cosine[0] * T(mirror), cycle.cosine[1] * T(0.5f), twice);
+        T late = mixed(cycle.sine[0] * T(mirror), cycle.sine[1] * T(0.5f), twice);
         T back = T(0.02f) + swing * (T(0.12f) + T(0.29f) * stroke);
-        T elbow = mixed(T(0.22f), T(0.60f), amplitude) -
-                  swing * T(0.22f) * (stroke - cycle.sine[0] * T(0.25f * mirror));
+        T elbow = mean_elbow - swing * T(0.22f) * (stroke - late * T(0.25f));
         // The upper arm hangs turned back by `back` and out by the carriage, the forearm bent by `elbow`, a
         // little inward.
         SineCosine<T> raised = doubled(half_turn(back)), bent = doubled(half_turn(elbow));
@@ -112,6 +141,15 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         T out_sine = outward.sine * T(mirror);
         V3<T> wrist{hang.x * outward.cosine - hang.y * out_sine, hang.y * outward.cosine + hang.x * out_sine,
                     hang.z};
+
+        T reach = at<T>(g.hands[side].reach + lane);
+        bool reaching = any(reach > zero);
+        Q4<T> on_wall;
+        if (reaching) {
+            V3<T> to =
+                wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), on_wall) - shoulder_at;
+            wrist = mixed(wrist, V3<T>{dot(to, chest.x), dot(to, chest.y), dot(to, chest.z)}, reach);
+        }
         // The elbow points back and a little out.
         V3<T> front{T(-0.35f * mirror), zero, one};
         Limb<T> limb = solve_limb(wrist, front, size, -1.0f);
@@ -119,9 +157,15 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         Q4<T> lower_rot = chest_rot * limb.lower_rot;
         set_joint(out, joint + 1, lane, shoulder_at, chest_rot * limb.upper_rot);
         set_joint(out, joint + 2, lane, placed(limb.middle), lower_rot);
-        set_joint(out, joint + 3, lane, placed(limb.end), lower_rot);
+        Q4<T> hand_rot = lower_rot;
+        if (reaching) {
+            Q4<T> laid = blended(lower_rot, on_wall, reach);
+            auto lies = reach > zero;
+            hand_rot = {select(lies, laid.x, hand_rot.x), select(lies, laid.y, hand_rot.y),
+                        select(lies, laid.z, hand_rot.z), select(lies, laid.w, hand_rot.w)};
+        }
+        set_joint(out, joint + 3, lane, placed(limb.end), hand_rot);
     }
-    (void)g;
 }
 
 // Each joint of the spine turns back a little more against the pelvis, so that the chest turns the other way
@@ -156,8 +200,7 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         position = position + axes.y * (next.y - place.y) + axes.z * (next.z - place.z);
         place = next;
         set_joint(out, joint, lane, position, rotations[joint]);
-        if (joint == upper_chest)
-            pose_arms(g, p, out, lane, position, chest_rot, place, trunk.amplitude, cycle);
+        if (joint == upper_chest) pose_arms(g, p, out, lane, position, chest_rot, place, trunk, cycle);
     }
 }
 

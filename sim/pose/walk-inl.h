@@ -22,16 +22,26 @@ struct Pelvis {
     V3<T> to_hip[2];  // from its centre to the hip joints, in the world
 };
 
+// What raises and lowers the pelvis besides the legs, metres.
+template <class T>
+struct Height {
+    T base;    // of the ground that it rides on
+    T load;    // share of the body on the left leg
+    T bob;     // added as it passes over a leg
+    T bounce;  // of a run: up in flight, down in stance
+    T crouch;
+};
+
 // Where the pelvis goes: along the way of the walker, swaying over the leg that carries it, at the height at
-// which that leg has the knee of the normal walk.
+// which that leg has the knee of the normal walk. A runner's bounces instead.
 template <class T>
 HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSizes<T>& foot_size,
-                             const LimbSizes<T>& leg, T base, T load, T crouch, T lift) {
+                             const LimbSizes<T>& leg, const Stride<T>& stride, const Height<T>& height) {
     T one = T(1.0f);
     T squares = leg.upper * leg.upper + leg.lower * leg.lower, product = T(2.0f) * leg.upper * leg.lower;
     T least = leg.upper * leg.upper * T(0.8f);
-    T full = (leg.upper + leg.lower) * T(0.998f), full2 = full * full;
-    T wanted = T(0.0f), limits[2];
+    T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
+    T wanted = height.bob, limits[2];
     for (int side = 0; side < 2; ++side) {
         const Foot<T>& foot = feet[side];
         T hip_up = pelvis.to_hip[side].y;
@@ -40,17 +50,21 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
           z = pelvis.place.z + pelvis.to_hip[side].z - ankle.z;
         T flat2 = x * x + z * z;
         T above = root(larger(squares + product * foot.knee - flat2, least)) - hip_up;
-        wanted = wanted + (above + ankle.y - foot.place.y) * (side == k_left ? load : one - load);
+        wanted =
+            wanted + (above + ankle.y - foot.place.y) * (side == k_left ? height.load : one - height.load);
         limits[side] = root(larger(full2 - flat2, least)) + ankle.y - hip_up;
+    }
+    if (any(stride.running > T(0.0f))) {
+        T run = root(squares + product * T(k_run_knee_cosine)) - pelvis.to_hip[k_left].y + foot_size.ankle;
+        wanted = mixed(wanted, run + height.bounce, stride.running);
     }
     // Never so high that a planted leg would be stretched, rounded so that the knee does not snap straight;
     // but a leg about to leave may be: its heel gives.
-    T y = base + wanted - crouch;
-    for (int side = 0; side < 2; ++side) {
-        T limit = smaller(limits[side] + feet[side].slack, y + T(0.3f));
-        y = soft_smaller(y, limit, T(k_straight));
-    }
-    pelvis.place.y = y + lift;
+    T y = height.base + wanted - height.crouch;
+    for (int side = 0; side < 2; ++side)
+        y = soft_smaller(y, smaller(limits[side] - stride.lift + feet[side].slack, y + T(0.3f)),
+                         T(k_straight));
+    pelvis.place.y = y + stride.lift;
     for (int side = 0; side < 2; ++side) {
         V3<T> hip = pelvis.place + pelvis.to_hip[side];
         raise_heel(feet[side], foot_size, hip, full);
@@ -84,26 +98,41 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     // Pelvis: list, rotation and sway from the curves.
     Harmonics<T, 3> cycle = harmonics<3>(phase);
     T style = at<T>(p.sway + lane), walk = amplitude * style;
-    T list = curve_at(k_norm_pelvic_list, cycle) * walk;
+    // One who stands leans over the leg that carries most.
+    T load = at<T>(g.load + lane), idle = (load - T(0.5f)) * (one - amplitude);
+    T list = curve_at(k_norm_pelvic_list, cycle) * walk + idle * T(0.08f);
     T turn = curve_at(k_norm_pelvic_rotation, cycle) * walk;
-    T sway = cycle.sine[0] * mixed(T(0.004f), T(k_sway), amplitude) * style;
+    T slow = stride.duty - T(k_norm_duty);
+    T sway = cycle.sine[0] * style * amplitude * larger(T(k_sway) + T(k_sway_slow) * slow, T(0.008f)) +
+             idle * T(0.06f);
     SineCosine<T> half = sine_cosine(at<T>(g.heading + lane) * T(0.5f));
     Heading<T> heading{half, doubled(half)};
-    T lean = at<T>(p.lean + lane);
+    T lean = at<T>(p.lean + lane) + clamped(at<T>(g.rise + lane), T(-0.3f), T(0.6f)) * T(0.3f) +
+             stride.running * T(k_run_lean);
 
     Pelvis<T> pelvis;
     pelvis.rotation =
         turned_yzx(plus(heading.half, half_turn(zero - turn)), half_turn(list), half_turn(lean * T(0.3f)));
     pelvis.axes = axes_of(pelvis.rotation);
-    pelvis.place = {at<T>(g.x + lane) + heading.whole.cosine * sway, zero,
-                    at<T>(g.z + lane) - heading.whole.sine * sway};
+    T surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * amplitude;
+    pelvis.place = along(heading, V3<T>{sway, zero, surge}) + V3<T>{at<T>(g.x + lane), zero, at<T>(g.z + lane)};
     V3<T> aside = pelvis.axes.x * hip_place.x;
     V3<T> middle =
         pelvis.axes.y * (hip_place.y - hips_place.y) + pelvis.axes.z * (hip_place.z - hips_place.z);
     pelvis.to_hip[k_left] = middle + aside;
     pelvis.to_hip[k_right] = middle - aside;
-    raise_pelvis(pelvis, feet, foot_size, leg, at<T>(g.base + lane), at<T>(g.load + lane),
-                 at<T>(g.crouch + lane), stride.lift);
+    Height<T> height;
+    height.base = at<T>(g.base + lane);
+    height.load = load;
+    height.crouch = at<T>(g.crouch + lane);
+    // cos of twice (phase - k_high).
+    T over_foot = cycle.cosine[1] * T(k_high_cosine) + cycle.sine[1] * T(k_high_sine);
+    height.bob = (one + over_foot) * larger(T(k_bob) + T(k_bob_slow) * slow, zero) * amplitude;
+    // Lowest when half the time on the ground is over.
+    SineCosine<T> middle_of_stance = doubled(doubled(half_turn(stride.duty * T(k_pi))));
+    height.bounce = (cycle.cosine[1] * middle_of_stance.cosine + cycle.sine[1] * middle_of_stance.sine) *
+                    T(0.0f - k_bounce);
+    raise_pelvis(pelvis, feet, foot_size, leg, stride, height);
     set_joint(out, hips, lane, pelvis.place, pelvis.rotation);
 
     for (int side = 0; side < 2; ++side) {
@@ -122,8 +151,8 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
                   turned_x(foot.flat, foot.toe_half));
     }
 
-    Trunk<T> trunk{pelvis.place, pelvis.rotation, pelvis.axes, hips_place, heading, turn, list,
-                   lean,         amplitude};
+    Trunk<T> trunk{pelvis.place, pelvis.rotation, pelvis.axes,    hips_place, heading, turn, list,
+                   lean,         amplitude,       stride.running, slow};
     pose_trunk(g, p, out, lane, trunk, cycle);
 }
 
