@@ -25,7 +25,7 @@ void step(World& w) {
     timed(w, Stage::move, [&] { move(w.crowd, w.city, *w.navmesh, *w.workers); });
     timed(w, Stage::gait, [&] {
         RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
-                        w.crowd.turn_rate.data()};
+                        w.crowd.turn_rate.data(), w.crowd.chosen.data()};
         parallel_for(*w.workers, w.gait.count, k_blocks_a_chunk * k_block,
                      [&](size_t begin, size_t end, int) {
                          advance_gait(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);

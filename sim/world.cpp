@@ -30,7 +30,7 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
     world->crowd = std::move(crowd).value();
 
     RootMotion root{world->crowd.position.data(), world->crowd.velocity.data(), world->crowd.heading.data(),
-                    world->crowd.turn_rate.data()};
+                    world->crowd.turn_rate.data(), world->crowd.chosen.data()};
     start_gait(world->gait, world->crowd.count, world->bodies, world->crowd.body.data(),
                world->crowd.scale.data(), root, world->city, world->seed);
     world->poses.resize(world->gait.blocks.size());

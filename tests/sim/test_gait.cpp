@@ -58,8 +58,8 @@ Watched watch(const City& city, float seconds, const std::function<Drive(float)>
     float scale = 1, heading = 0, turn_rate = 0, speed = 0;
     Vec3 position;
     if (auto hit = ground(city, {0, 1, 0}, 2, 3)) position.y = hit->height;
-    Vec2 velocity;
-    RootMotion root{&position, &velocity, &heading, &turn_rate};
+    Vec2 velocity, wish;
+    RootMotion root{&position, &velocity, &heading, &turn_rate, &wish};
     Gait gait;
     start_gait(gait, 1, bodies, &body, &scale, root, city, 11);
     std::vector<PoseBlock> poses(1);
@@ -75,6 +75,7 @@ Watched watch(const City& city, float seconds, const std::function<Drive(float)>
         turn_rate += clamp(d.turn_rate - turn_rate, -8 * k_tick, 8 * k_tick);
         heading += turn_rate * k_tick;
         velocity = heading_direction(heading) * speed;
+        wish = heading_direction(heading) * d.speed;
         position += at_height(velocity * k_tick, 0);
         if (auto hit = ground(city, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, city, 11, static_cast<uint32_t>(t), k_tick);

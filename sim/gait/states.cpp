@@ -1,0 +1,355 @@
+#include "sim/gait/states.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/gait/norms.h"
+
+namespace flaneur {
+
+static constexpr float k_standing_speed = 0.08f;                   // m/s
+static constexpr float k_slack = 0.13f, k_stopping_slack = 0.06f;  // metres that a standing foot may be off
+static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
+static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
+static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
+static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
+static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
+static constexpr float k_rest = 0.16f;          // phase of a foot that stands
+static constexpr float k_early =
+    0.006996f;  // of the cycle, by which the body trusts a foot before it is down
+static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
+static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
+static constexpr float k_land = 0.45f;                // seconds of crouch after a jump
+static constexpr float k_hurry =
+    25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
+static constexpr float k_close = 2;           // 1/s, the least such rate when standing
+static constexpr float k_just_below = 1e-4f;  // of the phase
+
+void begin_jump(GaitBlock& g, int lane) {
+    if (g.jump[lane] > 0) return;
+    g.jump[lane] = 1e-4f;
+    g.flight[lane] = 0;
+}
+
+namespace {
+
+float wrap_phase(float p) { return p - std::floor(p); }
+// In [-1/2, 1/2).
+float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
+
+void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
+
+// Speed's slow followers: how much of a walk, of a run and which way.
+void advance_manner(const Stepper& s, float speed) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    approach(g.amplitude[lane], smoothstep(0.1f, 0.85f, speed), 2.6f * s.dt);
+    float froude = speed * speed / (k_gravity * s.leg);
+    approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
+    float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
+    approach(g.duty[lane], duty, lerp(0.2f, 0.6f, g.running[lane]) * s.dt);
+    Vec2 facing = heading_direction(s.heading);
+    float course = speed > k_standing_speed ? dot(s.velocity, facing) / speed : 1;
+    approach(g.course[lane], course, 4 * s.dt);
+}
+
+float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
+    const GaitBlock& g = s.gait;
+    int lane = s.lane;
+    float stride = stride_length(std::max(speed, 0.05f), s.leg) * s.person.stride[lane];
+    stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
+    if (g.tread[lane] > 0) {
+        stride = 2 * g.tread[lane];
+        if (speed > 1.3f * stride) stride *= 2;
+        // A tread that lies farther than the foot would go is reached later.
+        Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+        for (const FootBlock& foot : g.feet) {
+            if (!foot.swinging[lane]) continue;
+            Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
+            stride *= 1 + clamp(1.5f * dot(beyond, way) / stride, -0.25f, 0.25f);
+        }
+    }
+    float f = lerp(speed / stride, run_frequency(speed, s.leg), g.running[lane]);
+    float twist = std::max(off[k_left].twist, off[k_right].twist);
+    f = std::max(f, twist > 0.5f || speed < 0.12f || g.course[lane] < 0.5f ? k_shuffle : k_slowest);
+    // A foot left behind, by a push say, is fetched sooner.
+    float behind = 0;
+    for (Side side : {k_left, k_right}) {
+        if (!g.feet[side].swinging[lane]) behind = std::max(behind, off[side].distance);
+    }
+    bool pushed = behind > k_out_of_reach * s.leg || (g.amplitude[lane] < 0.3f && behind > 2 * k_slack);
+    return pushed ? std::max(f, k_hasty) : f;
+}
+
+// The foot that begins: the one left behind, the inner one of a turn, the one on the side of a step aside.
+Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
+    Vec2 facing = heading_direction(s.heading), left{facing.z, -facing.x};
+    Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
+    float bias = 0.15f * dot(normalize_or(way, {0, 0}), left) + 0.05f * clamp(s.turn_rate, -1, 1);
+    float l = off[k_left].behind, r = off[k_right].behind;
+    if (length_squared(way) < 0.01f) l = off[k_left].amount(slack), r = off[k_right].amount(slack);
+    return l - r + bias >= 0 ? k_left : k_right;
+}
+
+bool may_leave(const Stepper& s, Side side) {
+    const FootBlock& other = s.gait.feet[1 - side];
+    if (s.gait.running[s.lane] > 0.5f) return true;
+    return !other.swinging[s.lane] && other.phase[s.lane] > 0.02f;
+}
+
+void leave(const Stepper& s, Side side) {
+    GaitBlock& g = s.gait;
+    float duty = g.duty[s.lane], f = g.frequency[s.lane];
+    float& phase = g.feet[side].phase[s.lane];
+    phase = std::max(phase, duty);
+    if (!lift_off(s, side, (1 - phase) / f, f)) {
+        phase = duty - k_just_below;
+        begin_jump(g, s.lane);
+    }
+}
+
+// Stands, with the weight wandering, until a foot is wanted elsewhere; then gives the body to the other leg.
+void stand(const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)[2], float slack) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    for (FootBlock& foot : g.feet) approach(foot.phase[lane], k_rest, 1.5f * s.dt);
+    if (!wants_step) {
+        g.first[lane] = -1;
+        return;
+    }
+    if (g.first[lane] < 0) g.first[lane] = first_foot(s, off, slack);
+    Side side = static_cast<Side>(g.first[lane]);
+    float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
+    if (carried > 0.15f && !in_haste) return;
+    g.standing[lane] = 0;
+    g.first[lane] = -1;
+    g.frequency[lane] = wanted_frequency(s, length(s.velocity), off);
+    leave(s, side);
+}
+
+void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2], float slack) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    float duty = g.duty[lane], f = g.frequency[lane], speed = length(s.velocity);
+    // A foot is left this far behind by a steady walk or run; farther, the walker is stopping or was pushed.
+    float soon = std::min(speed, lerp(speed, length(s.wish), 0.25f));
+    float stride = std::max(soon, 0.05f) / f;
+    float reach = std::min(k_out_of_reach * s.leg, 0.08f + 0.7f * duty * stride);
+    for (Side side : {k_left, k_right}) {
+        FootBlock& foot = g.feet[side];
+        const FootBlock& other = g.feet[1 - side];
+        float& phase = foot.phase[lane];
+        if (foot.swinging[lane]) {
+            float forefoot = g.tread[lane] > 0 ? 1.0f : 0.6f * g.running[lane];
+            approach(foot.forefoot[lane], forefoot, 5 * s.dt);
+            phase = std::max(phase + f * s.dt, duty);
+            if (phase >= 1) {
+                phase -= 1;
+                touch_down(s, side);
+            } else {
+                swing(s, side, (1 - phase) / f, f);
+            }
+            continue;
+        }
+        // In time with the other foot, at once where the body has left it behind.
+        bool worse = off[side].distance >= off[1 - side].distance;
+        float ahead = wrap_difference(other.phase[lane] + 0.5f - phase);
+        float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
+        if (worse && may_leave(s, side)) {
+            rate += std::max(off[side].distance - reach, 0.0f) * (k_hurry / s.leg);
+            if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);
+        }
+        if (wants_step) {
+            phase += rate * s.dt;
+        } else {
+            approach(phase, k_rest, 1.5f * s.dt);
+        }
+        bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
+        phase = std::min(phase, duty - k_just_below);
+        if (wants_step && g.jump[lane] <= 0 && due && may_leave(s, side)) {
+            leave(s, side);
+        } else {
+            pivot(s, side);
+        }
+    }
+    if (!wants_step && !g.feet[k_left].swinging[lane] && !g.feet[k_right].swinging[lane])
+        g.standing[lane] = 1;
+}
+
+// Pelvis and arms go with the feet, evenly.
+void advance_phase(const Stepper& s) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    float l = g.feet[k_left].phase[lane], r = g.feet[k_right].phase[lane];
+    float both = l + wrap_difference(r - 0.5f - l) * 0.5f;
+    float phase = g.phase[lane] + g.frequency[lane] * s.dt;
+    float most = (1 + 2 * (1 - g.amplitude[lane])) * s.dt;
+    phase += clamp(wrap_difference(both - phase), -most, most);
+    g.phase[lane] = wrap_phase(phase);
+}
+
+// Crouch, flight, crouch. The height above the way is a parabola; the pelvis enters and leaves it at its
+// speed.
+void advance_jump(const Stepper& s) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    float& t = g.jump[lane];
+    float& flight = g.flight[lane];
+    FootBlock* feet = g.feet;
+    bool planted = !feet[k_left].swinging[lane] && !feet[k_right].swinging[lane];
+    constexpr float k_usual = 0.40f;  // seconds of flight
+    t += s.dt;
+    if (flight <= 0) {
+        if (t >= k_jump_crouch && !planted) t -= s.dt;
+        if (t >= k_jump_crouch) {
+            t = k_jump_crouch;
+            flight = k_usual;
+            g.standing[lane] = 0;
+            for (Side side : {k_left, k_right}) {
+                feet[side].phase[lane] = g.duty[lane];
+                lift_off(s, side, flight, k_hasty);
+            }
+        }
+        float c = std::min(t, k_jump_crouch);
+        g.crouch[lane] =
+            0.5f * k_gravity * k_usual * c * c * (k_jump_crouch - c) / (k_jump_crouch * k_jump_crouch);
+        return;
+    }
+    float up = t - k_jump_crouch;
+    if (up < flight) {
+        g.crouch[lane] = 0;
+        g.lift[lane] = 0.5f * k_gravity * up * (flight - up);
+        for (Side side : {k_left, k_right}) {
+            feet[side].phase[lane] = g.duty[lane] + (1 - g.duty[lane]) * (up / flight);
+            swing(s, side, flight - up, k_hasty);
+        }
+        return;
+    }
+    g.lift[lane] = 0;
+    if (feet[k_left].swinging[lane] && feet[k_right].swinging[lane]) {
+        for (Side side : {k_left, k_right}) {
+            feet[side].phase[lane] = 0;
+            touch_down(s, side);
+        }
+        g.standing[lane] = 1;
+        g.first[lane] = -1;
+    }
+    float down = std::min(up - flight, k_land);
+    g.crouch[lane] = 0.5f * k_gravity * flight * down * (k_land - down) * (k_land - down) / (k_land * k_land);
+    if (down >= k_land) t = flight = 0;
+}
+
+bool in_jump(const GaitBlock& g, int lane) {
+    return g.jump[lane] > 0 && (g.flight[lane] <= 0 || g.jump[lane] < k_jump_crouch + g.flight[lane] + 0.08f);
+}
+
+// The share of the body that a foot carries since it landed: all when the other one has left. `phase` is its
+// own.
+float taken_over(float phase, float duty) {
+    return smoothstep(0, std::max((duty - 0.5f) * k_shift_width, 0.08f), phase + k_early);
+}
+
+void advance_load(const Stepper& s, RandomKey chance) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
+    float target = 0.5f, rate = lerp(5.0f, 25.0f, g.amplitude[lane]), duty = g.duty[lane];
+    if (g.standing[lane]) {
+        target = 0.5f + random_between(chance, -0.25f, 0.25f, 2);
+        rate = 0.35f;
+        if (g.first[lane] >= 0) target = g.first[lane] == k_left ? 0.0f : 1.0f, rate = 3.5f;
+    } else if (l.swinging[lane] && r.swinging[lane]) {
+        // In flight: whichever comes down next.
+        target = l.phase[lane] > r.phase[lane] ? 1.0f : 0.0f;
+    } else {
+        // The foot that landed last takes over; the body begins to trust one just before it is down.
+        bool left = r.swinging[lane] || (!l.swinging[lane] && l.phase[lane] < r.phase[lane]);
+        const FootBlock &last = left ? l : r, &other = left ? r : l;
+        float share = taken_over(last.phase[lane], duty);
+        if (other.swinging[lane]) share -= taken_over(std::min(other.phase[lane] - 1, 0.0f), duty);
+        target = left ? share : 1 - share;
+    }
+    approach(g.load[lane], target, rate * s.dt);
+}
+
+// The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
+// down, by the time that foot lands; and it rises only as the higher foot takes the load.
+float carrying_height(const GaitBlock& g, int lane) {
+    const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
+    if (!l.swinging[lane] && !r.swinging[lane]) {
+        float left = l.from.y[lane], right = r.from.y[lane];
+        float high = left > right ? g.load[lane] : 1 - g.load[lane];
+        return lerp(std::min(left, right), std::max(left, right), 0.6f * high);
+    }
+    bool both = l.swinging[lane] && r.swinging[lane];
+    const FootBlock &swings = l.swinging[lane] ? l : r, &stands = l.swinging[lane] ? r : l;
+    float from = both ? lerp(l.from.y[lane], r.from.y[lane], 0.5f) : stands.from.y[lane];
+    float to = both ? lerp(l.to.y[lane], r.to.y[lane], 0.5f) : swings.to.y[lane];
+    float duty = g.duty[lane];
+    float u = smoothstep(duty, lerp(duty, 1, 0.85f), swings.phase[lane]);
+    return both || to < from ? lerp(from, to, u) : from;
+}
+
+void advance_base(const Stepper& s, float speed) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    float w = k_base_stiffness, target = carrying_height(g, lane) + 1.2f / w * g.rise[lane] * speed;
+    float& velocity = g.base_velocity[lane];
+    velocity += (w * w * (target - g.base[lane]) - 2 * w * velocity) * s.dt;
+    g.base[lane] += velocity * s.dt;
+    float rise = speed > 0.2f ? clamp(velocity / speed, -0.8f, 0.8f) : 0;
+    g.rise[lane] += (rise - g.rise[lane]) * std::min(1.0f, 3 * s.dt);
+}
+
+// Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996), and now and then
+// to something of interest.
+void advance_look(const Stepper& s, RandomKey chance) {
+    float coming = s.turn_rate * 0.2f;
+    if (length_squared(s.wish) > 0.0625f) coming = wrap_angle(heading_of(s.wish) - s.heading);
+    coming = clamp(coming, -0.45f, 0.45f);
+    float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
+    float interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
+    float& look = s.gait.look[s.lane];
+    look += (coming + interest * (1 - turns) - look) * std::min(1.0f, lerp(3.5f, 9.0f, turns) * s.dt);
+}
+
+}  // namespace
+
+void advance_walker(const Stepper& s, RandomKey chance) {
+    GaitBlock& g = s.gait;
+    int lane = s.lane;
+    g.x[lane] = s.root.x;
+    g.z[lane] = s.root.z;
+    g.heading[lane] = s.heading;
+    float speed = length(s.velocity);
+    advance_manner(s, speed);
+
+    Misfit off[2] = {misfit(s, k_left), misfit(s, k_right)};
+    for (Side side : {k_left, k_right}) {
+        if (g.feet[side].swinging[lane] || off[side].distance < k_lost * s.leg) continue;
+        replant(s, side);
+        off[side] = misfit(s, side);
+    }
+    float slack = lerp(k_slack, k_stopping_slack, g.amplitude[lane]);
+    float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
+    bool slow = speed < k_standing_speed, wants_step = !slow || worst > 1;
+    if (g.jump[lane] > 0) advance_jump(s);
+    if (in_jump(g, lane)) {
+        // Feet in the air when a jump begins come down first.
+        if (g.flight[lane] <= 0) advance_feet(s, false, slow, off, slack);
+    } else if (g.standing[lane]) {
+        stand(s, wants_step, worst > 2.2f || speed > 0.45f, off, slack);
+    } else {
+        // Steps stay quick while one slows down.
+        float f = wanted_frequency(s, speed, off);
+        approach(g.frequency[lane], f, (f > g.frequency[lane] ? 6 : 2) * s.dt);
+        advance_feet(s, wants_step, slow, off, slack);
+    }
+    if (!g.standing[lane]) advance_phase(s);
+    advance_load(s, chance);
+    advance_base(s, speed);
+    advance_look(s, chance);
+}
+
+}  // namespace flaneur

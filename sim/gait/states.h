@@ -1,0 +1,15 @@
+// What a walker does with its feet: stands, starts, walks, runs, stops, jumps.
+#pragma once
+
+#include "sim/base/rng.h"
+#include "sim/gait/steps.h"
+
+namespace flaneur {
+
+// One tick of one walker. Chance is drawn under `chance`, which changes every two seconds.
+void advance_walker(const Stepper& stepper, RandomKey chance);
+
+// Begins a jump if none is under way.
+void begin_jump(GaitBlock& gait, int lane);
+
+}  // namespace flaneur

@@ -1,0 +1,226 @@
+#include "sim/gait/steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
+static constexpr float k_lead = 0.3891f;      // share of a foot's time on the ground before the hip passes it
+static constexpr float k_reaction = 2.2f;     // m/s2, with which velocity is expected to follow the wish
+static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
+static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
+static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
+static constexpr float k_moved = 0.02f,
+                       k_turned = 0.08f;       // metres, radians; changes that are planned for anew
+static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
+static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
+static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
+static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
+static constexpr float k_reach_treads = 1.0f;  // metres
+static constexpr float k_longest_jump = 1.6f;  // metres from the root
+
+Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
+    float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
+    Vec2 ahead = heading_direction(heading);
+    Vec3 left{ahead.z, 0, -ahead.x};
+    float toe_out = side == k_left ? person.toe_out[lane] : -person.toe_out[lane];
+    return {root + left * across, heading + toe_out, {0, 1, 0}};
+}
+
+float Misfit::amount(float slack) const { return std::max(distance / slack, twist / k_home_twist); }
+
+Misfit misfit(const Stepper& s, Side side) {
+    Place wanted = home(s.person, s.lane, side, s.root, s.heading);
+    const FootBlock::Place& is = s.gait.feet[side].to;
+    Vec2 off = on_ground(wanted.position) - Vec2{is.x[s.lane], is.z[s.lane]};
+    Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
+    return {length(off), std::fabs(wrap_angle(wanted.yaw - is.yaw[s.lane])),
+            dot(off, normalize_or(way, {0, 0}))};
+}
+
+namespace {
+
+Side other(Side side) { return side == k_left ? k_right : k_left; }
+
+// Where the foot should land if the walker goes on towards its wish, before the ground is asked.
+Place wished_landing(const Stepper& s, Side side, float seconds, float frequency) {
+    float duty = s.gait.duty[s.lane];
+    float stands = k_lead * duty / frequency, until = seconds + stands;
+    Vec2 change = s.wish - s.velocity;
+    float l = length(change), most = k_reaction * seconds;
+    Vec2 later = l > most ? s.velocity + change * (most / l) : s.wish;
+    // Who walks turns by turning, below.
+    float speed2 = length_squared(s.velocity);
+    if (speed2 > 0.09f) later = s.velocity * std::max(dot(later, s.velocity) / speed2, 0.0f);
+
+    float turn = s.turn_rate * until;
+    if (length_squared(s.wish) > 0.0625f) {
+        float rest = wrap_angle(heading_of(s.wish) - s.heading);
+        turn = rest > 0 ? std::min(turn, std::max(rest, 0.0f)) : std::max(turn, std::min(rest, 0.0f));
+    }
+    turn = clamp(turn, -1.2f, 1.2f);
+    // No farther ahead of the root than the other foot will be behind it: so high does the pelvis stand.
+    const FootBlock::Place& to = s.gait.feet[other(side)].to;
+    Vec2 there{to.x[s.lane], to.z[s.lane]};
+    Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = later * stands;
+    float leads = length(lead),
+          behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
+    float most_lead = 0.9f * std::max(behind, 0.0f) + 0.03f;
+    if (leads > most_lead) lead = lead * (most_lead / leads);
+    ahead += lead;
+    SinCos half = sin_cos(turn * 0.5f);
+    ahead = {ahead.x * half.cosine + ahead.z * half.sine, ahead.z * half.cosine - ahead.x * half.sine};
+    float heading = s.heading + turn;
+    Place place = home(s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
+
+    // On its own side of the other foot, and within a step of it.
+    Vec2 facing = heading_direction(heading);
+    Vec2 outward = side == k_left ? Vec2{facing.z, -facing.x} : Vec2{-facing.z, facing.x};
+    Vec2 apart = on_ground(place.position) - there;
+    float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
+    if (missing > 0) apart += outward * missing;
+    float step = length(apart), longest = s.leg * lerp(k_longest_step, 1.6f, s.gait.running[s.lane]);
+    if (step > longest) apart = apart * (longest / step);
+    place.position.x = there.x + apart.x;
+    place.position.z = there.z + apart.z;
+    place.position.y = to.y[s.lane];
+
+    float out = side == k_left ? 1.0f : -1.0f, yaw = wrap_angle(place.yaw - s.heading) * out;
+    place.yaw = s.heading + out * clamp(yaw, -k_inward, k_outward);
+    return place;
+}
+
+// On stairs one tread is a step: the foot lands on the next one after the other foot's.
+void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wished) {
+    Place there = get_place(s.gait.feet[other(side)].to, s.lane);
+    Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+    Tread next = next_tread(s.city, there.position, way, k_reach_treads);
+    float& tread = s.gait.tread[s.lane];
+    if (next.end <= next.begin) {
+        tread = 0;
+        return;
+    }
+    tread = next.end - next.begin;
+    float along = dot(on_ground(wished.position - there.position), way);
+    float low = next.begin + size.heel + 0.02f, high = next.end - size.tip;
+    // Down, the toes come to the next edge, and the heel passes clear of the last one.
+    float fit =
+        next.down ? std::max(low, high) : (low < high ? clamp(along, low, high) : (low + high) * 0.5f);
+    wished.position += at_height(way * (fit - along), 0);
+}
+
+// Finds the landing for `wished`; false if a jump has to.
+bool plan(const Stepper& s, Side side, Place wished, bool leaves) {
+    FootBlock& foot = s.gait.feet[side];
+    FootSize size = foot_size(s.person, s.lane);
+    foot.wished_x[s.lane] = wished.position.x;
+    foot.wished_z[s.lane] = wished.position.z;
+    foot.wished_yaw[s.lane] = wished.yaw;
+    const FootBlock::Place& there = s.gait.feet[other(side)].to;
+    Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+    Vec3 here{s.root.x, there.y[s.lane], s.root.z};
+    if (s.gait.flight[s.lane] > 0) {
+        FarSide far = far_side(s.city, here, way, k_longest_jump);
+        float short_of = far.distance + size.heel + 0.05f - dot(on_ground(wished.position - here), way);
+        if (far.distance > 0) wished.position.y = far.height;
+        if (far.distance > 0 && short_of > 0) wished.position += at_height(way * short_of, 0);
+    }
+    if (s.gait.tread[s.lane] > 0) keep_to_treads(s, side, size, wished);
+    Footing footing = find_footing(s.city, wished, size);
+    if (footing.found && footing.stepped && s.gait.tread[s.lane] <= 0 && s.gait.running[s.lane] < 0.5f &&
+        std::fabs(footing.place.position.y - there.y[s.lane]) > k_stair) {
+        keep_to_treads(s, side, size, wished);
+        if (s.gait.tread[s.lane] > 0) footing = find_footing(s.city, wished, size);
+    }
+    if (!footing.found) {
+        bool jumps = leaves && s.gait.flight[s.lane] <= 0 && s.gait.amplitude[s.lane] > 0.3f;
+        if (jumps && far_side(s.city, here, way, k_longest_jump).distance > 0) return false;
+        // Nearer to the root, which is known to stand on ground.
+        for (float pull : {0.35f, 0.7f, 1.0f}) {
+            Place nearer = wished;
+            nearer.position = lerp(wished.position, Vec3{s.root.x, wished.position.y, s.root.z}, pull);
+            footing = find_footing(s.city, nearer, size);
+            if (footing.found) break;
+        }
+        if (!footing.found) footing.place.position.y = s.root.y;
+    }
+    Place from = get_place(foot.from, s.lane), landing = footing.place;
+    landing.yaw = from.yaw + wrap_angle(landing.yaw - from.yaw);
+    set_place(foot.goal, s.lane, landing);
+    if (leaves) foot.obstacle[s.lane] = 0;
+    if (leaves || footing.stepped) {
+        foot.obstacle[s.lane] =
+            std::max(foot.obstacle[s.lane], obstacle_between(s.city, from, landing, size));
+    }
+    return true;
+}
+
+}  // namespace
+
+bool lift_off(const Stepper& s, Side side, float seconds, float frequency) {
+    FootBlock& foot = s.gait.feet[side];
+    if (!plan(s, side, wished_landing(s, side, seconds, frequency), true)) return false;
+    foot.swinging[s.lane] = 1;
+    set_place(foot.to, s.lane, get_place(foot.goal, s.lane));
+    return true;
+}
+
+void swing(const Stepper& s, Side side, float seconds, float frequency) {
+    FootBlock& foot = s.gait.feet[side];
+    if (seconds > k_settled) {
+        Place wished = wished_landing(s, side, seconds, frequency);
+        float moved = std::max(std::fabs(wished.position.x - foot.wished_x[s.lane]),
+                               std::fabs(wished.position.z - foot.wished_z[s.lane]));
+        float turned = std::fabs(wished.yaw - foot.wished_yaw[s.lane]);
+        if (moved > k_moved || turned > k_turned) plan(s, side, wished, false);
+    }
+    // Swiftly enough to be there in time.
+    float share = std::min(1.0f, s.dt * std::max(k_following, 2.5f / std::max(seconds, s.dt)));
+    auto follow = [&](float* to, const float* goal) { to[s.lane] += (goal[s.lane] - to[s.lane]) * share; };
+    follow(foot.to.x, foot.goal.x);
+    follow(foot.to.y, foot.goal.y);
+    follow(foot.to.z, foot.goal.z);
+    follow(foot.to.yaw, foot.goal.yaw);
+    follow(foot.to.normal_x, foot.goal.normal_x);
+    follow(foot.to.normal_z, foot.goal.normal_z);
+}
+
+void touch_down(const Stepper& s, Side side) {
+    FootBlock& foot = s.gait.feet[side];
+    foot.swinging[s.lane] = 0;
+    foot.obstacle[s.lane] = 0;
+    Place landed = get_place(foot.goal, s.lane);
+    landed.yaw = wrap_angle(landed.yaw);
+    set_place(foot.from, s.lane, landed);
+    set_place(foot.to, s.lane, landed);
+}
+
+void replant(const Stepper& s, Side side) {
+    Footing footing =
+        find_footing(s.city, home(s.person, s.lane, side, s.root, s.heading), foot_size(s.person, s.lane));
+    set_place(s.gait.feet[side].goal, s.lane, footing.place);
+    touch_down(s, side);
+}
+
+void pivot(const Stepper& s, Side side) {
+    FootBlock& foot = s.gait.feet[side];
+    Place is = get_place(foot.from, s.lane);
+    float toe_out = side == k_left ? s.person.toe_out[s.lane] : -s.person.toe_out[s.lane];
+    float off = wrap_angle(s.heading + toe_out - is.yaw);
+    float excess = off > 0 ? std::max(off - k_most_twist, 0.0f) : std::min(off + k_most_twist, 0.0f);
+    if (excess == 0) return;
+    excess = clamp(excess, -4 * s.dt, 4 * s.dt);
+    float ball = foot_size(s.person, s.lane).ball;
+    Vec2 before = heading_direction(is.yaw) * ball, after = heading_direction(is.yaw + excess) * ball;
+    Vec2 by = before - after;
+    is.position += Vec3{by.x, -(is.normal.x * by.x + is.normal.z * by.z) / std::max(is.normal.y, 0.2f), by.z};
+    is.yaw = wrap_angle(is.yaw + excess);
+    set_place(foot.from, s.lane, is);
+    set_place(foot.to, s.lane, is);
+    set_place(foot.goal, s.lane, is);
+}
+
+}  // namespace flaneur
