@@ -4,6 +4,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/states.h"
 #include "sim/gait/steps.h"
@@ -33,7 +34,8 @@ static Stepper stepper_at(Gait& gait, size_t i, const City& city, Vec3 root, flo
             heading,
             0,
             person.joints[left_upper_leg][1][lane],
-            0};
+            0,
+            false};
 }
 
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
@@ -103,6 +105,7 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
         stepper.turn_rate = root.turn_rate[i];
         stepper.dt = dt;
+        stepper.replans = (tick + i) % 3 == 0;
         advance_walker(stepper, key);
     }
 }

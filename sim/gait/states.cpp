@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 
 namespace flaneur {
@@ -20,17 +21,11 @@ static constexpr float k_early =
     0.006996f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
-static constexpr float k_land = 0.45f;                // seconds of crouch after a jump
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
+static constexpr float k_rise = 4.5f;         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;           // 1/s, the least such rate when standing
 static constexpr float k_just_below = 1e-4f;  // of the phase
-
-void begin_jump(GaitBlock& g, int lane) {
-    if (g.jump[lane] > 0) return;
-    g.jump[lane] = 1e-4f;
-    g.flight[lane] = 0;
-}
 
 namespace {
 
@@ -103,17 +98,22 @@ void leave(const Stepper& s, Side side) {
     float duty = g.duty[s.lane], f = g.frequency[s.lane];
     float& phase = g.feet[side].phase[s.lane];
     phase = std::max(phase, duty);
-    if (!lift_off(s, side, (1 - phase) / f, f)) {
-        phase = duty - k_just_below;
-        begin_jump(g, s.lane);
-    }
+    if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(s, side);
+    if (lift_off(s, side, (1 - phase) / f, f)) return;
+    commit_leap(s, side);
+    lift_off(s, side, (1 - phase) / f, f);
 }
 
 // Stands, with the weight wandering, until a foot is wanted elsewhere; then gives the body to the other leg.
 void stand(const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)[2], float slack) {
     GaitBlock& g = s.gait;
     int lane = s.lane;
-    for (FootBlock& foot : g.feet) approach(foot.phase[lane], k_rest, 1.5f * s.dt);
+    for (Side side : {k_left, k_right}) {
+        // The heel of the foot that begins rises while the load leaves it.
+        bool begins = wants_step && side == g.first[lane];
+        approach(g.feet[side].phase[lane], begins ? g.duty[lane] - k_just_below : k_rest,
+                 (begins ? (in_haste ? 3 : 1) * k_rise : 1.5f) * s.dt);
+    }
     if (!wants_step) {
         g.first[lane] = -1;
         return;
@@ -121,7 +121,7 @@ void stand(const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)
     if (g.first[lane] < 0) g.first[lane] = first_foot(s, off, slack);
     Side side = static_cast<Side>(g.first[lane]);
     float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
-    if (carried > 0.15f && !in_haste) return;
+    if ((carried > 0.15f && !in_haste) || g.feet[side].phase[lane] < g.duty[lane] - 1e-3f) return;
     g.standing[lane] = 0;
     g.first[lane] = -1;
     g.frequency[lane] = wanted_frequency(s, length(s.velocity), off);
@@ -167,7 +167,7 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
         }
         bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
         phase = std::min(phase, duty - k_just_below);
-        if (wants_step && g.jump[lane] <= 0 && due && may_leave(s, side)) {
+        if (wants_step && due && may_leave(s, side)) {
             leave(s, side);
         } else {
             pivot(s, side);
@@ -189,61 +189,6 @@ void advance_phase(const Stepper& s) {
     g.phase[lane] = wrap_phase(phase);
 }
 
-// Crouch, flight, crouch. The height above the way is a parabola; the pelvis enters and leaves it at its
-// speed.
-void advance_jump(const Stepper& s) {
-    GaitBlock& g = s.gait;
-    int lane = s.lane;
-    float& t = g.jump[lane];
-    float& flight = g.flight[lane];
-    FootBlock* feet = g.feet;
-    bool planted = !feet[k_left].swinging[lane] && !feet[k_right].swinging[lane];
-    constexpr float k_usual = 0.40f;  // seconds of flight
-    t += s.dt;
-    if (flight <= 0) {
-        if (t >= k_jump_crouch && !planted) t -= s.dt;
-        if (t >= k_jump_crouch) {
-            t = k_jump_crouch;
-            flight = k_usual;
-            g.standing[lane] = 0;
-            for (Side side : {k_left, k_right}) {
-                feet[side].phase[lane] = g.duty[lane];
-                lift_off(s, side, flight, k_hasty);
-            }
-        }
-        float c = std::min(t, k_jump_crouch);
-        g.crouch[lane] =
-            0.5f * k_gravity * k_usual * c * c * (k_jump_crouch - c) / (k_jump_crouch * k_jump_crouch);
-        return;
-    }
-    float up = t - k_jump_crouch;
-    if (up < flight) {
-        g.crouch[lane] = 0;
-        g.lift[lane] = 0.5f * k_gravity * up * (flight - up);
-        for (Side side : {k_left, k_right}) {
-            feet[side].phase[lane] = g.duty[lane] + (1 - g.duty[lane]) * (up / flight);
-            swing(s, side, flight - up, k_hasty);
-        }
-        return;
-    }
-    g.lift[lane] = 0;
-    if (feet[k_left].swinging[lane] && feet[k_right].swinging[lane]) {
-        for (Side side : {k_left, k_right}) {
-            feet[side].phase[lane] = 0;
-            touch_down(s, side);
-        }
-        g.standing[lane] = 1;
-        g.first[lane] = -1;
-    }
-    float down = std::min(up - flight, k_land);
-    g.crouch[lane] = 0.5f * k_gravity * flight * down * (k_land - down) * (k_land - down) / (k_land * k_land);
-    if (down >= k_land) t = flight = 0;
-}
-
-bool in_jump(const GaitBlock& g, int lane) {
-    return g.jump[lane] > 0 && (g.flight[lane] <= 0 || g.jump[lane] < k_jump_crouch + g.flight[lane] + 0.08f);
-}
-
 // The share of the body that a foot carries since it landed: all when the other one has left. `phase` is its
 // own.
 float taken_over(float phase, float duty) {
@@ -262,12 +207,14 @@ void advance_load(const Stepper& s, RandomKey chance) {
     } else if (l.swinging[lane] && r.swinging[lane]) {
         // In flight: whichever comes down next.
         target = l.phase[lane] > r.phase[lane] ? 1.0f : 0.0f;
+        rate = lerp(6.0f, 25.0f, g.running[lane]);
     } else {
         // The foot that landed last takes over; the body begins to trust one just before it is down.
         bool left = r.swinging[lane] || (!l.swinging[lane] && l.phase[lane] < r.phase[lane]);
         const FootBlock &last = left ? l : r, &other = left ? r : l;
         float share = taken_over(last.phase[lane], duty);
         if (other.swinging[lane]) share -= taken_over(std::min(other.phase[lane] - 1, 0.0f), duty);
+        share = lerp(share, 1, g.running[lane]);
         target = left ? share : 1 - share;
     }
     approach(g.load[lane], target, rate * s.dt);
@@ -334,10 +281,8 @@ void advance_walker(const Stepper& s, RandomKey chance) {
     float slack = lerp(k_slack, k_stopping_slack, g.amplitude[lane]);
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
     bool slow = speed < k_standing_speed, wants_step = !slow || worst > 1;
-    if (g.jump[lane] > 0) advance_jump(s);
-    if (in_jump(g, lane)) {
-        // Feet in the air when a jump begins come down first.
-        if (g.flight[lane] <= 0) advance_feet(s, false, slow, off, slack);
+    if (advance_jump(s)) {
+        // The jump has moved the feet.
     } else if (g.standing[lane]) {
         stand(s, wants_step, worst > 2.2f || speed > 0.45f, off, slack);
     } else {

@@ -9,7 +9,4 @@ namespace flaneur {
 // One tick of one walker. Chance is drawn under `chance`, which changes every two seconds.
 void advance_walker(const Stepper& stepper, RandomKey chance);
 
-// Begins a jump if none is under way.
-void begin_jump(GaitBlock& gait, int lane);
-
 }  // namespace flaneur

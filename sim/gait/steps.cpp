@@ -9,6 +9,7 @@ namespace flaneur {
 
 static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
 static constexpr float k_lead = 0.3891f;      // share of a foot's time on the ground before the hip passes it
+static constexpr float k_run_lead = 0.36f;    // the same of a run
 static constexpr float k_reaction = 2.2f;     // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
@@ -20,7 +21,6 @@ static constexpr float k_following = 13;       // 1/s, of the landing place towa
 static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
 static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
 static constexpr float k_reach_treads = 1.0f;  // metres
-static constexpr float k_longest_jump = 1.6f;  // metres from the root
 
 Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
@@ -48,7 +48,8 @@ Side other(Side side) { return side == k_left ? k_right : k_left; }
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
 Place wished_landing(const Stepper& s, Side side, float seconds, float frequency) {
     float duty = s.gait.duty[s.lane];
-    float stands = k_lead * duty / frequency, until = seconds + stands;
+    float stands = lerp(k_lead, k_run_lead, s.gait.running[s.lane]) * duty / frequency,
+          until = seconds + stands;
     Vec2 change = s.wish - s.velocity;
     float l = length(change), most = k_reaction * seconds;
     Vec2 later = l > most ? s.velocity + change * (most / l) : s.wish;
@@ -68,8 +69,9 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = later * stands;
     float leads = length(lead),
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
-    float most_lead = 0.9f * std::max(behind, 0.0f) + 0.03f;
-    if (leads > most_lead) lead = lead * (most_lead / leads);
+    float most_lead = 0.88f * std::max(behind, 0.0f) + 0.01f;
+    bool alone = !s.gait.feet[other(side)].swinging[s.lane] && s.gait.flight[s.lane] <= 0;
+    if (alone && leads > most_lead) lead = lead * (most_lead / leads);
     ahead += lead;
     SinCos half = sin_cos(turn * 0.5f);
     ahead = {ahead.x * half.cosine + ahead.z * half.sine, ahead.z * half.cosine - ahead.x * half.sine};
@@ -82,8 +84,10 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     Vec2 apart = on_ground(place.position) - there;
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
     if (missing > 0) apart += outward * missing;
-    float step = length(apart), longest = s.leg * lerp(k_longest_step, 1.6f, s.gait.running[s.lane]);
-    if (step > longest) apart = apart * (longest / step);
+    float step = length(apart);
+    float longest =
+        s.leg * lerp(k_longest_step, 1.6f, s.gait.flight[s.lane] > 0 ? 1 : s.gait.running[s.lane]);
+    if (alone && step > longest) apart = apart * (longest / step);
     place.position.x = there.x + apart.x;
     place.position.z = there.z + apart.z;
     place.position.y = to.y[s.lane];
@@ -170,7 +174,7 @@ bool lift_off(const Stepper& s, Side side, float seconds, float frequency) {
 
 void swing(const Stepper& s, Side side, float seconds, float frequency) {
     FootBlock& foot = s.gait.feet[side];
-    if (seconds > k_settled) {
+    if (s.replans && seconds > k_settled) {
         Place wished = wished_landing(s, side, seconds, frequency);
         float moved = std::max(std::fabs(wished.position.x - foot.wished_x[s.lane]),
                                std::fabs(wished.position.z - foot.wished_z[s.lane]));

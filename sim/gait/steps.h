@@ -17,7 +17,10 @@ struct Stepper {
     float heading, turn_rate;
     float leg;  // metres
     float dt;
+    bool replans;  // looks at the landing place anew in this tick
 };
+
+inline constexpr float k_longest_jump = 1.8f;  // metres from the root to ground on the far side
 
 // Where the foot would stand beside a root at `root` that faces `heading`.
 Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading);
