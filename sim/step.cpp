@@ -1,5 +1,6 @@
 #include <chrono>
 
+#include "sim/gait/hands.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -29,6 +30,7 @@ void step(World& w) {
         parallel_for(*w.workers, w.gait.count, k_blocks_a_chunk * k_block,
                      [&](size_t begin, size_t end, int) {
                          advance_gait(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);
+                         reach_for_walls(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);
                      });
     });
     timed(w, Stage::pose, [&] {

@@ -18,7 +18,8 @@ enum class Purpose : uint32_t {
     colour,
     accessory,
     city,
-    tree
+    tree,
+    touch
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

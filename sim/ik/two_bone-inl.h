@@ -67,7 +67,8 @@ HWY_INLINE Q4<T> unit_of(Q4<T> q) {
 // quarter of `soft`.
 template <class T>
 HWY_INLINE TwoBoneOutput<T> two_bone(const TwoBoneInput<T>& in) {
-    // Canonical +x is (+y) x (+z) = (-down) x front; a little of the reference's own where these are parallel.
+    // Canonical +x is (+y) x (+z) = (-down) x front; a little of the reference's own where these are
+    // parallel.
     Axes<T> axes = axes_of(in.reference);
     V3<T> down = axes.y * T(-1.0f);
     V3<T> hanging_hinge = unit(cross(in.front, down) + axes.x * T(1e-5f));

@@ -1,0 +1,23 @@
+// Hands on walls: a palm that trails along the wall beside a slow walk, and rests on it while one stands.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/city/city.h"
+#include "sim/gait/gait.h"
+
+namespace flaneur {
+
+// One tick of `dt` seconds for the hands of walkers [begin, end); comes after advance_gait. Some people touch
+// walls, by a style drawn from (seed, walker), and these now and then: a hand whose side has a facade or a
+// garden wall within the arm's length goes to its closest point, a little ahead, between hip and chest.
+//
+// Only one hand of a walker reaches, that on the nearer side, never across the body. Its place is on the
+// wall's plane while `reach` is near 1, and moves no faster than the walker and 0.6 m/s; `reach` rises and
+// falls within some 0.6 s, slowly at both ends. The hand lets go of a wall that ends, turns away, or is
+// walked along too fast, and its place then goes along with the walker.
+void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const City& city,
+                     uint64_t seed, uint32_t tick, float dt);
+
+}  // namespace flaneur
