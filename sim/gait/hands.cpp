@@ -11,12 +11,12 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_people = 0.4f;         // share of the people who touch walls at all
-constexpr float k_mood = 0.6f;           // share of the time that these do
+constexpr float k_people = 0.5f;         // share of the people who touch walls at all
+constexpr float k_mood = 0.7f;           // share of the time that these do
 constexpr uint32_t k_mood_ticks = 480;   // how long a mood lasts
 constexpr uint32_t k_ask_ticks = 8;      // an idle hand looks for a wall every so many ticks
-constexpr float k_start_speed = 1.3f;    // m/s; a faster walker does not begin to touch,
-constexpr float k_hold_speed = 1.5f;     // nor goes on
+constexpr float k_start_speed = 1.4f;    // m/s; a faster walker does not begin to touch,
+constexpr float k_hold_speed = 1.6f;     // nor goes on
 constexpr float k_catch_up = 0.6f;       // m/s that the palm moves over its walker
 constexpr float k_lift_off = 0.1f;       // m/s away from the wall after letting go
 constexpr float k_below_coping = 0.06f;  // of the palm on a wall lower than where it would rest, metres
@@ -26,6 +26,7 @@ struct Arm {
     Vec3 shoulder;
     Vec2 ahead, outward;  // of the body, unit; outward is to this arm's side
     float length;         // from shoulder to wrist
+    float beside;         // of the shoulder, from the body's middle
     float low, wanted;    // heights that the palm may have, and that it would like
     float speed;
 };
@@ -40,32 +41,41 @@ Arm arm_of(const GaitBlock& g, const PersonBlock& person, int lane, Side side, V
     Vec2 ahead = heading_direction(heading), left{ahead.z, -ahead.x};
     float base = g.base[lane];
     // Of the shoulder's height: trails low, rests high.
-    float height = lerp(0.86f, 0.74f, g.amplitude[lane]) + 0.06f * (style - 0.5f);
+    float height = lerp(0.86f, 0.78f, g.amplitude[lane]) + 0.06f * (style - 0.5f);
     return {at_height(on_ground(root) + left * shoulder.x + ahead * shoulder.z, base + shoulder.y),
             ahead,
             side == k_left ? left : -left,
             length(elbow - shoulder) + length(wrist - elbow),
+            std::fabs(shoulder.x),
             base + 0.5f * shoulder.y,
             base + height * shoulder.y,
             speed};
 }
 
+// The side on which a wall is so near that the arm might touch it.
+std::optional<Side> side_of_wall(const City& city, const Arm& left) {
+    Vec2 inward = left.outward * -left.beside;
+    auto wall = closest_wall(city, at_height(on_ground(left.shoulder) + inward, left.wanted),
+                             left.length + left.beside);
+    if (!wall) return std::nullopt;
+    return dot(on_ground(wall->normal), left.outward) < 0 ? k_left : k_right;
+}
+
 struct Touch {
     Vec3 palm;
     Vec2 normal;
-    float gap = 0;  // from the shoulder to the wall
 };
 
 // Where this arm would touch a wall now. One that is `held` already may be a little farther and more oblique.
 std::optional<Touch> find_touch(const City& city, const Arm& arm, bool held) {
-    Vec3 wanted = at_height(on_ground(arm.shoulder) + arm.ahead * (0.15f + 0.08f * arm.speed), arm.wanted);
+    Vec3 wanted = at_height(on_ground(arm.shoulder) + arm.ahead * (0.12f + 0.06f * arm.speed), arm.wanted);
     auto wall = closest_wall(city, wanted, arm.length);
     if (!wall) return std::nullopt;
-    Touch touch{wall->point, on_ground(wall->normal), 0};
+    Touch touch{wall->point, on_ground(wall->normal)};
     if (touch.palm.y < arm.wanted - 1e-3f) touch.palm.y -= k_below_coping;
     if (touch.palm.y > arm.wanted + 0.05f || touch.palm.y < arm.low) return std::nullopt;
-    touch.gap = dot(on_ground(arm.shoulder - touch.palm), touch.normal);
-    if (touch.gap < 0.04f || length(touch.palm - arm.shoulder) > (held ? 1.0f : 0.93f) * arm.length) {
+    float gap = dot(on_ground(arm.shoulder - touch.palm), touch.normal);
+    if (gap < 0.04f || length(touch.palm - arm.shoulder) > (held ? 1.0f : 0.93f) * arm.length) {
         return std::nullopt;
     }
     // Beside the body, and neither behind it nor where the wall has already ended.
@@ -118,7 +128,6 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
         float style = random_unit({seed, walker, 0, Purpose::touch});
         if (style >= k_people) continue;
         GaitBlock& g = gait.blocks[i / k_block];
-        const PersonBlock& person = gait.people[i / k_block];
         int lane = static_cast<int>(i % k_block);
         bool busy = g.hands[k_left].reach[lane] > 0 || g.hands[k_right].reach[lane] > 0;
         if (!busy && tick % k_ask_ticks != walker % k_ask_ticks) continue;
@@ -126,34 +135,30 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
         float speed = length(root.velocity[i]);
         bool willing = random_unit({seed, walker, mood, Purpose::touch}) < k_mood &&
                        speed < (busy ? k_hold_speed : k_start_speed) && g.running[lane] == 0;
+        if (!busy && !willing) continue;
 
-        std::optional<Touch> touches[2];
-        for (Side side : {k_left, k_right}) {
-            HandBlock& hand = g.hands[side];
-            bool held = hand.reach[lane] > 0;
-            if (!willing || (busy && !held)) continue;
-            Arm arm =
-                arm_of(g, person, lane, side, root.position[i], root.heading[i], speed, style / k_people);
-            touches[side] = find_touch(city, arm, held);
-            // Another wall, round a corner say: the hand leaves this one first.
-            if (held && touches[side] &&
-                dot(touches[side]->normal, Vec2{hand.normal_x[lane], hand.normal_z[lane]}) < 0.9f) {
-                touches[side].reset();
-            }
+        auto arm = [&](Side side) {
+            return arm_of(g, gait.people[i / k_block], lane, side, root.position[i], root.heading[i], speed,
+                          style / k_people);
+        };
+        Side side = g.hands[k_right].reach[lane] > 0 ? k_right : k_left;
+        if (!busy) {
+            auto nearer = side_of_wall(city, arm(k_left));
+            if (!nearer) continue;
+            side = *nearer;
         }
-        if (touches[k_left] && touches[k_right]) {
-            touches[touches[k_left]->gap < touches[k_right]->gap ? k_right : k_left].reset();
+        HandBlock& hand = g.hands[side];
+        std::optional<Touch> touch;
+        if (willing) touch = find_touch(city, arm(side), busy);
+        // Another wall, round a corner say: the hand leaves this one first.
+        Vec2 normal{hand.normal_x[lane], hand.normal_z[lane]};
+        if (busy && touch && dot(touch->normal, normal) < 0.9f) touch.reset();
+        if (touch) {
+            touch_wall(hand, lane, *touch, speed, dt);
+        } else if (busy) {
+            let_go(hand, lane, root.velocity[i], dt);
         }
-        for (Side side : {k_left, k_right}) {
-            HandBlock& hand = g.hands[side];
-            float& reach = hand.reach[lane];
-            if (touches[side]) {
-                touch_wall(hand, lane, *touches[side], speed, dt);
-            } else if (reach > 0) {
-                let_go(hand, lane, root.velocity[i], dt);
-            }
-            move_reach(reach, touches[side].has_value(), dt);
-        }
+        move_reach(hand.reach[lane], touch.has_value(), dt);
     }
 }
 
