@@ -39,12 +39,13 @@ void solve_chains_here(Chains& chains, int iterations) {
         for (size_t i = 0; i + 1 < stride; ++i) load(bones[i], chains.bones[b * (stride - 1) + i].v + lane);
         V3<Wide> target = point_at(chains.targets[b], lane);
         if (chains.limits.empty()) {
-            fabrik(p, bones, joints, target, iterations);
+            fabrik(p, bones, joints, target, Wide(chains.soft), iterations);
         } else {
             for (size_t i = 0; i + 1 < stride; ++i) {
                 load(limits[i], chains.limits[b * (stride - 1) + i].v + lane);
             }
-            fabrik_limited(p, bones, limits, point_at(chains.axes[b], lane), joints, target, iterations);
+            fabrik_limited(p, bones, limits, point_at(chains.axes[b], lane), joints, target,
+                           Wide(chains.soft), iterations);
         }
         for (size_t j = 1; j < stride; ++j) store_point(p[j], places[j], lane);
     }

@@ -33,6 +33,7 @@ inline void set_point(PointBlock& to, size_t lane, Vec3 p) {
 struct Chains {
     int joints = 0;  // of each chain
     size_t count = 0;
+    float soft = 0;                   // metres before full extension from which a chain gives way
     std::vector<PointBlock> places;   // joint j of block b: [b * joints + j]; read and moved
     std::vector<LengthBlock> bones;   // bone i of block b: [b * (joints - 1) + i], metres
     std::vector<PointBlock> targets;  // one a block

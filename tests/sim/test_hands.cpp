@@ -6,6 +6,7 @@
 #include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/hands.h"
+#include "sim/world.h"
 #include "tests/sim/small_cities.h"
 
 namespace flaneur {
@@ -212,6 +213,31 @@ TEST(Hands, LetGoWithoutAJumpWhereTheWallEnds) {
     }
     EXPECT_GT(most, 10);
     for (size_t i = 0; i < k_people; ++i) EXPECT_EQ(people.reach(i, k_left), 0);  // 5 m of wall are over
+}
+
+// In a crowd, through the whole step: an alley so narrow that its walls are within reach.
+TEST(Hands, TouchTheWallsOfAnAlley) {
+    WorldOptions options;
+    options.walkers = 12;
+    options.threads = 1;
+    auto made = make_world(corridor(30, 1.3f), options);
+    ASSERT_TRUE(made) << (made ? "" : made.error().message);
+    World& w = **made;
+    int resting = 0;
+    for (int t = 0; t < 1800; ++t) {
+        step(w);
+        for (size_t i = 0; i < w.gait.count; ++i) {
+            for (Side side : {k_left, k_right}) {
+                const HandBlock& hand = w.gait.blocks[i / k_block].hands[side];
+                size_t lane = i % k_block;
+                if (hand.reach[lane] <= 0.99f) continue;
+                ++resting;
+                ASSERT_NEAR(std::fabs(hand.z[lane]), 0.65f, 0.02f);
+                ASSERT_LT(std::fabs(hand.x[lane] - w.crowd.position[i].x), 0.6f);
+            }
+        }
+    }
+    EXPECT_GT(resting, 200);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Vector tip(const Chain& c) { return c.p[c.joints - 1]; }
 int solve(Chain& c, Vector target, float tolerance, int most) {
     for (int k = 0; k < most; ++k) {
         if (length(tip(c) - target) <= tolerance) return k;
-        fabrik(c.p, c.bones, c.joints, target, 1);
+        fabrik(c.p, c.bones, c.joints, target, 0.0f, 1);
     }
     return most;
 }
@@ -68,7 +68,7 @@ TEST(Fabrik, KeepsLengthsAndReachesOrPointsAt) {
         Vector away = direction_from(key, 2000);
         if (i % 4 == 0) {
             Vector target = c.p[0] + away * (c.reach * random_between(key, 1, 3, 2003));
-            fabrik(c.p, c.bones, c.joints, target, 1);
+            fabrik(c.p, c.bones, c.joints, target, 0.0f, 1);
             ASSERT_LT(length(tip(c) - (c.p[0] + away * c.reach)), 1e-5f);
         } else {
             Vector target = c.p[0] + away * distance_at(c, random_between(key, 0.05f, 0.98f, 2003));
@@ -124,9 +124,9 @@ TEST(Fabrik, MirrorsLeftAndRight) {
         Chain b = a;
         for (Vector& p : b.p) p.x = -p.x;
         Vector target = a.p[0] + direction_from(key, 2000) * (1.2f * a.reach * random_unit(key, 2003));
-        fabrik(a.p, a.bones, a.joints, target, 4);
+        fabrik(a.p, a.bones, a.joints, target, 0.0f, 4);
         target.x = -target.x;
-        fabrik(b.p, b.bones, b.joints, target, 4);
+        fabrik(b.p, b.bones, b.joints, target, 0.0f, 4);
         for (int j = 0; j < a.joints; ++j) {
             ASSERT_EQ(a.p[j].x, -b.p[j].x);
             ASSERT_EQ(a.p[j].y, b.p[j].y);
@@ -136,13 +136,13 @@ TEST(Fabrik, MirrorsLeftAndRight) {
 }
 
 // The largest angle, in degrees, that a bone turns while the target moves 1 mm.
-float most_turn(Chain c, Vector from, Vector to, int iterations) {
+float most_turn(Chain c, Vector from, Vector to, float soft) {
     float most = 0;
     int steps = static_cast<int>(length(to - from) * 1000);
-    for (int k = 0; k < 100; ++k) fabrik(c.p, c.bones, c.joints, from, iterations);
+    for (int k = 0; k < 100; ++k) fabrik(c.p, c.bones, c.joints, from, soft, 8);
     for (int s = 0; s <= steps; ++s) {
         Chain before = c;
-        fabrik(c.p, c.bones, c.joints, from + unit(to - from) * (static_cast<float>(s) * 1e-3f), iterations);
+        fabrik(c.p, c.bones, c.joints, from + unit(to - from) * (static_cast<float>(s) * 1e-3f), soft, 8);
         for (int i = 0; i + 1 < c.joints; ++i) {
             Vector was = unit(before.p[i + 1] - before.p[i]), is = unit(c.p[i + 1] - c.p[i]);
             most = std::max(most, 2 * std::asin(std::min(1.0f, length(is - was) / 2)) / k_radians);
@@ -152,18 +152,21 @@ float most_turn(Chain c, Vector from, Vector to, int iterations) {
 }
 
 TEST(Fabrik, MovesWithoutAJumpThroughFullExtension) {
-    float most = 0;
+    float hard = 0, soft = 0;
     for (uint32_t i = 0; i < 300; ++i) {
         RandomKey key{25, i};
         Chain c = random_chain(key, 4 + static_cast<int>(i % 5));
         Vector away = direction_from(key, 2000);
         Vector side = direction_from(key, 2004) * 0.05f;
         Vector near = c.p[0] + away * distance_at(c, 0.8f) + side, far = c.p[0] + away * (1.1f * c.reach);
-        most = std::max({most, most_turn(c, near, far, 8), most_turn(c, far, near, 8)});
+        hard = std::max({hard, most_turn(c, near, far, 0), most_turn(c, far, near, 0)});
+        float s = 0.02f * c.reach;
+        soft = std::max({soft, most_turn(c, near, far, s), most_turn(c, far, near, s)});
     }
-    // A chain has no soft limit: a millimetre short of its reach of half a metre its bones already stand 4 to
-    // 7 degrees off the line, and twice that where a short bone does most of the bending.
-    EXPECT_LT(most, 20);
+    // Degrees for a millimetre. What is left of the soft limit's is the iteration lagging behind: it
+    // converges slowest near full extension.
+    EXPECT_LT(hard, 20);
+    EXPECT_LT(soft, 10);
 }
 
 TEST(Fabrik, KeepsItsLimits) {
@@ -184,7 +187,7 @@ TEST(Fabrik, KeepsItsLimits) {
         bool far = i % 4 == 0;
         Vector target = far ? c.p[0] + direction_from(key, 4000) * (2 * c.reach) : tip(goal);
         for (int k = 0; k < 50; ++k) {
-            fabrik_limited(c.p, c.bones, c.limits, axis, c.joints, target, 1);
+            fabrik_limited(c.p, c.bones, c.limits, axis, c.joints, target, 0.0f, 1);
             if (!far && length(tip(c) - target) <= k_tolerance) break;
         }
         possible += !far;

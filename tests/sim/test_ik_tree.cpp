@@ -134,7 +134,7 @@ TEST(FabrikTree, AChainIsATreeWithoutSubBases) {
         t.targets[0] = direction_from(key, 1000) * (0.9f * reach);
         std::vector<Vector> p = t.p;
         iterate(t, 4);
-        fabrik(p.data(), t.bones.data() + 1, 5, t.targets[0], 4);
+        fabrik(p.data(), t.bones.data() + 1, 5, t.targets[0], 0.0f, 4);
         for (size_t j = 0; j < p.size(); ++j) ASSERT_LT(length(p[j] - t.p[j]), 1e-6f);
     }
 }
