@@ -220,7 +220,7 @@ TEST(Hands, TouchTheWallsOfAnAlley) {
     WorldOptions options;
     options.walkers = 12;
     options.threads = 1;
-    auto made = make_world(corridor(30, 1.3f), options);
+    auto made = make_world(corridor(30, 1.6f), options);
     ASSERT_TRUE(made) << (made ? "" : made.error().message);
     World& w = **made;
     int resting = 0;
@@ -232,7 +232,7 @@ TEST(Hands, TouchTheWallsOfAnAlley) {
                 size_t lane = i % k_block;
                 if (hand.reach[lane] <= 0.99f) continue;
                 ++resting;
-                ASSERT_NEAR(std::fabs(hand.z[lane]), 0.65f, 0.02f);
+                ASSERT_NEAR(std::fabs(hand.z[lane]), 0.8f, 0.02f);
                 ASSERT_LT(std::fabs(hand.x[lane] - w.crowd.position[i].x), 0.6f);
             }
         }
