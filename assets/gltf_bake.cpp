@@ -194,6 +194,8 @@ void measure_rig(const GltfScene& scene, const Pose& pose, BakedMesh& mesh) {
         joint.parent = parent < 0 ? -1 : pose.rig_of[size_t(parent)];
         joint.place = pose.world[size_t(node)].t;
         mesh.rig.push_back(joint);
+        mesh.nodes.push_back(node);
+        mesh.binds.push_back(pose.world[size_t(node)]);
     }
     for (size_t v = 0; v < mesh.vertices.size(); ++v)
         for (auto [joint, weight] : mesh.influences[v]) {

@@ -1,7 +1,10 @@
+#include "assets/gltf_character.h"
+
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "assets/character.h"
 #include "assets/gltf_bake.h"
 #include "assets/person_skin.h"
 
@@ -219,7 +222,7 @@ std::string file_name(const std::string& path) {
     return path.substr(begin, dot == std::string::npos || dot < begin ? std::string::npos : dot - begin);
 }
 
-Result<Character> assemble(BakedMesh mesh, const RigMap& map) {
+Result<Character> assemble(BakedMesh mesh, const RigMap& map, float& scale) {
     Character c;
     c.notes = std::move(mesh.notes);
     if (!map.note.empty()) c.notes.push_back(map.note);
@@ -229,6 +232,7 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map) {
         in_hand.push_back(joint == left_hand || joint == right_hand);
     }
     Canon canon = make_canon(mesh, map, in_hand, c.notes);
+    scale = canon.scale;
     c.bind_joints = fill_places(mesh, map, canon);
     c.vertices = std::move(mesh.vertices);
     for (size_t v = 0; v < c.vertices.size(); ++v) {
@@ -263,20 +267,33 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map) {
 
 }  // namespace
 
-Result<Character> load_character(const std::string& path) {
-    auto scene = read_gltf(path);
-    if (!scene) return scene.error();
-    auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
-    auto mesh = bake(*scene);
-    if (!mesh) return refuse(mesh.error());
+Result<MappedCharacter> map_character(const GltfScene& scene) {
+    auto mesh = bake(scene);
+    if (!mesh) return mesh.error();
     auto map = map_rig(mesh->rig, mesh->low, mesh->high);
-    if (!map) return refuse(map.error());
-    auto character = assemble(std::move(*mesh), *map);
-    if (!character) return refuse(character.error());
-    character->name = file_name(path);
-    character->textures = std::move(scene->textures);
-    build_lods(*character);
-    return character;
+    if (!map) return map.error();
+    MappedCharacter out;
+    out.map = *map;
+    out.nodes = mesh->nodes;
+    out.binds = mesh->binds;
+    auto character = assemble(std::move(*mesh), *map, out.scale);
+    if (!character) return character.error();
+    out.character = std::move(*character);
+    return out;
+}
+
+Result<Character> load_character(const std::string& path) {
+    auto model = parse_gltf(path);
+    if (!model) return model.error();
+    auto scene = read_scene(*model, path);
+    if (!scene) return scene.error();
+    auto mapped = map_character(*scene);
+    if (!mapped) return Error{path + ": " + mapped.error().message};
+    Character& character = mapped->character;
+    character.name = file_name(path);
+    character.textures = std::move(scene->textures);
+    build_lods(character);
+    return std::move(character);
 }
 
 }  // namespace flaneur

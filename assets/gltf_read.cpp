@@ -50,38 +50,6 @@ bool read_file(std::vector<unsigned char>* out, std::string* error, const std::s
     return true;
 }
 
-Result<tinygltf::Model> parse(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!readable(path) || !file)
-        return Error{path + ": cannot be opened as a file; check the path and its permissions"};
-    char magic[4] = {};
-    file.read(magic, 4);
-    if (file.gcount() < 4) return Error{path + ": not a glTF file (it has fewer than four bytes)"};
-    bool binary = std::string_view(magic, 4) == "glTF";
-    file.close();
-
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(load_image, nullptr);
-    loader.SetFsCallbacks({file_exists, same_path, read_file, nullptr, nullptr});
-    tinygltf::Model model;
-    std::string error, warning;
-    bool loaded = false;
-    try {
-        loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
-                        : loader.LoadASCIIFromFile(&model, &error, &warning, path);
-    } catch (const std::bad_alloc&) {
-        error = "it claims more memory than there is";
-    } catch (const std::exception& e) {
-        error = e.what();
-    }
-    while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
-    std::replace(error.begin(), error.end(), '\n', ' ');
-    if (!loaded)
-        return Error{path + ": not a readable glTF 2.0 file (" + (error.empty() ? "unknown reason" : error) +
-                     "); export it again as .glb"};
-    return model;
-}
-
 Result<void> check_extensions(const tinygltf::Model& model) {
     static constexpr std::string_view k_understood[] = {"KHR_mesh_quantization", "KHR_texture_transform",
                                                         "VRM", "VRMC_vrm"};
@@ -229,17 +197,47 @@ void read_vrm(const tinygltf::Model& model, GltfScene& scene) {
 
 }  // namespace
 
-Result<GltfScene> read_gltf(const std::string& path) {
-    auto model = parse(path);
-    if (!model) return model.error();
+Result<tinygltf::Model> parse_gltf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!readable(path) || !file)
+        return Error{path + ": cannot be opened as a file; check the path and its permissions"};
+    char magic[4] = {};
+    file.read(magic, 4);
+    if (file.gcount() < 4) return Error{path + ": not a glTF file (it has fewer than four bytes)"};
+    bool binary = std::string_view(magic, 4) == "glTF";
+    file.close();
+
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(load_image, nullptr);
+    loader.SetFsCallbacks({file_exists, same_path, read_file, nullptr, nullptr});
+    tinygltf::Model model;
+    std::string error, warning;
+    bool loaded = false;
+    try {
+        loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
+                        : loader.LoadASCIIFromFile(&model, &error, &warning, path);
+    } catch (const std::bad_alloc&) {
+        error = "it claims more memory than there is";
+    } catch (const std::exception& e) {
+        error = e.what();
+    }
+    while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    if (!loaded)
+        return Error{path + ": not a readable glTF 2.0 file (" + (error.empty() ? "unknown reason" : error) +
+                     "); export it again as .glb"};
+    return model;
+}
+
+Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path) {
     auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
     GltfScene scene;
     try {
-        if (auto done = check_extensions(*model); !done) return refuse(done.error());
-        if (auto done = read_nodes(*model, scene); !done) return refuse(done.error());
-        if (auto done = read_skins(*model, scene); !done) return refuse(done.error());
-        read_vrm(*model, scene);
-        auto meshes = read_meshes(*model, scene);
+        if (auto done = check_extensions(model); !done) return refuse(done.error());
+        if (auto done = read_nodes(model, scene); !done) return refuse(done.error());
+        if (auto done = read_skins(model, scene); !done) return refuse(done.error());
+        read_vrm(model, scene);
+        auto meshes = read_meshes(model, scene);
         if (!meshes) return refuse(meshes.error());
         scene.meshes = std::move(*meshes);
     } catch (const std::bad_alloc&) {

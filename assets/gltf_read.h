@@ -7,6 +7,10 @@
 #include "assets/affine.h"
 #include "assets/character.h"
 
+namespace tinygltf {
+class Model;
+}
+
 namespace flaneur {
 
 struct GltfNode {
@@ -44,7 +48,10 @@ struct GltfScene {
     std::vector<std::string> notes;
 };
 
-// Refuses, in a sentence, what cannot be read or breaks the format where it matters.
-Result<GltfScene> read_gltf(const std::string& path);
+// The file as tinygltf reads it, unchecked. Refuses, in a sentence, what cannot be read.
+Result<tinygltf::Model> parse_gltf(const std::string& path);
+
+// Refuses, in a sentence that begins with `path`, what breaks the format where it matters.
+Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path);
 
 }  // namespace flaneur
