@@ -98,6 +98,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     Reader reader{json, {}, {}};
     reader.text("city", scene.city);
     reader.texts("characters", scene.characters);
+    reader.texts("idles", scene.idles);
     reader.number("walkers", 0, k_max_walkers, scene.walkers);
     reader.number("seed", uint64_t{0}, std::numeric_limits<uint64_t>::max(), scene.seed);
     reader.number("blocks", 1, 32, scene.blocks);
@@ -141,6 +142,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     auto beside = [&](std::string& other) { other = (path.parent_path() / other).string(); };
     if (!scene->city.empty()) beside(scene->city);
     for (std::string& character : scene->characters) beside(character);
+    for (std::string& idle : scene->idles) beside(idle);
     return scene;
 }
 

@@ -14,6 +14,7 @@ struct Scene {
     std::string name = "district";
     std::string city;                     // an OpenStreetMap file; empty: the built-in district
     std::vector<std::string> characters;  // glTF files; empty: the built-in people
+    std::vector<std::string> idles;       // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                    // 0..100,000
     uint64_t seed = 1;
     int blocks = 4;                 // size of the built-in district

@@ -17,6 +17,13 @@ void timed(World& world, Stage stage, const Work& work) {
     world.stage_ms[static_cast<int>(stage)] = spent.count();
 }
 
+void add_idles(World& w) {
+    want_idles(w.idles, w.gait);
+    advance_plays(w.idles, k_tick);
+    parallel_for(*w.workers, w.idles.plays.size(), k_blocks_a_chunk * k_block,
+                 [&](size_t begin, size_t end, int) { apply_plays(w.idles, begin, end, w.poses); });
+}
+
 }  // namespace
 
 void step(World& w) {
@@ -37,6 +44,7 @@ void step(World& w) {
         w.previous_poses.swap(w.poses);
         parallel_for(*w.workers, w.gait.blocks.size(), k_blocks_a_chunk,
                      [&](size_t begin, size_t end, int) { pose_blocks(w.gait, begin, end, w.poses); });
+        add_idles(w);
     });
     ++w.tick;
 }

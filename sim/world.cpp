@@ -33,6 +33,7 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
                     world->crowd.turn_rate.data(), world->crowd.chosen.data()};
     start_gait(world->gait, world->crowd.count, world->bodies, world->crowd.body.data(),
                world->crowd.scale.data(), root, world->city, world->seed);
+    world->idles = make_layer(options.idles, world->crowd.count);
     world->poses.resize(world->gait.blocks.size());
     pose_blocks(world->gait, 0, world->gait.blocks.size(), world->poses);
     world->previous_poses = world->poses;

@@ -14,6 +14,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
 #include "sim/pose/body.h"
+#include "sim/pose/layer.h"
 #include "sim/pose/pose.h"
 
 namespace flaneur {
@@ -23,6 +24,7 @@ struct WorldOptions {
     uint64_t seed = 1;
     int threads = 0;                                 // 0: one a core
     std::vector<Body> bodies{standard_body(1.72f)};  // walkers take them in turns of chance
+    std::vector<Clip> idles;  // of the humanoid, additive; each who stands a while plays one of them
     NavmeshSettings navmesh;
 };
 
@@ -42,6 +44,7 @@ struct World {
 
     Crowd crowd;
     Gait gait;
+    ClipLayer idles;
     std::vector<PoseBlock> poses, previous_poses;  // after the last tick and the one before
 
     double stage_ms[k_stage_count] =

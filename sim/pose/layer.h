@@ -24,7 +24,7 @@ struct ClipLayer {
     std::vector<Clip> clips;  // of the humanoid, by make_additive_clip
     // By joint, a factor on the weight. Only spine to hands are turned: the pelvis stays where the feet want
     // it, so nothing that stands on the ground moves.
-    std::array<float, k_joint_count> mask;
+    std::array<float, k_joint_count> mask{};
     float fade_time = 0.5f;  // seconds from nothing to all
 
     std::vector<uint16_t> wanted;  // by walker, an index into `clips` or k_no_clip

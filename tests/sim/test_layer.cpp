@@ -172,5 +172,33 @@ TEST(Layer, IdlesComeAfterASecondOfStanding) {
     EXPECT_EQ(layer.wanted[1], k_no_clip);
 }
 
+// The same crowd with and without: whoever stands long plays, and nothing below the spine knows of it.
+TEST(Layer, CrowdsStandAsBefore) {
+    auto crowd = [](std::vector<Clip> idles, int threads) {
+        WorldOptions options;
+        options.walkers = 150;
+        options.threads = threads;
+        options.idles = std::move(idles);
+        return std::move(make_world(square(40), options)).value();
+    };
+    auto plain = crowd({}, 2), idle = crowd({gesture(3, true), gesture(4, true)}, 1),
+         again = crowd({gesture(3, true), gesture(4, true)}, 3);
+    size_t played = 0;
+    for (int t = 0; t < 1200; ++t) {
+        for (World* w : {plain.get(), idle.get(), again.get()}) step(*w);
+        for (const ClipPlay& p : idle->idles.plays) played += p.fade == 1;
+        for (size_t b = 0; b < plain->poses.size(); ++b) {
+            const PoseBlock &x = plain->poses[b], &y = idle->poses[b];
+            for (Joint j : {hips, left_upper_leg, left_foot, right_foot, right_toes}) {
+                ASSERT_EQ(0, std::memcmp(x.position[j], y.position[j], sizeof x.position[j]));
+                ASSERT_EQ(0, std::memcmp(x.rotation[j], y.rotation[j], sizeof x.rotation[j]));
+            }
+        }
+    }
+    EXPECT_GT(played, 100u) << "walker-ticks";
+    EXPECT_EQ(hash_world(*idle), hash_world(*again));
+    EXPECT_NE(hash_world(*idle), hash_world(*plain));
+}
+
 }  // namespace
 }  // namespace flaneur

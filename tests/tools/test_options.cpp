@@ -31,9 +31,11 @@ TEST(Options, TheCommandLineOverridesTheScene) {
 
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
     Options options =
-        parsed({"render", "--character", "a.glb", "--character", "b.glb", "--walkers", "1", "--walkers", "2",
-                "--out", "a.png", "--out", "b.png", "--size", "10x20", "--size", "30x40"});
+        parsed({"render", "--character", "a.glb",     "--character", "b.glb",     "--idle", "c.glb:Wave",
+                "--idle", "d.glb",       "--walkers", "1",           "--walkers", "2",      "--out",
+                "a.png",  "--out",       "b.png",     "--size",      "10x20",     "--size", "30x40"});
     EXPECT_EQ(options.scene.characters, (std::vector<std::string>{"a.glb", "b.glb"}));
+    EXPECT_EQ(options.scene.idles, (std::vector<std::string>{"c.glb:Wave", "d.glb"}));
     EXPECT_EQ(options.scene.walkers, 2);
     EXPECT_EQ(options.out, "b.png");
     EXPECT_EQ(options.size.width, 30);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "assets/city.h"
+#include "assets/gltf_clip.h"
 
 namespace flaneur {
 
@@ -50,6 +51,22 @@ Result<std::vector<Character>> load_characters(const Scene& scene, int threads) 
     return characters;
 }
 
+// FILE or FILE:CLIP; the name of an animation may have colons in it.
+Result<std::vector<Clip>> load_idles(const Scene& scene) {
+    std::vector<Clip> clips;
+    for (const std::string& idle : scene.idles) {
+        show_progress("reading " + idle);
+        size_t colon = idle.find(':');
+        std::string name = colon == std::string::npos ? "" : idle.substr(colon + 1);
+        Result<Motion> motion = load_motion(idle.substr(0, colon), name);
+        if (!motion) return motion.error();
+        Result<Clip> clip = additive_clip(*motion);
+        if (!clip) return Error{idle + ": " + clip.error().message};
+        clips.push_back(std::move(*clip));
+    }
+    return clips;
+}
+
 // A district as large as the scene says, or as its walkers need to walk rather than queue: some 750 to a
 // block.
 int district_blocks(const Scene& scene) {
@@ -83,7 +100,11 @@ Result<Loaded> load(const Options& options) {
     if (!characters) return characters.error();
     loaded.characters = std::move(*characters);
 
+    Result<std::vector<Clip>> idles = load_idles(scene);
+    if (!idles) return idles.error();
+
     WorldOptions world;
+    world.idles = std::move(*idles);
     world.walkers = static_cast<uint32_t>(scene.walkers);
     world.seed = scene.seed;
     world.threads = options.threads;

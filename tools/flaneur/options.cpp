@@ -94,7 +94,7 @@ bool parse_point(std::string_view text, Vec3& to) {
 struct SceneWords {
     std::string scene = "district";
     std::optional<std::string> city, camera;
-    std::vector<std::string> characters;
+    std::vector<std::string> characters, idles;
     std::optional<int> walkers;
     std::optional<uint64_t> seed;
 };
@@ -143,6 +143,14 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
     app.add_option("--character", words.characters,
                    "A skinned humanoid, .glb or .gltf; may be given several times")
         ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->group("Scene");
+    app.add_option(
+           "--idle", words.idles,
+           "An animation of a skinned humanoid, .glb or .gltf, that people who stand play; may be given "
+           "several times")
+        ->type_name("FILE[:CLIP]")
         ->allow_extra_args(false)
         ->take_all()
         ->group("Scene");
@@ -289,6 +297,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     options.scene = *scene;
     if (words.city) options.scene.city = *words.city;
     if (!words.characters.empty()) options.scene.characters = words.characters;
+    if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.camera) options.scene.camera = *words.camera;
