@@ -5,6 +5,8 @@
 
 #include "sim/base/isa.h"
 #include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/pose/blend.h"
 #include "tools/flaneur/bench.h"
 #include "tools/flaneur/load.h"
 
@@ -33,6 +35,8 @@ struct Work {
     Gait many;                        // `walking` k_larger times over
     Gait advancing;                   // scratch
     std::vector<PoseBlock> poses;     // scratch
+    BlendTree tree;                   // three clips, everyone at a time and with shares of their own
+    std::vector<LaneRow> tree_inputs, local_poses;
 };
 
 double ns_since(std::chrono::steady_clock::time_point start) {
@@ -53,6 +57,17 @@ double pose_ns(Work& work, const Gait& gait) {
 double core_ns(Work& work) { return pose_ns(work, work.walking); }
 double full_ns(Work& work) { return pose_ns(work, work.reaching); }
 double many_ns(Work& work) { return pose_ns(work, work.many); }
+
+double blend_ns(Work& work) {
+    size_t blocks = work.walking.blocks.size();
+    double ns = 0;
+    for (int time = 0; time < 2; ++time) {
+        auto start = std::chrono::steady_clock::now();
+        evaluate_blends(work.tree, work.tree_inputs.data(), 0, blocks, work.local_poses.data());
+        ns = ns_since(start);
+    }
+    return ns / static_cast<double>(work.walking.count);
+}
 
 double advance_ns(Work& work) {
     work.advancing = work.before;
@@ -80,6 +95,7 @@ const std::vector<Kernel> k_kernels = {
     {"core", core_ns, {{"sse4", 130}, {"avx2", 80}, {"avx512", 60}}},
     {"core, 16 x walkers", many_ns, {}},
     {"full", full_ns, {{"sse4", 250}, {"avx2", 130}, {"avx512", 100}}},
+    {"blend tree, 3 clips", blend_ns, {{"sse4", 180}, {"avx2", 100}, {"avx512", 70}}},
     {"advance", advance_ns, {}},
 };
 
@@ -106,6 +122,34 @@ void reach(Gait& gait) {
     }
 }
 
+// Walk and run blended by one parameter, that with a third clip by another; all three always count.
+void plant_tree(Work& work, uint64_t seed) {
+    RandomKey key{seed};
+    uint32_t n = 0;
+    Skeleton skeleton = humanoid(standard_body(1.7f));
+    for (size_t keys : {40, 30, 100}) {
+        std::vector<LocalPose> poses(keys);
+        for (LocalPose& pose : poses)
+            for (int j = 0; j < k_joint_count; ++j)
+                pose.rotations.push_back(rotation_x(random_between(key, -0.5f, 0.5f, n++)));
+        work.tree.clips.push_back(make_clip(skeleton, poses, 30, true, Curve::linear).value());
+    }
+    auto mix = [](uint16_t input, uint16_t first) {
+        return BlendNode{BlendNode::Kind::grid, Curve::linear, {input, 0}, first, 2, 1};
+    };
+    auto play = [](uint16_t clip) {
+        return BlendNode{BlendNode::Kind::clip, Curve::linear, {clip, 0}, clip, 1, 1};
+    };
+    work.tree.nodes = {mix(3, 1), mix(4, 3), play(2), play(0), play(1)};
+    work.tree.layers = {{}};
+    work.tree.inputs = 5;
+    size_t blocks = work.walking.blocks.size();
+    work.tree_inputs.resize(blocks * work.tree.inputs);
+    for (LaneRow& row : work.tree_inputs)
+        for (float& value : row.lanes) value = random_between(key, 0, 1, n++);
+    work.local_poses.resize(blocks * local_rows(k_joint_count));
+}
+
 Work make_work(World& world) {
     Work work;
     work.world = &world;
@@ -124,6 +168,7 @@ Work make_work(World& world) {
         work.many.people.insert(work.many.people.end(), world.gait.people.begin(), world.gait.people.end());
     }
     work.poses.resize(work.many.blocks.size());
+    plant_tree(work, world.seed);
     return work;
 }
 
