@@ -14,6 +14,11 @@ namespace flaneur {
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
 PersonMesh extract_character(const Character& character);
 
+// The palette, k_palette_joints long, that draws a character at `scale` times its size with these places and
+// rotations of its k_joint_count joints.
+void pose_character(const Character& character, float scale, const JointPose* joints,
+                    JointTransform* palette);
+
 // Colours of each walker's skin, hair and clothes; constant over a run.
 struct Wardrobe {
     struct Outfit {

@@ -42,6 +42,15 @@ PersonMesh extract_character(const Character& character) {
     return mesh;
 }
 
+void pose_character(const Character& character, float scale, const JointPose* joints,
+                    JointTransform* palette) {
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        Quat turn = joints[j].rotation * character.bind_to_canonical[j];
+        Vec3 shift = joints[j].position - rotate(turn, character.bind_joints[j] * scale);
+        palette[j] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+    }
+}
+
 Wardrobe make_wardrobe(const World& world) {
     Wardrobe wardrobe;
     wardrobe.outfits.resize(world.crowd.count);
@@ -62,20 +71,16 @@ void extract_people(const World& world, const std::vector<Character>& characters
         for (size_t i = begin; i < end; ++i) {
             const Character& character = characters[crowd.body[i]];
             float scale = crowd.scale[i];
-            JointTransform* palette = &frame.palette[i * k_palette_joints];
+            JointPose joints[k_joint_count];
             for (int j = 0; j < k_joint_count; ++j) {
                 JointPose last = joint_pose(world.poses, i, static_cast<Joint>(j));
                 JointPose before = joint_pose(world.previous_poses, i, static_cast<Joint>(j));
-                Vec3 place = lerp(before.position, last.position, between);
-                Quat turn = nearest_mix(before.rotation, last.rotation, between) *
-                            character.bind_to_canonical[static_cast<size_t>(j)];
-                Vec3 shift = place - rotate(turn, character.bind_joints[static_cast<size_t>(j)] * scale);
-                palette[j] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+                joints[j] = {lerp(before.position, last.position, between),
+                             nearest_mix(before.rotation, last.rotation, between)};
             }
+            pose_character(character, scale, joints, &frame.palette[i * k_palette_joints]);
             WalkerDraw& draw = frame.walkers[i];
-            Vec3 pelvis = lerp(joint_pose(world.previous_poses, i, hips).position,
-                               joint_pose(world.poses, i, hips).position, between);
-            draw.centre = to_glm(pelvis);
+            draw.centre = to_glm(joints[hips].position);
             draw.radius = 0.62f * character.body.height * scale;
             draw.mesh = crowd.body[i];
             draw.instance.palette = static_cast<uint32_t>(i) * k_palette_joints;

@@ -10,12 +10,13 @@ namespace {
 Result<void> run(const Options& options) {
 #ifndef FLANEUR_VULKAN
     bool draws = options.command == Command::view || options.command == Command::render ||
-                 (options.command == Command::bench && options.load == BenchLoad::frame);
+                 (options.command == Command::bench && options.load == BenchLoad::frame) ||
+                 (options.command == Command::gait && !options.gait.strip.empty());
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim and bench crowd|pose. One that draws is made "
-            "by "
-            "./tools/build release."};
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose and gait without --strip. "
+            "One "
+            "that draws is made by ./tools/build release."};
     }
 #endif
     switch (options.command) {

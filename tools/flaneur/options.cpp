@@ -60,7 +60,8 @@ Examples:
   flaneur gait --sex woman --age 75                        as fast as she likes
   flaneur gait --turn 180                                  a half turn on the way
   flaneur gait --stairs up --riser 0.16 --tread 0.32
-  flaneur gait --slope -8)";
+  flaneur gait --slope -8
+  flaneur gait --strip out/strip.png --view front)";
 
 template <class T>
 bool parse_number(std::string_view text, T& to) {
@@ -122,6 +123,12 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "crowd") return BenchLoad::crowd;
     if (text == "pose") return BenchLoad::pose;
     return Error{"bench measures frame, crowd or pose, not " + text + "."};
+}
+
+Result<StripView> parse_view(const std::string& text) {
+    if (text == "side") return StripView::side;
+    if (text == "front") return StripView::front;
+    return Error{"--view " + text + " is neither side nor front."};
 }
 
 Result<uint64_t> parse_seed(const std::string& text) {
@@ -284,9 +291,13 @@ void add_gait(CLI::App& app, Options& options) {
     number(k_where, "--tread", gait.tread, 0.2, 0.6, "M", "Depth of a stair", "0.29");
     number(k_where, "--slope", gait.slope, -25, 25, "PERCENT", "Up, or down, so many metres in a hundred");
     number(k_where, "--kerb", gait.kerb, 0.02, 0.25, "M", "Up a kerb so high and down again");
+    number(k_where, "--wall", gait.wall, 0.2, 2, "M", "A wall so far to the left, in a strip");
     command->add_option("--csv", gait.csv, "Write every quantity and curve")->type_name("FILE");
     command->add_option("--json", options.json, "The same")->type_name("FILE");
     command->add_option("--svg", gait.svg, "Draw the curves over those of people")->type_name("FILE");
+    command->add_option("--strip", gait.strip, "Draw twelve moments of it, a .png")->type_name("FILE");
+    add_parsed(*command, "--view", parse_view, gait.view, "What a strip shows it from: side or front", "VIEW",
+               "side");
     command->add_flag("--check", gait.check,
                       "Fail if a bar is not met; without a place, try every walk that has bars");
 }

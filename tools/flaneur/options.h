@@ -31,6 +31,7 @@ struct CameraChoice {
 };
 
 enum class Sex { woman, man };
+enum class StripView { side, front };
 
 // Who walks where; zeros and empty words ask for nothing.
 struct GaitOptions {
@@ -45,8 +46,10 @@ struct GaitOptions {
     double riser = 0.17, tread = 0.29;  // metres
     double slope = 0;                   // metres up in a hundred
     double kerb = 0;                    // metres
+    double wall = 0;                    // metres to the left of the way; only where a strip is drawn
     bool check = false;
-    std::string csv, svg;
+    std::string csv, svg, strip;
+    StripView view = StripView::side;
 };
 
 struct Options {

@@ -4,6 +4,7 @@
 
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/gait/report.h"
+#include "tools/flaneur/gait/strip.h"
 #include "tools/flaneur/output.h"
 
 namespace flaneur {
@@ -76,6 +77,12 @@ Result<void> run_gait(const Options& options) {
     }
     double height = gait.height > 0 ? gait.height : usual_height(gait);
     double speed = gait.speed > 0 ? gait.speed : usual_speed(gait, height);
+#ifdef FLANEUR_VULKAN
+    if (!gait.strip.empty()) {
+        Result<void> drawn = draw_strip(options, height, speed);
+        if (!drawn) return drawn;
+    }
+#endif
     Person person{standard_body(static_cast<float>(height)), gait.style};
     std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, manner %llu\n",
                 gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
