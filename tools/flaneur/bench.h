@@ -1,6 +1,8 @@
 // What the loads of `flaneur bench` have in common.
 #pragma once
 
+#include <functional>
+
 #include "sim/world.h"
 #include "tools/flaneur/figures.h"
 #include "tools/flaneur/options.h"
@@ -15,6 +17,21 @@ void add_stages(Figures& figures, const World& world);
 
 // Frames with all that belongs to them. Only in builds with Vulkan.
 Result<Figures> bench_frame(const Options& options);
+
+// Something that `bench pose` measures. `ns` runs it and says what it took for each walker, chain or tree.
+// Goals: on SSE4, AVX2 and AVX-512; 0 where there is none.
+struct Kernel {
+    std::string name;
+    std::function<double()> ns;
+    double goals[3] = {};
+};
+// Does `work` four times: the first ones fill caches and set the clock rate, the last is measured and shared
+// among `count`.
+double ns_each(size_t count, const std::function<void()>& work);
+// Three clips blended, one of them a layer on top, for so many walkers of 22 joints.
+Kernel blend_kernel(size_t walkers);
+// FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
+std::vector<Kernel> fabrik_kernels(size_t count);
 
 // The kernels that pose people, on one thread and on each instruction set that the CPU has. Prints a table
 // beside the goals and gives it as JSON: {"setting": {..}, "kernels": [{"name", "isa", "median_ns",

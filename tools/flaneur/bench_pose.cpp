@@ -5,8 +5,6 @@
 
 #include "sim/base/isa.h"
 #include "sim/base/math.h"
-#include "sim/base/rng.h"
-#include "sim/pose/blend.h"
 #include "tools/flaneur/bench.h"
 #include "tools/flaneur/load.h"
 
@@ -35,69 +33,36 @@ struct Work {
     Gait many;                        // `walking` k_larger times over
     Gait advancing;                   // scratch
     std::vector<PoseBlock> poses;     // scratch
-    BlendTree tree;                   // three clips, everyone at a time and with shares of their own
-    std::vector<LaneRow> tree_inputs, local_poses;
 };
 
-double ns_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-}
-
-// The first time fills caches and sets the clock rate; the second is measured.
 double pose_ns(Work& work, const Gait& gait) {
-    double ns = 0;
-    for (int time = 0; time < 2; ++time) {
-        auto start = std::chrono::steady_clock::now();
-        pose_blocks(gait, 0, gait.blocks.size(), work.poses);
-        ns = ns_since(start);
-    }
-    return ns / static_cast<double>(gait.count);
-}
-
-double core_ns(Work& work) { return pose_ns(work, work.walking); }
-double full_ns(Work& work) { return pose_ns(work, work.reaching); }
-double many_ns(Work& work) { return pose_ns(work, work.many); }
-
-double blend_ns(Work& work) {
-    size_t blocks = work.walking.blocks.size();
-    double ns = 0;
-    for (int time = 0; time < 2; ++time) {
-        auto start = std::chrono::steady_clock::now();
-        evaluate_blends(work.tree, work.tree_inputs.data(), 0, blocks, work.local_poses.data());
-        ns = ns_since(start);
-    }
-    return ns / static_cast<double>(work.walking.count);
+    return ns_each(gait.count, [&] { pose_blocks(gait, 0, gait.blocks.size(), work.poses); });
 }
 
 double advance_ns(Work& work) {
-    work.advancing = work.before;
-    uint32_t tick = work.world->tick - k_replayed;
-    auto start = std::chrono::steady_clock::now();
-    for (const Movement& m : work.movements) {
-        RootMotion root{m.position.data(), m.velocity.data(), m.heading.data(), m.turn_rate.data()};
-        advance_gait(work.advancing, 0, work.advancing.count, root, work.world->city, work.world->seed,
-                     tick++, k_tick);
-    }
-    return ns_since(start) / static_cast<double>(work.advancing.count * k_replayed);
+    return ns_each(work.before.count * k_replayed, [&] {
+        work.advancing = work.before;
+        uint32_t tick = work.world->tick - k_replayed;
+        for (const Movement& m : work.movements) {
+            RootMotion root{m.position.data(), m.velocity.data(), m.heading.data(), m.turn_rate.data()};
+            advance_gait(work.advancing, 0, work.advancing.count, root, work.world->city, work.world->seed,
+                         tick++, k_tick);
+        }
+    });
 }
 
-struct Goal {
-    std::string_view isa;
-    double ns;
-};
-struct Kernel {
-    const char* name;
-    double (*ns)(Work&);  // for each walker
-    std::vector<Goal> goals;
-};
-
-const std::vector<Kernel> k_kernels = {
-    {"core", core_ns, {{"sse4", 130}, {"avx2", 80}, {"avx512", 60}}},
-    {"core, 16 x walkers", many_ns, {}},
-    {"full", full_ns, {{"sse4", 250}, {"avx2", 130}, {"avx512", 100}}},
-    {"blend", blend_ns, {{"sse4", 180}, {"avx2", 100}, {"avx512", 70}}},
-    {"advance", advance_ns, {}},
-};
+std::vector<Kernel> kernels_of(Work& work) {
+    size_t walkers = work.walking.count;
+    std::vector<Kernel> kernels = {
+        {"core", [&] { return pose_ns(work, work.walking); }, {130, 80, 60}},
+        {"core, 16 x walkers", [&] { return pose_ns(work, work.many); }},
+        {"full", [&] { return pose_ns(work, work.reaching); }, {250, 130, 100}},
+        {"advance", [&] { return advance_ns(work); }},
+        blend_kernel(walkers),
+    };
+    for (Kernel& kernel : fabrik_kernels(walkers)) kernels.push_back(std::move(kernel));
+    return kernels;
+}
 
 // Both hands on walls beside the walker, and the head turned.
 void reach(Gait& gait) {
@@ -122,34 +87,6 @@ void reach(Gait& gait) {
     }
 }
 
-// Walk and run blended by one parameter, that with a third clip by another; all three always count.
-void plant_tree(Work& work, uint64_t seed) {
-    RandomKey key{seed};
-    uint32_t n = 0;
-    Skeleton skeleton = humanoid(standard_body(1.7f));
-    for (size_t keys : {40, 30, 100}) {
-        std::vector<LocalPose> poses(keys);
-        for (LocalPose& pose : poses)
-            for (int j = 0; j < k_joint_count; ++j)
-                pose.rotations.push_back(rotation_x(random_between(key, -0.5f, 0.5f, n++)));
-        work.tree.clips.push_back(make_clip(skeleton, poses, 30, true, Curve::linear).value());
-    }
-    auto mix = [](uint16_t input, uint16_t first) {
-        return BlendNode{BlendNode::Kind::grid, Curve::linear, {input, 0}, first, 2, 1};
-    };
-    auto play = [](uint16_t clip) {
-        return BlendNode{BlendNode::Kind::clip, Curve::linear, {clip, 0}, clip, 1, 1};
-    };
-    work.tree.nodes = {mix(3, 1), mix(4, 3), play(2), play(0), play(1)};
-    work.tree.layers = {{}};
-    work.tree.inputs = 5;
-    size_t blocks = work.walking.blocks.size();
-    work.tree_inputs.resize(blocks * work.tree.inputs);
-    for (LaneRow& row : work.tree_inputs)
-        for (float& value : row.lanes) value = random_between(key, 0, 1, n++);
-    work.local_poses.resize(blocks * local_rows(k_joint_count));
-}
-
 Work make_work(World& world) {
     Work work;
     work.world = &world;
@@ -168,7 +105,6 @@ Work make_work(World& world) {
         work.many.people.insert(work.many.people.end(), world.gait.people.begin(), world.gait.people.end());
     }
     work.poses.resize(work.many.blocks.size());
-    plant_tree(work, world.seed);
     return work;
 }
 
@@ -176,12 +112,13 @@ Work make_work(World& world) {
 using Samples = std::vector<std::vector<std::vector<double>>>;
 
 // Kernels and instruction sets take turns, so that a change of the clock rate or a busy neighbour meets all.
-Samples measure(Work& work, const std::vector<std::string_view>& isas, uint32_t repetitions) {
-    Samples samples(k_kernels.size(), std::vector<std::vector<double>>(isas.size()));
+Samples measure(const std::vector<Kernel>& kernels, const std::vector<std::string_view>& isas,
+                uint32_t repetitions) {
+    Samples samples(kernels.size(), std::vector<std::vector<double>>(isas.size()));
     for (uint32_t r = 0; r < repetitions; ++r) {
         for (size_t i = 0; i < isas.size(); ++i) {
             (void)use_isa(isas[i]);
-            for (size_t k = 0; k < k_kernels.size(); ++k) samples[k][i].push_back(k_kernels[k].ns(work));
+            for (size_t k = 0; k < kernels.size(); ++k) samples[k][i].push_back(kernels[k].ns());
         }
     }
     (void)use_isa("best");
@@ -192,51 +129,44 @@ double median(const std::vector<double>& values) { return quantile(values, 0.5);
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
 double goal_of(const Kernel& kernel, std::string_view isa) {
-    for (const Goal& goal : kernel.goals) {
-        if (goal.isa == isa) return goal.ns;
-    }
-    return 0;
+    return isa == "sse4"     ? kernel.goals[0]
+           : isa == "avx2"   ? kernel.goals[1]
+           : isa == "avx512" ? kernel.goals[2]
+                             : 0;
 }
 
-void print(const Samples& samples, const std::vector<std::string_view>& isas) {
+void print(const std::vector<Kernel>& kernels, const Samples& samples,
+           const std::vector<std::string_view>& isas) {
     std::printf("\n%-20s", "ns, median (least)");
-    for (std::string_view isa : isas) std::printf(" %15.*s", static_cast<int>(isa.size()), isa.data());
-    for (std::string_view isa : isas)
-        std::printf(" %9s", (isa == isas.front() ? "goal " + std::string(isa) : std::string(isa)).c_str());
-    std::printf("\n");
+    for (std::string_view isa : isas) std::printf(" %15s", std::string(isa).c_str());
+    std::printf("   goals");
     for (size_t k = 0; k < samples.size(); ++k) {
-        std::printf("%-20s", k_kernels[k].name);
+        std::printf("\n%-20s", kernels[k].name.c_str());
         for (const auto& ns : samples[k]) std::printf(" %7.1f (%5.1f)", median(ns), least(ns));
+        std::printf("  ");
         for (std::string_view isa : isas) {
-            double goal = goal_of(k_kernels[k], isa);
-            if (goal > 0) {
-                std::printf(" %9.0f", goal);
-            } else {
-                std::printf(" %9s", "-");
-            }
+            if (double goal = goal_of(kernels[k], isa); goal > 0) std::printf(" %3.0f", goal);
         }
-        std::printf("\n");
     }
-    std::printf("ozz-animation 0.16, its like of core with matrices: %.0f (SSE2), %.0f (AVX-512)\n",
-                k_peer_sse2, k_peer_avx512);
-    std::printf("core, 16 times the walkers against once:");
+    std::printf("\n\n16 x walkers against 1 x, goal 1.40:");
     for (size_t i = 0; i < isas.size(); ++i)
         std::printf(" %.2f", median(samples[1][i]) / median(samples[0][i]));
-    std::printf(" (goal 1.40)\n");
+    std::printf("\nozz-animation 0.16, the like of core: %.0f (SSE2), %.0f (AVX-512)\n", k_peer_sse2,
+                k_peer_avx512);
 }
 
-std::string as_json(const Figures& figures, const Samples& samples,
+std::string as_json(const Figures& figures, const std::vector<Kernel>& kernels, const Samples& samples,
                     const std::vector<std::string_view>& isas) {
     nlohmann::ordered_json json;
     for (const auto& [name, value] : figures.setting) json["setting"][name] = value;
     json["kernels"] = nlohmann::ordered_json::array();
     for (size_t k = 0; k < samples.size(); ++k) {
         for (size_t i = 0; i < isas.size(); ++i) {
-            nlohmann::ordered_json row = {{"name", k_kernels[k].name},
+            nlohmann::ordered_json row = {{"name", kernels[k].name},
                                           {"isa", isas[i]},
                                           {"median_ns", median(samples[k][i])},
                                           {"least_ns", least(samples[k][i])}};
-            double goal = goal_of(k_kernels[k], isas[i]);
+            double goal = goal_of(kernels[k], isas[i]);
             if (goal > 0) row["goal_ns"] = goal;
             json["kernels"].push_back(row);
         }
@@ -246,20 +176,31 @@ std::string as_json(const Figures& figures, const Samples& samples,
 
 }  // namespace
 
+double ns_each(size_t count, const std::function<void()>& work) {
+    double ns = 0;
+    for (int time = 0; time < 4; ++time) {
+        auto start = std::chrono::steady_clock::now();
+        work();
+        ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    }
+    return ns / static_cast<double>(count);
+}
+
 Result<std::string> bench_pose(const Options& options) {
     if (options.scene.walkers == 0) return Error{"bench pose needs someone to pose: --walkers 1 or more."};
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     Work work = make_work(*loaded->world);
+    std::vector<Kernel> kernels = kernels_of(work);
     std::vector<std::string_view> isas = isa_names();
     if (isas.size() > 1) std::erase(isas, "scalar");  // for tests
-    Samples samples = measure(work, isas, options.bench_frames);
+    Samples samples = measure(kernels, isas, options.bench_frames);
 
     Figures figures;
     add_setting(figures, options, *loaded->world);
     print_figures(figures);
-    print(samples, isas);
-    return as_json(figures, samples, isas);
+    print(kernels, samples, isas);
+    return as_json(figures, kernels, samples, isas);
 }
 
 }  // namespace flaneur
