@@ -61,6 +61,7 @@ Examples:
   flaneur gait --turn 180                                  a half turn on the way
   flaneur gait --stairs up --riser 0.16 --tread 0.32
   flaneur gait --slope -8
+  flaneur gait --crowd 1000 --seconds 60 --check           feet, joints and manners of a whole crowd
   flaneur gait --strip out/strip.png --view front)";
 
 template <class T>
@@ -292,6 +293,12 @@ void add_gait(CLI::App& app, Options& options) {
     number(k_where, "--slope", gait.slope, -25, 25, "PERCENT", "Up, or down, so many metres in a hundred");
     number(k_where, "--kerb", gait.kerb, 0.02, 0.25, "M", "Up a kerb so high and down again");
     number(k_where, "--wall", gait.wall, 0.2, 2, "M", "A wall so far to the left, in a strip");
+    command
+        ->add_option("--crowd", gait.crowd,
+                     "Watch so many people in the built-in city instead, for --seconds")
+        ->type_name("N")
+        ->check(CLI::Range(1, k_max_walkers).description(""))
+        ->group(k_where);
     command->add_option("--csv", gait.csv, "Write every quantity and curve")->type_name("FILE");
     command->add_option("--json", options.json, "The same")->type_name("FILE");
     command->add_option("--svg", gait.svg, "Draw the curves over those of people")->type_name("FILE");
@@ -311,6 +318,17 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
+    if (options.command == Command::gait) {
+        const GaitOptions& gait = options.gait;
+        int walks =
+            (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) + (gait.crowd > 0);
+        if (walks > 1)
+            return Error{"gait measures one of --turn, --stairs, --slope, --kerb and --crowd at a time."};
+        bool steady = gait.turn == 0 && gait.kerb == 0 && gait.crowd == 0;
+        if (!steady && !gait.svg.empty())
+            return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
+    }
+    if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
     if (words.camera) options.scene.camera = *words.camera;
     Result<CameraChoice> camera = parse_camera(options.scene.camera);
     if (!camera) return camera.error();

@@ -47,6 +47,7 @@ struct GaitOptions {
     double slope = 0;                   // metres up in a hundred
     double kerb = 0;                    // metres
     double wall = 0;                    // metres to the left of the way; only where a strip is drawn
+    int crowd = 0;                      // walkers to watch, instead of one
     bool check = false;
     std::string csv, svg, strip;
     StripView view = StripView::side;

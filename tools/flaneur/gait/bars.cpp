@@ -139,6 +139,19 @@ constexpr Bar k_stairs_down[] = {{"knee_swing_peak.deg", 80, 95, 0, "85 to 90; R
 // Self-chosen speed: Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), 15 % either way. Knees meet an
 // upward slope more bent (Leroux 2002; Lay 2006).
 constexpr Bar k_slope_up[] = {{"knee_contact.against_level", 0, 20, 0, "Leroux 2002, Lay 2006"}};
+constexpr Bar k_crowd[] = {
+    {"drift_p99.mm", 0, 3, 0, k_rigid},
+    {"penetration_p99.mm", -k_open, 5, 0, k_rigid},
+    {"float_p99.mm", -k_open, 5, 0, k_rigid},
+    {"joints_outside", 0, 0, 0, "AAOS 1965, Kapandji"},
+    {"not_finite", 0, 0, 0, ""},
+    {"bone_error.m", 0, 1e-5, 0, "bones are rigid; beyond rounding"},
+    {"joint_speed.deg_s", 0, 900, 0, "faster is a jump"},
+    {"spread_thigh.deg", 3, 9, 0, "6; Winter 1991, Fukuchi 2018"},
+    {"spread_knee.deg", 2.6, 7.8, 0, "5.2; Winter 1991, Fukuchi 2018"},
+    {"spread_ankle.deg", 2, 5.9, 0, "3.9; Winter 1991, Fukuchi 2018"},
+    {"spread_speed.m_s", 0.1, 0.35, 0, "0.94 to 1.43 m/s by age and sex; Bohannon & Andrews 2011"},
+};
 constexpr Bar k_gaits[] = {{"run_from.m_s", 1.9, 2.3, 0, "Froude number 0.5"}};
 
 Bar at_speed(const SpeedBar& b, double speed) {
@@ -209,6 +222,12 @@ std::vector<Bar> kerb_bars() {
 std::vector<Bar> gaits_bars() {
     std::vector<Bar> bars;
     add(bars, k_gaits);
+    return bars;
+}
+
+std::vector<Bar> crowd_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_crowd);
     return bars;
 }
 

@@ -17,8 +17,6 @@ struct Bar {
     const char* source;  // of the numbers
 };
 
-inline constexpr double k_stairs_speed = 0.55;  // m/s along the ground, Riener 2002
-
 // Bars of level walking at a speed, or of a run where it is one (from Froude number 0.5), for a leg's length
 // in metres. Bars that hold at natural speed only are among them from 1.2 to 1.4 m/s.
 std::vector<Bar> level_bars(double speed, double leg);
@@ -27,6 +25,7 @@ std::vector<Bar> stairs_bars(bool up);
 std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
 std::vector<Bar> gaits_bars();
+std::vector<Bar> crowd_bars();
 
 struct Verdict {
     Bar bar;

@@ -3,8 +3,10 @@
 #include <cstdio>
 
 #include "tools/flaneur/commands.h"
+#include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/report.h"
 #include "tools/flaneur/gait/strip.h"
+#include "tools/flaneur/load.h"
 #include "tools/flaneur/output.h"
 
 namespace flaneur {
@@ -34,31 +36,63 @@ double usual_speed(const GaitOptions& gait, double height) {
     return gait.age < 18 ? speed * std::sqrt(height / (gait.sex == Sex::woman ? 1.63 : 1.765)) : speed;
 }
 
+double height_of(const GaitOptions& gait) { return gait.height > 0 ? gait.height : usual_height(gait); }
+double speed_of(const GaitOptions& gait) {
+    return gait.speed > 0 ? gait.speed : usual_speed(gait, height_of(gait));
+}
+
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
     for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
     reports.push_back(try_gaits(person));
     reports.push_back(try_turn(person, speed, 180));
-    for (bool up : {true, false}) reports.push_back(try_stairs(person, up, gait.riser, gait.tread));
+    for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));
     return reports;
 }
 
 std::vector<Report> chosen_trials(const Person& person, double speed, const GaitOptions& gait) {
-    std::vector<Report> reports;
-    if (gait.turn != 0) reports.push_back(try_turn(person, speed, gait.turn));
-    if (!gait.stairs.empty())
-        reports.push_back(try_stairs(person, gait.stairs == "up", gait.riser, gait.tread));
-    if (gait.slope != 0) reports.push_back(try_slope(person, speed, gait.slope));
-    if (gait.kerb != 0) reports.push_back(try_kerb(person, speed, gait.kerb));
-    if (!reports.empty()) return reports;
+    if (gait.turn != 0) return {try_turn(person, speed, gait.turn)};
+    if (!gait.stairs.empty()) return {try_stairs(person, speed, gait.stairs == "up", gait.riser, gait.tread)};
+    if (gait.slope != 0) return {try_slope(person, speed, gait.slope)};
+    if (gait.kerb != 0) return {try_kerb(person, speed, gait.kerb)};
     if (gait.check) return every_trial(person, speed, gait);
     return {try_level(person, speed, gait.seconds)};
 }
 
+std::vector<Report> try_person(const GaitOptions& gait) {
+    double height = height_of(gait), speed = speed_of(gait);
+    Person person{standard_body(static_cast<float>(height)), gait.style};
+    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, manner %llu\n",
+                gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
+                static_cast<double>(leg_length(person.body)), static_cast<unsigned long long>(gait.style));
+    return chosen_trials(person, speed, gait);
+}
+
+// The crowd of the built-in city, or of the one that the scene names.
+Result<Report> try_crowd(const Options& options) {
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    World& world = *loaded->world;
+    std::vector<WalkerWatch> watches(world.crowd.count);
+    auto ticks = static_cast<uint32_t>(std::lround(options.gait.seconds / static_cast<double>(k_tick)));
+    while (world.tick < ticks) {
+        step(world);
+        parallel_for(*world.workers, watches.size(), 16, [&](size_t begin, size_t end, int) {
+            for (size_t i = begin; i < end; ++i) watch_walker(watches[i], world, i);
+        });
+        if (world.tick % 60 == 0) {
+            show_progress("watching, " + std::to_string(world.tick / 60) + " s of " +
+                          std::to_string(ticks / 60) + " s");
+        }
+    }
+    clear_progress();
+    for (const std::string& line : worst_places(watches)) std::printf("%s\n", line.c_str());
+    return judge_crowd(watches, world);
+}
+
 Result<void> write(PartFilePtr file, const std::string& text) {
-    if (!file) return {};
     std::fwrite(text.data(), 1, text.size(), file->file);
     return keep_file(std::move(file));
 }
@@ -75,20 +109,20 @@ Result<void> run_gait(const Options& options) {
         if (!file) return file.error();
         files[i] = std::move(*file);
     }
-    double height = gait.height > 0 ? gait.height : usual_height(gait);
-    double speed = gait.speed > 0 ? gait.speed : usual_speed(gait, height);
 #ifdef FLANEUR_VULKAN
     if (!gait.strip.empty()) {
-        Result<void> drawn = draw_strip(options, height, speed);
+        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait));
         if (!drawn) return drawn;
     }
 #endif
-    Person person{standard_body(static_cast<float>(height)), gait.style};
-    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, manner %llu\n",
-                gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
-                static_cast<double>(leg_length(person.body)), static_cast<unsigned long long>(gait.style));
-
-    std::vector<Report> reports = chosen_trials(person, speed, gait);
+    std::vector<Report> reports;
+    if (gait.crowd > 0) {
+        Result<Report> crowd = try_crowd(options);
+        if (!crowd) return crowd.error();
+        reports.push_back(std::move(*crowd));
+    } else {
+        reports = try_person(gait);
+    }
     int failed = 0, bars = 0;
     for (const Report& r : reports) {
         print_report(r, reports.size() == 1);
@@ -96,9 +130,15 @@ Result<void> run_gait(const Options& options) {
         bars += static_cast<int>(r.verdicts.size());
     }
     std::printf("\n%d of %d bars met.\n", bars - failed, bars);
-    if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
-    if (Result<void> done = write(std::move(files[1]), reports_json(reports)); !done) return done;
-    if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
+    if (files[0]) {
+        if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
+    }
+    if (files[1]) {
+        if (Result<void> done = write(std::move(files[1]), reports_json(reports)); !done) return done;
+    }
+    if (files[2]) {
+        if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
+    }
     if (!gait.check || failed == 0) return {};
     return Error{std::to_string(failed) + " of " + std::to_string(bars) +
                  " bars are not met; the lines above that say FAIL name them."};

@@ -29,7 +29,7 @@ std::string reports_csv(const std::vector<Report>& reports);
 // "pass"?}], "curves": {name: [101 values]}}], "norm": {name: [101 values]}}
 std::string reports_json(const std::vector<Report>& reports);
 
-// The joint curves of a report over the norm's bands, a panel a joint.
+// The joint curves of steady walking over the norm's bands, a panel a joint.
 std::string curves_svg(const Report& report);
 
 }  // namespace flaneur

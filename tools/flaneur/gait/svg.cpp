@@ -10,7 +10,7 @@ namespace {
 
 constexpr int k_columns = 4;
 constexpr double k_wide = 210, k_high = 130;  // of a plot, pixels
-constexpr double k_left_margin = 46, k_gap_x = 44, k_gap_y = 64, k_head = 74, k_foot = 44;
+constexpr double k_left_margin = 46, k_gap_x = 44, k_gap_y = 76, k_head = 74, k_foot = 44;
 
 std::string format(const char* pattern, double a, double b = 0, double c = 0, double d = 0) {
     char text[256];
@@ -28,12 +28,11 @@ struct Panel {
     double py(double value) const { return y + k_high * (high - value) / (high - low); }
 };
 
-// A round distance between grid lines, three to six of them.
+// A round distance between grid lines: five of them at most.
 double grid_step(double span) {
-    for (double step : {1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0}) {
-        if (span / step <= 5) return step;
-    }
-    return 200;
+    double step = 1;
+    for (int i = 0; span / step > 5; ++i) step *= i % 3 == 1 ? 2.5 : 2;  // 1, 2, 5, 10 ..
+    return step;
 }
 
 std::string line(const Panel& p, const Curve& c, const char* style) {
@@ -88,16 +87,16 @@ std::string curves_svg(const Report& report) {
         ".walk{fill:none;stroke:#c8442c;stroke-width:2;stroke-linejoin:round}</style>\n";
     svg += format("<rect width=\"%.0f\" height=\"%.0f\" fill=\"#fff\"/>\n", width, height);
     svg += label(k_left_margin, 30, "title", report.title);
-    svg +=
-        label(k_left_margin, 50, "sub",
-              "One gait cycle from contact to contact of the same foot, mean of both sides. Red: this walk. "
-              "Blue: the mean of people at natural speed, and its standard deviation between them.");
+    svg += label(
+        k_left_margin, 50, "sub",
+        "One gait cycle, from contact to contact of the same foot; the mean of both sides. Red: this walk. "
+        "Blue: people at natural speed, and the standard deviation between them. Dashed: toe-off.");
     double toe_off = value_of(report.quantities, "stance.pct");
     for (int i = 0; i < count; ++i) {
         const NamedCurve& c = k_named_curves[static_cast<size_t>(i)];
         const Curve& walk = report.curves.*c.curve;
         Panel p{k_left_margin + (i % k_columns) * (k_wide + k_gap_x),
-                k_head + (i / k_columns) * (k_high + k_gap_y) + 22, walk[0], walk[0]};
+                k_head + (i / k_columns) * (k_high + k_gap_y) + 32, walk[0], walk[0]};
         for (size_t k = 0; k < k_percents; ++k) {
             double norm = c.norm ? (*c.norm)[k] : walk[k], sd = c.sd ? (*c.sd)[k] : 0;
             p.low = std::min({p.low, walk[k], norm - sd});
@@ -106,8 +105,8 @@ std::string curves_svg(const Report& report) {
         double room = std::max((p.high - p.low) * 0.06, 0.5);
         p.low -= room, p.high += room;
         double step = grid_step(p.high - p.low);
-        svg += label(p.x, p.y - 8, "name", c.title);
-        svg += label(p.x + k_wide, p.y - 8, "unit right", c.unit);
+        svg += label(p.x, p.y - 20, "name", c.title);
+        svg += label(p.x, p.y - 7, "unit", c.unit);
         for (double v = std::ceil(p.low / step) * step; v <= p.high; v += step) {
             bool zero = std::fabs(v) < step / 2;
             svg += format(zero ? "<path class=\"zero\" d=\"M%.1f %.1fH%.1f\"/>\n"
@@ -126,9 +125,8 @@ std::string curves_svg(const Report& report) {
             svg += label(p.px(percent), p.y + k_high + 13, "tick middle", format("%.0f %%", percent));
         svg += label(p.x, p.y + k_high + 28, "tick", caption(report, c.name));
     }
-    svg += label(
-        k_left_margin, height - 18, "sub",
-        "Dashed: toe-off. Norms: Winter 1991 and Fukuchi, Fukuchi &amp; Duarte 2018 (CC BY 4.0), pooled.");
+    svg += label(k_left_margin, height - 18, "sub",
+                 "Norms: Winter 1991 and Fukuchi, Fukuchi &amp; Duarte 2018 (CC BY 4.0), pooled.");
     return svg + "</svg>\n";
 }
 

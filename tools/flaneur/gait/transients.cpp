@@ -101,23 +101,24 @@ Quantities measure_turn(const Walk& walk, size_t asked) {
     Samples trunk = low_pass(yaw_of(walk, {hips, upper_chest}), walk.rate, 3);
     Samples gaze = low_pass(yaw_of(walk, {head}), walk.rate, 3);
     double from = trunk[asked], angle = trunk.back() - from, sign = angle < 0 ? -1 : 1;
-    size_t begin = asked, end = asked;
-    while (begin < trunk.size() && sign * (trunk[begin] - from) < 0.05 * sign * angle) ++begin;
-    end = begin;
-    while (end < trunk.size() && sign * (trunk[end] - from) < 0.95 * sign * angle) ++end;
     Samples trunk_rate = rate_of(trunk, walk.rate), head_rate = rate_of(gaze, walk.rate);
     Samples speed = pelvis_speed(walk, 3);
-    double fastest = 0, slowest = speed[begin];
-    for (size_t t = begin; t < std::min(end, trunk.size()); ++t) {
-        fastest = std::max(fastest, sign * trunk_rate[t]);
-        slowest = std::min(slowest, speed[t]);
+    size_t fastest = asked;
+    for (size_t t = asked; t < trunk.size(); ++t) {
+        if (sign * trunk_rate[t] > sign * trunk_rate[fastest]) fastest = t;
     }
+    double least = 0.1 * sign * trunk_rate[fastest];
+    size_t begin = fastest, end = fastest;
+    while (begin > asked && sign * trunk_rate[begin] > least) --begin;
+    while (end + 1 < trunk.size() && sign * trunk_rate[end] > least) ++end;
+    double slowest = *std::min_element(speed.begin() + static_cast<std::ptrdiff_t>(begin),
+                                       speed.begin() + static_cast<std::ptrdiff_t>(end) + 1);
     auto half_second = static_cast<size_t>(walk.rate / 2);
     size_t early = begin > half_second ? begin - half_second : 0;
     double ahead = lead(head_rate, trunk_rate, early, std::min(end + half_second, trunk.size()), walk.rate);
     return {{"turn.deg", sign * angle},
             {"turn.s", static_cast<double>(end - begin) / walk.rate},
-            {"turn_peak.deg_s", fastest},
+            {"turn_peak.deg_s", sign * trunk_rate[fastest]},
             {"turn_least_speed.m_s", slowest},
             {"turn.steps", static_cast<double>(contacts(walk, begin, end))},
             {"head_lead.ms", 1000 * ahead / walk.rate}};

@@ -12,9 +12,9 @@ Quantities measure_start(const Walk& walk, size_t asked, double steady);
 // Steps, and seconds, from the tick when standing is asked for until the last foot is down for good.
 Quantities measure_stop(const Walk& walk, size_t asked);
 
-// A turn asked for at a tick: seconds between 5 and 95 % of the angle that the trunk turns, its peak rate,
-// the least speed of the pelvis, the steps taken, and by how much the head leads the trunk (the lag at which
-// their yaw rates agree best).
+// A turn asked for at a tick: the seconds that the trunk turns at more than a tenth of its peak rate, that
+// rate, the least speed of the pelvis meanwhile, the steps taken, and by how much the head leads the trunk
+// (the lag at which their yaw rates agree best).
 Quantities measure_turn(const Walk& walk, size_t asked);
 
 }  // namespace flaneur

@@ -75,7 +75,7 @@ Report try_turn(const Person& person, double speed, double degrees) {
     return finished(std::move(r), turn_bars(degrees));
 }
 
-Report try_stairs(const Person& person, bool up, double riser, double tread) {
+Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
     constexpr int k_steps = 40;
     constexpr float k_begin = 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
@@ -87,8 +87,8 @@ Report try_stairs(const Person& person, bool up, double riser, double tread) {
             float step = std::floor((z - k_begin) / run) + 1;
             return clamp(step, 0, k_steps) * rise;
         },
-        edges, true);
-    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : k_stairs_speed); });
+        edges, true, Surface::steps);
+    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_steps - 4) * run));
     double metres = 0, steps = 0;
     for (const Stride& s : strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {

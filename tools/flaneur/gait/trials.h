@@ -21,8 +21,8 @@ struct Report {
 Report try_level(const Person& person, double speed, double seconds);
 // Walks at `speed` and turns by `degrees`.
 Report try_turn(const Person& person, double speed, double degrees);
-// Up or down a long flight.
-Report try_stairs(const Person& person, bool up, double riser, double tread);
+// Up or down a long flight, by one who walks at `speed` on the level.
+Report try_stairs(const Person& person, double speed, bool up, double riser, double tread);
 // Up (or down) ground that rises so many metres in a hundred.
 Report try_slope(const Person& person, double speed, double percent);
 // Over one kerb up and one down.

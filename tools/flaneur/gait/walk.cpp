@@ -1,33 +1,9 @@
 #include "tools/flaneur/gait/walk.h"
 
-#include <algorithm>
-
-#include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/locomotion.h"
 
 namespace flaneur {
-
-namespace {
-
-constexpr float k_faster = 1.6f, k_slower = 2.2f;  // m/s2
-constexpr float k_turn = 2.6f, k_turn_faster = 8;  // rad/s, rad/s2
-constexpr float k_turn_stiffness = 4;              // 1/s
-constexpr float k_turn_speed = 0.15f;              // m/s, of one who faces away from the way to go
-
-// One tick of velocity, heading and turn rate towards the wish.
-void follow(Vec2 wish, Vec2& velocity, float& heading, float& turn_rate) {
-    float wanted = length(wish), speed = length(velocity), off = 0;
-    if (wanted > 0.01f) off = wrap_angle(heading_of(wish) - heading);
-    float facing = std::max(0.0f, sin_cos(off).cosine);
-    float target = std::min(wanted, k_turn_speed + (wanted - k_turn_speed) * facing);
-    float rate = clamp(off * k_turn_stiffness, -k_turn, k_turn);
-    speed += clamp(target - speed, -k_slower * k_tick, k_faster * k_tick);
-    turn_rate += clamp(rate - turn_rate, -k_turn_faster * k_tick, k_turn_faster * k_tick);
-    heading += turn_rate * k_tick;
-    velocity = heading_direction(heading) * speed;
-}
-
-}  // namespace
 
 FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses,
                          size_t walker, Side side) {
@@ -42,7 +18,8 @@ FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<P
     return foot;
 }
 
-City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped) {
+City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
+           Surface kind) {
     City city;
     for (size_t i = 0; i + 1 < edges.size(); ++i) {
         float a = edges[i], b = edges[i + 1];
@@ -51,7 +28,7 @@ City strip(const std::function<float(float z)>& height, const std::vector<float>
         for (Vec3 v : {Vec3{-10, ya, a}, Vec3{-10, yb, b}, Vec3{10, yb, b}, Vec3{10, ya, a}})
             city.ground_vertices.push_back(v);
         for (uint32_t k : {0, 1, 2, 0, 2, 3}) city.ground_indices.push_back(n + k);
-        city.ground_kinds.insert(city.ground_kinds.end(), 2, Surface::sidewalk);
+        city.ground_kinds.insert(city.ground_kinds.end(), 2, kind);
     }
     index_city(city);
     return city;
@@ -61,27 +38,28 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
     Walk result{person.body, 1 / static_cast<double>(k_tick), {}};
     std::vector<Body> bodies{person.body};
     uint32_t index = 0;
-    float scale = 1, heading = 0, turn_rate = 0;
+    float scale = 1;
     Vec3 position;
     if (auto hit = ground(city, {0, 0, 0}, 100, 100)) position.y = hit->height;
-    Vec2 velocity;
-    RootMotion root{&position, &velocity, &heading, &turn_rate};
+    Motion motion;
+    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate};
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, city, person.style);
     std::vector<PoseBlock> poses(1);
 
     auto ticks = static_cast<uint32_t>(seconds * result.rate);
     for (uint32_t t = 0; t < ticks; ++t) {
-        follow(wish(t / result.rate), velocity, heading, turn_rate);
-        position += at_height(velocity * k_tick, 0);
+        GroundHit under = ground(city, position).value_or(GroundHit{});
+        motion = next_motion(motion, wish(t / result.rate), under, k_tick);
+        position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground(city, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, city, person.style, t, k_tick);
         pose_blocks(gait, 0, 1, poses);
 
         Instant now;
         now.root = position;
-        now.velocity = velocity;
-        now.heading = heading;
+        now.velocity = motion.velocity;
+        now.heading = motion.heading;
         for (size_t j = 0; j < k_joint_count; ++j)
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
         for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(city, gait, poses, 0, side);

@@ -48,7 +48,8 @@ struct Walk {
 
 // A strip of ground 20 m wide along +z whose height changes at `edges`: between two of them it lies level at
 // the height of its middle (`stepped`) or runs straight from one end's height to the other's.
-City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped);
+City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
+           Surface kind = Surface::sidewalk);
 
 // Who walks: a body and the seed that its manner is drawn from.
 struct Person {
@@ -57,7 +58,7 @@ struct Person {
 };
 
 // The velocity, m/s on the ground plane, that the person would like at a time. Legs follow it as fast as they
-// can.
+// can (next_motion).
 using Wish = std::function<Vec2(double time)>;
 
 // Walks for `seconds` from (0, 0), facing +z.

@@ -1,0 +1,24 @@
+#!/bin/bash
+# gait.sh FLANEUR: `flaneur gait` writes a table, a CSV, JSON and an SVG that hold together.
+set -euo pipefail
+flaneur=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+"$flaneur" gait --speed 1.3 --csv a.csv --json a.json --svg a.svg > table.txt
+grep --quiet 'thigh.rmse .*<= 4 ' table.txt
+grep --quiet 'bars met' table.txt
+head -1 a.csv | grep --quiet '^trial,quantity,percent,value,norm,low,high,pass$'
+if awk -F, 'NF != 8' a.csv | grep .; then echo "FAILED: rows of another length" && exit 1; fi
+(($(grep --count '^level_1.30,knee,' a.csv) == 101))
+python3 - << 'END'
+import json, xml.dom.minidom
+report = json.load(open("a.json"))
+trial = report["trials"][0]
+assert len(trial["curves"]["knee"]) == 101 and len(report["norm"]["knee"]) == 101
+assert any(q["name"] == "knee.rmse" and q["high"] == 5 and "pass" in q for q in trial["quantities"])
+assert xml.dom.minidom.parse("a.svg").documentElement.tagName == "svg"
+END
+"$flaneur" gait --crowd 20 --seconds 12 > crowd.txt
+grep --quiet 'joint_speed' crowd.txt
+grep --quiet 'Fastest joint' crowd.txt

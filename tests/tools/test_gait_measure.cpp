@@ -1,0 +1,240 @@
+// Walks made up from known numbers, and the measures that must find these.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/gait/bars.h"
+#include "tools/flaneur/gait/contact.h"
+#include "tools/flaneur/gait/crowd.h"
+#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/transients.h"
+
+namespace flaneur {
+namespace {
+
+constexpr int k_cycle = 60, k_down = 37;  // ticks of a stride, and of them on the ground
+constexpr float k_step = 0.6f, k_width = 0.1f;
+
+// Straight along +z at 1.2 m/s, two steps a second of 0.6 m, feet 0.1 m apart and 6 degrees out, stance 37 of
+// 60 ticks; each thigh swings by +-20 degrees, largest at contact, and each knee is bent by 10.
+Walk made_up_walk(int ticks) {
+    Walk w{standard_body(1.75f), 60, {}};
+    const auto& rest = w.body.joints;
+    for (int t = 0; t < ticks; ++t) {
+        Instant now;
+        now.root = {0, 0, 1.2f * static_cast<float>(t) / 60};
+        now.velocity = {0, 1.2f};
+        for (size_t j = 0; j < k_joint_count; ++j) now.joints[j].position = rest[j] + now.root;
+        for (Side side : {k_left, k_right}) {
+            const Limb& limb = k_limbs[side];
+            int since = t + (side == k_left ? 0 : k_cycle / 2);
+            int stride = since / k_cycle, at = since % k_cycle;
+            float angle = 20 * k_radians * sin_cos(2 * k_pi * static_cast<float>(at) / k_cycle).cosine;
+            float shank = angle - 10 * k_radians;
+            Vec3 hip = now.joints[limb.upper_leg].position;
+            auto hang = [](float a) { return Vec3{0, -sin_cos(a).cosine, sin_cos(a).sine}; };
+            now.joints[limb.lower_leg].position = hip + hang(angle) * 0.43f;
+            now.joints[limb.foot].position = now.joints[limb.lower_leg].position + hang(shank) * 0.43f;
+
+            FootInstant& foot = now.feet[side];
+            foot.swinging = at >= k_down;
+            float across = side == k_left ? k_width / 2 : -k_width / 2;
+            float along = static_cast<float>(stride) * 2 * k_step - (side == k_right ? k_step : 0);
+            float out = (side == k_left ? 6 : -6) * k_radians;
+            Vec2 ahead = heading_direction(out);
+            Vec3 ankle{across, foot.swinging ? 0.05f : 0, along};
+            foot.sole = {ankle, ankle + at_height(ahead * 0.15f, 0), ankle + at_height(ahead * 0.2f, 0)};
+            if (!foot.swinging) now.joints[limb.foot].position = {across, 0.07f, along};
+        }
+        w.ticks.push_back(now);
+    }
+    return w;
+}
+
+TEST(GaitMeasure, FindsTheTimingThatWasPutIn) {
+    Level level = measure_level(made_up_walk(900), 100, 800);
+    auto is = [&](const char* name) { return value_of(level.quantities, name); };
+    EXPECT_NEAR(is("speed.m_s"), 1.2, 1e-3);
+    EXPECT_NEAR(is("cadence.spm"), 120, 1e-6);
+    EXPECT_NEAR(is("stance.pct"), 100.0 * k_down / k_cycle, 1e-6);
+    EXPECT_NEAR(is("double_support.pct"), 100.0 * 2 * (k_down - 30) / k_cycle, 1e-6);
+    EXPECT_NEAR(is("step_length.m"), k_step, 1e-4);
+    EXPECT_NEAR(is("step_width.m"), k_width, 1e-4);
+    EXPECT_NEAR(is("toe_out.deg"), 6, 1e-3);
+    EXPECT_NEAR(is("walk_ratio.m_spm"), k_step / 120, 1e-6);
+    EXPECT_NEAR(is("thigh.range"), 40, 0.2);
+    EXPECT_NEAR(level.curves.thigh[50], -20, 0.3);
+    EXPECT_NEAR(level.curves.knee[80], 10, 0.2);  // in the swing, where the made-up ankle hangs from the knee
+    EXPECT_NEAR(is("penetration.mm"), 0, 1e-3);
+    EXPECT_NEAR(is("stance_drift.mm"), 0, 1e-3);
+}
+
+Quantities contact_of(const Walk& w) { return measure_contact(w, strides(w, 100, 800)); }
+
+TEST(GaitMeasure, FindsAFootThatSlides) {
+    Walk w = made_up_walk(900);
+    for (int t = 0; t < 900; ++t) {  // 12 mm/s in every stance, so 7.2 mm over its 36 ticks
+        auto& foot = w.ticks[static_cast<size_t>(t)].feet[k_left];
+        if (foot.swinging) continue;
+        float slid = 0.012f * static_cast<float>(t % k_cycle) / 60;
+        for (Vec3* p : {&foot.sole.heel, &foot.sole.ball, &foot.sole.tip}) p->x += slid;
+        w.ticks[static_cast<size_t>(t)].joints[left_foot].position.x += slid;
+    }
+    Quantities q = contact_of(w);
+    EXPECT_NEAR(value_of(q, "stance_drift.mm"), 7.2, 0.05);
+    EXPECT_NEAR(value_of(q, "planted_ankle_drift.mm"), 12.0 * 9 / 60, 0.21);
+    EXPECT_NEAR(value_of(q, "planted_toe_drift.mm"), 12.0 * 18 / 60, 0.21);
+    EXPECT_NEAR(value_of(q, "slip_speed_p99.m_s"), 0.012, 1e-3);
+    EXPECT_FALSE(judge(q, kerb_bars())[0].pass);
+}
+
+TEST(GaitMeasure, FindsFeetUnderAndOverTheGround) {
+    Walk sunk = made_up_walk(900), hovering = made_up_walk(900), dragging = made_up_walk(900);
+    for (size_t t = 300; t < 360; ++t) {
+        for (float& ground : sunk.ticks[t].feet[k_left].ground) ground = 0.006f;
+        for (float& ground : hovering.ticks[t].feet[k_left].ground) ground = -0.008f;
+        for (float& ground : dragging.ticks[t].feet[k_left].ground) ground = t < 340 ? 0 : 0.09f;
+    }
+    EXPECT_NEAR(value_of(contact_of(sunk), "penetration.mm"), 6, 1e-3);
+    EXPECT_NEAR(value_of(contact_of(hovering), "float.mm"), 8, 1e-3);
+    EXPECT_NEAR(value_of(contact_of(dragging), "swing_penetration.mm"), 40, 1e-3);
+}
+
+TEST(GaitMeasure, FindsTurnsAndTheLeadOfTheHead) {
+    Walk w{standard_body(1.75f), 60, {}};
+    auto turned = [](double t) {  // a half turn in two seconds from second 2 on, as a raised cosine
+        double s = std::clamp((t - 2) / 2, 0.0, 1.0);
+        return static_cast<float>((s - std::sin(2 * std::numbers::pi * s) / (2 * std::numbers::pi)) *
+                                  std::numbers::pi);
+    };
+    for (int i = 0; i < 420; ++i) {
+        Instant now;
+        for (Joint joint : {hips, upper_chest}) now.joints[joint].rotation = rotation_y(turned(i / 60.0));
+        now.joints[head].rotation = rotation_y(turned(i / 60.0 + 0.2));
+        now.joints[hips].position = {0, 1, static_cast<float>(i) * 0.4f / 60};
+        w.ticks.push_back(now);
+    }
+    Quantities q = measure_turn(w, 60);
+    EXPECT_NEAR(value_of(q, "turn.deg"), 180, 0.5);
+    EXPECT_NEAR(value_of(q, "turn.s"), 1.6, 0.1);
+    EXPECT_NEAR(value_of(q, "turn_peak.deg_s"), 180, 6);
+    EXPECT_NEAR(value_of(q, "head_lead.ms"), 200, 17);
+    EXPECT_NEAR(value_of(q, "turn_least_speed.m_s"), 0.4, 0.01);
+}
+
+TEST(GaitMeasure, CountsStepsOfStartsAndStops) {
+    Walk w = made_up_walk(600);
+    for (size_t t = 0; t < w.ticks.size(); ++t) {  // at rest until tick 100, steady at 140; feet still at 400
+        float speed = 1.2f * clamp((static_cast<float>(t) - 100) / 40, 0, 1);
+        Vec3 before = t > 0 ? w.ticks[t - 1].joints[hips].position : Vec3{};
+        w.ticks[t].joints[hips].position = before + Vec3{0, 0, speed / 60};
+        if (t < 100 || t >= 400)
+            for (FootInstant& foot : w.ticks[t].feet) foot.swinging = false;
+    }
+    // Contacts come at ticks 120, 150 ..; 90 % is reached about tick 136, within the second step.
+    EXPECT_EQ(value_of(measure_start(w, 100, 1.2), "start.steps"), 2);
+    EXPECT_NEAR(value_of(measure_start(w, 100, 1.2), "start.s"), 36 / 60.0, 0.1);
+    EXPECT_EQ(value_of(measure_stop(w, 345), "stop.steps"), 3);  // at 360, 390 and 400
+    EXPECT_NEAR(value_of(measure_stop(w, 345), "stop.s"), 55 / 60.0, 1e-9);
+}
+
+TEST(GaitBars, WhatIsOutsideMissingOrNoNumberFails) {
+    std::vector<Bar> bars{{"a", 1, 2, 0, ""}, {"b", -k_open, 2, 0, ""}, {"c", 0, 1, 0, ""}};
+    auto passes = [&](Quantities q) {
+        int n = 0;
+        for (const Verdict& v : judge(q, bars)) n += v.pass;
+        return n;
+    };
+    EXPECT_EQ(passes({{"a", 1}, {"b", 2}, {"c", 0.5}}), 3);
+    EXPECT_EQ(passes({{"a", 0.99}, {"b", 2.01}, {"c", std::nan("")}}), 0);
+    EXPECT_EQ(passes({{"a", 1.5}}), 1);
+}
+
+TEST(GaitLimits, KnowWhatJointsOfPeopleDo) {
+    auto over = [](Joint joint, Quat turn) { return beyond_limits(joint, joint_angles(joint, {}, turn)); };
+    // A knee bends back: about +x.
+    EXPECT_EQ(over(left_lower_leg, rotation_x(1.5f)), 0);
+    EXPECT_NEAR(over(left_lower_leg, rotation_x(-10 * k_radians)), 5, 0.1);
+    EXPECT_EQ(over(right_lower_arm, rotation_x(-2.0f)), 0);
+    EXPECT_NEAR(over(right_lower_arm, rotation_x(15 * k_radians)), 10, 0.1);
+    EXPECT_EQ(over(left_upper_leg, rotation_x(-1.5f)), 0);
+    EXPECT_NEAR(over(left_upper_leg, rotation_x(45 * k_radians)), 10, 0.1);
+    EXPECT_EQ(over(left_foot, rotation_x(40 * k_radians)), 0);
+    EXPECT_NEAR(over(right_foot, rotation_x(-50 * k_radians)), 10, 0.1);
+    EXPECT_NEAR(over(head, rotation_y(80 * k_radians)), 20, 0.1);
+    // Left and right mirror each other.
+    for (float angle : {-1.0f, -0.6f, 0.6f, 1.0f}) {
+        EXPECT_NEAR(over(left_upper_leg, rotation_z(angle)), over(right_upper_leg, rotation_z(-angle)), 0.01);
+        EXPECT_NEAR(over(left_upper_leg, rotation_y(angle)), over(right_upper_leg, rotation_y(-angle)), 0.01);
+    }
+    EXPECT_GT(over(left_upper_leg, rotation_z(-1.0f)), over(left_upper_leg, rotation_z(1.0f)));
+}
+
+// A world of one who stands on level ground.
+World small_world() {
+    World w;
+    w.city = strip([](float) { return 0.0f; }, {-20, 20}, false);
+    w.bodies = {standard_body(1.75f)};
+    w.crowd.position = {Vec3{}};
+    w.crowd.velocity = {Vec2{}};
+    w.crowd.heading = {0};
+    w.crowd.turn_rate = {0};
+    w.crowd.count = 1;
+    uint32_t body = 0;
+    float scale = 1;
+    RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
+                    w.crowd.turn_rate.data()};
+    start_gait(w.gait, 1, w.bodies, &body, &scale, root, w.city, 1);
+    w.poses.resize(1);
+    pose_blocks(w.gait, 0, 1, w.poses);
+    return w;
+}
+
+TEST(GaitCrowd, FindsAJumpOfAJointALongBoneAndNoNumber) {
+    World w = small_world();
+    std::vector<WalkerWatch> watches(1);
+    WalkerWatch& watch = watches[0];
+    watch_walker(watch, w, 0);
+    watch_walker(watch, w, 0);
+    EXPECT_LT(watch.spin, 1e-2f);
+    EXPECT_LT(watch.bone_error, 1e-5f);
+    EXPECT_EQ(watch.beyond_limits, 0u);
+
+    auto set_hand = [&](Quat q) {
+        const float parts[4] = {q.x, q.y, q.z, q.w};
+        for (int k = 0; k < 4; ++k) w.poses[0].rotation[right_hand][k][0] = parts[k];
+    };
+    JointPose hand = joint_pose(w.poses, 0, right_hand);
+    w.tick = 7;
+    set_hand(hand.rotation * rotation_x(-20 * k_radians));  // in a tick: 1200 degrees a second
+    w.poses[0].position[right_hand][1][0] -= 0.003f;
+    watch_walker(watch, w, 0);
+    EXPECT_NEAR(watch.spin, 1200, 1);
+    EXPECT_EQ(watch.spin_joint, right_hand);
+    EXPECT_EQ(watch.spin_tick, 7u);
+    EXPECT_GT(watch.bone_error, 0.002f);
+
+    set_hand(hand.rotation * rotation_x(2.0f));
+    watch_walker(watch, w, 0);
+    EXPECT_GT(watch.beyond_limits, 0u);
+    EXPECT_EQ(watch.beyond_joint, right_hand);
+
+    w.poses[0].position[head][0][0] = std::nanf("");
+    watch_walker(watch, w, 0);
+    EXPECT_EQ(watch.not_finite, 1u);
+
+    Report report = judge_crowd(watches, w);
+    for (const char* name : {"joint_speed.deg_s", "bone_error.m", "joints_outside", "not_finite"}) {
+        for (const Verdict& v : report.verdicts) {
+            if (std::string_view(v.bar.quantity) == name) {
+                EXPECT_FALSE(v.pass) << name;
+            }
+        }
+    }
+    EXPECT_EQ(worst_places(watches).size(), 2u);
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,257 @@
+#include "tools/flaneur/gait/crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/figures.h"
+#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/signal.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_degrees = 1 / k_radians;
+constexpr float k_steady_speed = 0.7f;  // m/s
+constexpr float k_steady_turn = 0.15f;  // rad/s
+
+bool finite(const JointPose& p) {
+    return std::isfinite(p.position.x + p.position.y + p.position.z + p.rotation.x + p.rotation.y +
+                         p.rotation.z + p.rotation.w);
+}
+
+// Degrees between two rotations.
+float angle_between(Quat a, Quat b) {
+    Quat d = conjugate(a) * b;
+    return 2 * arctan2(length(Vec3{d.x, d.y, d.z}), std::fabs(d.w)) * k_degrees;
+}
+
+// Metres by which two places near `p` may come nearer or farther because coordinates are single floats: one
+// unit in the last place on each axis.
+float rounding(Vec3 p) {
+    auto unit = [](float v) { return std::nextafter(std::fabs(v), 1e9f) - std::fabs(v); };
+    return length(Vec3{unit(p.x), unit(p.y), unit(p.z)});
+}
+
+void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
+    const PersonBlock& person = world.gait.people[i / k_block];
+    size_t lane = i % k_block;
+    JointPose poses[k_joint_count];
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        auto joint = static_cast<Joint>(j);
+        poses[j] = joint_pose(world.poses, i, joint);
+        if (!finite(poses[j])) {
+            ++watch.not_finite;
+            watch.seen = false;
+            return;
+        }
+        int parent = k_joint_parents[j];
+        Quat up = parent == k_no_parent ? Quat{} : poses[parent].rotation;
+        Quat against = conjugate(up) * poses[j].rotation;
+        if (watch.seen) {
+            float spin = angle_between(watch.last[j], against) / k_tick;
+            if (spin > watch.spin) {
+                watch.spin = spin;
+                watch.spin_joint = joint;
+                watch.spin_tick = world.tick;
+                watch.spin_place = poses[j].position;
+            }
+        }
+        watch.last[j] = against;
+        if (parent == k_no_parent) continue;
+        float over = beyond_limits(joint, joint_angles(joint, up, poses[j].rotation));
+        watch.beyond_limits += over > 0;
+        if (over > watch.beyond) {
+            watch.beyond = over;
+            watch.beyond_joint = joint;
+            watch.beyond_tick = world.tick;
+        }
+        auto rest = [&](size_t of) {
+            return Vec3{person.joints[of][0][lane], person.joints[of][1][lane], person.joints[of][2][lane]};
+        };
+        float bone = length(rest(j) - rest(static_cast<size_t>(parent)));
+        Vec3 p = poses[j].position;
+        float error = std::fabs(length(p - poses[parent].position) - bone);
+        watch.bone_error = std::max(watch.bone_error, error - rounding(p));
+        watch.bone_error_at_all = std::max(watch.bone_error_at_all, error);
+    }
+    watch.seen = true;
+}
+
+void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInstant& foot) {
+    Vec2 ahead = heading_direction(world.crowd.heading[i]);
+    auto at = [&](Joint joint) { return joint_pose(world.poses, i, joint).position; };
+    auto incline = [&](Vec3 bone) {
+        return arctan2(bone.x * ahead.x + bone.z * ahead.z, -bone.y) * k_degrees;
+    };
+    Vec3 knee = at(left_lower_leg), ankle = at(left_foot);
+    float thigh = incline(knee - at(left_upper_leg)), shank = incline(ankle - knee);
+    Vec3 sole = foot.sole.ball - foot.sole.heel;
+    float pitch = arctan2(sole.y, std::sqrt(sole.x * sole.x + sole.z * sole.z)) * k_degrees;
+    float speed = length(world.crowd.velocity[i]);
+    auto under = ground(world.city, world.crowd.position[i]);
+    bool level =
+        under && under->normal.y > 0.9995f && std::fabs(foot.ground[0] - world.crowd.position[i].y) < 0.02f;
+    bool steady = level && speed > k_steady_speed && std::fabs(world.crowd.turn_rate[i]) < k_steady_turn;
+    watch.legs.push_back({thigh, thigh - shank, pitch - shank, speed, foot.swinging, steady});
+}
+
+struct Manner {
+    Curve thigh{}, knee{}, ankle{};
+    double speed = 0;
+    int strides = 0;
+};
+
+Manner manner_of(const std::vector<WalkerWatch::Leg>& legs) {
+    Samples thigh, knee, ankle;
+    for (const auto& leg : legs) {
+        thigh.push_back(static_cast<double>(leg.thigh));
+        knee.push_back(static_cast<double>(leg.knee));
+        ankle.push_back(static_cast<double>(leg.ankle));
+    }
+    Manner m;
+    auto add = [](Curve& to, const Curve& more) {
+        for (size_t p = 0; p < to.size(); ++p) to[p] += more[p];
+    };
+    size_t begin = 0;
+    for (size_t t = 1; t < legs.size(); ++t) {
+        if (!legs[t - 1].swinging || legs[t].swinging) continue;
+        bool steady = begin > 0;
+        double speed = 0;
+        for (size_t k = begin; k < t; ++k) {
+            steady = steady && legs[k].steady;
+            speed += static_cast<double>(legs[k].speed) / static_cast<double>(t - begin);
+        }
+        if (steady) {
+            double from = static_cast<double>(begin) - 0.5, to = static_cast<double>(t) - 0.5;
+            add(m.thigh, cycle_of(thigh, from, to));
+            add(m.knee, cycle_of(knee, from, to));
+            add(m.ankle, cycle_of(ankle, from, to));
+            m.speed += speed;
+            ++m.strides;
+        }
+        begin = t;
+    }
+    for (Curve* c : {&m.thigh, &m.knee, &m.ankle})
+        for (double& v : *c) v /= std::max(m.strides, 1);
+    m.speed /= std::max(m.strides, 1);
+    return m;
+}
+
+double deviation(const std::vector<double>& values) {
+    double n = static_cast<double>(values.size()), sum = 0, squares = 0;
+    for (double v : values) sum += v / n;
+    for (double v : values) squares += (v - sum) * (v - sum) / (n - 1);
+    return std::sqrt(squares);
+}
+
+// The standard deviation between people, averaged over the cycle.
+double spread(const std::vector<Manner>& people, const Curve Manner::*curve) {
+    double sum = 0;
+    for (size_t p = 0; p < 100; ++p) {
+        std::vector<double> values;
+        for (const Manner& m : people) values.push_back((m.*curve)[p]);
+        sum += deviation(values) / 100;
+    }
+    return sum;
+}
+
+}  // namespace
+
+void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
+    watch_joints(watch, world, i);
+    for (Side side : {k_left, k_right}) {
+        FootInstant foot = foot_instant(world.city, world.gait, world.poses, i, side);
+        if (auto stance = watch_stance(watch.feet[side], foot)) watch.stances.push_back(*stance);
+        if (watch.feet[side].standing) watch.slips.push_back(watch.feet[side].slip);
+        if (side == k_left) watch_leg(watch, world, i, foot);
+    }
+}
+
+Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
+    std::vector<double> drift{0}, below{0}, above{0}, slip{0};
+    double not_finite = 0, outside = 0, beyond = 0, bone = 0, bone_at_all = 0, spin = 0;
+    std::vector<Manner> people;
+    std::vector<double> speeds;
+    for (const WalkerWatch& w : watches) {
+        std::vector<Stance> stances = w.stances;
+        for (const StanceWatch& foot : w.feet)
+            if (foot.standing) stances.push_back(foot.stance);
+        for (const Stance& s : stances) {
+            drift.push_back(1000 * static_cast<double>(s.drift));
+            below.push_back(1000 * static_cast<double>(s.below));
+            above.push_back(1000 * static_cast<double>(s.above));
+        }
+        for (float s : w.slips) slip.push_back(1000 * static_cast<double>(s));
+        not_finite += w.not_finite;
+        outside += w.beyond_limits;
+        beyond = std::max(beyond, static_cast<double>(w.beyond));
+        bone = std::max(bone, static_cast<double>(w.bone_error));
+        bone_at_all = std::max(bone_at_all, static_cast<double>(w.bone_error_at_all));
+        spin = std::max(spin, static_cast<double>(w.spin));
+        Manner m = manner_of(w.legs);
+        if (m.strides < 3) continue;
+        people.push_back(m);
+        speeds.push_back(m.speed);
+    }
+    Report r;
+    auto spread_over = [&](const std::string& name, std::vector<double>& values) {
+        r.quantities.push_back({name + "_p50.mm", quantile(values, 0.5)});
+        r.quantities.push_back({name + "_p99.mm", quantile(values, 0.99)});
+        r.quantities.push_back({name + "_max.mm", *std::max_element(values.begin(), values.end())});
+    };
+    r.quantities.push_back({"stances", static_cast<double>(drift.size() - 1)});
+    spread_over("drift", drift);
+    spread_over("drift_a_tick", slip);
+    spread_over("penetration", below);
+    spread_over("float", above);
+    append(r.quantities, {{"joints_outside", outside},
+                          {"joints_outside_most.deg", beyond},
+                          {"not_finite", not_finite},
+                          {"bone_error.m", bone},
+                          {"bone_error_with_rounding.m", bone_at_all},
+                          {"joint_speed.deg_s", spin},
+                          {"steady_walkers", static_cast<double>(people.size())}});
+    if (people.size() > 1) {
+        append(r.quantities, {{"spread_thigh.deg", spread(people, &Manner::thigh)},
+                              {"spread_knee.deg", spread(people, &Manner::knee)},
+                              {"spread_ankle.deg", spread(people, &Manner::ankle)},
+                              {"spread_speed.m_s", deviation(speeds)}});
+    }
+    r.name = "crowd";
+    char title[96];
+    std::snprintf(title, sizeof title, "%zu walkers in %s for %.0f s", watches.size(),
+                  world.city.name.c_str(), world.tick * static_cast<double>(k_tick));
+    r.title = title;
+    r.verdicts = judge(r.quantities, crowd_bars());
+    return r;
+}
+
+std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches) {
+    std::vector<std::string> lines;
+    if (watches.empty()) return lines;
+    auto say = [&](const char* what, const WalkerWatch& w, double value, Joint joint, uint32_t tick) {
+        char text[256];
+        std::string name(k_joint_names[joint]);
+        std::snprintf(text, sizeof text, "%s: %.0f, the %s of walker %td at tick %u", what, value,
+                      name.c_str(), &w - watches.data(), tick);
+        lines.push_back(text);
+    };
+    const WalkerWatch& spin =
+        *std::max_element(watches.begin(), watches.end(),
+                          [](const WalkerWatch& a, const WalkerWatch& b) { return a.spin < b.spin; });
+    say("Fastest joint, deg/s", spin, static_cast<double>(spin.spin), spin.spin_joint, spin.spin_tick);
+    const WalkerWatch& far =
+        *std::max_element(watches.begin(), watches.end(),
+                          [](const WalkerWatch& a, const WalkerWatch& b) { return a.beyond < b.beyond; });
+    if (far.beyond > 0) {
+        say("Farthest beyond its limit, deg", far, static_cast<double>(far.beyond), far.beyond_joint,
+            far.beyond_tick);
+    }
+    return lines;
+}
+
+}  // namespace flaneur

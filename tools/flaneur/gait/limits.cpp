@@ -1,0 +1,128 @@
+#include "tools/flaneur/gait/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+namespace {
+
+struct Span {
+    float low, high;
+};
+struct Limits {
+    Span bend, side, twist;
+};
+
+// Ranges of motion after the American Academy of Orthopaedic Surgeons (Joint Motion, 1965) and Kapandji (The
+// Physiology of the Joints), with a few degrees for the ends that only a load reaches: the ankle of one who
+// squats, the hip behind a runner.
+constexpr Limits k_any = {{-180, 180}, {-180, 180}, {-180, 180}};
+constexpr Limits k_trunk = {{-20, 45}, {-25, 25}, {-30, 30}};
+constexpr Limits k_neck = {{-40, 45}, {-35, 35}, {-60, 60}};
+constexpr Limits k_clavicle = {{-25, 40}, {-15, 45}, {-50, 50}};
+constexpr Limits k_shoulder = {{-60, 180}, {-45, 180}, {-100, 100}};
+constexpr Limits k_elbow = {{-5, 150}, {-180, 180}, {-100, 100}};
+constexpr Limits k_wrist = {{-85, 85}, {-45, 45}, {-100, 100}};
+constexpr Limits k_hip = {{-35, 125}, {-30, 50}, {-50, 50}};
+constexpr Limits k_knee = {{-160, 5}, {-180, 180}, {-40, 40}};
+constexpr Limits k_ankle = {{-55, 40}, {-30, 35}, {-35, 35}};
+constexpr Limits k_toes = {{-45, 85}, {-20, 20}, {-20, 20}};
+
+enum class Kind { root, trunk, neck, clavicle, shoulder, elbow, wrist, hip, knee, ankle, toes };
+
+Kind kind_of(Joint joint) {
+    switch (joint) {
+        case hips:
+            return Kind::root;
+        case spine:
+        case chest:
+        case upper_chest:
+            return Kind::trunk;
+        case neck:
+        case head:
+            return Kind::neck;
+        case left_shoulder:
+        case right_shoulder:
+            return Kind::clavicle;
+        case left_upper_arm:
+        case right_upper_arm:
+            return Kind::shoulder;
+        case left_lower_arm:
+        case right_lower_arm:
+            return Kind::elbow;
+        case left_hand:
+        case right_hand:
+            return Kind::wrist;
+        case left_upper_leg:
+        case right_upper_leg:
+            return Kind::hip;
+        case left_lower_leg:
+        case right_lower_leg:
+            return Kind::knee;
+        case left_foot:
+        case right_foot:
+            return Kind::ankle;
+        default:
+            return Kind::toes;
+    }
+}
+
+const Limits& limits_of(Kind kind) {
+    static constexpr const Limits* k_all[] = {&k_any,   &k_trunk, &k_neck, &k_clavicle, &k_shoulder, &k_elbow,
+                                              &k_wrist, &k_hip,   &k_knee, &k_ankle,    &k_toes};
+    return *k_all[static_cast<int>(kind)];
+}
+
+float degrees(float angle) { return wrap_angle(angle) / k_radians; }
+float arcsin(float x) { return k_pi / 2 - arccos(x); }
+
+float outside(Span span, float value) { return std::max({0.0f, span.low - value, value - span.high}); }
+
+}  // namespace
+
+JointAngles joint_angles(Joint joint, Quat parent, Quat child) {
+    Quat q = conjugate(parent) * child;
+    bool right = joint >= right_shoulder && joint <= right_hand;
+    right = right || joint >= right_upper_leg;
+    float mirror = right ? -1.0f : 1.0f;
+    switch (kind_of(joint)) {
+        case Kind::root:
+        case Kind::trunk:
+        case Kind::neck: {
+            Vec3 d = rotate(q, Vec3{0, 1, 0});
+            return {degrees(arctan2(d.z, d.y)), degrees(arcsin(d.x)), degrees(2 * arctan2(q.y, q.w))};
+        }
+        case Kind::clavicle: {
+            Vec3 d = rotate(q, Vec3{mirror, 0, 0});
+            return {degrees(arctan2(d.z, d.x * mirror)), degrees(arcsin(d.y)),
+                    degrees(2 * arctan2(q.x, q.w))};
+        }
+        case Kind::elbow:
+        case Kind::knee: {
+            Vec3 d = rotate(q, Vec3{0, -1, 0});
+            float bend = degrees(arccos(-d.y));
+            return {d.z < 0 ? -bend : bend, 0, mirror * degrees(2 * arctan2(q.y, q.w))};
+        }
+        case Kind::ankle:
+        case Kind::toes: {
+            Vec3 d = rotate(q, Vec3{0, 0, 1});
+            return {degrees(arctan2(d.y, d.z)), mirror * degrees(arcsin(d.x)),
+                    mirror * degrees(2 * arctan2(q.z, q.w))};
+        }
+        default: {
+            Vec3 d = rotate(q, Vec3{0, -1, 0});
+            return {degrees(arctan2(d.z, -d.y)), mirror * degrees(arcsin(d.x)),
+                    mirror * degrees(2 * arctan2(q.y, q.w))};
+        }
+    }
+}
+
+float beyond_limits(Joint joint, const JointAngles& a) {
+    const Limits& l = limits_of(kind_of(joint));
+    return std::max({outside(l.bend, a.bend), outside(l.side, a.side), outside(l.twist, a.twist)});
+}
+
+}  // namespace flaneur
