@@ -88,7 +88,7 @@ Result<Report> try_crowd(const Options& options) {
         }
     }
     clear_progress();
-    for (const std::string& line : worst_places(watches)) std::printf("%s\n", line.c_str());
+    for (const std::string& line : worst_places(watches)) std::printf("%s.\n", line.c_str());
     return judge_crowd(watches, world);
 }
 

@@ -51,23 +51,22 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
         int parent = k_joint_parents[j];
         Quat up = parent == k_no_parent ? Quat{} : poses[parent].rotation;
         Quat against = conjugate(up) * poses[j].rotation;
+        JointWatch& seen = watch.joints[j];
         if (watch.seen) {
-            float spin = angle_between(watch.last[j], against) / k_tick;
-            if (spin > watch.spin) {
-                watch.spin = spin;
-                watch.spin_joint = joint;
-                watch.spin_tick = world.tick;
-                watch.spin_place = poses[j].position;
+            float spin = angle_between(seen.last, against) / k_tick;
+            seen.jumps += spin > k_jump;
+            if (spin > seen.spin) {
+                seen.spin = spin;
+                seen.spin_tick = world.tick;
             }
         }
-        watch.last[j] = against;
+        seen.last = against;
         if (parent == k_no_parent) continue;
         float over = beyond_limits(joint, joint_angles(joint, up, poses[j].rotation));
-        watch.beyond_limits += over > 0;
-        if (over > watch.beyond) {
-            watch.beyond = over;
-            watch.beyond_joint = joint;
-            watch.beyond_tick = world.tick;
+        seen.outside += over > 0;
+        if (over > seen.beyond) {
+            seen.beyond = over;
+            seen.beyond_tick = world.tick;
         }
         auto rest = [&](size_t of) {
             return Vec3{person.joints[of][0][lane], person.joints[of][1][lane], person.joints[of][2][lane]};
@@ -173,7 +172,7 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
 
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
     std::vector<double> drift{0}, below{0}, above{0}, slip{0};
-    double not_finite = 0, outside = 0, beyond = 0, bone = 0, bone_at_all = 0, spin = 0;
+    double not_finite = 0, outside = 0, beyond = 0, bone = 0, bone_at_all = 0, spin = 0, jumps = 0;
     std::vector<Manner> people;
     std::vector<double> speeds;
     for (const WalkerWatch& w : watches) {
@@ -187,11 +186,14 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
         }
         for (float s : w.slips) slip.push_back(1000 * static_cast<double>(s));
         not_finite += w.not_finite;
-        outside += w.beyond_limits;
-        beyond = std::max(beyond, static_cast<double>(w.beyond));
+        for (const JointWatch& joint : w.joints) {
+            outside += joint.outside;
+            jumps += joint.jumps;
+            beyond = std::max(beyond, static_cast<double>(joint.beyond));
+            spin = std::max(spin, static_cast<double>(joint.spin));
+        }
         bone = std::max(bone, static_cast<double>(w.bone_error));
         bone_at_all = std::max(bone_at_all, static_cast<double>(w.bone_error_at_all));
-        spin = std::max(spin, static_cast<double>(w.spin));
         Manner m = manner_of(w.legs);
         if (m.strides < 3) continue;
         people.push_back(m);
@@ -214,6 +216,7 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                           {"bone_error.m", bone},
                           {"bone_error_with_rounding.m", bone_at_all},
                           {"joint_speed.deg_s", spin},
+                          {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});
     if (people.size() > 1) {
         append(r.quantities, {{"spread_thigh.deg", spread(people, &Manner::thigh)},
@@ -231,27 +234,39 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
 }
 
 std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches) {
-    std::vector<std::string> lines;
-    if (watches.empty()) return lines;
-    auto say = [&](const char* what, const WalkerWatch& w, double value, Joint joint, uint32_t tick) {
-        char text[256];
-        std::string name(k_joint_names[joint]);
-        std::snprintf(text, sizeof text, "%s: %.0f, the %s of walker %td at tick %u", what, value,
-                      name.c_str(), &w - watches.data(), tick);
-        lines.push_back(text);
+    struct Line {
+        uint32_t jumps = 0, outside = 0;
+        const JointWatch *fastest = nullptr, *farthest = nullptr;
+        size_t fast_walker = 0, far_walker = 0;
     };
-    const WalkerWatch& spin =
-        *std::max_element(watches.begin(), watches.end(),
-                          [](const WalkerWatch& a, const WalkerWatch& b) { return a.spin < b.spin; });
-    say("Fastest joint, deg/s", spin, static_cast<double>(spin.spin), spin.spin_joint, spin.spin_tick);
-    const WalkerWatch& far =
-        *std::max_element(watches.begin(), watches.end(),
-                          [](const WalkerWatch& a, const WalkerWatch& b) { return a.beyond < b.beyond; });
-    if (far.beyond > 0) {
-        say("Farthest beyond its limit, deg", far, static_cast<double>(far.beyond), far.beyond_joint,
-            far.beyond_tick);
+    std::vector<std::string> texts;
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        Line line;
+        for (size_t i = 0; i < watches.size(); ++i) {
+            const JointWatch& joint = watches[i].joints[j];
+            line.jumps += joint.jumps;
+            line.outside += joint.outside;
+            if (!line.fastest || joint.spin > line.fastest->spin) line.fastest = &joint, line.fast_walker = i;
+            if (!line.farthest || joint.beyond > line.farthest->beyond)
+                line.farthest = &joint, line.far_walker = i;
+        }
+        std::string name(k_joint_names[j]);
+        char text[160];
+        if (line.jumps > 0) {
+            std::snprintf(text, sizeof text, "%s jumps %u times, most at %.0f deg/s: walker %zu, tick %u",
+                          name.c_str(), line.jumps, static_cast<double>(line.fastest->spin), line.fast_walker,
+                          line.fastest->spin_tick);
+            texts.push_back(text);
+        }
+        if (line.outside > 0) {
+            std::snprintf(text, sizeof text,
+                          "%s is beyond its limits for %u ticks, most by %.0f deg: walker %zu, tick %u",
+                          name.c_str(), line.outside, static_cast<double>(line.farthest->beyond),
+                          line.far_walker, line.farthest->beyond_tick);
+            texts.push_back(text);
+        }
     }
-    return lines;
+    return texts;
 }
 
 }  // namespace flaneur

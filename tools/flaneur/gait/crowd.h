@@ -8,25 +8,30 @@
 
 namespace flaneur {
 
+inline constexpr float k_jump = 900;  // degrees a second against the parent; a faster joint has jumped
+
+// One joint of one walker, over its ticks.
+struct JointWatch {
+    Quat last;       // rotation against the parent
+    float spin = 0;  // fastest turn of it, degrees a second,
+    uint32_t spin_tick = 0;
+    uint32_t jumps = 0;  // ticks in which it was faster than k_jump
+    float beyond = 0;    // most degrees beyond its limits,
+    uint32_t beyond_tick = 0;
+    uint32_t outside = 0;  // ticks in which it was
+};
+
 // One walker, looked at after each tick.
 struct WalkerWatch {
     StanceWatch feet[2];
     std::vector<Stance> stances;
     std::vector<float> slips;  // metres in a tick, of planted feet
-    Quat last[k_joint_count];  // rotations against the parents
-    bool seen = false;
-    uint32_t not_finite = 0;     // joints, summed over ticks
-    uint32_t beyond_limits = 0;  // joints, summed over ticks
-    float beyond = 0;            // by how many degrees at worst,
-    Joint beyond_joint = hips;   // which
-    uint32_t beyond_tick = 0;    // and when
+    JointWatch joints[k_joint_count];
+    bool seen = false;        // whether `last` of the joints is of the tick before
+    uint32_t not_finite = 0;  // ticks
     // Metres by which a bone differs from its length: beyond what the rounding of its ends explains, and with
     // it.
     float bone_error = 0, bone_error_at_all = 0;
-    float spin = 0;           // fastest turn of a joint against its parent, degrees a second,
-    Joint spin_joint = hips;  // of which,
-    uint32_t spin_tick = 0;   // when
-    Vec3 spin_place;          // and where
 
     // Its left leg, for how people differ.
     struct Leg {
@@ -42,7 +47,8 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i);
 // What all of them come to, with bars.
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world);
 
-// Sentences that say where the worst of it can be seen.
+// A line for each joint that jumped and each that was beyond its limits: how often, and who can be seen doing
+// the worst of it when.
 std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches);
 
 }  // namespace flaneur

@@ -64,7 +64,12 @@ Curve mean_curve(const Walk& walk, const std::vector<Stride>& strides, const F& 
     Curve sum{};
     for (const Stride& s : strides) {
         Curve one = cycle_of(sides[s.side], s.begin, s.end);
-        if (centre) one = centred(one);
+        // What a slope or stairs add from stride to stride is no part of the curve.
+        double gain = one[100] - one[0];
+        if (centre) {
+            for (size_t p = 0; p < one.size(); ++p) one[p] -= gain * static_cast<double>(p) / 100;
+            one = centred(one);
+        }
         for (size_t p = 0; p < sum.size(); ++p) sum[p] += one[p] / static_cast<double>(strides.size());
     }
     return sum;
@@ -287,8 +292,7 @@ Curves curves_of(const Walk& walk, const std::vector<Stride>& all) {
     c.elbow = of([](const Instant& now, Side s) {
         return bend(now, k_limbs[s].upper_arm, k_limbs[s].lower_arm, k_limbs[s].hand);
     });
-    c.pelvis_height =
-        of([](const Instant& now, Side) { return 1000 * metres(place(now, hips).y - now.root.y); }, true);
+    c.pelvis_height = of([](const Instant& now, Side) { return 1000 * metres(place(now, hips).y); }, true);
     c.pelvis_side =
         of([](const Instant& now,
               Side s) { return 1000 * mirror(s) * dot_d(place(now, hips) - now.root, left(now)); },

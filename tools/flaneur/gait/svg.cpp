@@ -10,7 +10,7 @@ namespace {
 
 constexpr int k_columns = 4;
 constexpr double k_wide = 210, k_high = 130;  // of a plot, pixels
-constexpr double k_left_margin = 46, k_gap_x = 44, k_gap_y = 76, k_head = 74, k_foot = 44;
+constexpr double k_left_margin = 46, k_gap_x = 44, k_gap_y = 76, k_head = 74, k_foot = 20;
 
 std::string format(const char* pattern, double a, double b = 0, double c = 0, double d = 0) {
     char text[256];
@@ -78,7 +78,7 @@ std::string curves_svg(const Report& report) {
         width, height, width, height);
     svg +=
         "<style>text{font-family:'Helvetica Neue',Arial,sans-serif;fill:#333}"
-        ".title{font-size:18px;font-weight:600}.sub{font-size:12px;fill:#666}"
+        ".title{font-size:18px;font-weight:600}.sub{font-size:11px;fill:#666}"
         ".name{font-size:13px;font-weight:600}.unit{font-size:10px;fill:#888}"
         ".tick{font-size:10px;fill:#888}.right{text-anchor:end}.middle{text-anchor:middle}"
         ".grid{stroke:#e4e4e4;stroke-width:1}.zero{stroke:#b8b8b8;stroke-width:1}"
@@ -87,10 +87,10 @@ std::string curves_svg(const Report& report) {
         ".walk{fill:none;stroke:#c8442c;stroke-width:2;stroke-linejoin:round}</style>\n";
     svg += format("<rect width=\"%.0f\" height=\"%.0f\" fill=\"#fff\"/>\n", width, height);
     svg += label(k_left_margin, 30, "title", report.title);
-    svg += label(
-        k_left_margin, 50, "sub",
-        "One gait cycle, from contact to contact of the same foot; the mean of both sides. Red: this walk. "
-        "Blue: people at natural speed, and the standard deviation between them. Dashed: toe-off.");
+    svg += label(k_left_margin, 50, "sub",
+                 "One gait cycle, contact to contact of one foot; mean of both sides; dashed: toe-off. Red: "
+                 "this walk. "
+                 "Blue: people on level ground at natural speed, and their standard deviation.");
     double toe_off = value_of(report.quantities, "stance.pct");
     for (int i = 0; i < count; ++i) {
         const NamedCurve& c = k_named_curves[static_cast<size_t>(i)];
