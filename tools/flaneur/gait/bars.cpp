@@ -10,7 +10,8 @@ namespace flaneur {
 namespace {
 
 constexpr const char* k_mocap = "CMU motion capture";
-constexpr const char* k_upper = "Murakami & Otaka 2017";
+// Pooled from Winter 1991, Fukuchi 2018, Hollman 2011, Bohannon & Andrews 2011 and CMU motion capture.
+constexpr const char* k_pooled = "pooled norms";
 constexpr const char* k_rigid = "feet are rigid and stand";
 constexpr const char* k_norms = "Winter 1991, Fukuchi 2018";
 
@@ -49,18 +50,18 @@ constexpr Bar k_natural[] = {
     {"foot_pitch_low.pct", 62, 69, 0, k_norms},
     {"knee_speed.deg_s", 280, 430, 0, k_norms},
     {"step_width.m", 0.06, 0.13, 0, "Hollman 2011"},
-    {"toe_out.deg", 2, 12, 0, "Hollman 2011"},
+    {"toe_out.deg", 2, 12, 0, k_pooled},
     {"toe_clearance.mm", 10, 35, 0, "Winter 1991, Schulz 2011"},
     {"toe_clearance.pct", 78, 87, 0, "Winter 1991, Schulz 2011"},
     {"pelvis_low.pct", -2, 8, 0, "Orendurff 2004"},
     {"pelvis_high.pct", 25, 35, 0, "Orendurff 2004"},
-    {"trunk_pelvis.deg", 120, 240, 0, k_upper},
-    {"head_yaw.deg", 0, 6, 0, k_upper},
-    {"head_pitch.deg", 0, 5, 0, k_upper},
-    {"upper_arm.range", 20, 40, 0, k_upper},
-    {"elbow.range", 12, 35, 0, k_upper},
-    {"elbow.mean", 25, 42, 0, k_upper},
-    {"arm_leg.deg", 150, 210, 0, k_upper},
+    {"trunk_pelvis.deg", 120, 240, 0, k_pooled},
+    {"head_yaw.deg", 0, 6, 0, k_pooled},
+    {"head_pitch.deg", 0, 5, 0, k_pooled},
+    {"upper_arm.range", 20, 40, 0, k_pooled},
+    {"elbow.range", 12, 35, 0, k_pooled},
+    {"elbow.mean", 25, 42, 0, k_pooled},
+    {"arm_leg.deg", 150, 210, 0, k_pooled},
     {"jerk_pelvis.m_s3", 50, 140, 0, k_mocap},
     {"jerk_head.m_s3", 50, 140, 0, k_mocap},
     {"jerk_wrist.m_s3", 60, 205, 0, k_mocap},
@@ -76,21 +77,21 @@ struct SpeedBar {
     const char* source;
 };
 constexpr SpeedBar k_by_speed[] = {
-    {"stance.pct", {0.94, 1.24, 1.50}, {62.5, 60.3, 59.1}, 2.5, false, "Fukuchi 2018"},
-    {"double_support.pct", {0.94, 1.24, 1.50}, {23.7, 20.4, 17.9}, 4, false, "Fukuchi 2018"},
-    {"cadence.spm", {0.94, 1.24, 1.50}, {98, 115, 132}, 0.1, true, "Fukuchi 2018"},
+    {"stance.pct", {0.94, 1.24, 1.50}, {62.5, 60.3, 59.1}, 2.5, false, k_pooled},
+    {"double_support.pct", {0.94, 1.24, 1.50}, {23.7, 20.4, 17.9}, 4, false, k_pooled},
+    {"cadence.spm", {0.94, 1.24, 1.50}, {98, 115, 132}, 0.1, true, k_pooled},
     {"pelvis_vertical.mm", {0.7, 1.15, 1.6}, {27, 37.5, 48}, 0.3, true, "Orendurff 2004"},
     {"pelvis_lateral.mm", {0.7, 1.15, 1.6}, {70, 54.5, 39}, 0.4, true, "Orendurff 2004"},
 };
 constexpr Bar k_any_speed[] = {
     {"step_length.ratio", 0.9, 1.1, 0, "1.16 L (v / sqrt(g L))^0.5"},
-    {"walk_ratio.m_spm", 0.0052, 0.0073, 0, k_upper},
+    {"walk_ratio.m_spm", 0.0052, 0.0073, 0, "Murakami & Otaka 2017"},
 };
 
-constexpr Bar k_slow[] = {{"arm_twice.ratio", 1, k_open, 0, k_upper}};
+constexpr Bar k_slow[] = {{"arm_twice.ratio", 1, k_open, 0, k_pooled}};
 constexpr Bar k_transients[] = {
-    {"start.steps", 2, 3, 0, "Winter 1991"},
-    {"stop.steps", 1, 3, 0, "Hase & Stein 1999"},
+    {"start.steps", 2, 3, 0, k_pooled},
+    {"stop.steps", 1, 3, 0, k_pooled},
 };
 // On level ground, and wherever the whole foot finds room.
 constexpr Bar k_contact[] = {
