@@ -114,6 +114,8 @@ TEST(GaitTargets, BarsAreThoseOfTheFile) {
     range("stop.steps", transients.at("stop_steps"));
     range("turn.s", transients.at("uturn_180_s"));
     range("turn_peak.deg_s", transients.at("uturn_peak_yaw_deg_s"));
+    for (const Bar& bar : bends_bars()) bars.push_back(bar);
+    range("bend_exponent", transients.at("speed_curvature_exponent"));
     range("head_lead.ms", transients.at("head_lead_ms"));
 }
 

@@ -58,6 +58,24 @@ TEST(Options, WalkersAreZeroToAHundredThousand) {
         EXPECT_FALSE(parse({"sim", "--walkers", text})) << text;
 }
 
+TEST(Options, GaitMeasuresOneWalkAtATime) {
+    EXPECT_EQ(parsed({"gait"}).gait.speed, 0);  // as such people like
+    Options stairs = parsed({"gait", "--stairs", "down", "--sex", "woman", "--age", "70", "--check"});
+    EXPECT_EQ(stairs.gait.stairs, "down");
+    EXPECT_EQ(stairs.gait.sex, Sex::woman);
+    EXPECT_TRUE(stairs.gait.check);
+    EXPECT_EQ(parsed({"gait", "--crowd", "70"}).scene.walkers, 70);
+    EXPECT_TRUE(parse({"gait", "--slope", "-8", "--svg", "a.svg"}));
+    for (auto words : {std::vector<std::string>{"--turn", "90", "--kerb", "0.1"},
+                       {"--crowd", "5", "--stairs", "up"},
+                       {"--turn", "90", "--svg", "a.svg"},
+                       {"--stairs", "round"},
+                       {"--speed", "0"}}) {
+        words.insert(words.begin(), "gait");
+        EXPECT_FALSE(parse(words)) << words[1];
+    }
+}
+
 TEST(Ticks, OneOrARange) {
     Result<TickRange> one = parse_ticks("600"), range = parse_ticks("0:600"), stepped = parse_ticks("1:10:4");
     ASSERT_TRUE(one && range && stepped);

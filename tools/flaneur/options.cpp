@@ -1,6 +1,7 @@
 #include "tools/flaneur/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <optional>

@@ -112,11 +112,14 @@ constexpr Bar k_rough_contact[] = {
     {"float.mm", -k_open, 5, 0, k_rigid},
     {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
 };
+// At 3.1 m/s.
 constexpr Bar k_run[] = {
     {"cadence.spm", 140, 170, 0, "155 at 3.1 m/s, CMU motion capture"},
     {"stance.pct", 38, 48, 0, "43 at 3.1 m/s, CMU motion capture"},
     {"knee_swing_peak.deg", 84, 104, 0, "94 at 3.1 m/s, CMU motion capture"},
     {"elbow.mean", 91, 121, 0, "106 at 3.1 m/s, CMU motion capture"},
+};
+constexpr Bar k_any_run[] = {
     {"double_support.pct", -k_open, 0, 0, "a run has flight"},
     {"stance_drift.mm", 0, 3, 0, k_rigid},
     {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
@@ -124,6 +127,8 @@ constexpr Bar k_run[] = {
     {"float.mm", -k_open, 5, 0, k_rigid},
     {"swing_penetration.mm", -k_open, 3, 0, k_rigid},
 };
+// Speed goes with curvature to the power -1/3.
+constexpr Bar k_bends[] = {{"bend_exponent", -0.40, -0.25, 0, "Vieilledent 2001, Hicheur 2005"}};
 constexpr Bar k_half_turn[] = {
     {"turn.s", 1.6, 2.8, 0, k_mocap},
     {"turn_peak.deg_s", 110, 170, 0, k_mocap},
@@ -173,15 +178,17 @@ void add(std::vector<Bar>& bars, const Bar (&more)[N]) {
 std::vector<Bar> level_bars(double speed, double leg) {
     std::vector<Bar> bars;
     if (speed * speed / (static_cast<double>(k_gravity) * leg) > 0.55) {
-        add(bars, k_run);
+        if (speed > 2.8 && speed < 3.4) add(bars, k_run);
+        add(bars, k_any_run);
         return bars;
     }
-    if (speed > 1.2 && speed < 1.4) add(bars, k_natural);
+    bool natural = speed > 1.2 && speed < 1.4;
+    if (natural) add(bars, k_natural);
     if (speed < 0.75) add(bars, k_slow);
     add(bars, k_any_speed);
     for (const SpeedBar& b : k_by_speed) bars.push_back(at_speed(b, speed));
     add(bars, k_contact);
-    add(bars, k_transients);
+    if (natural) add(bars, k_transients);
     return bars;
 }
 
@@ -217,6 +224,12 @@ std::vector<Bar> slope_bars(double percent) {
 std::vector<Bar> kerb_bars() {
     std::vector<Bar> bars;
     add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> bends_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_bends);
     return bars;
 }
 

@@ -24,6 +24,7 @@ std::vector<Bar> turn_bars(double degrees);
 std::vector<Bar> stairs_bars(bool up);
 std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
+std::vector<Bar> bends_bars();
 std::vector<Bar> gaits_bars();
 std::vector<Bar> crowd_bars();
 

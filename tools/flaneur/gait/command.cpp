@@ -46,6 +46,7 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
     for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
     reports.push_back(try_gaits(person));
     reports.push_back(try_turn(person, speed, 180));
+    reports.push_back(try_bends(person, speed));
     for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));

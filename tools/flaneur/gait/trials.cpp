@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
@@ -73,6 +74,33 @@ Report try_turn(const Person& person, double speed, double degrees) {
     r.name = text("turn_%.0f", degrees);
     r.title = text("Turn by %.0f degrees at %.2f m/s", degrees, speed);
     return finished(std::move(r), turn_bars(degrees));
+}
+
+Report try_bends(const Person& person, double speed) {
+    // A line through (log curvature, log speed) by least squares.
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (double rate : {0.7, 0.9, 1.1, 1.3, 1.5}) {
+        Walk w = walk(flat_ground(), person, k_stand + 20, [&](double t) {
+            double angle = std::max(0.0, t - k_stand - 2) * rate;
+            Vec2 way = heading_direction(
+                wrap_angle(static_cast<float>(std::remainder(angle, 2 * std::numbers::pi))));
+            return t < k_stand ? Vec2{} : way * static_cast<float>(speed);
+        });
+        // One whole turn of the circle, of the pelvis.
+        size_t last = w.ticks.size() - 1;
+        size_t first = last - static_cast<size_t>(std::lround(2 * std::numbers::pi / rate * w.rate));
+        double way = 0;
+        for (size_t t = first; t < last; ++t) {
+            way += static_cast<double>(
+                length(on_ground(place(w.ticks[t + 1], hips)) - on_ground(place(w.ticks[t], hips))));
+        }
+        double v = way / (static_cast<double>(last - first) / w.rate);
+        double a = std::log(rate / v), b = std::log(v);
+        ++n, x += a, y += b, xx += a * a, xy += a * b;
+    }
+    Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}};
+    r.quantities.push_back({"bend_exponent", (n * xy - x * y) / (n * xx - x * x)});
+    return finished(std::move(r), bends_bars());
 }
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {

@@ -21,6 +21,9 @@ struct Report {
 Report try_level(const Person& person, double speed, double seconds);
 // Walks at `speed` and turns by `degrees`.
 Report try_turn(const Person& person, double speed, double degrees);
+// Round circles that ask for ever sharper bends: the exponent of the speed against the curvature, where it
+// slows the walk.
+Report try_bends(const Person& person, double speed);
 // Up or down a long flight, by one who walks at `speed` on the level.
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread);
 // Up (or down) ground that rises so many metres in a hundred.
