@@ -53,7 +53,7 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
 inline constexpr float k_way_late = 11.99f, k_way = 0.02952f;
 inline constexpr float k_clear_early = 1.032f, k_clear = -0.001117f;
 inline constexpr float k_droop = -0.01412f, k_soft = 0.02156f;
-inline constexpr float k_land = 0.8f, k_land_slack = 0.01f, k_knee_more = -0.0008148f;
+inline constexpr float k_landing = 0.8f, k_landing_slack = 0.01f, k_knee_more = -0.0008148f;
 inline constexpr float k_straight = 0.004054f;
 // Share of the norm's pitch at heel strike, and radians by which the heel rises further before toe-off.
 inline constexpr float k_heel_strike = 0.85f, k_heel_rise = 0.05f;

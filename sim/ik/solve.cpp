@@ -30,8 +30,8 @@ HWY_INLINE void store_point(V3<Wide> from, PointBlock& to, size_t lane) {
 void solve_chains_here(Chains& chains, int iterations) {
     int joints = chains.joints;
     auto stride = static_cast<size_t>(joints);
-    V3<Wide> p[k_most_joints];
-    Wide bones[k_most_joints], limits[k_most_joints];
+    V3<Wide> p[k_most_chain_joints];
+    Wide bones[k_most_chain_joints], limits[k_most_chain_joints];
     for (size_t first = 0; first < chains.count; first += wide_count()) {
         size_t b = first / k_chain_block, lane = first % k_chain_block;
         PointBlock* places = chains.places.data() + b * stride;
@@ -54,8 +54,9 @@ void solve_chains_here(Chains& chains, int iterations) {
 void solve_trees_here(Trees& trees, int iterations) {
     size_t stride = trees.shape.parents.size();
     auto targets_each = static_cast<size_t>(trees.shape.targets);
-    V3<Wide> p[k_most_joints], offsets[k_most_joints], proposed[k_most_joints], targets[k_most_joints];
-    Wide bones[k_most_joints];
+    V3<Wide> p[k_most_chain_joints], offsets[k_most_chain_joints], proposed[k_most_chain_joints],
+        targets[k_most_chain_joints];
+    Wide bones[k_most_chain_joints];
     for (size_t first = 0; first < trees.count; first += wide_count()) {
         size_t b = first / k_chain_block, lane = first % k_chain_block;
         PointBlock* places = trees.places.data() + b * stride;
@@ -81,7 +82,7 @@ HWY_EXPORT(solve_chains_here);
 HWY_EXPORT(solve_trees_here);
 
 Chains make_chains(int joints, size_t count, bool limited) {
-    assert(joints >= 2 && joints <= k_most_joints);
+    assert(joints >= 2 && joints <= k_most_chain_joints);
     size_t blocks = (count + k_chain_block - 1) / k_chain_block;
     auto stride = static_cast<size_t>(joints);
     Chains c;
@@ -108,9 +109,9 @@ void solve_chains(Chains& chains, int iterations) {
 
 Result<TreeShape> make_tree_shape(const std::vector<int>& parents, const std::vector<int>& effectors) {
     auto joints = static_cast<int>(parents.size());
-    if (joints < 2 || joints > k_most_joints) {
+    if (joints < 2 || joints > k_most_chain_joints) {
         return Error{"A tree for inverse kinematics has " + std::to_string(joints) +
-                     " joints; it takes 2 to " + std::to_string(k_most_joints) + "."};
+                     " joints; it takes 2 to " + std::to_string(k_most_chain_joints) + "."};
     }
     TreeShape shape;
     shape.parents = parents;

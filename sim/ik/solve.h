@@ -10,8 +10,8 @@
 
 namespace flaneur {
 
-inline constexpr int k_chain_block = 64;  // four vectors of the widest instruction set
-inline constexpr int k_most_joints = 64;  // of a chain or tree
+inline constexpr int k_chain_block = 64;        // four vectors of the widest instruction set
+inline constexpr int k_most_chain_joints = 64;  // of a chain or tree
 
 struct alignas(64) LengthBlock {
     float v[k_chain_block];
@@ -43,7 +43,7 @@ struct Chains {
     std::vector<PointBlock> axes;     // one a block: unit, the middle of bone 0's cone
 };
 
-// All lengths and places 0, all limits free. 2 <= joints <= k_most_joints.
+// All lengths and places 0, all limits free. 2 <= joints <= k_most_chain_joints.
 Chains make_chains(int joints, size_t count, bool limited);
 void solve_chains(Chains& chains, int iterations);
 
@@ -57,7 +57,8 @@ struct TreeShape {
 };
 
 // effectors[e] is the joint that goes for target e: any joint but the root, each once. Refuses more than
-// k_most_joints, parents that do not come before their children, and effectors that are none of the joints.
+// k_most_chain_joints, parents that do not come before their children, and effectors that are none of the
+// joints.
 Result<TreeShape> make_tree_shape(const std::vector<int>& parents, const std::vector<int>& effectors);
 
 // `count` trees of one shape, in blocks as Chains.

@@ -141,7 +141,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     out.knee = doubled(half_turn(knee)).cosine;
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
     out.slack = select(planted, out.leaving * T(0.03f),
-                       T(k_land_slack) * (one - ramp(T(k_land), one, u)) + T(0.3f) * (one - ramp(T(0.5f), T(k_land), u)));
+                       T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) + T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u)));
     return out;
 }
 

@@ -19,8 +19,8 @@ Vector direction_from(RandomKey key, uint32_t k) {
 
 struct Chain {
     int joints = 0;
-    Vector p[k_most_joints];
-    float bones[k_most_joints], limits[k_most_joints];
+    Vector p[k_most_chain_joints];
+    float bones[k_most_chain_joints], limits[k_most_chain_joints];
     float reach = 0, longest = 0;
 };
 // Bones of 5 to 30 cm in any directions.
