@@ -192,7 +192,7 @@ void advance_phase(const Stepper& s) {
 // The share of the body that a foot carries since it landed: all when the other one has left. `phase` is its
 // own.
 float taken_over(float phase, float duty) {
-    return smoothstep(0, std::max((duty - 0.5f) * k_shift_width, 0.08f), phase + k_early);
+    return smoothstep(0, std::max((duty - 0.5f) * k_shift_width, 0.02f), phase + k_early);
 }
 
 void advance_load(const Stepper& s, RandomKey chance) {
