@@ -48,8 +48,9 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
             watch.seen = false;
             return;
         }
-        int parent = k_joint_parents[j];
-        Quat up = parent == k_no_parent ? Quat{} : poses[parent].rotation;
+        bool root = k_joint_parents[j] == k_no_parent;
+        auto parent = static_cast<size_t>(root ? 0 : k_joint_parents[j]);
+        Quat up = root ? Quat{} : poses[parent].rotation;
         Quat against = conjugate(up) * poses[j].rotation;
         JointWatch& seen = watch.joints[j];
         if (watch.seen) {
@@ -61,7 +62,7 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
             }
         }
         seen.last = against;
-        if (parent == k_no_parent) continue;
+        if (root) continue;
         float over = beyond_limits(joint, joint_angles(joint, up, poses[j].rotation));
         seen.outside += over > 0;
         if (over > seen.beyond) {
@@ -71,7 +72,7 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
         auto rest = [&](size_t of) {
             return Vec3{person.joints[of][0][lane], person.joints[of][1][lane], person.joints[of][2][lane]};
         };
-        float bone = length(rest(j) - rest(static_cast<size_t>(parent)));
+        float bone = length(rest(j) - rest(parent));
         Vec3 p = poses[j].position;
         float error = std::fabs(length(p - poses[parent].position) - bone);
         watch.bone_error = std::max(watch.bone_error, error - rounding(p));
@@ -152,6 +153,7 @@ double spread(const std::vector<Manner>& people, const Curve Manner::*curve) {
     double sum = 0;
     for (size_t p = 0; p < 100; ++p) {
         std::vector<double> values;
+        values.reserve(people.size());
         for (const Manner& m : people) values.push_back((m.*curve)[p]);
         sum += deviation(values) / 100;
     }

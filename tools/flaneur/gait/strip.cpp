@@ -5,8 +5,9 @@
 
 #include "assets/outfit.h"
 #include "sim/base/math.h"
+#include "sim/crowd/locomotion.h"
 #include "tools/flaneur/convert.h"
-#include "tools/flaneur/gait/bars.h"
+#include "tools/flaneur/gait/measure.h"
 #include "tools/flaneur/output.h"
 #include "tools/flaneur/show.h"
 
@@ -71,7 +72,7 @@ City ground_of(const GaitOptions& gait) {
 }
 
 Take make_take(const GaitOptions& gait, const Body& body, double speed) {
-    if (!gait.stairs.empty()) speed = k_stairs_speed;
+    if (!gait.stairs.empty()) speed = static_cast<double>(stair_speed(static_cast<float>(speed)));
     Vec2 onward{0, static_cast<float>(speed)};
     Vec2 turned = heading_direction(static_cast<float>(gait.turn) * k_radians) * onward.z;
     float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));

@@ -95,8 +95,9 @@ std::string curves_svg(const Report& report) {
     for (int i = 0; i < count; ++i) {
         const NamedCurve& c = k_named_curves[static_cast<size_t>(i)];
         const Curve& walk = report.curves.*c.curve;
-        Panel p{k_left_margin + (i % k_columns) * (k_wide + k_gap_x),
-                k_head + (i / k_columns) * (k_high + k_gap_y) + 32, walk[0], walk[0]};
+        int column = i % k_columns, row = i / k_columns;
+        Panel p{k_left_margin + column * (k_wide + k_gap_x), k_head + row * (k_high + k_gap_y) + 32, walk[0],
+                walk[0]};
         for (size_t k = 0; k < k_percents; ++k) {
             double norm = c.norm ? (*c.norm)[k] : walk[k], sd = c.sd ? (*c.sd)[k] : 0;
             p.low = std::min({p.low, walk[k], norm - sd});

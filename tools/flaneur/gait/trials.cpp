@@ -37,7 +37,7 @@ size_t tick_past(const Walk& w, float z) {
     return t;
 }
 
-Report finished(Report report, std::vector<Bar> bars) {
+Report finished(Report report, const std::vector<Bar>& bars) {
     report.verdicts = judge(report.quantities, bars);
     return report;
 }
