@@ -11,8 +11,8 @@ namespace {
 constexpr double k_tau = 2 * std::numbers::pi;
 constexpr double k_rate = 60;
 
-Curve wave(double amplitude, double shift, double offset = 0, int k = 1) {
-    Curve c;
+Cycle wave(double amplitude, double shift, double offset = 0, int k = 1) {
+    Cycle c;
     for (size_t p = 0; p < c.size(); ++p)
         c[p] = offset + amplitude * std::sin(k_tau * (k * static_cast<double>(p) / 100 - shift));
     return c;
@@ -50,8 +50,8 @@ TEST(GaitSignal, PeaksLieBetweenPercents) {
 }
 
 TEST(GaitSignal, HarmonicsHaveAmplitudeAndPhase) {
-    Curve c = wave(3, 0);
-    Curve second = wave(2, 0, 0, 2);
+    Cycle c = wave(3, 0);
+    Cycle second = wave(2, 0, 0, 2);
     for (size_t p = 0; p < c.size(); ++p) c[p] += second[p];
     EXPECT_NEAR(harmonic(c, 1).amplitude, 3, 1e-9);
     EXPECT_NEAR(harmonic(c, 2).amplitude, 2, 1e-9);
@@ -83,7 +83,7 @@ TEST(GaitSignal, JerkOfASwingIsKnown) {
 TEST(GaitSignal, CyclesAreCutBetweenTicks) {
     Samples ramp;
     for (int t = 0; t < 100; ++t) ramp.push_back(t);
-    Curve c = cycle_of(ramp, 10.5, 60.5);
+    Cycle c = cycle_of(ramp, 10.5, 60.5);
     EXPECT_NEAR(c[0], 10.5, 1e-9);
     EXPECT_NEAR(c[50], 35.5, 1e-9);
     EXPECT_NEAR(c[100], 60.5, 1e-9);

@@ -18,7 +18,7 @@ const std::string k_folder = std::string(FLANEUR_SHARED_DIR) + "/gait/";
 TEST(GaitTargets, CurvesAreThoseOfTheFile) {
     std::ifstream file(k_folder + "adult_target_noSA_101.csv");
     if (!file) GTEST_SKIP() << "no " << k_folder;
-    const Curve* columns[] = {
+    const Cycle* columns[] = {
         &k_reference.thigh,      &k_reference.thigh_sd,    &k_reference.knee,
         &k_reference.knee_sd,    &k_reference.ankle,       &k_reference.ankle_sd,
         &k_reference.foot_pitch, &k_reference.pelvis_list, &k_reference.pelvis_rotation};
@@ -28,7 +28,7 @@ TEST(GaitTargets, CurvesAreThoseOfTheFile) {
         std::istringstream cells(line);
         std::string cell;
         std::getline(cells, cell, ',');
-        for (const Curve* column : columns) {
+        for (const Cycle* column : columns) {
             ASSERT_TRUE(std::getline(cells, cell, ','));
             EXPECT_DOUBLE_EQ((*column)[row], std::stod(cell)) << line;
         }

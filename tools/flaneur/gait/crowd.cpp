@@ -100,7 +100,7 @@ void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInsta
 }
 
 struct Manner {
-    Curve thigh{}, knee{}, ankle{};
+    Cycle thigh{}, knee{}, ankle{};
     double speed = 0;
     int strides = 0;
 };
@@ -113,7 +113,7 @@ Manner manner_of(const std::vector<WalkerWatch::Leg>& legs) {
         ankle.push_back(static_cast<double>(leg.ankle));
     }
     Manner m;
-    auto add = [](Curve& to, const Curve& more) {
+    auto add = [](Cycle& to, const Cycle& more) {
         for (size_t p = 0; p < to.size(); ++p) to[p] += more[p];
     };
     size_t begin = 0;
@@ -135,7 +135,7 @@ Manner manner_of(const std::vector<WalkerWatch::Leg>& legs) {
         }
         begin = t;
     }
-    for (Curve* c : {&m.thigh, &m.knee, &m.ankle})
+    for (Cycle* c : {&m.thigh, &m.knee, &m.ankle})
         for (double& v : *c) v /= std::max(m.strides, 1);
     m.speed /= std::max(m.strides, 1);
     return m;
@@ -149,7 +149,7 @@ double deviation(const std::vector<double>& values) {
 }
 
 // The standard deviation between people, averaged over the cycle.
-double spread(const std::vector<Manner>& people, const Curve Manner::*curve) {
+double spread(const std::vector<Manner>& people, const Cycle Manner::*curve) {
     double sum = 0;
     for (size_t p = 0; p < 100; ++p) {
         std::vector<double> values;

@@ -57,13 +57,13 @@ Samples series(const Walk& walk, const F& value) {
 
 // The mean over strides of both sides of a value that `value(now, side)` gives, seen from that side.
 template <class F>
-Curve mean_curve(const Walk& walk, const std::vector<Stride>& strides, const F& value, bool centre = false) {
+Cycle mean_curve(const Walk& walk, const std::vector<Stride>& strides, const F& value, bool centre = false) {
     Samples sides[2];
     for (Side side : {k_left, k_right})
         sides[side] = series(walk, [&](const Instant& now) { return value(now, side); });
-    Curve sum{};
+    Cycle sum{};
     for (const Stride& s : strides) {
-        Curve one = cycle_of(sides[s.side], s.begin, s.end);
+        Cycle one = cycle_of(sides[s.side], s.begin, s.end);
         // What a slope or stairs add from stride to stride is no part of the curve.
         double gain = one[100] - one[0];
         if (centre) {
@@ -89,7 +89,7 @@ double near_zero(double percent, double period) {
     return p > period / 2 ? p - period : p;
 }
 
-double first_below(const Curve& c, size_t from, double value) {
+double first_below(const Cycle& c, size_t from, double value) {
     for (size_t p = from; p < c.size(); ++p) {
         if (c[p] <= value) {
             if (p == 0) return 0;
@@ -100,7 +100,7 @@ double first_below(const Curve& c, size_t from, double value) {
 }
 
 void measure_joints(const Curves& c, Quantities& q) {
-    auto compare = [&](const std::string& name, const Curve& is, const Curve& norm) {
+    auto compare = [&](const std::string& name, const Cycle& is, const Cycle& norm) {
         q.push_back({name + ".rmse", rmse(is, norm)});
         q.push_back({name + ".rmse0", rmse(centred(is), centred(norm))});
         q.push_back({name + ".r", correlation(is, norm)});
@@ -187,7 +187,7 @@ void measure_trunk(const Walk& walk, const std::vector<Stride>& all, const Curve
     q.push_back({"pelvis_vertical.mm", range(c.pelvis_height)});
     q.push_back({"pelvis_lateral.mm", range(c.pelvis_side)});
     // Twice a cycle: both halves laid over each other.
-    Curve half;
+    Cycle half;
     for (size_t p = 0; p < half.size(); ++p)
         half[p] = (c.pelvis_height[p % 100] + c.pelvis_height[(p + 50) % 100]) / 2;
     q.push_back({"pelvis_low.pct", lowest(half, -20, 24).percent});

@@ -35,10 +35,10 @@ std::vector<Stride> strides(const Walk& walk, size_t first, size_t last);
 
 // Mean curves over the strides of both sides.
 struct Curves {
-    Curve thigh, knee, ankle, foot_pitch, pelvis_list, pelvis_rotation;
-    Curve trunk_rotation, head_rotation, head_pitch, upper_arm, elbow;
-    Curve pelvis_height, pelvis_side;  // mm, mean 0; side: towards the foot that has come down
-    Curve heel_height, toe_height;     // mm of the sole over the ground; toe: the lower one of ball and tip
+    Cycle thigh, knee, ankle, foot_pitch, pelvis_list, pelvis_rotation;
+    Cycle trunk_rotation, head_rotation, head_pitch, upper_arm, elbow;
+    Cycle pelvis_height, pelvis_side;  // mm, mean 0; side: towards the foot that has come down
+    Cycle heel_height, toe_height;     // mm of the sole over the ground; toe: the lower one of ball and tip
 };
 Curves curves_of(const Walk& walk, const std::vector<Stride>& strides);
 

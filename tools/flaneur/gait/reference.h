@@ -11,15 +11,15 @@
 namespace flaneur {
 
 inline constexpr int k_percents = 101;
-using Curve = std::array<double, k_percents>;
+using Cycle = std::array<double, k_percents>;
 
 struct Reference {
-    Curve thigh, thigh_sd;  // against the vertical, forward +; sd between people
-    Curve knee, knee_sd;    // flexion +
-    Curve ankle, ankle_sd;  // dorsiflexion +
-    Curve foot_pitch;       // toes up +, against the flat foot
-    Curve pelvis_list;      // same side up +, mean 0
-    Curve pelvis_rotation;  // same side forward +, mean 0
+    Cycle thigh, thigh_sd;  // against the vertical, forward +; sd between people
+    Cycle knee, knee_sd;    // flexion +
+    Cycle ankle, ankle_sd;  // dorsiflexion +
+    Cycle foot_pitch;       // toes up +, against the flat foot
+    Cycle pelvis_list;      // same side up +, mean 0
+    Cycle pelvis_rotation;  // same side forward +, mean 0
 };
 extern const Reference k_reference;
 

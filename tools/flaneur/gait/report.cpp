@@ -65,7 +65,7 @@ std::string measured_text(const Verdict& v) {
     return text;
 }
 
-std::string json_curve(const char* name, const Curve& c) {
+std::string json_curve(const char* name, const Cycle& c) {
     std::string text = std::string("\"") + name + "\": [";
     for (size_t p = 0; p < c.size(); ++p) text += (p ? ", " : "") + number(c[p]);
     return text + "]";

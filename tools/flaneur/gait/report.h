@@ -11,9 +11,9 @@ namespace flaneur {
 // The curves by name, for files and pictures; `norm` and `sd` may be missing.
 struct NamedCurve {
     const char *name, *title, *unit;
-    const Curve Curves::*curve;
-    const Curve* norm;
-    const Curve* sd;
+    const Cycle Curves::*curve;
+    const Cycle* norm;
+    const Cycle* sd;
 };
 extern const std::vector<NamedCurve> k_named_curves;
 

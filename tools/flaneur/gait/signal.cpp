@@ -24,7 +24,7 @@ void pass(Samples& v, double rate, double cutoff) {
     }
 }
 
-Peak extreme(const Curve& c, int first, int last, double sign) {
+Peak extreme(const Cycle& c, int first, int last, double sign) {
     auto at = [&](int p) { return c[static_cast<size_t>((p % 100 + 100) % 100)]; };
     int best = first;
     for (int p = first; p <= last; ++p) {
@@ -86,38 +86,38 @@ double sample_at(const Samples& values, double tick) {
     return values[i] + (values[next] - values[i]) * (tick - static_cast<double>(i));
 }
 
-Curve cycle_of(const Samples& values, double begin, double end) {
-    Curve c;
+Cycle cycle_of(const Samples& values, double begin, double end) {
+    Cycle c;
     for (size_t p = 0; p < c.size(); ++p)
         c[p] = sample_at(values, begin + (end - begin) * static_cast<double>(p) / 100);
     return c;
 }
 
-double mean(const Curve& c) {
+double mean(const Cycle& c) {
     double sum = 0;
     for (size_t p = 0; p < 100; ++p) sum += c[p];
     return sum / 100;
 }
 
-Curve centred(const Curve& c) {
-    Curve out = c;
+Cycle centred(const Cycle& c) {
+    Cycle out = c;
     double m = mean(c);
     for (double& v : out) v -= m;
     return out;
 }
 
-double range(const Curve& c) {
+double range(const Cycle& c) {
     auto [low, high] = std::minmax_element(c.begin(), c.end());
     return *high - *low;
 }
 
-double rmse(const Curve& a, const Curve& b) {
+double rmse(const Cycle& a, const Cycle& b) {
     double sum = 0;
     for (size_t p = 0; p < 100; ++p) sum += (a[p] - b[p]) * (a[p] - b[p]);
     return std::sqrt(sum / 100);
 }
 
-double correlation(const Curve& a, const Curve& b) {
+double correlation(const Cycle& a, const Cycle& b) {
     double ma = mean(a), mb = mean(b), ab = 0, aa = 0, bb = 0;
     for (size_t p = 0; p < 100; ++p) {
         ab += (a[p] - ma) * (b[p] - mb);
@@ -127,10 +127,10 @@ double correlation(const Curve& a, const Curve& b) {
     return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-Peak highest(const Curve& c, int first, int last) { return extreme(c, first, last, 1); }
-Peak lowest(const Curve& c, int first, int last) { return extreme(c, first, last, -1); }
+Peak highest(const Cycle& c, int first, int last) { return extreme(c, first, last, 1); }
+Peak lowest(const Cycle& c, int first, int last) { return extreme(c, first, last, -1); }
 
-Wave harmonic(const Curve& c, int k) {
+Wave harmonic(const Cycle& c, int k) {
     double cosine = 0, sine = 0;
     for (size_t p = 0; p < 100; ++p) {
         double angle = k_tau * k * static_cast<double>(p) / 100;

@@ -22,30 +22,30 @@ double mean_jerk(const std::vector<Vec3>& path, double rate, size_t begin, size_
 double sample_at(const Samples& values, double tick);
 
 // One cycle from `begin` to `end` (ticks, fractions welcome) at 0, 1, .. 100 percent.
-Curve cycle_of(const Samples& values, double begin, double end);
+Cycle cycle_of(const Samples& values, double begin, double end);
 
 // The mean of a curve's 0 .. 99 percent.
-double mean(const Curve& c);
+double mean(const Cycle& c);
 // The curve less its mean.
-Curve centred(const Curve& c);
-double range(const Curve& c);
-double rmse(const Curve& a, const Curve& b);
+Cycle centred(const Cycle& c);
+double range(const Cycle& c);
+double rmse(const Cycle& a, const Cycle& b);
 // Pearson's r.
-double correlation(const Curve& a, const Curve& b);
+double correlation(const Cycle& a, const Cycle& b);
 
 // Percent of the highest (or lowest) value within [first, last] percent; wraps round where these lie outside
 // 0 .. 100. Refined by a parabola through the neighbours.
 struct Peak {
     double percent = 0, value = 0;
 };
-Peak highest(const Curve& c, int first, int last);
-Peak lowest(const Curve& c, int first, int last);
+Peak highest(const Cycle& c, int first, int last);
+Peak lowest(const Cycle& c, int first, int last);
 
 // Amplitude and phase (degrees, [0, 360)) of the k-th harmonic of a cycle.
 struct Wave {
     double amplitude = 0, phase = 0;
 };
-Wave harmonic(const Curve& c, int k);
+Wave harmonic(const Cycle& c, int k);
 // b's phase less a's, [0, 360).
 double phase_between(Wave a, Wave b);
 

@@ -35,14 +35,14 @@ double grid_step(double span) {
     return step;
 }
 
-std::string line(const Panel& p, const Curve& c, const char* style) {
+std::string line(const Panel& p, const Cycle& c, const char* style) {
     std::string text = std::string("<path class=\"") + style + "\" d=\"M";
     for (size_t i = 0; i < c.size(); ++i)
         text += format("%.1f %.1f ", p.px(static_cast<double>(i)), p.py(c[i]));
     return text + "\"/>\n";
 }
 
-std::string band(const Panel& p, const Curve& mean, const Curve& sd) {
+std::string band(const Panel& p, const Cycle& mean, const Cycle& sd) {
     std::string text = "<path class=\"band\" d=\"M";
     for (size_t i = 0; i < mean.size(); ++i)
         text += format("%.1f %.1f ", p.px(static_cast<double>(i)), p.py(mean[i] + sd[i]));
@@ -94,7 +94,7 @@ std::string curves_svg(const Report& report) {
     double toe_off = value_of(report.quantities, "stance.pct");
     for (int i = 0; i < count; ++i) {
         const NamedCurve& c = k_named_curves[static_cast<size_t>(i)];
-        const Curve& walk = report.curves.*c.curve;
+        const Cycle& walk = report.curves.*c.curve;
         int column = i % k_columns, row = i / k_columns;
         Panel p{k_left_margin + column * (k_wide + k_gap_x), k_head + row * (k_high + k_gap_y) + 32, walk[0],
                 walk[0]};
