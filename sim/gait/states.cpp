@@ -10,7 +10,7 @@
 namespace flaneur {
 
 static constexpr float k_standing_speed = 0.08f;                   // m/s
-static constexpr float k_slack = 0.13f, k_stopping_slack = 0.06f;  // metres that a standing foot may be off
+static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
 static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
@@ -278,7 +278,7 @@ void advance_walker(const Stepper& s, RandomKey chance) {
         replant(s, side);
         off[side] = misfit(s, side);
     }
-    float slack = lerp(k_slack, k_stopping_slack, g.amplitude[lane]);
+    float slack = g.standing[lane] ? k_slack : k_stopping_slack;
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
     bool slow = speed < k_standing_speed, wants_step = !slow || worst > 1;
     if (advance_jump(s)) {
