@@ -10,7 +10,7 @@ namespace flaneur {
 
 static constexpr float k_push_off = 0.6f;  // of the leading foot's swing, when the other foot leaves
 static constexpr float k_follows = 0.2f;   // of the other foot's swing, when the leading foot lands
-static constexpr float k_land = 0.45f;     // seconds of crouch after a jump
+static constexpr float k_absorb = 0.45f;   // seconds of crouch after a jump
 static constexpr float k_usual = 0.36f;    // seconds of flight
 static constexpr float k_longest = 0.62f;
 static constexpr float k_hop_steps = 1.5f;      // cycles/s, as which a hop plans its landing
@@ -143,8 +143,8 @@ bool advance_jump(const Stepper& s) {
         return true;
     }
     if (g.lift[lane] > 0 || (left && right)) land(s);
-    float share = std::min((up - flight) / k_land, 1.0f);
-    g.crouch[lane] = crouch_after(flight, k_land, share);
+    float share = std::min((up - flight) / k_absorb, 1.0f);
+    g.crouch[lane] = crouch_after(flight, k_absorb, share);
     if (share >= 1) t = flight = 0;
     return g.standing[lane] && share > 0 && share < 0.2f;
 }

@@ -43,7 +43,7 @@ void advance_manner(const Stepper& s, float speed) {
     float froude = speed * speed / (k_gravity * s.leg);
     approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
     float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
-    approach(g.duty[lane], duty, lerp(0.2f, 0.6f, g.running[lane]) * s.dt);
+    approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
     Vec2 facing = heading_direction(s.heading);
     float course = speed > k_standing_speed ? dot(s.velocity, facing) / speed : 1;
     approach(g.course[lane], course, 4 * s.dt);
