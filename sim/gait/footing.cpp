@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/gait/norms.h"
 
 namespace flaneur {
 
@@ -117,16 +118,22 @@ Footing find_footing(const City& city, const Place& wanted, const FootSize& size
 }
 
 float obstacle_between(const City& city, const Place& from, const Place& to, const FootSize& size) {
-    float most = 0;
+    // On the level the middle of the way tells enough; between levels toes and heel have to pass the edges.
+    bool level = std::fabs(to.position.y - from.position.y) < k_level;
+    constexpr float k_level_samples[] = {0.3f, 0.5f, 0.7f},
+                    k_samples[] = {0.2f, 0.35f, 0.5f, 0.65f, 0.75f, 0.84f};
+    const float* samples = level ? k_level_samples : k_samples;
     bool up = to.position.y > from.position.y;
     Vec2 way = normalize_or(on_ground(to.position - from.position), {0, 1});
-    for (float u : {0.2f, 0.35f, 0.5f, 0.65f, 0.8f}) {
-        auto eased = [](float t) { return smoothstep(0, 1, t); };
-        float hop = 16 * u * u * (1 - u) * (1 - u);
+    auto eased = [](float t) { return smoothstep(0, 1, t); };
+    float most = 0;
+    for (int i = 0; i < (level ? 3 : 6); ++i) {
+        float u = samples[i], rest = 1 - u, hop = 16 * u * u * rest * rest;
         float climb = eased(up ? u * 1.6f : u * 1.6f - 0.6f);
-        Vec3 at = lerp(from.position, to.position, eased(u));
+        float along = eased(u) - k_way_late * u * u * u * u * u * rest * rest * rest - k_way * hop;
+        Vec3 at = lerp(from.position, to.position, along);
         at.y = lerp(from.position.y, to.position.y, climb);
-        auto hit = under(city, ahead_by(at, way, up ? size.tip : -size.heel));
+        auto hit = under(city, ahead_by(at, way, up || level ? size.tip : -size.heel));
         if (hit) most = std::max(most, (hit->height - at.y) / hop);
     }
     return std::min(most, 0.35f);

@@ -33,6 +33,7 @@ static Stepper stepper_at(Gait& gait, size_t i, const City& city, Vec3 root, flo
             {},
             heading,
             0,
+            heading_direction(heading),
             person.joints[left_upper_leg][1][lane],
             0,
             false};

@@ -30,7 +30,7 @@ static float push_seconds(const GaitBlock& g, int lane) {
 
 static float flight_seconds(const Stepper& s) {
     float speed = std::max(length(s.velocity), k_standing), y = s.gait.base[s.lane];
-    Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+    Vec2 way = normalize_or(s.velocity, s.facing);
     FarSide far = far_side(s.city, {s.root.x, y, s.root.z}, way, k_longest_jump);
     if (far.distance <= 0) return k_usual;
     float over = (far.distance + 0.15f - k_forward_reach) / speed - push_seconds(s.gait, s.lane);

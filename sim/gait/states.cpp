@@ -44,8 +44,7 @@ void advance_manner(const Stepper& s, float speed) {
     approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
     float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
     approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
-    Vec2 facing = heading_direction(s.heading);
-    float course = speed > k_standing_speed ? dot(s.velocity, facing) / speed : 1;
+    float course = speed > k_standing_speed ? dot(s.velocity, s.facing) / speed : 1;
     approach(g.course[lane], course, 4 * s.dt);
 }
 
@@ -58,7 +57,7 @@ float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
         stride = 2 * g.tread[lane];
         if (speed > 1.3f * stride) stride *= 2;
         // A tread that lies farther than the foot would go is reached later.
-        Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+        Vec2 way = normalize_or(s.velocity, s.facing);
         for (const FootBlock& foot : g.feet) {
             if (!foot.swinging[lane]) continue;
             Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
@@ -79,7 +78,7 @@ float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
 
 // The foot that begins: the one left behind, the inner one of a turn, the one on the side of a step aside.
 Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
-    Vec2 facing = heading_direction(s.heading), left{facing.z, -facing.x};
+    Vec2 left{s.facing.z, -s.facing.x};
     Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
     float bias = 0.15f * dot(normalize_or(way, {0, 0}), left) + 0.05f * clamp(s.turn_rate, -1, 1);
     float l = off[k_left].behind, r = off[k_right].behind;

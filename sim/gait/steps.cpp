@@ -33,12 +33,13 @@ Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float head
 float Misfit::amount(float slack) const { return std::max(distance / slack, twist / k_home_twist); }
 
 Misfit misfit(const Stepper& s, Side side) {
-    Place wanted = home(s.person, s.lane, side, s.root, s.heading);
+    float mirror = side == k_left ? 1.0f : -1.0f;
+    float across = 0.5f * mirror * s.person.step_width[s.lane];
     const FootBlock::Place& is = s.gait.feet[side].to;
-    Vec2 off = on_ground(wanted.position) - Vec2{is.x[s.lane], is.z[s.lane]};
+    Vec2 off = on_ground(s.root) + Vec2{s.facing.z, -s.facing.x} * across - Vec2{is.x[s.lane], is.z[s.lane]};
     Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
-    return {length(off), std::fabs(wrap_angle(wanted.yaw - is.yaw[s.lane])),
-            dot(off, normalize_or(way, {0, 0}))};
+    float yaw = s.heading + mirror * s.person.toe_out[s.lane];
+    return {length(off), std::fabs(wrap_angle(yaw - is.yaw[s.lane])), dot(off, normalize_or(way, {0, 0}))};
 }
 
 namespace {
@@ -100,7 +101,7 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
 // On stairs one tread is a step: the foot lands on the next one after the other foot's.
 void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wished) {
     Place there = get_place(s.gait.feet[other(side)].to, s.lane);
-    Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+    Vec2 way = normalize_or(s.velocity, s.facing);
     Tread next = next_tread(s.city, there.position, way, k_reach_treads);
     float& tread = s.gait.tread[s.lane];
     if (next.end <= next.begin) {
@@ -124,7 +125,7 @@ bool plan(const Stepper& s, Side side, Place wished, bool leaves) {
     foot.wished_z[s.lane] = wished.position.z;
     foot.wished_yaw[s.lane] = wished.yaw;
     const FootBlock::Place& there = s.gait.feet[other(side)].to;
-    Vec2 way = normalize_or(s.velocity, heading_direction(s.heading));
+    Vec2 way = normalize_or(s.velocity, s.facing);
     Vec3 here{s.root.x, there.y[s.lane], s.root.z};
     if (s.gait.flight[s.lane] > 0) {
         FarSide far = far_side(s.city, here, way, k_longest_jump);

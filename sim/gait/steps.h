@@ -15,7 +15,8 @@ struct Stepper {
     Vec3 root;  // on the ground
     Vec2 velocity, wish;
     float heading, turn_rate;
-    float leg;  // metres
+    Vec2 facing;  // of the heading
+    float leg;    // metres
     float dt;
     bool replans;  // looks at the landing place anew in this tick
 };
