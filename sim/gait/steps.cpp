@@ -70,7 +70,7 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = later * stands;
     float leads = length(lead),
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
-    float most_lead = 0.88f * std::max(behind, 0.0f) + 0.01f;
+    float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f;
     bool alone = !s.gait.feet[other(side)].swinging[s.lane] && s.gait.flight[s.lane] <= 0;
     if (alone && leads > most_lead) lead = lead * (most_lead / leads);
     ahead += lead;
