@@ -28,7 +28,7 @@ struct Kernel {
 // Does `work` four times: the first ones fill caches and set the clock rate, the last is measured and shared
 // among `count`.
 double ns_each(size_t count, const std::function<void()>& work);
-// Three clips blended, one of them a layer on top, for so many walkers of 22 joints.
+// Three clips blended for so many walkers of 22 joints, each at times and with shares of its own.
 Kernel blend_kernel(size_t walkers);
 // FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);

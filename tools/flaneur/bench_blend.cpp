@@ -1,5 +1,3 @@
-#include <cassert>
-
 #include "sim/base/rng.h"
 #include "sim/pose/blend.h"
 #include "tools/flaneur/bench.h"
@@ -8,36 +6,29 @@ namespace flaneur {
 
 namespace {
 
-constexpr uint32_t k_keys = 30;
-
-std::vector<LocalPose> random_keys(RandomKey key) {
-    std::vector<LocalPose> keys(k_keys);
-    uint32_t at = 0;
-    auto some = [&] { return random_between(key, -0.3f, 0.3f, at++); };
-    for (LocalPose& pose : keys) {
-        for (int j = 0; j < k_joint_count; ++j)
-            pose.rotations.push_back(normalize(Quat{some(), some(), some(), 1}));
-        pose.way = {some(), some(), some()};
-    }
-    return keys;
-}
-
-// Two clips blended by one parameter, a third added; every walker at phases of its own.
+// Two clips blended by one parameter, that with a third by another; all three always count.
 BlendTree three_clips() {
     Skeleton person = humanoid(standard_body(1.7f));
     BlendTree tree;
-    for (uint64_t c = 1; c <= 2; ++c)
-        tree.clips.push_back(*make_clip(person, random_keys({c}), 30, true, Curve::linear));
-    auto keys = random_keys({3});
-    tree.clips.push_back(*make_additive_clip(person, keys, keys[0], 30, true, Curve::linear));
+    uint32_t at = 0;
+    auto some = [&] { return random_between({1}, -0.3f, 0.3f, at++); };
+    for (size_t keys : {40, 30, 100}) {
+        std::vector<LocalPose> poses(keys);
+        for (LocalPose& pose : poses) {
+            for (int j = 0; j < k_joint_count; ++j)
+                pose.rotations.push_back(normalize(Quat{some(), some(), some(), 1}));
+            pose.way = {some(), some(), some()};
+        }
+        tree.clips.push_back(*make_clip(person, poses, 30, true, Curve::linear));
+    }
     using Kind = BlendNode::Kind;
-    tree.nodes = {{Kind::grid, Curve::linear, {0, 0}, 1, 2, 1},
-                  {Kind::clip, Curve::linear, {1, 0}, 0, 1, 1},
-                  {Kind::clip, Curve::linear, {1, 0}, 1, 1, 1},
-                  {Kind::clip, Curve::linear, {2, 0}, 2, 1, 1}};
-    tree.layers = {{}, {3, true, 3, {}}};
-    tree.inputs = 4;
-    assert(check_tree(tree));
+    auto mix = [](uint16_t input, uint16_t first) {
+        return BlendNode{Kind::grid, Curve::linear, {input, 0}, first, 2, 1};
+    };
+    auto play = [](uint16_t clip) { return BlendNode{Kind::clip, Curve::linear, {clip, 0}, clip, 1, 1}; };
+    tree.nodes = {mix(3, 1), mix(4, 3), play(2), play(0), play(1)};
+    tree.layers = {{}};
+    tree.inputs = 5;
     return tree;
 }
 
@@ -49,7 +40,7 @@ Kernel blend_kernel(size_t walkers) {
     std::vector<LaneRow> inputs(blocks * tree.inputs), out(blocks * local_rows(k_joint_count));
     uint32_t at = 0;
     for (LaneRow& row : inputs) {
-        for (float& f : row.lanes) f = random_unit({4}, at++);
+        for (float& f : row.lanes) f = random_unit({2}, at++);
     }
     auto ns = [=]() mutable {
         return ns_each(walkers, [&] { evaluate_blends(tree, inputs.data(), 0, blocks, out.data()); });

@@ -12,7 +12,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr uint32_t k_replayed = 60;  // ticks of the crowd's movement
+constexpr uint32_t k_replayed = 12;  // ticks of the crowd's movement
 constexpr size_t k_larger = 16;      // the crowd that no longer fits the caches
 // ozz-animation 0.16, 22 joints: sample, local to model, 4 two-bone IK, skinning matrices.
 constexpr double k_peer_sse2 = 1482, k_peer_avx512 = 1285;
@@ -197,7 +197,10 @@ Result<std::string> bench_pose(const Options& options) {
     Samples samples = measure(kernels, isas, options.bench_frames);
 
     Figures figures;
-    add_setting(figures, options, *loaded->world);
+    figures.setting = {{"city", loaded->world->city.name},
+                       {"walkers", std::to_string(work.walking.count)},
+                       {"threads", "1"},
+                       {"measured", std::to_string(options.bench_frames)}};
     print_figures(figures);
     print(kernels, samples, isas);
     return as_json(figures, kernels, samples, isas);
