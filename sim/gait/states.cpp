@@ -165,10 +165,10 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
             approach(phase, k_rest, 1.5f * s.dt);
         }
         bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
-        phase = std::min(phase, duty - k_just_below);
         if (wants_step && due && may_leave(s, side)) {
             leave(s, side);
         } else {
+            phase = std::min(phase, duty - k_just_below);
             pivot(s, side);
         }
     }
