@@ -15,12 +15,13 @@ static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a lan
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
-                       k_turned = 0.08f;       // metres, radians; changes that are planned for anew
-static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
-static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
-static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
-static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
-static constexpr float k_reach_treads = 1.0f;  // metres
+                       k_turned = 0.08f;      // metres, radians; changes that are planned for anew
+static constexpr float k_settled = 0.09f;     // seconds before contact in which the landing place is kept
+static constexpr float k_following = 13;      // 1/s, of the landing place towards its goal
+static constexpr float k_most_twist = 0.75f;  // radians of a leg, before its foot turns on the ball
+static constexpr float k_stair = 0.07f;       // metres between feet that begin a flight of steps
+static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
+static constexpr float k_reach_treads = 1.0f;                            // metres
 
 Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
@@ -108,12 +109,15 @@ void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wi
         tread = 0;
         return;
     }
-    tread = next.end - next.begin;
     float along = dot(on_ground(wished.position - there.position), way);
     float low = next.begin + size.heel + 0.02f, high = next.end - size.tip;
-    // Down, the toes come to the next edge, and the heel passes clear of the last one.
-    float fit =
-        next.down ? std::max(low, high) : (low < high ? clamp(along, low, high) : (low + high) * 0.5f);
+    // Down, the toes come near the next edge, and the heel passes clear of the last one.
+    float fit = next.down    ? clamp(along + k_clear_of_edge, low, std::max(low, high))
+                : low < high ? clamp(along, low, high)
+                             : (low + high) * 0.5f;
+    // Long treads take two steps.
+    tread = fit - along < k_farthest_shift ? next.end - next.begin : 0;
+    if (tread <= 0) return;
     wished.position += at_height(way * (fit - along), 0);
 }
 
