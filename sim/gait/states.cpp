@@ -18,7 +18,7 @@ static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from hom
 static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
 static constexpr float k_rest = 0.16f;          // phase of a foot that stands
 static constexpr float k_early =
-    0.02188f;  // of the cycle, by which the body trusts a foot before it is down
+    0.00954f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
@@ -135,6 +135,7 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
     float soon = std::min(speed, lerp(speed, length(s.wish), 0.25f));
     float stride = std::max(soon, 0.05f) / f;
     float reach = std::min(k_out_of_reach * s.leg, 0.08f + 0.7f * duty * stride);
+    const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
         const FootBlock& other = g.feet[1 - side];
@@ -153,7 +154,7 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
         }
         // In time with the other foot, at once where the body has left it behind.
         bool worse = off[side].distance >= off[1 - side].distance;
-        float ahead = wrap_difference(other.phase[lane] + 0.5f - phase);
+        float ahead = wrap_difference(phases[1 - side] + 0.5f - phase);
         float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
         if (worse && may_leave(s, side)) {
             rate += std::max(off[side].distance - reach, 0.0f) * (k_hurry / s.leg);
