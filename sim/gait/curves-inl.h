@@ -46,14 +46,6 @@ HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave
     return value;
 }
 
-// The share of the body that the left leg carries: 1 in its single support, sliding over in double support.
-// `phase` is the left foot's.
-template <class T>
-HWY_INLINE T left_load(T phase, T duty) {
-    T both = (duty - T(0.5f)) * T(k_shift_width);
-    return select(phase < T(0.5f), eased(phase / both), T(1.0f) - eased((phase - T(0.5f)) / both));
-}
-
 template <class T>
 HWY_INLINE T ramp(T low, T high, T v) {
     return eased((v - low) / (high - low));
