@@ -40,7 +40,8 @@ static Stepper stepper_at(Gait& gait, size_t i, const City& city, Vec3 root, flo
 }
 
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
-                const float* scale, const RootMotion& root, const City& city, uint64_t seed) {
+                const float* scale, const RootMotion& root, const City& city, uint64_t seed,
+                const Manner* manner) {
     gait.count = count;
     gait.blocks.assign(block_count(count), {});
     gait.people.assign(block_count(count), {});
@@ -58,16 +59,18 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
             person.joints[j][2][lane] = b.joints[j].z * s;
         }
         RandomKey key{seed, static_cast<uint32_t>(i), 0, Purpose::style};
+        Manner m = manner && real ? manner[i] : draw_manner({}, key);
         person.heel[lane] = b.heel * s;
         person.toe[lane] = b.toe * s;
-        person.stride[lane] = 1 + 0.04f * random_normal(key, 0);
-        person.arm_swing[lane] = clamp(1 + 0.25f * random_normal(key, 1), 0.4f, 1.6f);
-        person.sway[lane] = clamp(1 + 0.2f * random_normal(key, 2), 0.5f, 1.6f);
-        person.toe_out[lane] = k_radians * clamp(6 + 2.5f * random_normal(key, 3), 1.0f, 12.0f);
-        person.step_width[lane] = std::max(0.055f * b.height * s + 0.012f * random_normal(key, 4),
-                                           0.5f * b.joints[left_upper_leg].x * s);
-        person.lean[lane] = k_radians * clamp(3 + 1.5f * random_normal(key, 5), -1.0f, 8.0f);
-        person.carriage[lane] = k_radians * clamp(8.5f + 1.5f * random_normal(key, 6), 6.5f, 13.0f);
+        person.stride[lane] = m.stride;
+        person.arm_swing[lane] = m.arm_swing;
+        person.sway[lane] = m.sway;
+        person.toe_out[lane] = m.toe_out;
+        // Never so near that the thighs would meet.
+        person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * s;
+        person.lean[lane] = m.lean;
+        person.carriage[lane] = m.carriage;
+        person.crouch[lane] = m.crouch * leg_length(b) * s;
 
         g.duty[lane] = duty_factor(0);
         g.phase[lane] = random_unit(key, 200) < 0.5f ? 0.05f : 0.55f;

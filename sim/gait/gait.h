@@ -10,6 +10,7 @@
 
 #include "sim/base/vec.h"
 #include "sim/city/city.h"
+#include "sim/gait/manner.h"
 #include "sim/pose/body.h"
 
 namespace flaneur {
@@ -85,6 +86,7 @@ struct alignas(64) PersonBlock {
     float step_width[k_block];                // metres between the lines of both feet
     float lean[k_block];                      // of the trunk, forward +, radians
     float carriage[k_block];                  // arms away from the body, radians
+    float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
 };
 
 struct Gait {
@@ -104,10 +106,11 @@ struct RootMotion {
     const Vec2* wish = nullptr;
 };
 
-// Walkers standing on both feet. `bodies[body[i]] * scale[i]` is walker i's; its manner is drawn from (seed,
-// i).
+// Walkers standing on both feet. `bodies[body[i]] * scale[i]` is walker i's, and so is `manner[i]`; without
+// manners they are drawn from (seed, i).
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
-                const float* scale, const RootMotion& root, const City& city, uint64_t seed);
+                const float* scale, const RootMotion& root, const City& city, uint64_t seed,
+                const Manner* manner = nullptr);
 
 // One tick of `dt` seconds for walkers [begin, end): phase, toe-offs, contacts and where the swinging feet
 // will land.

@@ -17,8 +17,7 @@ static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
 static constexpr float k_rest = 0.16f;          // phase of a foot that stands
-static constexpr float k_early =
-    0.00954f;  // of the cycle, by which the body trusts a foot before it is down
+static constexpr float k_early = 0.0095f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
@@ -26,6 +25,7 @@ static constexpr float k_hurry =
 static constexpr float k_rise = 4.5f;         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;           // 1/s, the least such rate when standing
 static constexpr float k_just_below = 1e-4f;  // of the phase
+static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
 
 namespace {
 
@@ -249,16 +249,17 @@ void advance_base(const Stepper& s, float speed) {
     g.rise[lane] += (rise - g.rise[lane]) * std::min(1.0f, 3 * s.dt);
 }
 
-// Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996), and now and then
-// to something of interest.
+// Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996): as far ahead of
+// the body as that is at the rate of its turns. And now and then to something of interest.
 void advance_look(const Stepper& s, RandomKey chance) {
     float coming = s.turn_rate * 0.2f;
     if (length_squared(s.wish) > 0.0625f) coming = wrap_angle(heading_of(s.wish) - s.heading);
-    coming = clamp(coming, -0.45f, 0.45f);
+    coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
     float& look = s.gait.look[s.lane];
-    look += (coming + interest * (1 - turns) - look) * std::min(1.0f, lerp(3.5f, 9.0f, turns) * s.dt);
+    float change = (coming + interest * (1 - turns) - look) * lerp(3.5f, 9.0f, turns);
+    look += clamp(change, -k_fastest_look, k_fastest_look) * s.dt;
 }
 
 }  // namespace

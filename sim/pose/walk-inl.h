@@ -124,7 +124,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     Height<T> height;
     height.base = at<T>(g.base + lane);
     height.load = load;
-    height.crouch = at<T>(g.crouch + lane);
+    height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane);
     // cos of twice (phase - k_high).
     T over_foot = cycle.cosine[1] * T(k_high_cosine) + cycle.sine[1] * T(k_high_sine);
     height.bob = (one + over_foot) * larger(T(k_bob) + T(k_bob_slow) * slow, zero) * amplitude;

@@ -54,7 +54,9 @@ Tried make_tried(City city, float height = 1.72f) {
     float scale = 1;
     if (auto hit = ground(t.city, {0, 1, 0}, 3, 4)) t.position.y = hit->height;
     RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};
-    start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, t.city, 5);
+    Manner short_steps;
+    short_steps.stride = 0.9f;
+    start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, t.city, 5, &short_steps);
     t.poses.resize(1);
     return t;
 }

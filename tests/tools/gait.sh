@@ -19,5 +19,10 @@ assert len(trial["curves"]["knee"]) == 101 and len(report["norm"]["knee"]) == 10
 assert any(q["name"] == "knee.rmse" and q["high"] == 5 and "pass" in q for q in trial["quantities"])
 assert xml.dom.minidom.parse("a.svg").documentElement.tagName == "svg"
 END
+# Every walk ends, in little memory.
+for walk in "--turn 180" "--turn -45" "--kerb 0.15" "--stairs down" "--slope 20"; do
+    (ulimit -v 4000000 && timeout 60 "$flaneur" gait $walk --style 3 > walk.txt)
+    grep --quiet 'bars met' walk.txt
+done
 "$flaneur" gait --crowd 20 --seconds 12 > crowd.txt
 grep --quiet 'joint_speed' crowd.txt

@@ -281,8 +281,8 @@ void add_gait(CLI::App& app, Options& options) {
     number(k_who, "--height", gait.height, 0.8, 2.3, "M", "How tall; without it, as tall as such people are");
     add_parsed(*command, "--sex", parse_sex, gait.sex, "woman or man", "SEX", "man")->group(k_who);
     number(k_who, "--age", gait.age, 4, 100, "YEARS", "How old", "30");
-    add_parsed(*command, "--style", parse_seed, gait.style, "Another seed gives another manner of walking",
-               "S", "1")
+    add_parsed(*command, "--style", parse_seed, gait.style, "Seed of a manner of walking; 0: the middle one",
+               "S", "0")
         ->group(k_who);
     number(k_where, "--seconds", gait.seconds, 12, 600, "T", "On level ground, from standing to standing",
            "25");

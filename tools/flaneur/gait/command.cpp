@@ -41,6 +41,11 @@ double speed_of(const GaitOptions& gait) {
     return gait.speed > 0 ? gait.speed : usual_speed(gait, height_of(gait));
 }
 
+Manner manner_of(const GaitOptions& gait) {
+    Manner middle = manner_at_age(static_cast<float>(gait.age));
+    return gait.style == 0 ? middle : draw_manner(middle, {gait.style, 0, 0, Purpose::style});
+}
+
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
     for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
@@ -64,10 +69,11 @@ std::vector<Report> chosen_trials(const Person& person, double speed, const Gait
 
 std::vector<Report> try_person(const GaitOptions& gait) {
     double height = height_of(gait), speed = speed_of(gait);
-    Person person{standard_body(static_cast<float>(height)), gait.style};
-    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, manner %llu\n",
+    Person person{standard_body(static_cast<float>(height)), manner_of(gait)};
+    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, %s manner\n",
                 gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
-                static_cast<double>(leg_length(person.body)), static_cast<unsigned long long>(gait.style));
+                static_cast<double>(leg_length(person.body)),
+                gait.style == 0 ? "the middle" : ("style " + std::to_string(gait.style) + " of").c_str());
     return chosen_trials(person, speed, gait);
 }
 
@@ -112,7 +118,7 @@ Result<void> run_gait(const Options& options) {
     }
 #ifdef FLANEUR_VULKAN
     if (!gait.strip.empty()) {
-        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait));
+        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), manner_of(gait));
         if (!drawn) return drawn;
     }
 #endif

@@ -99,20 +99,20 @@ void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInsta
     watch.legs.push_back({thigh, thigh - shank, pitch - shank, speed, foot.swinging, steady});
 }
 
-struct Manner {
+struct LegCurves {
     Cycle thigh{}, knee{}, ankle{};
     double speed = 0;
     int strides = 0;
 };
 
-Manner manner_of(const std::vector<WalkerWatch::Leg>& legs) {
+LegCurves leg_curves(const std::vector<WalkerWatch::Leg>& legs) {
     Samples thigh, knee, ankle;
     for (const auto& leg : legs) {
         thigh.push_back(static_cast<double>(leg.thigh));
         knee.push_back(static_cast<double>(leg.knee));
         ankle.push_back(static_cast<double>(leg.ankle));
     }
-    Manner m;
+    LegCurves m;
     auto add = [](Cycle& to, const Cycle& more) {
         for (size_t p = 0; p < to.size(); ++p) to[p] += more[p];
     };
@@ -149,12 +149,12 @@ double deviation(const std::vector<double>& values) {
 }
 
 // The standard deviation between people, averaged over the cycle.
-double spread(const std::vector<Manner>& people, const Cycle Manner::*curve) {
+double spread(const std::vector<LegCurves>& people, const Cycle LegCurves::*curve) {
     double sum = 0;
     for (size_t p = 0; p < 100; ++p) {
         std::vector<double> values;
         values.reserve(people.size());
-        for (const Manner& m : people) values.push_back((m.*curve)[p]);
+        for (const LegCurves& m : people) values.push_back((m.*curve)[p]);
         sum += deviation(values) / 100;
     }
     return sum;
@@ -175,7 +175,7 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
     std::vector<double> drift{0}, below{0}, above{0}, slip{0};
     double not_finite = 0, outside = 0, beyond = 0, bone = 0, bone_at_all = 0, spin = 0, jumps = 0;
-    std::vector<Manner> people;
+    std::vector<LegCurves> people;
     std::vector<double> speeds;
     for (const WalkerWatch& w : watches) {
         std::vector<Stance> stances = w.stances;
@@ -196,7 +196,7 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
         }
         bone = std::max(bone, static_cast<double>(w.bone_error));
         bone_at_all = std::max(bone_at_all, static_cast<double>(w.bone_error_at_all));
-        Manner m = manner_of(w.legs);
+        LegCurves m = leg_curves(w.legs);
         if (m.strides < 3) continue;
         people.push_back(m);
         speeds.push_back(m.speed);
@@ -221,9 +221,9 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                           {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});
     if (people.size() > 1) {
-        append(r.quantities, {{"spread_thigh.deg", spread(people, &Manner::thigh)},
-                              {"spread_knee.deg", spread(people, &Manner::knee)},
-                              {"spread_ankle.deg", spread(people, &Manner::ankle)},
+        append(r.quantities, {{"spread_thigh.deg", spread(people, &LegCurves::thigh)},
+                              {"spread_knee.deg", spread(people, &LegCurves::knee)},
+                              {"spread_ankle.deg", spread(people, &LegCurves::ankle)},
                               {"spread_speed.m_s", deviation(speeds)}});
     }
     r.name = "crowd";

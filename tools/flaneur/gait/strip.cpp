@@ -61,7 +61,7 @@ City ground_of(const GaitOptions& gait) {
         height = [=](float z) { return z > k_begin ? kerb : 0; };
     }
     edges.push_back(k_far);
-    City city = strip(height, edges, stepped);
+    City city = strip(height, edges, stepped, gait.stairs.empty() ? Surface::sidewalk : Surface::steps);
     if (stepped) add_risers(city, height, edges);
     if (gait.wall > 0) {
         auto x = static_cast<float>(gait.wall);
@@ -71,15 +71,14 @@ City ground_of(const GaitOptions& gait) {
     return city;
 }
 
-Take make_take(const GaitOptions& gait, const Body& body, double speed) {
-    if (!gait.stairs.empty()) speed = static_cast<double>(stair_speed(static_cast<float>(speed)));
+Take make_take(const GaitOptions& gait, const Person& person, double speed) {
     Vec2 onward{0, static_cast<float>(speed)};
     Vec2 turned = heading_direction(static_cast<float>(gait.turn) * k_radians) * onward.z;
     float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
     Take take;
     take.city = ground_of(gait);
-    double seconds = k_steady + k_turn + static_cast<double>(from) / speed + 3;
-    take.walk = walk(take.city, {body, gait.style}, seconds, [&](double t) {
+    double seconds = k_steady + k_turn + static_cast<double>(from / stair_speed(onward.z)) + 3;
+    take.walk = walk(take.city, person, seconds, [&](double t) {
         return t < k_stand ? Vec2{} : gait.turn != 0 && t >= k_steady ? turned : onward;
     });
     const std::vector<Instant>& ticks = take.walk.ticks;
@@ -141,7 +140,7 @@ FrameInput frame_of(const Take& take, const Character& character, uint64_t style
 
 }  // namespace
 
-Result<void> draw_strip(const Options& options, double height, double speed) {
+Result<void> draw_strip(const Options& options, double height, double speed, const Manner& manner) {
     const GaitOptions& gait = options.gait;
     Result<PartFilePtr> file = open_file(gait.strip);
     if (!file) return file.error();
@@ -149,7 +148,7 @@ Result<void> draw_strip(const Options& options, double height, double speed) {
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Character character = generate_person({gait.style, static_cast<float>(height), gait.sex == Sex::woman});
-    Take take = make_take(gait, character.body, speed);
+    Take take = make_take(gait, {character.body, manner}, speed);
     Result<void> uploaded = upload_scene(**renderer, extract_scene(take.city, {character}));
     if (!uploaded) return uploaded;
 

@@ -2,8 +2,12 @@
 
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
+#include "sim/gait/hands.h"
 
 namespace flaneur {
+
+// Of what the person does besides walking: one who likes to touch walls.
+static constexpr uint64_t k_seed = 30;
 
 FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses,
                          size_t walker, Side side) {
@@ -42,18 +46,21 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
     Vec3 position;
     if (auto hit = ground(city, {0, 0, 0}, 100, 100)) position.y = hit->height;
     Motion motion;
-    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate};
+    Vec2 wished;
+    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &wished};
     Gait gait;
-    start_gait(gait, 1, bodies, &index, &scale, root, city, person.style);
+    start_gait(gait, 1, bodies, &index, &scale, root, city, k_seed, &person.manner);
     std::vector<PoseBlock> poses(1);
 
     auto ticks = static_cast<uint32_t>(seconds * result.rate);
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground(city, position).value_or(GroundHit{});
-        motion = next_motion(motion, wish(t / result.rate), under, k_tick);
+        wished = wish(t / result.rate);
+        motion = next_motion(motion, wished, under, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground(city, position)) position.y = hit->height;
-        advance_gait(gait, 0, 1, root, city, person.style, t, k_tick);
+        advance_gait(gait, 0, 1, root, city, k_seed, t, k_tick);
+        reach_for_walls(gait, 0, 1, root, city, k_seed, t, k_tick);
         pose_blocks(gait, 0, 1, poses);
 
         Instant now;

@@ -51,10 +51,10 @@ struct Walk {
 City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
            Surface kind = Surface::sidewalk);
 
-// Who walks: a body and the seed that its manner is drawn from.
+// Who walks: a body and its manner.
 struct Person {
     Body body;
-    uint64_t style = 1;
+    Manner manner;
 };
 
 // The velocity, m/s on the ground plane, that the person would like at a time. Legs follow it as fast as they

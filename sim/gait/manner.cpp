@@ -1,0 +1,43 @@
+#include "sim/gait/manner.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace flaneur {
+
+static constexpr struct {
+    float years, stride, step_width, arm_swing;
+} k_ages[] = {
+    {5, 1.10f, 0.073f, 1}, {13, 1.10f, 0.057f, 1}, {17, 1, 0.055f, 1},
+    {30, 1, 0.055f, 1},    {72, 1, 0.052f, 0.8f},  {87, 0.95f, 0.058f, 0.8f},
+};
+
+Manner manner_at_age(float years) {
+    years = clamp(years, k_ages[0].years, k_ages[std::size(k_ages) - 1].years);
+    size_t i = 1;
+    while (i + 1 < std::size(k_ages) && k_ages[i].years < years) ++i;
+    const auto &a = k_ages[i - 1], &b = k_ages[i];
+    float t = (years - a.years) / (b.years - a.years);
+    Manner m;
+    m.stride = lerp(a.stride, b.stride, t);
+    m.step_width = lerp(a.step_width, b.step_width, t);
+    m.arm_swing = lerp(a.arm_swing, b.arm_swing, t);
+    return m;
+}
+
+Manner draw_manner(const Manner& middle, RandomKey key) {
+    Manner m = middle;
+    m.stride *= 1 + 0.07f * clamp(random_normal(key, 0), -2.0f, 2.0f);
+    m.arm_swing *= clamp(1 + 0.25f * random_normal(key, 1), 0.4f, 1.6f);
+    m.sway *= clamp(1 + 0.2f * random_normal(key, 2), 0.5f, 1.6f);
+    m.toe_out = clamp(m.toe_out + 2.5f * k_radians * random_normal(key, 3), k_radians, 12 * k_radians);
+    m.step_width = std::max(m.step_width + 0.007f * random_normal(key, 4), 0.025f);
+    m.lean = clamp(m.lean + 1.5f * k_radians * random_normal(key, 5), -k_radians, 8 * k_radians);
+    m.carriage =
+        clamp(m.carriage + 1.5f * k_radians * random_normal(key, 6), 6.5f * k_radians, 13 * k_radians);
+    m.crouch = clamp(m.crouch + 0.007f * random_normal(key, 7), -0.002f, 0.015f);
+    return m;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,32 @@
+// How one person's walk differs from another's of the same body.
+#pragma once
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+
+namespace flaneur {
+
+// As it is, the neutral manner of a grown person.
+struct Manner {
+    float stride = 1;     // factors on the length of steps,
+    float arm_swing = 1;  // on how far arms swing,
+    float sway = 1;       // and on what the pelvis does
+    float toe_out = 6 * k_radians;
+    float step_width = 0.055f;          // between the lines of both feet, of the person's height
+    float lean = 3 * k_radians;         // of the trunk, forward +
+    float carriage = 8.5f * k_radians;  // of the arms, away from the body
+    float crouch = 0;  // by which the pelvis is lower, and knees more bent, of the leg's length
+};
+
+// The middle manner at an age in years. What follows from size and speed alone is not in it.
+//
+// Children take longer steps for their legs, farther apart for their height, than grown people (Lythgo et
+// al., Gait & Posture 33, 2011), those beyond eighty shorter and wider ones than at seventy (Hollman et al.,
+// Gait & Posture 34, 2011; statures of 1.72 and 1.58 m), and their arms swing less (Mirelman et al., PLoS ONE
+// 10, 2015, which says that, not how much: a fifth less here).
+Manner manner_at_age(float years);
+
+// One person's, as people spread around a middle manner.
+Manner draw_manner(const Manner& middle, RandomKey key);
+
+}  // namespace flaneur
