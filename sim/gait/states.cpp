@@ -17,7 +17,7 @@ static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
 static constexpr float k_rest = 0.16f;          // phase of a foot that stands
-static constexpr float k_early = 0.0095f;  // of the cycle, by which the body trusts a foot before it is down
+static constexpr float k_early = -0.01075f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
@@ -138,7 +138,6 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
     const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
-        const FootBlock& other = g.feet[1 - side];
         float& phase = foot.phase[lane];
         if (foot.swinging[lane]) {
             float forefoot = g.tread[lane] > 0 ? 1.0f : 0.6f * g.running[lane];
