@@ -15,55 +15,56 @@ namespace flaneur::HWY_NAMESPACE {
 
 // A joint's share of a turn, before limits, and how far it turns against the joint below. Shares of a chain
 // sum to 1. Radians.
-template <class T>
 struct AimJoint {
-    T share;
-    T yaw;       // to either side
-    T up, down;  // pitch, both > 0
+    float share;
+    float yaw;       // to either side
+    float up, down;  // pitch, both > 0
 };
+inline constexpr float k_aim_rounding = 0.05f;
 
-// `v` within [-low, high], with its corners rounded over `width` on both sides; low, high >= width > 0.
-// Unchanged where it is `width` or more within.
+// `v` within [-low, high], with its corners rounded over k_aim_rounding on both sides; low, high >= that.
+// Unchanged where it is as much or more within.
 template <class T>
-HWY_INLINE T soft_clamped(T v, T low, T high, T width) {
-    T over = clamped(v - high + width, T(0.0f), width + width);
-    T under = clamped(-low - v + width, T(0.0f), width + width);
-    T scale = T(0.25f) / width;
-    return clamped(v, -(low + width), high + width) - over * over * scale + under * under * scale;
+HWY_INLINE T soft_clamped(T v, float low, float high) {
+    constexpr float w = k_aim_rounding;
+    T over = clamped(v - T(high - w), T(0.0f), T(2 * w));
+    T under = clamped(T(w - low) - v, T(0.0f), T(2 * w));
+    return clamped(v, T(0.0f - low - w), T(high + w)) + (under * under - over * over) * T(0.25f / w);
+}
+
+// The turns of N joints against the body, from the body outwards, that share `turn`. The outermost takes its
+// share first; what a joint's limit keeps it from, the next one inward takes over, and what is left at the
+// innermost is not turned. `low` and `high` say which limits count.
+template <int N, class T>
+HWY_INLINE void share_turn(const AimJoint (&chain)[N], float AimJoint::*low, float AimJoint::*high, T turn,
+                           T (&turns)[N]) {
+    T left = T(0.0f), sum = T(0.0f);
+    for (int i = N - 1; i >= 0; --i) {
+        T wanted = turn * T(chain[i].share) + left;
+        turns[i] = soft_clamped(wanted, chain[i].*low, chain[i].*high);
+        left = wanted - turns[i];
+    }
+    for (T& t : turns) t = sum = sum + t;
 }
 
 // Turns of N joints, from the body outwards, that point +z of the last along `direction` (in the body's
 // space, any length). rotations[i] is of joint i, in the body's space, on top of its pose: a pitch about its
 // x within a yaw about the body's y.
 //
-// The outermost joint takes its share first; what a joint's limit keeps it from, the next one inward takes
-// over, and what is left at the innermost is not turned. Limits are rounded over 0.05 radians to both sides.
 // The turn goes smoothly back to nothing as the target passes behind the body (from 135 degrees on), its yaw
 // alone where the target is straight above or below (within 20 degrees), for no yaw is right there. Elsewhere
-// the aim is exact.
+// the aim is exact as far as the limits allow, which are rounded over 0.05 radians to both sides.
 template <int N, class T>
-HWY_INLINE void aim(const AimJoint<T> (&chain)[N], V3<T> direction, Q4<T> (&rotations)[N]) {
-    constexpr float k_rounding = 0.05f;
+HWY_INLINE void aim(const AimJoint (&chain)[N], V3<T> direction, Q4<T> (&rotations)[N]) {
     T flat = root(direction.x * direction.x + direction.z * direction.z);
     T yaw = arc_tangent(direction.x, direction.z), pitch = arc_tangent(direction.y, flat);
     T ahead = eased((T(k_pi) - absolute(yaw)) * T(4 / k_pi));
     T level = eased((T(0.5f * k_pi) - absolute(pitch)) * T(1 / (20 * k_radians)));
-    yaw = yaw * ahead * level;
-    pitch = pitch * mixed(T(1.0f), ahead, level);
-
-    T yaws[N], pitches[N], yaw_left = T(0.0f), pitch_left = T(0.0f);
-    for (int i = N - 1; i >= 0; --i) {
-        T wanted_yaw = yaw * chain[i].share + yaw_left, wanted_pitch = pitch * chain[i].share + pitch_left;
-        yaws[i] = soft_clamped(wanted_yaw, chain[i].yaw, chain[i].yaw, T(k_rounding));
-        pitches[i] = soft_clamped(wanted_pitch, chain[i].down, chain[i].up, T(k_rounding));
-        yaw_left = wanted_yaw - yaws[i];
-        pitch_left = wanted_pitch - pitches[i];
-    }
-    T yaw_sum = T(0.0f), pitch_sum = T(0.0f);
+    T yaws[N], pitches[N];
+    share_turn(chain, &AimJoint::yaw, &AimJoint::yaw, yaw * ahead * level, yaws);
+    share_turn(chain, &AimJoint::down, &AimJoint::up, pitch * mixed(T(1.0f), ahead, level), pitches);
     for (int i = 0; i < N; ++i) {
-        yaw_sum = yaw_sum + yaws[i];
-        pitch_sum = pitch_sum + pitches[i];
-        auto y = sine_cosine(yaw_sum * T(0.5f)), p = sine_cosine(pitch_sum * T(-0.5f));
+        auto y = sine_cosine(yaws[i] * T(0.5f)), p = sine_cosine(pitches[i] * T(-0.5f));
         rotations[i] = {y.cosine * p.sine, y.sine * p.cosine, -(y.sine * p.sine), y.cosine * p.cosine};
     }
 }

@@ -1,4 +1,4 @@
-// A foot brought to the ground, over float or Lanes.
+// A foot flat on the ground, over float or Lanes.
 #if defined(FLANEUR_SIM_IK_FOOT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLANEUR_SIM_IK_FOOT_INL_H
 #undef FLANEUR_SIM_IK_FOOT_INL_H
@@ -11,33 +11,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
+// The rotation of a foot that stands flat on ground whose unit normal, upwards, has this x and z: a yaw,
+// given by sine and cosine of half of it, then the shortest way from up to the normal. The ankle is its
+// height over the sole along the rotation's y above the ground. Ground steeper than 84 degrees counts as 84.
 template <class T>
-struct FootInput {
-    V3<T> ankle;     // where the pose has it
-    Q4<T> rotation;  // of the foot in the pose; the identity stands flat and looks along +z
-    T ankle_height;  // above the sole of a flat foot, metres
-    V3<T> ground;    // the point of the ground under the ankle
-    V3<T> normal;    // of the ground, unit, upwards
-    T range;         // metres between sole and ground beyond which the foot stays where it is, > 0
-};
-
-template <class T>
-struct FootOutput {
-    V3<T> ankle;  // target for the leg's two-bone solver
-    Q4<T> rotation;
-};
-
-// Within half the range the sole stands on the ground and turns with its normal; from there to the range it
-// eases back to the pose, so that nothing jumps when ground comes into range.
-template <class T>
-HWY_INLINE FootOutput<T> foot_on_ground(const FootInput<T>& in) {
-    T gap = absolute(in.ankle.y - in.ankle_height - in.ground.y);
-    T weight = eased((in.range - gap) * T(2.0f) / in.range);
-    Q4<T> tilt = arc(V3<T>{T(0.0f), T(1.0f), T(0.0f)},
-                     unit(mixed(V3<T>{T(0.0f), T(1.0f), T(0.0f)}, in.normal, weight)));
-    V3<T> sole{in.ankle.x, in.ground.y, in.ankle.z};
-    V3<T> standing = sole + rotate(tilt, V3<T>{T(0.0f), in.ankle_height, T(0.0f)});
-    return {mixed(in.ankle, standing, weight), tilt * in.rotation};
+HWY_INLINE Q4<T> flat_on_ground(T normal_x, T normal_z, SineCosine<T> half_yaw) {
+    T one = T(1.0f), zero = T(0.0f);
+    T flat2 = normal_x * normal_x + normal_z * normal_z;
+    T w = one + root(larger(one - flat2, T(0.01f)));
+    T scale = one / root(flat2 + w * w);
+    return turned_y(Q4<T>{normal_z * scale, zero, zero - normal_x * scale, w * scale}, half_yaw);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

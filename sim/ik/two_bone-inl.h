@@ -1,8 +1,9 @@
-// Two-bone inverse kinematics in closed form, over float or Lanes.
+// Two-bone inverse kinematics of a limb in closed form, over float or Lanes.
 //
-// The law of cosines places the middle joint. The plane that the limb bends in is carried along by the
-// shortest arc from hanging to pointing at the target, so it turns smoothly wherever the target goes but
-// straight above. Rotations are built as half-angle quaternions, so no trigonometric function is needed.
+// Half angles of the triangle root, middle, end come from its sides (sin^2(a/2) = (s - b)(s - c) / bc), which
+// is exact near full extension where the law of cosines cancels, and is what quaternions need. The plane that
+// the limb bends in is carried along by the shortest arc from hanging to pointing at the target, so it turns
+// smoothly wherever the target goes but straight above. No trigonometric function is needed.
 #if defined(FLANEUR_SIM_IK_TWO_BONE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLANEUR_SIM_IK_TWO_BONE_INL_H
 #undef FLANEUR_SIM_IK_TWO_BONE_INL_H
@@ -15,91 +16,81 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-// A limb hangs along -y in the canonical pose (see sim/pose/body.h) and looks along +z. Everything in one
-// space.
 template <class T>
-struct TwoBoneInput {
-    V3<T> root;        // hip or shoulder
-    V3<T> target;      // wanted place of ankle or wrist
-    T upper, lower;    // lengths, > 0, metres
-    V3<T> front;       // where the limb's canonical +z looks while it hangs; need not be unit or square to it
-    T bend;            // +1: the middle joint goes towards `front` (knee); -1: away from it (elbow)
-    Q4<T> reference;   // of pelvis or chest: its -y is where the limb hangs, and results are near it
-    T soft = T(0.0f);  // metres before full extension from which the limb gives way, see below; 0: none
+struct LimbSizes {
+    T upper, lower;            // lengths of the bones, a centimetre and more, metres
+    T over_upper, over_lower;  // 1 / (4 length)
 };
-
 template <class T>
-struct TwoBoneOutput {
+HWY_INLINE LimbSizes<T> limb_sizes(T upper, T lower) {
+    return {upper, lower, T(0.25f) / upper, T(0.25f) / lower};
+}
+
+// A limb hangs along -y in the canonical pose (see sim/pose/body.h) and looks along +z. Everything in the
+// caller's frame, from the limb's root.
+template <class T>
+struct Limb {
     V3<T> middle, end;           // knee and ankle; `end` is the target where it can be reached
     Q4<T> upper_rot, lower_rot;  // take the canonical bones to their places
 };
 
-// The rotation with the given axes (orthonormal, right-handed), not of unit length, on the side of
-// `reference`. The outer product q q^T is linear in the matrix of a rotation (Bar-Itzhack 2000), and its
-// product with `reference` lies along q. The diagonal is raised a little so that something is left where q is
-// half a turn away from the reference.
+// Sine and cosine of half the yaw from +z to `front`, times a factor. Not defined for -z.
 template <class T>
-HWY_INLINE Q4<T> rotation_near(Axes<T> a, Q4<T> reference) {
-    V3<T> x = a.x, y = a.y, z = a.z;
-    T one = T(1.000001f);
-    T xx = one + x.x - y.y - z.z, yy = one - x.x + y.y - z.z, zz = one - x.x - y.y + z.z,
-      ww = one + x.x + y.y + z.z;
-    T xy = x.y + y.x, xz = x.z + z.x, yz = y.z + z.y;
-    T xw = y.z - z.y, yw = z.x - x.z, zw = x.y - y.x;
-    Q4<T> r = reference;
-    return {xx * r.x + xy * r.y + xz * r.z + xw * r.w, xy * r.x + yy * r.y + yz * r.z + yw * r.w,
-            xz * r.x + yz * r.y + zz * r.z + zw * r.w, xw * r.x + yw * r.y + zw * r.z + ww * r.w};
+HWY_INLINE SineCosine<T> half_yaw_to(T front_x, T front_z) {
+    T length = root(front_x * front_x + front_z * front_z);
+    return {front_x, larger(length + front_z, T(1e-6f))};
 }
 
-// `q` brought to unit length, however short it is.
-template <class T>
-HWY_INLINE Q4<T> unit_of(Q4<T> q) {
-    T s = T(1.0f) / root(larger(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, T(1e-30f)));
-    return {q.x * s, q.y * s, q.z * s, q.w * s};
-}
-
-// A target beyond reach is pointed at with the limb stretched to 99.95 % of its length; one too close leaves
-// the limb folded to |upper - lower| and a millimetre. Bone lengths are kept whatever the input.
+// `target` is the wanted place of ankle or wrist. `front` is half the yaw at which the limb looks while it
+// hangs: its sine and cosine times any factor in [1e-6, 1e6]. `bend` +1: the middle joint goes to where it
+// looks (knee), -1: away from there (elbow).
 //
-// With `soft` the limb gives way before that: from `soft` short of its reach to `soft` beyond, the distance
-// follows a parabola that begins with slope 1 and ends with slope 0. The knee then opens at an even speed
-// instead of ever faster, and comes to rest without a knock. A target just at the reach is missed by a
-// quarter of `soft`.
+// A target beyond reach is pointed at with the limb stretched to 99.95 % of its length; one too close leaves
+// the limb folded to |upper - lower| and a millimetre. Bone lengths are kept wherever the target is.
+//
+// With `soft` > 0, metres, the limb gives way before that: from `soft` short of its reach to `soft` beyond,
+// the distance follows a parabola that begins with slope 1 and ends with slope 0. The knee then opens at an
+// even speed instead of ever faster, and comes to rest without a knock. A target just at the reach is missed
+// by a quarter of `soft`.
 template <class T>
-HWY_INLINE TwoBoneOutput<T> two_bone(const TwoBoneInput<T>& in) {
-    // Canonical +x is (+y) x (+z) = (-down) x front; a little of the reference's own where these are
-    // parallel.
-    Axes<T> axes = axes_of(in.reference);
-    V3<T> down = axes.y * T(-1.0f);
-    V3<T> hanging_hinge = unit(cross(in.front, down) + axes.x * T(1e-5f));
+HWY_INLINE Limb<T> two_bone(V3<T> target, SineCosine<T> front, const LimbSizes<T>& size, float bend,
+                            float soft) {
+    T u = size.upper, l = size.lower, one = T(1.0f);
+    target.y = target.y - T(1e-18f);  // lost in rounding, but gives the zero vector a direction
+    T distance = root(dot(target, target));
+    T reach = (u + l) * T(0.9995f), d = distance;
+    if (soft > 0) {
+        T excess = clamped(distance - (reach - T(soft)), T(0.0f), T(2 * soft));
+        d = smaller(distance, reach + T(soft)) - excess * excess * T(0.25f / soft);
+    }
+    d = clamped(d, absolute(u - l) + T(1e-3f), reach);
+    T inverse = one / (distance * d);  // one division for two
+    T over_d = inverse * distance;
+    V3<T> direction = target * (inverse * d);
 
-    V3<T> to_target = in.target - in.root;
-    T distance = root(larger(dot(to_target, to_target), T(1e-12f)));
-    T reach = (in.upper + in.lower) * T(0.9995f);
-    T fold = absolute(in.upper - in.lower) + T(1e-3f);
-    T soft = larger(in.soft, T(1e-7f));
-    T inverse = T(1.0f) / (distance * soft);  // one division for two
-    V3<T> direction = to_target * (inverse * soft);
-    T excess = clamped(distance - (reach - soft), T(0.0f), soft + soft);
-    T give = excess * excess * T(0.25f) * (inverse * distance);
-    T d = larger(smaller(distance, reach + soft) - give, fold);
+    T short_d = u + l - d, short_l = u + d - l, short_u = l + d - u;
+    T a2 = short_u * short_d * over_d * size.over_upper, b2 = short_l * short_d * over_d * size.over_lower;
+    SineCosine<T> a{root(a2), root(larger(one - a2, T(0.0f)))};
+    SineCosine<T> b{root(b2), root(larger(one - b2, T(0.0f)))};
 
-    // The shortest arc from `down` to `direction` is, for what is square to `down`, a mirror square to their
-    // sum: lengths stay whatever the rounding.
-    V3<T> sum = down + direction;
-    T sum2 = dot(sum, sum);
-    T across = dot(direction, hanging_hinge) * T(2.0f) / larger(sum2, T(1e-10f));
-    V3<T> hinge = hanging_hinge - sum * select(sum2 > T(1e-10f), across, T(0.0f));
-    V3<T> ahead = cross(direction, hinge);
+    // The arc is (-y x direction, 1 - direction.y), times 1 + direction.y above the root, where 1 -
+    // direction.y cancels. It follows the yaw; both are brought to length 1 at once.
+    T flat2 = direction.x * direction.x + direction.z * direction.z;
+    auto above = direction.y > T(0.0f);
+    T k = select(above, one + direction.y, one), w = select(above, flat2, one - direction.y);
+    T x = T(1e-12f) - direction.z * k, z = direction.x * k;
+    T norm = (x * x + z * z + w * w) * (front.sine * front.sine + front.cosine * front.cosine);
+    T scale = one / root(norm);
+    T s = front.sine * scale, c = front.cosine * scale;
+    Q4<T> straight{x * c - z * s, w * s, z * c + x * s, w * c};
+    V3<T> ahead = axes_of(straight).z;
 
-    T along = (in.upper * in.upper - in.lower * in.lower + d * d) / (d + d);
-    T height = root(larger(in.upper * in.upper - along * along, T(0.0f))) * in.bend;
-    TwoBoneOutput<T> out;
-    out.middle = in.root + direction * along + ahead * height;
-    out.end = in.root + direction * d;
-    Q4<T> straight = rotation_near(Axes<T>{hinge, direction * T(-1.0f), ahead}, in.reference);
-    out.upper_rot = unit_of(turned_x(straight, {-height, in.upper + along}));
-    out.lower_rot = unit_of(turned_x(straight, {height, in.lower + d - along}));
+    Limb<T> out;
+    SineCosine<T> whole = doubled(a);
+    out.middle = direction * (u * whole.cosine) + ahead * (u * whole.sine * T(bend));
+    out.end = direction * d;
+    out.upper_rot = turned_x(straight, {a.sine * T(-bend), a.cosine});
+    out.lower_rot = turned_x(straight, {b.sine * T(bend), b.cosine});
     return out;
 }
 

@@ -9,6 +9,7 @@
 #include "sim/base/vec-inl.h"
 #include "sim/gait/curves-inl.h"
 #include "sim/gait/gait.h"
+#include "sim/ik/foot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
@@ -129,10 +130,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T nx = mixed(at<T>(f.from.normal_x + lane), at<T>(f.to.normal_x + lane), way);
     T nz = mixed(at<T>(f.from.normal_z + lane), at<T>(f.to.normal_z + lane), way);
 
-    // The shortest way from up to the normal, after the yaw.
-    T w = one + root(larger(one - nx * nx - nz * nz, T(0.01f)));
-    T scale = one / root(nx * nx + nz * nz + w * w);
-    out.flat = turned_y(Q4<T>{nz * scale, zero, zero - nx * scale, w * scale}, sine_cosine(yaw * T(0.5f)));
+    out.flat = flat_on_ground(nx, nz, sine_cosine(yaw * T(0.5f)));
     Axes<T> axes = axes_of(out.flat);
     out.up = axes.y;
     out.ahead = axes.z;
@@ -141,7 +139,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     out.knee = doubled(half_turn(knee)).cosine;
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
     out.slack = select(planted, out.leaving * T(0.03f),
-                       T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) + T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u)));
+                       T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
+                           T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u)));
     return out;
 }
 

@@ -6,7 +6,8 @@
 #define FLANEUR_SIM_POSE_TRUNK_INL_H
 #endif
 
-#include "sim/ik/limb-inl.h"
+#include "sim/ik/aim-inl.h"
+#include "sim/ik/two_bone-inl.h"
 #include "sim/pose/foot-inl.h"
 #include "sim/pose/pose.h"
 
@@ -97,6 +98,11 @@ HWY_INLINE Q4<T> blended(Q4<T> a, Q4<T> b, T t) {
     return unit(Q4<T>{a.x * s + b.x * r, a.y * s + b.y * r, a.z * s + b.z * r, a.w * s + b.w * r});
 }
 
+// Half the yaw of the elbow's plane while the arm hangs, and how early the arm gives way before it is
+// straight.
+inline constexpr float k_elbow_out_sine = 0.1675f, k_elbow_out_cosine = 0.9859f;  // of 19 degrees
+inline constexpr float k_arm_soft = 0.004f;
+
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, in the frame of the chest, or a place on a wall;
 // two-bone IK brings it there.
@@ -104,7 +110,7 @@ template <class T>
 HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
                           V3<T> chest_at, Q4<T> chest_rot, V3<T> chest_place, const Trunk<T>& trunk,
                           const Harmonics<T, 3>& cycle) {
-    T zero = T(0.0f), one = T(1.0f);
+    T zero = T(0.0f);
     V3<T> clavicle = joint_place<T>(p, left_shoulder, lane),
           shoulder = joint_place<T>(p, left_upper_arm, lane);
     T elbow_height = at<T>(p.joints[left_lower_arm][1] + lane);
@@ -151,8 +157,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
             wrist = mixed(wrist, V3<T>{dot(to, chest.x), dot(to, chest.y), dot(to, chest.z)}, reach);
         }
         // The elbow points back and a little out.
-        V3<T> front{T(-0.35f * mirror), zero, one};
-        Limb<T> limb = solve_limb(wrist, front, size, -1.0f);
+        SineCosine<T> front{T(k_elbow_out_sine * -mirror), T(k_elbow_out_cosine)};
+        Limb<T> limb = two_bone(wrist, front, size, -1.0f, k_arm_soft);
         auto placed = [&](V3<T> v) { return shoulder_at + chest.x * v.x + chest.y * v.y + chest.z * v.z; };
         Q4<T> lower_rot = chest_rot * limb.lower_rot;
         set_joint(out, joint + 1, lane, shoulder_at, chest_rot * limb.upper_rot);
@@ -168,20 +174,25 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     }
 }
 
+// Chest, neck and head share the turn to what is looked at.
+inline constexpr AimJoint k_look[3] = {
+    {0.08f, 0.30f, 0.2f, 0.2f}, {0.37f, 0.55f, 0.4f, 0.4f}, {0.55f, 0.80f, 0.5f, 0.5f}};
+
 // Each joint of the spine turns back a little more against the pelvis, so that the chest turns the other way
 // and the head keeps still.
 template <class T>
 HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
                            const Trunk<T>& trunk, const Harmonics<T, 3>& cycle) {
     T one = T(1.0f);
-    T look = at<T>(g.look + lane);
+    T look[3];  // of chest, neck and head
+    share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
     T lean = trunk.lean * mixed(T(0.4f), one, trunk.amplitude);
     SineCosine<T> half_lean = half_turn(lean);
-    Q4<T> chest_rot = turned_yzx(plus(trunk.heading.half, half_turn(trunk.turn * T(0.4f) + look * T(0.08f))),
+    Q4<T> chest_rot = turned_yzx(plus(trunk.heading.half, half_turn(trunk.turn * T(0.4f) + look[0])),
                                  half_turn(trunk.list * T(-0.2f)), half_lean);
     Q4<T> neck_rot = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one}, half_turn(lean * T(0.55f)));
-    neck_rot = after_y(plus(trunk.heading.half, half_turn(look * T(0.45f))), neck_rot);
-    SineCosine<T> gaze = plus(trunk.heading.half, half_turn(look));
+    neck_rot = after_y(plus(trunk.heading.half, half_turn(look[1])), neck_rot);
+    SineCosine<T> gaze = plus(trunk.heading.half, half_turn(look[2]));
     Q4<T> head_rot{T(0.0f), gaze.sine, T(0.0f), gaze.cosine};
 
     const Q4<T> rotations[] = {trunk.rotation,

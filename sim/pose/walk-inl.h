@@ -6,7 +6,7 @@
 #define FLANEUR_SIM_POSE_WALK_INL_H
 #endif
 
-#include "sim/ik/limb-inl.h"
+#include "sim/ik/two_bone-inl.h"
 #include "sim/pose/foot-inl.h"
 #include "sim/pose/trunk-inl.h"
 
@@ -115,7 +115,8 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         turned_yzx(plus(heading.half, half_turn(zero - turn)), half_turn(list), half_turn(lean * T(0.3f)));
     pelvis.axes = axes_of(pelvis.rotation);
     T surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * amplitude;
-    pelvis.place = along(heading, V3<T>{sway, zero, surge}) + V3<T>{at<T>(g.x + lane), zero, at<T>(g.z + lane)};
+    pelvis.place =
+        along(heading, V3<T>{sway, zero, surge}) + V3<T>{at<T>(g.x + lane), zero, at<T>(g.z + lane)};
     V3<T> aside = pelvis.axes.x * hip_place.x;
     V3<T> middle =
         pelvis.axes.y * (hip_place.y - hips_place.y) + pelvis.axes.z * (hip_place.z - hips_place.z);
@@ -139,13 +140,14 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         int joint = side == k_left ? left_upper_leg : right_upper_leg;
         const Foot<T>& foot = feet[side];
         V3<T> hip = pelvis.place + pelvis.to_hip[side], ankle = ankle_of(foot);
-        V3<T> front = pelvis.axes.z + foot.ahead;
-        Limb<T> limb = solve_limb(against(heading, ankle - hip), against(heading, front), leg, 1.0f);
-        V3<T> reached = hip + along(heading, limb.end);
+        // The knee looks where pelvis and foot do; never backwards in the frame of the body.
+        V3<T> front = against(heading, pelvis.axes.z + foot.ahead);
+        Limb<T> limb =
+            two_bone(ankle - hip, plus(heading.half, half_yaw_to(front.x, front.z)), leg, 1.0f, 0.0f);
+        V3<T> reached = hip + limb.end;
         Q4<T> rotation = turned_x(foot.flat, foot.half);
-        set_joint(out, joint, lane, hip, after_y(heading.half, limb.upper_rot));
-        set_joint(out, joint + 1, lane, hip + along(heading, limb.middle),
-                  after_y(heading.half, limb.lower_rot));
+        set_joint(out, joint, lane, hip, limb.upper_rot);
+        set_joint(out, joint + 1, lane, hip + limb.middle, limb.lower_rot);
         set_joint(out, joint + 2, lane, reached, rotation);
         set_joint(out, joint + 3, lane, ball_of(foot, foot_size, reached),
                   turned_x(foot.flat, foot.toe_half));

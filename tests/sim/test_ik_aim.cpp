@@ -1,4 +1,4 @@
-// Aiming, and feet on the ground.
+// Aiming, and feet flat on the ground.
 #include <gtest/gtest.h>
 
 #include "sim/base/math.h"
@@ -18,7 +18,7 @@ Vector direction_from(RandomKey key, uint32_t k) {
 }
 
 // Chest, neck and head.
-constexpr AimJoint<float> k_chain[3] = {
+constexpr AimJoint k_chain[3] = {
     {0.2f, 0.5f, 0.25f, 0.3f}, {0.3f, 0.5f, 0.35f, 0.3f}, {0.5f, 0.8f, 0.5f, 0.5f}};
 constexpr float k_most_yaw = 1.8f, k_most_up = 1.1f, k_most_down = 1.1f;  // of all three
 
@@ -26,6 +26,7 @@ struct Angles {
     float yaw, pitch;
 };
 Angles angles_of(Vector v) { return {arctan2(v.x, v.z), arctan2(v.y, std::sqrt(v.x * v.x + v.z * v.z))}; }
+float length_of(Q4<float> q) { return std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w); }
 Vector looks(Q4<float> q) { return rotate(q, Vector{0, 0, 1}); }
 
 TEST(Aim, PointsAtWhatItsLimitsAllowAndKeepsThem) {
@@ -90,31 +91,27 @@ TEST(Aim, MirrorsLeftAndRight) {
     }
 }
 
-TEST(FootOnGround, StandsOnItWithinHalfTheRangeAndEasesOut) {
+TEST(FlatOnGround, StandsOnTheNormalAndLooksAlongTheYaw) {
     for (uint32_t i = 0; i < 100000; ++i) {
         RandomKey key{44, i};
         Vector normal =
-            unit(Vector{random_between(key, -0.4f, 0.4f), 1, random_between(key, -0.4f, 0.4f, 1)});
-        FootInput<float> in{{0.1f, 0.08f, 0.2f},
-                            {0, 0, 0, 1},
-                            0.08f,
-                            {0.1f, random_between(key, -0.3f, 0.3f, 2), 0.2f},
-                            normal,
-                            0.2f};
-        FootOutput<float> out = foot_on_ground(in);
-        float gap = std::fabs(in.ground.y);
-        if (gap < 0.1f) {
-            Vector up = rotate(out.rotation, Vector{0, 1, 0});
-            ASSERT_LT(length(up - normal), 1e-5f);
-            ASSERT_LT(length(out.ankle - up * 0.08f - in.ground), 1e-6f);
-        } else if (gap > 0.2f) {
-            ASSERT_LT(length(out.ankle - in.ankle), 1e-6f);
-            ASSERT_EQ(out.rotation.w, 1);
-        }
-        FootInput<float> next = in;
-        next.ground.y += 1e-3f;
-        ASSERT_LT(length(foot_on_ground(next).ankle - out.ankle), 5e-3f);
+            unit(Vector{random_between(key, -0.8f, 0.8f), 1, random_between(key, -0.8f, 0.8f, 1)});
+        float yaw = random_between(key, -3, 3, 2);
+        SineCosine<float> half = sine_cosine(yaw * 0.5f);
+        Q4<float> q = flat_on_ground(normal.x, normal.z, half);
+        ASSERT_NEAR(length_of(q), 1, 1e-6f);
+        ASSERT_LT(length(rotate(q, Vector{0, 1, 0}) - normal), 1e-5f);
+        Vector ahead = rotate(q, Vector{0, 0, 1});
+        Vec3 level = rotate(rotation_between({normal.x, normal.y, normal.z}, {0, 1, 0}),
+                            Vec3{ahead.x, ahead.y, ahead.z});
+        ASSERT_NEAR(level.x, sin_cos(yaw).sine, 1e-5f);
+        ASSERT_NEAR(level.z, sin_cos(yaw).cosine, 1e-5f);
+        // A little more slope turns it by a little.
+        Q4<float> next = flat_on_ground(normal.x + 1e-3f, normal.z, half);
+        ASSERT_LT(length(rotate(next, Vector{0, 0, 1}) - rotate(q, Vector{0, 0, 1})), 2e-3f);
     }
+    Q4<float> wall = flat_on_ground(2.0f, 3.0f, SineCosine<float>{0, 1});  // not a normal
+    EXPECT_NEAR(length_of(wall), 1, 1e-6f);
 }
 
 }  // namespace

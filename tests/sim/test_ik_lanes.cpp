@@ -32,33 +32,18 @@ HWY_INLINE void closed_forms(Samples& s, size_t lane) {
     auto put = [&](T value) { store(value, s.out[n++] + lane); };
     auto put_point = [&](V3<T> p) { put(p.x), put(p.y), put(p.z); };
     auto put_turn = [&](Q4<T> q) { put(q.x), put(q.y), put(q.z), put(q.w); };
-    T one = T(1.0f);
-    Q4<T> reference = unit(Q4<T>{v[0], v[1], v[2], one});
-    TwoBoneOutput<T> limb = two_bone(TwoBoneInput<T>{{v[3], v[4], v[5]},
-                                                     {v[6], v[7], v[8]},
-                                                     absolute(v[9]) + T(0.1f),
-                                                     absolute(v[10]) + T(0.1f),
-                                                     {v[11], v[12], one},
-                                                     one,
-                                                     reference,
-                                                     absolute(v[13]) * T(0.1f)});
+    Limb<T> limb = two_bone(V3<T>{v[3], v[4], v[5]}, half_yaw_to(v[6], v[7]),
+                            limb_sizes(absolute(v[9]) + T(0.1f), absolute(v[10]) + T(0.1f)), 1.0f, 0.05f);
     put_point(limb.middle);
     put_point(limb.end);
     put_turn(limb.upper_rot);
     put_turn(limb.lower_rot);
-    AimJoint<T> chain[2] = {{T(0.4f), T(0.6f), T(0.4f), T(0.3f)}, {T(0.6f), T(0.9f), T(0.5f), T(0.5f)}};
+    constexpr AimJoint chain[2] = {{0.4f, 0.6f, 0.4f, 0.3f}, {0.6f, 0.9f, 0.5f, 0.5f}};
     Q4<T> turns[2];
     aim(chain, V3<T>{v[14], v[15], v[16]}, turns);
     put_turn(turns[0]);
     put_turn(turns[1]);
-    FootOutput<T> foot = foot_on_ground(FootInput<T>{{v[17], v[18], v[19]},
-                                                     reference,
-                                                     T(0.1f),
-                                                     {v[17], v[20] * T(0.3f), v[19]},
-                                                     unit(V3<T>{v[21] * T(0.3f), one, v[22] * T(0.3f)}),
-                                                     T(0.3f)});
-    put_point(foot.ankle);
-    put_turn(foot.rotation);
+    put_turn(flat_on_ground(v[21] * T(0.6f), v[22] * T(0.6f), sine_cosine(v[8] * T(3.0f))));
 }
 
 void closed_forms_on_lanes(Samples& s) {
