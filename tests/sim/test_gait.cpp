@@ -61,7 +61,8 @@ Watched watch(const City& city, float seconds, const std::function<Drive(float)>
     Vec2 velocity, wish;
     RootMotion root{&position, &velocity, &heading, &turn_rate, &wish};
     Gait gait;
-    start_gait(gait, 1, bodies, &body, &scale, root, city, 11);
+    Manner middle;
+    start_gait(gait, 1, bodies, &body, &scale, root, city, 11, &middle);
     std::vector<PoseBlock> poses(1);
 
     Watched seen;
