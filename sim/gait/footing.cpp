@@ -117,24 +117,40 @@ Footing find_footing(const City& city, const Place& wanted, const FootSize& size
     return {place, true, false, true};
 }
 
-float obstacle_between(const City& city, const Place& from, const Place& to, const FootSize& size) {
-    // On the level the middle of the way tells enough; between levels toes and heel have to pass the edges.
-    bool level = std::fabs(to.position.y - from.position.y) < k_level;
-    constexpr float k_level_samples[] = {0.3f, 0.5f, 0.7f},
-                    k_samples[] = {0.2f, 0.35f, 0.5f, 0.65f, 0.75f, 0.84f};
-    const float* samples = level ? k_level_samples : k_samples;
-    bool up = to.position.y > from.position.y;
-    Vec2 way = normalize_or(on_ground(to.position - from.position), {0, 1});
+// The way of a swing and its height above the straight one, at share u, as pose_foot has it.
+struct SwingPoint {
+    Vec3 at;
+    float hop;
+};
+static SwingPoint swing_point(const Place& from, const Place& to, float u) {
     auto eased = [](float t) { return smoothstep(0, 1, t); };
+    float rest = 1 - u, hop = 16 * u * u * rest * rest;
+    Vec3 far = to.position - from.position;
+    float nx = (from.normal.x + to.normal.x) * 0.5f, nz = (from.normal.z + to.normal.z) * 0.5f;
+    float step = far.y + (nx * far.x + nz * far.z) * (1 + 0.5f * (nx * nx + nz * nz));
+    float height = std::fabs(step), steep = smoothstep(k_step_0, k_step_1, height), v = step > 0 ? u : rest;
+    float slope2 = step * step / (far.x * far.x + far.z * far.z + 0.01f);
+    float waits = step > 0 ? steep : std::min(k_step_waits * slope2, 1.0f) * steep;
+    float onward = eased((v - k_step_wait) / (1 - k_step_wait)),
+          upward = eased(v / std::min(k_step_climbs + height, 1.0f));
+    float way = eased(u) - k_way_late * u * u * u * u * u * u * rest * rest - k_way * hop;
+    way = lerp(way, step > 0 ? onward : 1 - onward, waits);
+    float climb = lerp(way, step > 0 ? upward : 1 - upward, steep);
+    return {from.position + Vec3{far.x * way, far.y * way + step * (climb - way), far.z * way}, hop};
+}
+
+float obstacle_between(const City& city, const Place& from, const Place& to, const FootSize& size) {
+    constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
+    Vec2 way = normalize_or(on_ground(to.position - from.position), {0, 1});
     float most = 0;
-    for (int i = 0; i < (level ? 3 : 6); ++i) {
-        float u = samples[i], rest = 1 - u, hop = 16 * u * u * rest * rest;
-        float climb = eased(up ? u * 1.6f : u * 1.6f - 0.6f);
-        float along = eased(u) - k_way_late * u * u * u * u * u * rest * rest * rest - k_way * hop;
-        Vec3 at = lerp(from.position, to.position, along);
-        at.y = lerp(from.position.y, to.position.y, climb);
-        auto hit = under(city, ahead_by(at, way, up || level ? size.tip : -size.heel));
-        if (hit) most = std::max(most, (hit->height - at.y) / hop);
+    for (float u : k_samples) {
+        SwingPoint point = swing_point(from, to, u);
+        // The heel is high after it has left, and when it steps down.
+        for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
+            auto hit = under(city, ahead_by(point.at, way, along));
+            float lift = along < 0 && to.position.y < from.position.y - 0.07f ? 0.04f : 0;
+            if (hit) most = std::max(most, (hit->height - point.at.y - lift) / point.hop);
+        }
     }
     return std::min(most, 0.35f);
 }

@@ -73,11 +73,20 @@ inline constexpr float k_surge_cosine = 0.01026f, k_surge_sine = -0.01261f;
 // Arms swing twice a stride where feet stand longer than at a natural speed by these shares of the cycle
 // (0.75 m/s).
 inline constexpr float k_arms_twice_0 = 0.028f, k_arms_twice_1 = 0.036f;
-inline constexpr float k_forefoot_pitch = -0.2f;  // of a foot that lands on its ball, radians
+inline constexpr float k_forefoot_pitch = -0.25f;  // of a foot that lands on its ball, radians
+
+// A swing to another level has climbed by a share of its time that grows by the metres climbed, and waits
+// before it goes on; the other way round down, where it waits only where the way is steep (times its slope
+// squared). From these heights on (metres) it is one.
+inline constexpr float k_step_climbs = 0.34f, k_step_wait = 0.22f, k_step_waits = 12;
+inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 
 // A run at 3.1 m/s: knee 94 degrees in the swing, elbow 106.
-inline constexpr float k_heel_kick = 8;
-inline constexpr float k_run_knee_cosine = 0.90f, k_bounce = 0.038f;  // in mid-stance; metres
+// Radians by which its heel rises further before toe-off. Its swing: metres by which the heel rises, metres
+// and shares of the way that the foot takes along from its push and brings down into the landing.
+inline constexpr float k_heel_kick = 4, k_run_heel = 0.42f, k_run_rise = 0.44f, k_run_fall = 0.3f,
+                       k_run_way = 0.25f;
+inline constexpr float k_run_knee_cosine = 0.62f, k_bounce = 0.027f;  // of the mean height; metres
 inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;       // radians
 
 // A hand on a wall: how far its fingers lean ahead (half of 0.7 rad), and from the wrist's axis to the palm,

@@ -24,6 +24,7 @@ static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
 static constexpr float k_rise = 4.5f;         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;           // 1/s, the least such rate when standing
+static constexpr float k_drop = 0.07f;        // metres down, from which on a foot lands on its ball
 static constexpr float k_just_below = 1e-4f;  // of the phase
 static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
 
@@ -140,7 +141,8 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];
         if (foot.swinging[lane]) {
-            float forefoot = g.tread[lane] > 0 ? 1.0f : 0.6f * g.running[lane];
+            bool drops = foot.goal.y[lane] < foot.from.y[lane] - k_drop;
+            float forefoot = g.tread[lane] > 0 || drops ? 1.0f : 0.6f * g.running[lane];
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             phase = std::max(phase + f * s.dt, duty);
             if (phase >= 1) {
@@ -233,7 +235,7 @@ float carrying_height(const GaitBlock& g, int lane) {
     float from = both ? lerp(l.from.y[lane], r.from.y[lane], 0.5f) : stands.from.y[lane];
     float to = both ? lerp(l.to.y[lane], r.to.y[lane], 0.5f) : swings.to.y[lane];
     float duty = g.duty[lane];
-    float u = smoothstep(duty, lerp(duty, 1, 0.85f), swings.phase[lane]);
+    float u = smoothstep(duty, lerp(duty, 1, 0.6f), swings.phase[lane]);
     return both || to < from ? lerp(from, to, u) : from;
 }
 

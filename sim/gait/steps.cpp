@@ -9,7 +9,7 @@ namespace flaneur {
 
 static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
 static constexpr float k_lead = 0.4043f;      // share of a foot's time on the ground before the hip passes it
-static constexpr float k_run_lead = 0.36f;    // the same of a run
+static constexpr float k_run_lead = 0.30f;    // the same of a run
 static constexpr float k_reaction = 2.2f;     // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
@@ -21,6 +21,7 @@ static constexpr float k_following = 13;      // 1/s, of the landing place towar
 static constexpr float k_most_twist = 0.75f;  // radians of a leg, before its foot turns on the ball
 static constexpr float k_stair = 0.07f;       // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
+static constexpr float k_off_riser = 0.02f;                              // metres
 static constexpr float k_reach_treads = 1.0f;                            // metres
 
 Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
@@ -110,7 +111,8 @@ void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wi
         return;
     }
     float along = dot(on_ground(wished.position - there.position), way);
-    float low = next.begin + size.heel + 0.02f, high = next.end - size.tip;
+    float low = next.begin + size.heel + k_off_riser,
+          high = next.end - size.tip - (next.down ? 0 : k_off_riser);
     // Down, the toes come near the next edge, and the heel passes clear of the last one.
     float fit = next.down    ? clamp(along + k_clear_of_edge, low, std::max(low, high))
                 : low < high ? clamp(along, low, high)

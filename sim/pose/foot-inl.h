@@ -88,6 +88,11 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     pitch = select(pitch > zero, pitch * T(k_heel_strike), pitch);
     T rises = ramp(T(0.36f), T(0.48f), norm) * (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
     pitch = pitch - rises * T(k_heel_rise) * s.ahead;
+    if (any(s.running > zero)) {
+        T more = s.running * T(k_run_heel) *
+                 select(planted, ramp(T(0.26f), T(k_norm_toe_off), norm), one - ramp(zero, T(0.7f), u));
+        pitch = select(s.running > zero, pitch - more, pitch);
+    }
     // One who lands on the forefoot points the foot down before and sets the heel down after.
     T landing = select(planted, one - ramp(zero, T(0.16f), norm), ramp(T(0.45f), T(0.9f), u)) *
                 at<T>(f.forefoot + lane);
@@ -112,6 +117,10 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
         hop * T(0.05f),
         (T(k_clear_early) + T(k_heel_kick) * s.running) * square * rest * rest * rest + T(k_clear) * hop,
         s.amplitude);
+    if (any(s.running > zero)) {
+        T rising = u * rest * rest * rest * rest * T(k_run_rise), falling = u * u * rest * T(k_run_fall);
+        clearance = select(s.running > zero, clearance + s.running * (rising + falling), clearance);
+    }
     out.ankle_up = over + clearance;
 
     T back = size.ankle * sine;
@@ -119,16 +128,36 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T from_ball = size.ball - size.ball * cosine - back;
     out.ankle_ahead = mixed(from_ball, from_heel, select(planted, select(toes_up, one, zero), eased(u)));
 
-    // The way from place to place. A foot climbs early and comes down late.
-    T from_y = at<T>(f.from.y + lane), to_y = at<T>(f.to.y + lane);
+    // The way from place to place: along the ground's slope, and over its steps.
+    T from_x = at<T>(f.from.x + lane), from_y = at<T>(f.from.y + lane), from_z = at<T>(f.from.z + lane);
+    T far_x = at<T>(f.to.x + lane) - from_x, far_z = at<T>(f.to.z + lane) - from_z;
+    T rise = at<T>(f.to.y + lane) - from_y;
+    T from_nx = at<T>(f.from.normal_x + lane), from_nz = at<T>(f.from.normal_z + lane);
+    T far_nx = at<T>(f.to.normal_x + lane) - from_nx, far_nz = at<T>(f.to.normal_z + lane) - from_nz;
     T way = eased(u) - T(k_way_late) * square * (u * u) * (u * u) - T(k_way) * hop;
-    T climb = select(to_y > from_y, eased(u * T(1.6f)), eased(u * T(1.6f) - T(0.6f)));
-    out.place = {mixed(at<T>(f.from.x + lane), at<T>(f.to.x + lane), way),
-                 mixed(from_y, to_y, climb) + at<T>(f.obstacle + lane) * hop + s.lift,
-                 mixed(at<T>(f.from.z + lane), at<T>(f.to.z + lane), way)};
+    way = way + s.running * T(k_run_way) * u * rest * rest * rest;
+    T climb = way;
+    // A foot climbs before it goes on, so that its toes pass the edges, and goes on before it comes down, so
+    // that its heel does.
+    T mean_nx = from_nx + far_nx * T(0.5f), mean_nz = from_nz + far_nz * T(0.5f);
+    T step = rise +
+             (mean_nx * far_x + mean_nz * far_z) * (one + T(0.5f) * (mean_nx * mean_nx + mean_nz * mean_nz));
+    T height = larger(step, zero - step), steep = ramp(T(k_step_0), T(k_step_1), height);
+    if (any(steep > zero)) {
+        auto up = step > zero;
+        T v = select(up, u, rest), climbs = smaller(T(k_step_climbs) + height, one);
+        T far2 = far_x * far_x + far_z * far_z + T(0.01f);
+        T waits = select(up, steep, smaller(T(k_step_waits) * step * step / far2, one) * steep);
+        T onward = eased((v - T(k_step_wait)) * T(1 / (1 - k_step_wait))), upward = eased(v / climbs);
+        way = select(steep > zero, mixed(way, select(up, onward, one - onward), waits), way);
+        climb = select(steep > zero, mixed(climb, select(up, upward, one - upward), steep), climb);
+    }
+    T over_step = select(steep > zero, step * (climb - way), zero);
+    out.place = {from_x + far_x * way,
+                 from_y + rise * way + over_step + at<T>(f.obstacle + lane) * hop + s.lift,
+                 from_z + far_z * way};
     T yaw = mixed(at<T>(f.from.yaw + lane), at<T>(f.to.yaw + lane), way);
-    T nx = mixed(at<T>(f.from.normal_x + lane), at<T>(f.to.normal_x + lane), way);
-    T nz = mixed(at<T>(f.from.normal_z + lane), at<T>(f.to.normal_z + lane), way);
+    T nx = from_nx + far_nx * way, nz = from_nz + far_nz * way;
 
     out.flat = flat_on_ground(nx, nz, sine_cosine(yaw * T(0.5f)));
     Axes<T> axes = axes_of(out.flat);
