@@ -157,6 +157,66 @@ HWY_INLINE void fabrik_limited(V3<T>* p, const T* bones, const T* limits, V3<T> 
     }
 }
 
+// A hinge bends its bone against the one before by `low` to `high` about its axis, right-handed; radians,
+// within half a turn of each other.
+template <class T>
+struct HingeLimit {
+    SineCosine<T> middle;
+    T cosine;  // of half the range
+};
+template <class T>
+HWY_INLINE HingeLimit<T> hinge_limit(T low, T high) {
+    return {sine_cosine((low + high) * T(0.5f)), sine_cosine((high - low) * T(0.5f)).cosine};
+}
+
+// The unit vector along `a` in the plane of unit vector `hinge`, brought into the limit against `before`,
+// which is unit and lies in that plane. `sense` -1: `before` is the bone that comes after.
+template <class T>
+HWY_INLINE V3<T> within_hinge(V3<T> a, V3<T> before, V3<T> hinge, HingeLimit<T> limit, float sense) {
+    V3<T> middle = before * limit.middle.cosine + cross(hinge, before) * (limit.middle.sine * T(sense));
+    V3<T> side = cross(hinge, middle);
+    T along = dot(a, middle), across = dot(a, side), length2 = along * along + across * across;
+    auto none = length2 < T(1e-14f);
+    T scale = T(1.0f) / root(select(none, T(1.0f), length2));
+    along = select(none, T(1.0f), along * scale);
+    across = select(none, T(0.0f), across * scale);
+    T sine = root(larger(T(1.0f) - limit.cosine * limit.cosine, T(0.0f)));
+    auto over = along < limit.cosine;
+    T rim = select(across < T(0.0f), T(0.0f) - sine, sine);
+    return middle * select(over, limit.cosine, along) + side * select(over, rim, across);
+}
+
+// As fabrik, for a chain of hinges about one axis, such as a finger: `hinge`, unit. Joint i bends bone i
+// against the bone before it within limits[i], bone 0 against `axis`, unit and square to the hinge. The chain
+// comes to lie in the plane of the hinge through p[0] and goes for the point of that plane next to `target`;
+// limits hold to rounding. Start from a pose within them: in a plane a chain cannot go around what bars its
+// way. From the middle of the ranges of random fingers of 2 to 9 bones 81 % of the reachable targets are
+// reached in 50 iterations.
+template <class T>
+HWY_INLINE void fabrik_hinged(V3<T>* p, const T* bones, const HingeLimit<T>* limits, V3<T> hinge, V3<T> axis,
+                              int joints, V3<T> target, T soft, int iterations) {
+    target = target - hinge * dot(target - p[0], hinge);
+    Line<T> line = line_to(p, bones, joints, target, soft);
+    target = p[0] + line.way * smaller(line.distance, line.length);
+    int last = joints - 1;
+    for (int k = 0; k < iterations; ++k) {
+        V3<T> at = target;
+        V3<T> inner = target - p[last - 1];
+        inner = within_hinge(inner, axis, hinge, HingeLimit<T>{{T(0.0f), T(1.0f)}, T(-1.0f)}, 1.0f);
+        for (int i = last - 1; i > 0; --i) {
+            p[i] = at = at - inner * bones[i];
+            inner = within_hinge(at - p[i - 1], inner, hinge, limits[i], -1.0f);
+        }
+        at = p[0];
+        V3<T> outer = axis;
+        for (int i = 1; i <= last; ++i) {
+            V3<T> wanted = i < last ? p[i] : target;
+            outer = within_hinge(wanted - at, outer, hinge, limits[i - 1], 1.0f);
+            p[i] = at = at + outer * bones[i - 1];
+        }
+    }
+}
+
 }  // namespace flaneur::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -205,5 +205,68 @@ TEST(Fabrik, KeepsItsLimits) {
     EXPECT_GT(reached, 0.9 * possible);
 }
 
+TEST(Fabrik, KeepsItsHinges) {
+    int reached = 0, possible = 0;
+    for (uint32_t i = 0; i < 100000; ++i) {
+        RandomKey key{27, i};
+        Chain c = random_chain(key, 3 + static_cast<int>(i % 8));
+        Vector hinge = direction_from(key, 3000), axis = unit(cross(hinge, direction_from(key, 3003)));
+        // Ranges as of fingers and knees, from a little back to far ahead, and a pose within them.
+        HingeLimit<float> limits[k_most_chain_joints];
+        float low[k_most_chain_joints], high[k_most_chain_joints];
+        Chain goal = c;
+        Vector resting = axis;
+        float turn = 0;
+        for (int j = 0; j + 1 < c.joints; ++j) {
+            auto k = static_cast<uint32_t>(j) * 4;
+            low[j] = random_between(key, -20 * k_radians, 0, 3006 + k);
+            high[j] = random_between(key, 50 * k_radians, 120 * k_radians, 3007 + k);
+            float middle = (low[j] + high[j]) / 2, half = (high[j] - low[j]) / 2;
+            limits[j] = hinge_limit(low[j], high[j]);
+            turn += middle + half * random_between(key, -0.5f, 0.5f, 3008 + k);
+            SinCos s = sin_cos(turn);
+            Vector bone = axis * s.cosine + cross(hinge, axis) * s.sine;
+            goal.p[j + 1] = goal.p[j] + bone * c.bones[j];
+            resting = within_hinge(resting, resting, hinge, hinge_limit(middle, middle), 1);
+            c.p[j + 1] = c.p[j] + resting * c.bones[j];
+        }
+        bool far = i % 4 == 0;
+        Vector target = far ? c.p[0] + direction_from(key, 4000) * (2 * c.reach) : tip(goal);
+        for (int k = 0; k < 50; ++k) {
+            fabrik_hinged(c.p, c.bones, limits, hinge, axis, c.joints, target, 0.0f, 1);
+            if (!far && length(tip(c) - target) <= k_tolerance) break;
+        }
+        possible += !far;
+        reached += !far && length(tip(c) - target) <= k_tolerance;
+        ASSERT_LT(worst_bone(c), 3e-6f);
+        Vector before = axis;
+        for (int j = 0; j + 1 < c.joints; ++j) {
+            Vector now = unit(c.p[j + 1] - c.p[j]);
+            ASSERT_NEAR(dot(now, hinge), 0, 2e-5f);
+            // Against the middle of the range, which may be more than half a turn from -pi or pi.
+            float middle = (low[j] + high[j]) / 2;
+            SinCos s = sin_cos(middle);
+            Vector straight = before * s.cosine + cross(hinge, before) * s.sine;
+            float angle = arctan2(dot(cross(straight, now), hinge), dot(now, straight));
+            ASSERT_LE(std::fabs(angle), (high[j] - low[j]) / 2 + 1e-4f);
+            before = now;
+        }
+    }
+    std::printf("FABRIK with hinges: %.1f %% of reachable targets reached\n", 100.0 * reached / possible);
+    EXPECT_GT(reached, 0.8 * possible);
+}
+
+TEST(Fabrik, BendsAKneeOnlyItsWay) {
+    // Joint 1 opens from 0 to 150 degrees about +x only.
+    Vector p[3] = {{0, 0, 0}, {0, -0.4f, 0.1f}, {0, -0.8f, 0}};
+    float bones[2] = {0.4f, 0.4f};
+    HingeLimit<float> limits[2] = {hinge_limit(-2.0f, 0.8f), hinge_limit(0.0f, 150 * k_radians)};
+    Vector target{0.3f, -0.5f, 0.1f};  // 0.3 m off the plane
+    fabrik_hinged(p, bones, limits, Vector{1, 0, 0}, Vector{0, -1, 0}, 3, target, 0.0f, 100);
+    EXPECT_LT(length(p[2] - Vector{0, -0.5f, 0.1f}), 1e-3f);
+    EXPECT_GT(p[1].z, 0.1f);
+    EXPECT_EQ(p[1].x, 0);
+}
+
 }  // namespace
 }  // namespace flaneur

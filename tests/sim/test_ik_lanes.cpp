@@ -44,6 +44,15 @@ HWY_INLINE void closed_forms(Samples& s, size_t lane) {
     put_turn(turns[0]);
     put_turn(turns[1]);
     put_turn(flat_on_ground(v[21] * T(0.6f), v[22] * T(0.6f), sine_cosine(v[8] * T(3.0f))));
+    V3<T> p[4] = {
+        {T(0.0f), T(0.0f), T(0.0f)}, {v[9], v[10], v[11]}, {v[12], v[13], v[14]}, {v[15], v[16], v[17]}};
+    T bones[3] = {T(0.3f), T(0.4f), absolute(v[18]) + T(0.1f)};
+    HingeLimit<T> limits[3] = {hinge_limit(T(-1.0f), T(1.0f)), hinge_limit(T(0.0f), T(2.0f)),
+                               hinge_limit(v[19] - T(1.0f), v[19])};
+    fabrik_hinged(p, bones, limits, V3<T>{T(1.0f), T(0.0f), T(0.0f)}, V3<T>{T(0.0f), T(-1.0f), T(0.0f)}, 4,
+                  V3<T>{v[20], v[21], v[22]}, T(0.02f), 4);
+    put_point(p[1]);
+    put_point(p[3]);
 }
 
 void closed_forms_on_lanes(Samples& s) {
