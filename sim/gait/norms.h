@@ -89,9 +89,9 @@ inline constexpr float k_heel_kick = 4, k_run_heel = 0.42f, k_run_rise = 0.44f, 
 inline constexpr float k_run_knee_cosine = 0.62f, k_bounce = 0.027f;  // of the mean height; metres
 inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;       // radians
 
-// A hand on a wall: how far its fingers lean ahead (half of 0.7 rad), and from the wrist's axis to the palm,
+// A hand on a wall: how far its fingers lean ahead (half of 1.1 rad), and from the wrist's axis to the palm,
 // metres.
-inline constexpr float k_finger_tilt_sine = 0.3429f, k_finger_tilt_cosine = 0.9394f;
+inline constexpr float k_finger_tilt_sine = 0.5227f, k_finger_tilt_cosine = 0.8525f;
 inline constexpr float k_palm_thickness = 0.02f;
 inline constexpr float k_shift_width = 0.3887f;
 

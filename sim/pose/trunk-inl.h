@@ -84,7 +84,7 @@ HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror,
     T c = root(larger((T(1.0f) + cosine) * T(0.5f), T(1e-6f)));
     T s = T(0.5f) * sine / c;
     Q4<T> up = unit(Q4<T>{s * T(mirror), T(0.0f), c * T(mirror), T(0.0f)});
-    rotation = turned_x(up, SineCosine<T>{T(k_finger_tilt_sine), T(k_finger_tilt_cosine)});
+    rotation = turned_x(up, SineCosine<T>{T(0.0f - k_finger_tilt_sine), T(k_finger_tilt_cosine)});
     V3<T> fingers = rotate(rotation, V3<T>{T(0.0f), T(-1.0f), T(0.0f)});
     V3<T> place{at<T>(hand.x + lane), at<T>(hand.y + lane), at<T>(hand.z + lane)};
     return place + normal * T(k_palm_thickness) - fingers * palm;

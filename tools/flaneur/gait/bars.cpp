@@ -139,6 +139,8 @@ constexpr Bar k_stairs[] = {
     {"speed.m_s", 0.45, 0.65, 0, "0.5 to 0.6; Riener 2002"},
     {"foot_pitch_contact.deg", -k_open, 0, 0, "forefoot first; Riener 2002"},
     {"stairs_a_step", 0.95, 1.05, 0, "one stair a step"},
+    {"odd_steps.pct", 0, 0, 0, "one stair a step"},
+    {"ball_over_ground.mm", -k_open, 5, 0, "the ball of the foot carries"},
 };
 constexpr Bar k_stairs_up[] = {{"knee_swing_peak.deg", 85, 105, 0, "90 to 100; Riener 2002"}};
 constexpr Bar k_stairs_down[] = {{"knee_swing_peak.deg", 80, 95, 0, "85 to 90; Riener 2002"}};

@@ -47,7 +47,7 @@ std::optional<Stance> watch_stance(StanceWatch& watch, const FootInstant& foot) 
 }
 
 Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides) {
-    double ankle = 0, toe = 0, skate = 0, skated = 0, swing_below = 0;
+    double ankle = 0, toe = 0, skate = 0, skated = 0, swing_below = 0, hangs = 0;
     Stance worst;
     std::vector<double> slips{0};
     for (const Stride& s : strides) {
@@ -61,6 +61,7 @@ Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides)
             if (t <= at(30)) ankle = std::max(ankle, metres(length(place(now, foot) - place(start, foot))));
             const FootInstant& f = now.feet[s.side];
             toe = std::max(toe, metres(length(f.sole.ball - start.feet[s.side].sole.ball)));
+            hangs = std::max(hangs, metres(f.sole.ball.y - f.ground[1]));
             // Displacement in a frame of 1/30 s, weighted by 2 - 2^(height / 25 mm).
             double height = std::clamp(metres(f.sole.ball.y - f.ground[1]) / 0.025, 0.0, 1.0);
             Vec2 moved = on_ground(f.sole.ball) - on_ground(before.feet[s.side].sole.ball);
@@ -88,6 +89,7 @@ Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides)
             {"skate_zhang.mm", skated > 0 ? 1000 * skate / skated : 0},
             {"penetration.mm", 1000 * metres(worst.below)},
             {"float.mm", 1000 * metres(worst.above)},
+            {"ball_over_ground.mm", 1000 * hangs},
             {"swing_penetration.mm", 1000 * swing_below}};
 }
 

@@ -27,8 +27,9 @@ struct StanceWatch {
 std::optional<Stance> watch_stance(StanceWatch& watch, const FootInstant& foot);
 
 // Over strides: drift of the flat foot (ankle 15 to 30 %, ball 15 to 45 % of the cycle) and of its resting
-// points over the whole stance, slip, penetration, float, and Zhang et al.'s skating measure (Mode-adaptive
-// neural networks, ACM TOG 2018) on the flat foot.
+// points over the whole stance, slip, penetration, float, how high the ball of the flat foot is over the
+// ground under it, and Zhang et al.'s skating measure (Mode-adaptive neural networks, ACM TOG 2018) on the
+// flat foot.
 Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides);
 
 }  // namespace flaneur

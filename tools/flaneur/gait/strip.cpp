@@ -16,7 +16,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_moments = 12;
-constexpr uint32_t k_width = 180, k_height = 320;              // pixels of one
+constexpr uint32_t k_width = 240, k_height = 420;              // pixels of one
 constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7;      // seconds: stands; then turns; shown of a turn
 constexpr float k_begin = 9;                                   // metres: where stairs, slopes and kerbs begin
 constexpr float k_near = -60, k_far = 600, k_half_width = 10;  // metres, of the ground

@@ -118,15 +118,20 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
         edges, true, Surface::steps);
     Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_steps - 4) * run));
-    double metres = 0, steps = 0;
+    double stairs = 0, odd = 0, steps = 0;
     for (const Stride& s : strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
         const Instant& a = w.ticks[static_cast<size_t>(s.begin + 0.2 * (s.end - s.begin))];
         const Instant& b = w.ticks[static_cast<size_t>(s.begin + 0.7 * (s.end - s.begin))];
         Side other = s.side == k_left ? k_right : k_left;
-        metres += static_cast<double>(b.feet[other].sole.ball.y - a.feet[s.side].sole.ball.y);
+        double ascent = static_cast<double>(b.feet[other].sole.ball.y - a.feet[s.side].sole.ball.y);
+        double climbed = std::fabs(ascent) / riser;
+        stairs += climbed;
+        odd += std::fabs(climbed - 1) > 0.1;
         ++steps;
     }
-    if (steps > 0) r.quantities.push_back({"stairs_a_step", std::fabs(metres) / steps / riser});
+    if (steps > 0) {
+        append(r.quantities, {{"stairs_a_step", stairs / steps}, {"odd_steps.pct", 100 * odd / steps}});
+    }
     r.name = up ? "stairs_up" : "stairs_down";
     r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
                       : "Stairs down, risers of %.2f and treads of %.2f m",
