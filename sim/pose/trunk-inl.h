@@ -98,9 +98,10 @@ HWY_INLINE Q4<T> blended(Q4<T> a, Q4<T> b, T t) {
     return unit(Q4<T>{a.x * s + b.x * r, a.y * s + b.y * r, a.z * s + b.z * r, a.w * s + b.w * r});
 }
 
-// Half the yaw of the elbow's plane while the arm hangs, and how early the arm gives way before it is
-// straight.
+// Half the yaw of the elbow's plane while the arm hangs, and its sine when the hand is on a wall, and how
+// early the arm gives way before it is straight.
 inline constexpr float k_elbow_out_sine = 0.1675f, k_elbow_out_cosine = 0.9859f;  // of 19 degrees
+inline constexpr float k_elbow_in_sine = 0.2f;
 inline constexpr float k_arm_soft = 0.004f;
 
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
@@ -148,6 +149,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         V3<T> wrist{hang.x * outward.cosine - hang.y * out_sine, hang.y * outward.cosine + hang.x * out_sine,
                     hang.z};
 
+        // The elbow points back and a little out, away from a wall.
+        SineCosine<T> front{T(k_elbow_out_sine * -mirror), T(k_elbow_out_cosine)};
         T reach = at<T>(g.hands[side].reach + lane);
         bool reaching = any(reach > zero);
         Q4<T> on_wall;
@@ -155,9 +158,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
             V3<T> to =
                 wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), on_wall) - shoulder_at;
             wrist = mixed(wrist, V3<T>{dot(to, chest.x), dot(to, chest.y), dot(to, chest.z)}, reach);
+            front.sine = mixed(front.sine, T(k_elbow_in_sine * mirror), reach);
         }
-        // The elbow points back and a little out.
-        SineCosine<T> front{T(k_elbow_out_sine * -mirror), T(k_elbow_out_cosine)};
         Limb<T> limb = two_bone(wrist, front, size, -1.0f, k_arm_soft);
         auto placed = [&](V3<T> v) { return shoulder_at + chest.x * v.x + chest.y * v.y + chest.z * v.z; };
         Q4<T> lower_rot = chest_rot * limb.lower_rot;

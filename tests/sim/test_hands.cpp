@@ -118,6 +118,44 @@ TEST(Hands, TrailAlongTheWallBesideASlowWalk) {
     for (size_t i = 0; i < k_people; ++i) EXPECT_EQ(people.reach(i, k_left), 0);
 }
 
+TEST(Hands, LieFlatOnTheWallFingersAheadAndUp) {
+    for (float away : {0.45f, -0.45f, 0.36f, -0.36f}) {
+        float side = away > 0 ? 1.0f : -1.0f, distance = std::fabs(away);
+        Procession people(square(20), along_wall(0, 1, distance, side));
+        std::vector<PoseBlock> poses(block_count(k_people));
+        std::vector<Quat> last(k_people);
+        bool left = side > 0;
+        float wall = -10 * side;
+        int resting = 0;
+        for (int t = 0; t < 600; ++t) {
+            people.advance(along_wall(static_cast<float>(t) * k_tick, 1, distance, side));
+            pose_blocks(people.gait, 0, poses.size(), poses);
+            for (size_t i = 0; i < k_people; ++i) {
+                Quat wrist = joint_pose(poses, i, left ? left_hand : right_hand).rotation;
+                // No hand turns faster than people turn theirs.
+                if (t > 60) {
+                    float same = std::fabs(wrist.x * last[i].x + wrist.y * last[i].y + wrist.z * last[i].z +
+                                           wrist.w * last[i].w);
+                    ASSERT_LT(2 * arccos(std::min(same, 1.0f)), 15 * k_tick) << i << " at " << t;
+                }
+                last[i] = wrist;
+                if (people.reach(i, left ? k_left : k_right) < 1) continue;
+                Vec3 fingers = rotate(wrist, {0, -1, 0}), inside = rotate(wrist, {left ? -1.0f : 1.0f, 0, 0});
+                ASSERT_NEAR(inside.z, -side, 1e-4f) << "the palm faces the wall";
+                ASSERT_GT(fingers.x, 0.5f) << "ahead";
+                ASSERT_GT(fingers.y, 0.2f) << "and up";
+                for (Joint joint : {left ? left_lower_arm : right_lower_arm, left ? left_hand : right_hand}) {
+                    float off = (joint_pose(poses, i, joint).position.z - wall) * side;
+                    ASSERT_GT(off, joint == left_hand || joint == right_hand ? 0.015f : 0.045f)
+                        << k_joint_names[joint] << " of " << i << " at " << t;
+                }
+                ++resting;
+            }
+        }
+        EXPECT_GT(resting, 2000);
+    }
+}
+
 TEST(Hands, MirrorLeftAndRight) {
     Procession left(square(20), along_wall(0, 0.9f, 0.4f)), right(square(20), along_wall(0, 0.9f, 0.4f, -1));
     int most = 0;
