@@ -38,15 +38,16 @@ static Vec2 turned_forward(Vec2 v, float speed, float heading, float off) {
     return heading_direction(heading + (off > 0 ? k_forward : -k_forward)) * speed;
 }
 
-// What is left of a wished speed on this ground.
-static float on_this_ground(Vec2 wish, float speed, const GroundHit& under) {
-    if (under.kind == Surface::steps) return stair_speed(speed) / speed;
-    if (under.normal.y > 0.99999f || under.normal.y < 0.1f) return 1;
+Vec2 wish_on(const GroundHit& under, Vec2 wish) {
+    float speed = length(wish);
+    if (speed < 1e-4f) return wish;
+    if (under.kind == Surface::steps) return wish * (stair_speed(speed) / speed);
+    if (under.normal.y > 0.99999f || under.normal.y < 0.1f) return wish;
     float rise = -dot(wish, {under.normal.x, under.normal.z}) / (speed * under.normal.y);
-    return std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
+    return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
 }
 
-Motion next_motion(const Motion& motion, Vec2 wish, const GroundHit& under, float dt) {
+Motion next_motion(const Motion& motion, Vec2 wish, float dt) {
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
 
@@ -55,16 +56,12 @@ Motion next_motion(const Motion& motion, Vec2 wish, const GroundHit& under, floa
     float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt);
     float heading = wrap_angle(motion.heading + rate * dt);
 
-    if (wished > 1e-4f) {
-        float keep = on_this_ground(wish, wished, under);
-        if (wished > k_any_way) {
-            float off = wrap_angle(heading_of(wish) - heading);
-            wish = turned_forward(wish, wished, heading, off);
-            float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
-            float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
-            keep = std::max(keep * turning * bend, std::min(k_pivot_speed, speed) / wished);
-        }
-        wish = wish * keep;
+    if (wished > k_any_way) {
+        float off = wrap_angle(heading_of(wish) - heading);
+        wish = turned_forward(wish, wished, heading, off);
+        float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
+        float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
+        wish = wish * std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
     }
     Vec2 change = wish - v;
     bool brakes = dot(change, v) < 0;

@@ -14,7 +14,12 @@ struct Motion {
     float turn_rate = 0;  // of the heading, rad/s
 };
 
-// The motion `dt` seconds later of one who would like to go at `wish` (m/s) over the ground `under` it.
+// What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
+// speed falls as in Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), with s the rise along the way; on
+// steps to 0.42 of the wish, within 0.5-0.6 m/s (see stair_speed).
+Vec2 wish_on(const GroundHit& under, Vec2 wish);
+
+// The motion `dt` seconds later of one who would like to go at `wish` (m/s).
 //
 // - Speed follows within 1.8 m/s2, braking within 2.6, both easing in at the end: 90 % of a walk after two
 //   steps, a stop in two.
@@ -22,12 +27,8 @@ struct Motion {
 //   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
 //   spot.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
-// where
-//   it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
-// - Uphill, and downhill beyond 10 %, speed falls as in Tobler's hiking function (1993), exp(-3.5 |s +
-// 0.05|),
-//   with s the rise along the way; on steps to 0.42 of the wish, within 0.5-0.6 m/s (see stair_speed).
-Motion next_motion(const Motion& motion, Vec2 wish, const GroundHit& under, float dt);
+//   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
+Motion next_motion(const Motion& motion, Vec2 wish, float dt);
 
 // Speed over the ground plane, m/s, that one who walks at `speed` on the level has on stairs.
 float stair_speed(float speed);

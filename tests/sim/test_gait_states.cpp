@@ -91,10 +91,10 @@ void observe(Tried& t) {
 
 // One tick towards `wish`.
 void advance(Tried& t, Vec2 wish) {
-    t.wish = wish;
     GroundHit under;
     if (auto hit = ground(t.city, t.position)) under = *hit;
-    t.motion = next_motion(t.motion, wish, under, k_tick);
+    t.wish = wish_on(under, wish);
+    t.motion = next_motion(t.motion, t.wish, k_tick);
     t.position += at_height(t.motion.velocity * k_tick, 0);
     if (auto hit = ground(t.city, t.position, 1)) t.position.y = hit->height;
     RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};

@@ -16,7 +16,7 @@ using Wish = std::function<Vec2(float)>;  // at a time, m/s
 
 std::vector<Motion> drive(Motion m, float seconds, const Wish& wish, const GroundHit& under = {}) {
     std::vector<Motion> all;
-    for (float t = 0; t < seconds; t += k_tick) all.push_back(m = next_motion(m, wish(t), under, k_tick));
+    for (float t = 0; t < seconds; t += k_tick) all.push_back(m = next_motion(m, wish_on(under, wish(t)), k_tick));
     return all;
 }
 
@@ -110,7 +110,7 @@ TEST(Locomotion, NeverJumps) {
     for (uint32_t t = 0; t < 20000; ++t) {
         Vec2 wish{2.4f * std::sin(static_cast<float>(t / 40) * 12.9f),
                   2.4f * std::cos(static_cast<float>(t / 40) * 4.1f)};
-        Motion next = next_motion(m, wish, {}, k_tick);
+        Motion next = next_motion(m, wish, k_tick);
         float turned = std::fabs(wrap_angle(next.heading - m.heading)) * length(m.velocity);
         ASSERT_LT(length(next.velocity - m.velocity), 2.7f * k_tick + turned + 0.02f);
         ASSERT_LE(std::fabs(next.turn_rate - m.turn_rate), 7.1f * k_tick);

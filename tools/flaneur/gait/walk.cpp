@@ -55,8 +55,8 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
     auto ticks = static_cast<uint32_t>(seconds * result.rate);
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground(city, position).value_or(GroundHit{});
-        wished = wish(t / result.rate);
-        motion = next_motion(motion, wished, under, k_tick);
+        wished = wish_on(under, wish(t / result.rate));
+        motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground(city, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, city, k_seed, t, k_tick);
