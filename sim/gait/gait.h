@@ -131,7 +131,7 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by);
 float stride_length(float v, float leg);
 // Share of the cycle that a foot stands at walking speed `v`.
 float duty_factor(float v);
-// Strides a second and share of the cycle that a foot stands of a run: 159 steps a minute and 41.5 % at 3.1
+// Strides a second and share of the cycle that a foot stands of a run: 160 steps a minute and 40 % at 3.1
 // m/s (Novacheck 1998).
 float run_frequency(float v, float leg);
 float run_duty(float v);

@@ -84,9 +84,9 @@ inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 // A run at 3.1 m/s: knee 94 degrees in the swing, elbow 106.
 // Radians by which its heel rises further before toe-off. Its swing: metres by which the heel rises, metres
 // and shares of the way that the foot takes along from its push and brings down into the landing.
-inline constexpr float k_heel_kick = 4, k_run_heel = 0.42f, k_run_rise = 0.44f, k_run_fall = 0.3f,
+inline constexpr float k_heel_kick = 3.5f, k_run_heel = 0.32f, k_run_rise = 0.44f, k_run_fall = 0.3f,
                        k_run_way = 0.25f;
-inline constexpr float k_run_knee_cosine = 0.62f, k_bounce = 0.027f;  // of the mean height; metres
+inline constexpr float k_run_knee_cosine = 0.64f, k_bounce = 0.027f;  // of the mean height; metres
 inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;       // radians
 
 // A hand on a wall: how far its fingers lean ahead (half of 1.1 rad), and from the wrist's axis to the palm,

@@ -9,7 +9,7 @@ namespace flaneur {
 
 static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
 static constexpr float k_lead = 0.4043f;      // share of a foot's time on the ground before the hip passes it
-static constexpr float k_run_lead = 0.30f;    // the same of a run
+static constexpr float k_run_lead = 0.34f;    // the same of a run
 static constexpr float k_reaction = 2.2f;     // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
