@@ -48,7 +48,7 @@ HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave
 
 template <class T>
 HWY_INLINE T ramp(T low, T high, T v) {
-    return eased((v - low) / (high - low));
+    return eased((v - low) * (T(1.0f) / (high - low)));  // constant limits cost no division
 }
 
 // max(a, b), rounded over a width of `k`.

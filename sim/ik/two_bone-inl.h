@@ -23,7 +23,8 @@ struct LimbSizes {
 };
 template <class T>
 HWY_INLINE LimbSizes<T> limb_sizes(T upper, T lower) {
-    return {upper, lower, T(0.25f) / upper, T(0.25f) / lower};
+    T quarter = T(0.25f) / (upper * lower);
+    return {upper, lower, quarter * lower, quarter * upper};
 }
 
 // A limb hangs along -y in the canonical pose (see sim/pose/body.h) and looks along +z. Everything in the
