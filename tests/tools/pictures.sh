@@ -15,5 +15,5 @@ expect "$(echo many/*)" "many/0000.png many/0002.png many/0004.png"
 "$1" render --scene corner --frames 0:20:2 --size 65x48 --camera 0,30,40/0,0,0 --out city.mp4
 expect "$(probe width,height,r_frame_rate,nb_read_frames city.mp4)" 66,48,30/1,11
 "$1" gait --stairs up --strip strip.png --view side > /dev/null
-expect "$(probe width,height strip.png)" 2160,320
+expect "$(probe width,height strip.png)" 2880,420
 expect "$(echo *)" "city.mp4 many one strip.png"
