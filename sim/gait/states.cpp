@@ -90,7 +90,7 @@ Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
 bool may_leave(const Stepper& s, Side side) {
     const FootBlock& other = s.gait.feet[1 - side];
     if (s.gait.running[s.lane] > 0.5f) return true;
-    return !other.swinging[s.lane] && other.phase[s.lane] > 0.02f;
+    return !other.swinging[s.lane] && other.phase[s.lane] > 0;
 }
 
 void leave(const Stepper& s, Side side) {
