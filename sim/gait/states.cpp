@@ -12,12 +12,14 @@ namespace flaneur {
 static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
-static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
-static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
-static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
-static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
-static constexpr float k_rest = 0.16f;          // phase of a foot that stands
-static constexpr float k_early = -0.01075f;  // of the cycle, by which the body trusts a foot before it is down
+static constexpr float k_shuffle = 0.95f;         // cycles/s of stepping on the spot, aside and back
+static constexpr float k_longest_stride = 1.66f;  // legs; a faster walk takes quicker ones
+static constexpr float k_hasty = 1.5f;            // cycles/s of catching a push
+static constexpr float k_out_of_reach = 0.74f;    // legs; a foot farther from home leaves at once
+static constexpr float k_lost = 1.3f;             // legs; one farther than this is set down anew
+static constexpr float k_rest = 0.16f;            // phase of a foot that stands
+static constexpr float k_early =
+    -0.01075f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
@@ -54,6 +56,7 @@ float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
     int lane = s.lane;
     float stride = stride_length(std::max(speed, 0.05f), s.leg) * s.person.stride[lane];
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
+    stride = std::min(stride, k_longest_stride * s.leg);
     if (g.tread[lane] > 0) {
         stride = 2 * g.tread[lane];
         if (speed > 1.3f * stride) stride *= 2;

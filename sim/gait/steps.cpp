@@ -9,8 +9,9 @@ namespace flaneur {
 
 static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
 static constexpr float k_lead = 0.4043f;      // share of a foot's time on the ground before the hip passes it
-static constexpr float k_run_lead = 0.34f;    // the same of a run
-static constexpr float k_reaction = 2.2f;     // m/s2, with which velocity is expected to follow the wish
+static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
+static constexpr float k_run_lead = 0.34f;      // the same of a run
+static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
@@ -56,9 +57,13 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     Vec2 change = s.wish - s.velocity;
     float l = length(change), most = k_reaction * seconds;
     Vec2 later = l > most ? s.velocity + change * (most / l) : s.wish;
-    // Who walks turns by turning, below.
+    // Who walks turns by turning, below. Steps get quicker with the root of the speed.
     float speed2 = length_squared(s.velocity);
-    if (speed2 > 0.09f) later = s.velocity * std::max(dot(later, s.velocity) / speed2, 0.0f);
+    if (speed2 > 0.09f) {
+        float gain = std::max(dot(later, s.velocity) / speed2, 0.0f), quicker = std::sqrt(gain);
+        later = s.velocity * gain;
+        if (gain > 1) seconds *= 2 / (1 + quicker), stands /= quicker;
+    }
 
     float turn = s.turn_rate * until;
     if (length_squared(s.wish) > 0.0625f) {
@@ -74,6 +79,7 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
     float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f;
     bool alone = !s.gait.feet[other(side)].swinging[s.lane] && s.gait.flight[s.lane] <= 0;
+    most_lead = std::min(most_lead, lerp(k_longest_lead, 1.0f, s.gait.running[s.lane]) * s.leg);
     if (alone && leads > most_lead) lead = lead * (most_lead / leads);
     ahead += lead;
     SinCos half = sin_cos(turn * 0.5f);

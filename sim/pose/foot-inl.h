@@ -48,6 +48,7 @@ struct Foot {
     T knee;                        // cosine of the flexion that the normal walk has now
     T leaving;                     // 0 while the body rests on it .. 1 at toe-off
     T slack;  // metres that the leg may fall short: none as it lands and stands, some as it leaves
+    T give;   // metres before its reach from which on a swinging leg gives way
 };
 
 template <class T>
@@ -167,6 +168,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave) + T(k_knee_more), T(0.03f)), s.amplitude);
     out.knee = doubled(half_turn(knee)).cosine;
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
+    out.give =
+        select(planted, zero, T(k_give) * ramp(zero, T(0.15f), u) * (one - ramp(T(0.7f), T(0.92f), u)));
     out.slack = select(planted, out.leaving * T(0.03f),
                        T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
                            T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u)));

@@ -72,6 +72,20 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     }
 }
 
+// A swinging foot that is planned beyond reach comes along: from `give` short of the reach to `give` beyond
+// it the distance follows a parabola, so that the knee opens evenly.
+template <class T>
+HWY_INLINE V3<T> within_reach(V3<T> to_ankle, const LimbSizes<T>& leg, T give) {
+    T reach = (leg.upper + leg.lower) * T(k_straightest), near = reach - give;
+    T distance2 = dot(to_ankle, to_ankle);
+    auto far = (give > T(0.0f)) & (distance2 > near * near);
+    if (!any(far)) return to_ankle;
+    T distance = root(distance2), excess = clamped(distance - near, T(0.0f), give + give);
+    T d = smaller(distance, reach + give) - excess * excess * T(0.25f) / larger(give, T(1e-6f));
+    T scale = select(far, d / distance, T(1.0f));
+    return to_ankle * scale;
+}
+
 template <class T>
 HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane) {
     T zero = T(0.0f), one = T(1.0f);
@@ -139,11 +153,11 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     for (int side = 0; side < 2; ++side) {
         int joint = side == k_left ? left_upper_leg : right_upper_leg;
         const Foot<T>& foot = feet[side];
-        V3<T> hip = pelvis.place + pelvis.to_hip[side], ankle = ankle_of(foot);
+        V3<T> hip = pelvis.place + pelvis.to_hip[side],
+              to_ankle = within_reach(ankle_of(foot) - hip, leg, foot.give);
         // The knee looks where pelvis and foot do; never backwards in the frame of the body.
         V3<T> front = against(heading, pelvis.axes.z + foot.ahead);
-        Limb<T> limb =
-            two_bone(ankle - hip, plus(heading.half, half_yaw_to(front.x, front.z)), leg, 1.0f, 0.0f);
+        Limb<T> limb = two_bone(to_ankle, plus(heading.half, half_yaw_to(front.x, front.z)), leg, 1.0f, 0.0f);
         V3<T> reached = hip + limb.end;
         Q4<T> rotation = turned_x(foot.flat, foot.half);
         set_joint(out, joint, lane, hip, limb.upper_rot);
