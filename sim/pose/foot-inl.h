@@ -170,9 +170,11 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
     out.give =
         select(planted, zero, T(k_give) * ramp(zero, T(0.15f), u) * (one - ramp(T(0.7f), T(0.92f), u)));
-    out.slack = select(planted, out.leaving * T(0.03f),
-                       T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
-                           T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u)));
+    // Let go little by little, and bound again before it lands.
+    T free = T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
+             T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u));
+    T leaves = T(0.03f);
+    out.slack = select(planted, out.leaving * leaves, mixed(leaves, free, ramp(zero, T(0.35f), u)));
     return out;
 }
 
