@@ -53,7 +53,7 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
 inline constexpr float k_way_late = 5.034f, k_way = -0.0301f;
 inline constexpr float k_clear_early = 0.9395f, k_clear = 0.005979f;
 inline constexpr float k_droop = -0.1084f, k_soft = 0.0239f;
-inline constexpr float k_landing = 0.9012f, k_landing_slack = 0.1454f, k_knee_more = -0.005787f;
+inline constexpr float k_landing = 0.6f, k_landing_slack = 0.1454f, k_knee_more = -0.005787f;
 inline constexpr float k_straight = 0.001057f;
 // Share of the norm's pitch at heel strike, and radians by which the heel rises further before toe-off.
 inline constexpr float k_heel_strike = 0.7013f, k_heel_rise = 0.04128f;
