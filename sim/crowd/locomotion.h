@@ -23,7 +23,7 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish);
 //
 // - Speed follows within 1.8 m/s2, braking within 2.6, both easing in at the end: 90 % of a walk after two
 //   steps, a stop in two.
-// - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 140 deg/s at
+// - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 135 deg/s at
 //   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
 //   spot.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)

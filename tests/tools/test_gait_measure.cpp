@@ -90,6 +90,26 @@ TEST(GaitMeasure, FindsAFootThatSlides) {
     EXPECT_FALSE(judge(q, kerb_bars())[0].pass);
 }
 
+TEST(GaitMeasure, AFootMayTurnAboutHeelOrBall) {
+    auto drift = [](Vec2 shift, float turn, bool about_ball) {
+        StanceWatch watch;
+        for (int t = 0; t <= 40; ++t) {
+            float share = static_cast<float>(t) / 40;
+            Vec2 ahead = heading_direction(turn * share);
+            float behind = about_ball ? 0.2f : 0.0f;
+            Vec3 heel = at_height(shift * share - ahead * behind, 0);
+            FootInstant foot;
+            foot.sole = {heel, heel + at_height(ahead * 0.2f, 0), heel + at_height(ahead * 0.26f, 0)};
+            watch_stance(watch, foot);
+        }
+        return watch.stance.drift;
+    };
+    EXPECT_NEAR(drift({0, 0}, 1, true), 0, 1e-6f);
+    EXPECT_NEAR(drift({0, 0}, 1, false), 0, 1e-6f);
+    EXPECT_NEAR(drift({0.02f, 0}, 0, true), 0.02f, 1e-6f);
+    EXPECT_GT(drift({0.02f, 0.02f}, 1, true), 0.02f);
+}
+
 TEST(GaitMeasure, FindsFeetUnderAndOverTheGround) {
     Walk sunk = made_up_walk(900), hovering = made_up_walk(900), dragging = made_up_walk(900);
     for (size_t t = 300; t < 360; ++t) {

@@ -29,17 +29,20 @@ std::optional<Stance> watch_stance(StanceWatch& watch, const FootInstant& foot) 
     Stance& stance = watch.stance;
     stance.below = std::max(stance.below, -lowest);
     stance.above = std::max(stance.above, lowest);
-    float pace[2] = {0, 0};
+    float pace[2] = {0, 0}, came[2];
+    bool rests[2];
+    for (int i = 0; i < 2; ++i) rests[i] = std::fabs(points[i].y - foot.ground[i]) <= k_rests;
     for (int i = 0; i < 2; ++i) {
         if (watch.standing) pace[i] = length(points[i] - watch.last[i]);
         watch.last[i] = points[i];
-        bool rests = std::fabs(points[i].y - foot.ground[i]) <= k_rests;
-        if (rests && !watch.resting[i]) watch.anchor[i] = points[i];
-        if (rests) {
-            Vec2 moved = on_ground(points[i]) - on_ground(watch.anchor[i]);
-            stance.drift = std::max(stance.drift, length(moved));
-        }
-        watch.resting[i] = rests;
+        bool left_alone = watch.resting[1 - i] && !rests[1 - i];
+        if (rests[i] && (!watch.resting[i] || left_alone)) watch.anchor[i] = points[i];
+        came[i] = length(on_ground(points[i]) - on_ground(watch.anchor[i]));
+    }
+    for (int i = 0; i < 2; ++i) watch.resting[i] = rests[i];
+    if (rests[0] || rests[1]) {
+        float drift = rests[0] && rests[1] ? std::min(came[0], came[1]) : came[rests[0] ? 0 : 1];
+        stance.drift = std::max(stance.drift, drift);
     }
     watch.slip = std::min(pace[0], pace[1]);
     watch.standing = true;

@@ -8,7 +8,9 @@
 namespace flaneur {
 
 // One foot's time on the ground, watched from contact to toe-off. Heel and ball each rest from the tick at
-// which they are within 2 mm of the ground until they leave it; a resting point that moves has drifted.
+// which they are within 2 mm of the ground until they leave it. A foot whose resting points all move has
+// drifted; one that turns about heel or ball has not, and is counted anew when the other point leaves the
+// ground.
 struct Stance {
     float drift = 0;  // the farthest over the ground that a resting point came from where it began to
                       // rest, metres
