@@ -21,7 +21,8 @@ assert xml.dom.minidom.parse("a.svg").documentElement.tagName == "svg"
 END
 # Every walk ends, in little memory.
 for walk in "--turn 180" "--turn -45" "--kerb 0.15" "--stairs down" "--slope 20"; do
-    (ulimit -v 4000000 && timeout 60 "$flaneur" gait $walk --style 3 > walk.txt)
+    read -ra words <<< "$walk"
+    (ulimit -v 4000000 && timeout 60 "$flaneur" gait "${words[@]}" --style 3 > walk.txt)
     grep --quiet 'bars met' walk.txt
 done
 "$flaneur" gait --crowd 20 --seconds 12 > crowd.txt
