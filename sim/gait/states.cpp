@@ -13,7 +13,7 @@ static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float k_shuffle = 0.95f;         // cycles/s of stepping on the spot, aside and back
-static constexpr float k_longest_stride = 1.66f;  // legs; a faster walk takes quicker ones
+static constexpr float k_longest_stride = 1.58f;  // legs; a faster walk takes quicker ones
 static constexpr float k_hasty = 1.5f;            // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;    // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;             // legs; one farther than this is set down anew
