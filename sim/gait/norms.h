@@ -78,7 +78,7 @@ inline constexpr float k_forefoot_pitch = -0.25f;  // of a foot that lands on it
 // A swing to another level has climbed by a share of its time that grows by the metres climbed, and waits
 // before it goes on; the other way round down, where it waits only where the way is steep (times its slope
 // squared). From these heights on (metres) it is one.
-inline constexpr float k_step_climbs = 0.34f, k_step_wait = 0.22f, k_step_waits = 12;
+inline constexpr float k_step_climbs = 0.32f, k_step_wait = 0.22f, k_step_waits = 20;
 inline constexpr float k_give = 0.03f;  // metres; see Foot
 inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 

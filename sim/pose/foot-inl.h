@@ -146,6 +146,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     T height = larger(step, zero - step), steep = ramp(T(k_step_0), T(k_step_1), height);
     if (any(steep > zero)) {
         auto up = step > zero;
+        // Up, knees rise high; down, the way itself is clear of the ground left.
+        out.ankle_up = out.ankle_up - select(up, hop * steep * T(-0.02f), clearance * steep);
         T v = select(up, u, rest), climbs = smaller(T(k_step_climbs) + height, one);
         T far2 = far_x * far_x + far_z * far_z + T(0.01f);
         T waits = select(up, steep, smaller(T(k_step_waits) * step * step / far2, one) * steep);
