@@ -219,6 +219,7 @@ void advance_load(const Stepper& s, RandomKey chance) {
         float share = taken_over(last.phase[lane], duty);
         if (other.swinging[lane]) share -= taken_over(std::min(other.phase[lane] - 1, 0.0f), duty);
         share = lerp(share, 1, g.running[lane]);
+        if (g.jump[lane] > 0 && other.swinging[lane]) share = 1;  // the other one is still in flight
         target = left ? share : 1 - share;
     }
     approach(g.load[lane], target, rate * s.dt);
