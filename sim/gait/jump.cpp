@@ -11,6 +11,7 @@ namespace flaneur {
 static constexpr float k_push_off = 0.6f;  // of the leading foot's swing, when the other foot leaves
 static constexpr float k_follows = 0.2f;   // of the other foot's swing, when the leading foot lands
 static constexpr float k_absorb = 0.45f;   // seconds of crouch after a jump
+static constexpr float k_bent = 0.06f;     // metres of crouch in which one lands
 static constexpr float k_usual = 0.36f;    // seconds of flight
 static constexpr float k_longest = 0.62f;
 static constexpr float k_hop_steps = 1.5f;      // cycles/s, as which a hop plans its landing
@@ -95,7 +96,7 @@ static void fly(const Stepper& s, float up) {
     GaitBlock& g = s.gait;
     int lane = s.lane;
     float duty = g.duty[lane], flight = g.flight[lane];
-    g.crouch[lane] = 0;
+    g.crouch[lane] = k_bent * smoothstep(0.4f, 1, up / flight);
     g.lift[lane] = 0.5f * k_gravity * up * (flight - up);
     float share = up / flight;
     for (Side side : {k_left, k_right}) {
@@ -144,7 +145,7 @@ bool advance_jump(const Stepper& s) {
     }
     if (g.lift[lane] > 0 || (left && right)) land(s);
     float share = std::min((up - flight) / k_absorb, 1.0f);
-    g.crouch[lane] = crouch_after(flight, k_absorb, share);
+    g.crouch[lane] = crouch_after(flight, k_absorb, share) + k_bent * (1 - smoothstep(0, 1, share));
     if (share >= 1) t = flight = 0;
     return g.standing[lane] && share > 0 && share < 0.2f;
 }
