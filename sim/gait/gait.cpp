@@ -19,7 +19,7 @@ float duty_factor(float v) { return clamp(0.603f - 0.06f * (v - 1.24f), 0.57f, 0
 
 float run_frequency(float v, float leg) { return (1.29f + 0.023f * v) * std::sqrt(0.9f / leg); }
 
-float run_duty(float v) { return clamp(0.4f - 0.03f * (v - 3.1f), 0.33f, 0.43f); }
+float run_duty(float v) { return clamp(0.41f - 0.03f * (v - 3.1f), 0.33f, 0.43f); }
 
 static Stepper stepper_at(Gait& gait, size_t i, const City& city, Vec3 root, float heading) {
     int lane = static_cast<int>(i % k_block);
