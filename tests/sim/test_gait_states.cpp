@@ -379,7 +379,7 @@ TEST(GaitStates, JumpsWhenAskedAndWhereItMust) {
 
     City gap, ledge;
     add_floor(gap, {-5, -10}, {5, 5}, 0, Surface::path);
-    add_floor(gap, {-5, 5.6f}, {5, 20}, 0, Surface::path);
+    add_floor(gap, {-5, 5.9f}, {5, 20}, 0, Surface::path);
     add_floor(ledge, {-5, -10}, {5, 5}, 0, Surface::path);
     add_floor(ledge, {-5, 5}, {5, 20}, 0.6f, Surface::path);
     for (City* city : {&gap, &ledge}) {
