@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/gait/jump.h"
+#include "sim/gait/fits.h"
 #include "sim/gait/norms.h"
 
 namespace flaneur {

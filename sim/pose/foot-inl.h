@@ -8,6 +8,7 @@
 
 #include "sim/base/vec-inl.h"
 #include "sim/gait/curves-inl.h"
+#include "sim/gait/fits.h"
 #include "sim/gait/gait.h"
 #include "sim/ik/foot-inl.h"
 

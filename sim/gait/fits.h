@@ -1,0 +1,63 @@
+// Numbers of the walk, the run, steps and hands that no table gives: fitted so that the joints of the result
+// move as in the norms (see norms.h) and no joint jumps, at 0.6 to 1.5 m/s. `flaneur gait` measures what
+// becomes of them.
+#pragma once
+
+namespace flaneur {
+
+// The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, r = 1 - u, h = 16 u^2
+// r^2. Its way is 3u^2 - 2u^3 - way_late u^6 r^2 - way h; its lowest point, found among heel, ball and tip
+// with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h metres above the ground; its
+// toes hang droop h radians lower than in the norm and have a share of its pitch, so that they stay bent up.
+inline constexpr float k_way_late = 5.034f, k_way = -0.0301f;
+inline constexpr float k_clear_early = 0.9395f, k_clear = 0.005979f;
+inline constexpr float k_soft = 0.0239f, k_droop = -0.1084f, k_toes = 0.4423f;
+
+// The foot in stance: share of the norm's pitch at heel strike, phases in which the heel comes off, radians
+// by which it rises further before toe-off; pitch of a foot that lands on its ball.
+inline constexpr float k_heel_strike = 0.7013f, k_heel_off_0 = 0.2982f, k_heel_off_1 = 0.3509f;
+inline constexpr float k_heel_rise = 0.04128f, k_forefoot_pitch = -0.25f;
+
+// Height of the pelvis: radians that the standing knee bends more than in the norm; the straightest leg, as a
+// share of its length, rounded over so many metres; metres that a swinging leg may fall short before
+// `landing`, a share of the swing, and by which a foot in mid-swing gives way.
+inline constexpr float k_knee_more = -0.005787f, k_straightest = 0.9981f, k_straight = 0.001057f;
+inline constexpr float k_landing = 0.6f, k_landing_slack = 0.1454f, k_give = 0.03f;
+
+// Share of double support in which the body goes over to the foot that has landed.
+inline constexpr float k_shift_width = 0.8946f;
+
+// Pelvis: sway to each side and rise over the standing leg, metres, at a natural speed, and what a longer
+// share of stance (a slower walk) adds to them: 70 mm from side to side at 0.7 m/s .. 39 at 1.6, 27 mm up and
+// down .. 48 (Orendurff et al. 2004). The rise goes with high_cosine cos 2a + high_sine sin 2a, a = 2 pi
+// phase; likewise its way ahead of an even speed, metres.
+inline constexpr float k_sway = 0.0257f, k_sway_slow = 0.287f;
+inline constexpr float k_bob = 0.0005075f, k_bob_slow = 0.2355f;
+inline constexpr float k_high_cosine = -0.9661f, k_high_sine = -1.284f;
+inline constexpr float k_surge_cosine = 0.0117f, k_surge_sine = -0.003194f;
+
+// Arms swing twice a stride where feet stand longer than at a natural speed by these shares of the cycle
+// (0.75 m/s).
+inline constexpr float k_arms_twice_0 = 0.028f, k_arms_twice_1 = 0.036f;
+
+// A swing to another level has climbed by a share of its time that grows by the metres climbed, and waits
+// before it goes on; the other way round down, where it waits only where the way is steep (times its slope
+// squared). From these heights on (metres) it is one.
+inline constexpr float k_step_climbs = 0.32f, k_step_wait = 0.22f, k_step_waits = 20;
+inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
+
+// A run at 3.1 m/s: knee 94 degrees in the swing, elbow 106. Radians by which its heel rises further before
+// toe-off. Its swing: metres by which the heel rises, metres and shares of the way that the foot takes along
+// from its push and brings down into the landing. Cosine of the knee at the mean height of the hips; half the
+// way that they bounce.
+inline constexpr float k_heel_kick = 3.5f, k_run_heel = 0.32f;
+inline constexpr float k_run_rise = 0.44f, k_run_fall = 0.3f, k_run_way = 0.25f;
+inline constexpr float k_run_knee_cosine = 0.64f, k_bounce = 0.027f;
+inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;
+
+// A hand on a wall: how far its fingers lean ahead (half of 1.1 rad), and from the wrist's axis to the palm,
+// metres.
+inline constexpr float k_finger_tilt_sine = 0.5227f, k_finger_tilt_cosine = 0.8525f;
+inline constexpr float k_palm_thickness = 0.02f;
+
+}  // namespace flaneur
