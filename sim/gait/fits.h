@@ -9,32 +9,32 @@ namespace flaneur {
 // r^2. Its way is 3u^2 - 2u^3 - way_late u^6 r^2 - way h; its lowest point, found among heel, ball and tip
 // with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h metres above the ground; its
 // toes hang droop h radians lower than in the norm and have a share of its pitch, so that they stay bent up.
-inline constexpr float k_way_late = 5.034f, k_way = -0.0301f;
-inline constexpr float k_clear_early = 0.9395f, k_clear = 0.005979f;
-inline constexpr float k_soft = 0.0239f, k_droop = -0.1084f, k_toes = 0.4423f;
+inline constexpr float k_way_late = 4.437f, k_way = -0.03416f;
+inline constexpr float k_clear_early = 1.001f, k_clear = 0.004182f;
+inline constexpr float k_soft = 0.02199f, k_droop = -0.09998f, k_toes = 0.4717f;
 
 // The foot in stance: share of the norm's pitch at heel strike, phases in which the heel comes off, radians
 // by which it rises further before toe-off; pitch of a foot that lands on its ball.
-inline constexpr float k_heel_strike = 0.7013f, k_heel_off_0 = 0.2982f, k_heel_off_1 = 0.3509f;
-inline constexpr float k_heel_rise = 0.04128f, k_forefoot_pitch = -0.25f;
+inline constexpr float k_heel_strike = 0.7497f, k_heel_off_0 = 0.3019f, k_heel_off_1 = 0.339f;
+inline constexpr float k_heel_rise = 0.04983f, k_forefoot_pitch = -0.25f;
 
 // Height of the pelvis: radians that the standing knee bends more than in the norm; the straightest leg, as a
 // share of its length, rounded over so many metres; metres that a swinging leg may fall short before
 // `landing`, a share of the swing, and by which a foot in mid-swing gives way.
-inline constexpr float k_knee_more = -0.005787f, k_straightest = 0.9981f, k_straight = 0.001057f;
-inline constexpr float k_landing = 0.6f, k_landing_slack = 0.1454f, k_give = 0.03f;
+inline constexpr float k_knee_more = -0.005341f, k_straightest = 0.9978f, k_straight = 0.001f;
+inline constexpr float k_landing = 0.5942f, k_landing_slack = 0.2128f, k_give = 0.03f;
 
 // Share of double support in which the body goes over to the foot that has landed.
-inline constexpr float k_shift_width = 0.8946f;
+inline constexpr float k_shift_width = 0.9136f;
 
 // Pelvis: sway to each side and rise over the standing leg, metres, at a natural speed, and what a longer
 // share of stance (a slower walk) adds to them: 70 mm from side to side at 0.7 m/s .. 39 at 1.6, 27 mm up and
 // down .. 48 (Orendurff et al. 2004). The rise goes with high_cosine cos 2a + high_sine sin 2a, a = 2 pi
 // phase; likewise its way ahead of an even speed, metres.
 inline constexpr float k_sway = 0.0257f, k_sway_slow = 0.287f;
-inline constexpr float k_bob = 0.0005075f, k_bob_slow = 0.2355f;
-inline constexpr float k_high_cosine = -0.9661f, k_high_sine = -1.284f;
-inline constexpr float k_surge_cosine = 0.0117f, k_surge_sine = -0.003194f;
+inline constexpr float k_bob = 0.00151f, k_bob_slow = 0.2039f;
+inline constexpr float k_high_cosine = -0.9725f, k_high_sine = -1.478f;
+inline constexpr float k_surge_cosine = 0.01078f, k_surge_sine = -0.002614f;
 
 // Arms swing twice a stride where feet stand longer than at a natural speed by these shares of the cycle
 // (0.75 m/s).

@@ -20,7 +20,7 @@ static constexpr float k_out_of_reach = 0.74f;    // legs; a foot farther from h
 static constexpr float k_lost = 1.3f;             // legs; one farther than this is set down anew
 static constexpr float k_rest = 0.16f;            // phase of a foot that stands
 static constexpr float k_early =
-    0.016f;  // of the cycle, by which the body trusts a foot before it is down
+    0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
