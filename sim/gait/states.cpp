@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "sim/gait/jump.h"
 #include "sim/gait/fits.h"
+#include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 
 namespace flaneur {
@@ -226,19 +226,28 @@ void advance_load(const Stepper& s, RandomKey chance) {
     approach(g.load[lane], target, rate * s.dt);
 }
 
+// The height at the walker's place of the plane that a foot stands on.
+float height_here(const FootBlock::Place& foot, int lane, Vec3 root) {
+    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
+    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
+    return foot.y[lane] - (nx * (root.x - foot.x[lane]) + nz * (root.z - foot.z[lane])) / ny;
+}
+
 // The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
 // down, by the time that foot lands; and it rises only as the higher foot takes the load.
-float carrying_height(const GaitBlock& g, int lane) {
+float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
     const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
     if (!l.swinging[lane] && !r.swinging[lane]) {
-        float left = l.from.y[lane], right = r.from.y[lane];
+        float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
         float high = left > right ? g.load[lane] : 1 - g.load[lane];
         return lerp(std::min(left, right), std::max(left, right), 0.6f * high);
     }
     bool both = l.swinging[lane] && r.swinging[lane];
     const FootBlock &swings = l.swinging[lane] ? l : r, &stands = l.swinging[lane] ? r : l;
-    float from = both ? lerp(l.from.y[lane], r.from.y[lane], 0.5f) : stands.from.y[lane];
-    float to = both ? lerp(l.to.y[lane], r.to.y[lane], 0.5f) : swings.to.y[lane];
+    float from = both ? lerp(height_here(l.from, lane, root), height_here(r.from, lane, root), 0.5f)
+                      : height_here(stands.from, lane, root);
+    float to = both ? lerp(height_here(l.to, lane, root), height_here(r.to, lane, root), 0.5f)
+                    : height_here(swings.to, lane, root);
     float duty = g.duty[lane];
     float u = smoothstep(duty, lerp(duty, 1, 0.6f), swings.phase[lane]);
     return both || to < from ? lerp(from, to, u) : from;
@@ -247,7 +256,7 @@ float carrying_height(const GaitBlock& g, int lane) {
 void advance_base(const Stepper& s, float speed) {
     GaitBlock& g = s.gait;
     int lane = s.lane;
-    float w = k_base_stiffness, target = carrying_height(g, lane) + 1.2f / w * g.rise[lane] * speed;
+    float w = k_base_stiffness, target = carrying_height(g, lane, s.root) + 1.2f / w * g.rise[lane] * speed;
     float& velocity = g.base_velocity[lane];
     velocity += (w * w * (target - g.base[lane]) - 2 * w * velocity) * s.dt;
     g.base[lane] += velocity * s.dt;
