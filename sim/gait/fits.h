@@ -42,8 +42,8 @@ inline constexpr float k_arms_twice_0 = 0.028f, k_arms_twice_1 = 0.036f;
 
 // A swing to another level has climbed by a share of its time that grows by the metres climbed, and waits
 // before it goes on; the other way round down, where it waits only where the way is steep (times its slope
-// squared). From these heights on (metres) it is one.
-inline constexpr float k_step_climbs = 0.32f, k_step_wait = 0.22f, k_step_waits = 20;
+// squared) and otherwise comes down in a last share, falls. From these heights on (metres) it is one.
+inline constexpr float k_step_climbs = 0.32f, k_step_wait = 0.22f, k_step_waits = 20, k_step_falls = 0.25f;
 inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 
 // A run at 3.1 m/s: knee 94 degrees in the swing, elbow 106. Radians by which its heel rises further before

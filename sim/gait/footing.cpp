@@ -10,6 +10,7 @@ namespace flaneur {
 
 static constexpr float k_level = 0.02f;       // metres; heights this near are one surface
 static constexpr float k_margin = 0.012f;     // metres between a sole and an edge
+static constexpr float k_toe_room = 0.045f;  // and before the toes, which roll on when the heel rises
 static constexpr float k_most_shift = 0.22f;  // metres
 static constexpr float k_riser = 0.05f;       // metres; higher edges are steps
 static constexpr float k_ledge = 1.1f;        // metres; higher ones cannot be jumped on
@@ -102,7 +103,7 @@ Footing find_footing(const City& city, const Place& wanted, const FootSize& size
             hit ? a && (!b || std::fabs(hit->height - a->height) < std::fabs(hit->height - b->height)) : !a;
         (before ? low : high) = middle;
     }
-    float over = high + size.heel + k_margin, back = low - size.tip - k_margin;
+    float over = high + size.heel + k_margin, back = low - size.tip - k_toe_room;
     if (std::fabs(back) < std::fabs(over)) std::swap(over, back);
     for (float shift : {over, back}) {
         if (std::fabs(shift) > k_most_shift) continue;
@@ -115,6 +116,26 @@ Footing find_footing(const City& city, const Place& wanted, const FootSize& size
     place.position.y = s.highest;
     place.normal = {0, 1, 0};
     return {place, true, false, true};
+}
+
+Footing clear_of_edge(const City& city, const Footing& down, Vec2 way, const FootSize& size) {
+    constexpr float k_room = 0.12f;
+    float height = down.place.position.y;
+    auto above = [&](float behind) {
+        auto hit = under(city, ahead_by(down.place.position, way, -size.heel - behind));
+        return hit && hit->height > height + k_level;
+    };
+    if (!above(k_room)) return down;
+    float low = 0, high = k_room;
+    for (int i = 0; i < 4; ++i) {
+        float middle = (low + high) * 0.5f;
+        (above(middle) ? high : low) = middle;
+    }
+    Place place = down.place;
+    place.position = ahead_by(place.position, way, k_room - low);
+    Footing moved = find_footing(city, place, size);
+    bool same = moved.found && std::fabs(moved.place.position.y - height) < k_level;
+    return same ? moved : down;
 }
 
 // The way of a swing and its height above the straight one, at share u, as pose_foot has it.
@@ -132,7 +153,8 @@ static SwingPoint swing_point(const Place& from, const Place& to, float u) {
     float slope2 = step * step / (far.x * far.x + far.z * far.z + 0.01f);
     float waits = step > 0 ? steep : std::min(k_step_waits * slope2, 1.0f) * steep;
     float onward = eased((v - k_step_wait) / (1 - k_step_wait)),
-          upward = eased(v / std::min(k_step_climbs + height, 1.0f));
+          climbs = std::min(k_step_climbs + height, 1.0f),
+          upward = eased(v / (step > 0 ? climbs : lerp(k_step_falls, climbs, waits)));
     float way = eased(u) - k_way_late * u * u * u * u * u * u * rest * rest - k_way * hop;
     way = lerp(way, step > 0 ? onward : 1 - onward, waits);
     float climb = lerp(way, step > 0 ? upward : 1 - upward, steep);

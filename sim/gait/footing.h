@@ -37,6 +37,10 @@ struct Footing {
 // toes hang over.
 Footing find_footing(const City& city, const Place& wanted, const FootSize& size);
 
+// `down`, a footing below the one before, moved along `way` until its heel stands well clear of the edge that
+// it passes, if the ground there lets it.
+Footing clear_of_edge(const City& city, const Footing& down, Vec2 way, const FootSize& size);
+
 // Metres that a swing from one place to the other has to rise above the way that the pose gives it, so that
 // neither toes nor heel meet the ground between; at most 0.35.
 float obstacle_between(const City& city, const Place& from, const Place& to, const FootSize& size);

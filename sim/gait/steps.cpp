@@ -152,6 +152,8 @@ bool plan(const Stepper& s, Side side, Place wished, bool leaves) {
         keep_to_treads(s, side, size, wished);
         if (s.gait.tread[s.lane] > 0) footing = find_footing(s.city, wished, size);
     }
+    if (footing.found && s.gait.tread[s.lane] <= 0 && footing.place.position.y < there.y[s.lane] - k_stair)
+        footing = clear_of_edge(s.city, footing, way, size);
     if (!footing.found) {
         bool jumps = leaves && s.gait.flight[s.lane] <= 0 && s.gait.amplitude[s.lane] > 0.3f;
         if (jumps && far_side(s.city, here, way, k_longest_jump).distance > 0) return false;

@@ -152,6 +152,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
         T v = select(up, u, rest), climbs = smaller(T(k_step_climbs) + height, one);
         T far2 = far_x * far_x + far_z * far_z + T(0.01f);
         T waits = select(up, steep, smaller(T(k_step_waits) * step * step / far2, one) * steep);
+        climbs = select(up, climbs, mixed(T(k_step_falls), climbs, waits));
         T onward = eased((v - T(k_step_wait)) * T(1 / (1 - k_step_wait))), upward = eased(v / climbs);
         way = select(steep > zero, mixed(way, select(up, onward, one - onward), waits), way);
         climb = select(steep > zero, mixed(climb, select(up, upward, one - upward), steep), climb);
