@@ -22,7 +22,7 @@ inline constexpr float k_heel_rise = 0.04983f, k_forefoot_pitch = -0.25f;
 // share of its length, rounded over so many metres; metres that a swinging leg may fall short before
 // `landing`, a share of the swing, and by which a foot in mid-swing gives way.
 inline constexpr float k_knee_more = -0.005341f, k_straightest = 0.9978f, k_straight = 0.001f;
-inline constexpr float k_landing = 0.5942f, k_landing_slack = 0.2128f, k_give = 0.03f;
+inline constexpr float k_landing = 0.5942f, k_landing_slack = 0.1f, k_give = 0.03f;
 
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;

@@ -16,7 +16,8 @@ using Wish = std::function<Vec2(float)>;  // at a time, m/s
 
 std::vector<Motion> drive(Motion m, float seconds, const Wish& wish, const GroundHit& under = {}) {
     std::vector<Motion> all;
-    for (float t = 0; t < seconds; t += k_tick) all.push_back(m = next_motion(m, wish_on(under, wish(t)), k_tick));
+    for (float t = 0; t < seconds; t += k_tick)
+        all.push_back(m = next_motion(m, wish_on(under, wish(t)), k_tick));
     return all;
 }
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 
+#include "sim/base/hash.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/report.h"
@@ -137,6 +139,10 @@ Result<void> run_gait(const Options& options) {
         bars += static_cast<int>(r.verdicts.size());
     }
     std::printf("\n%d of %d bars met.\n", bars - failed, bars);
+    // One word for all that was walked, to compare machines by.
+    uint64_t poses = 0;
+    for (const Report& r : reports) poses = mix(poses ^ r.poses);
+    if (gait.crowd == 0) std::printf("Poses %016" PRIx64 ".\n", poses);
     if (files[0]) {
         if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
     }

@@ -45,7 +45,7 @@ Report finished(Report report, const std::vector<Bar>& bars) {
 // Steady walking between two ticks, its curves and quantities.
 Report steady(const Walk& w, size_t first, size_t last) {
     Level level = measure_level(w, first, last);
-    return {"", "", level.curves, level.quantities, {}};
+    return {"", "", level.curves, level.quantities, {}, w.hash};
 }
 
 }  // namespace
@@ -69,6 +69,7 @@ Report try_turn(const Person& person, double speed, double degrees) {
         return t < k_stand ? Vec2{} : t < asked ? onward(speed) : after;
     });
     Report r;
+    r.poses = w.hash;
     r.quantities = measure_turn(w, tick_at(w, asked));
     append(r.quantities, measure_contact(w, strides(w, tick_at(w, asked - 1), tick_at(w, asked + 5))));
     r.name = text("turn_%.0f", degrees);
@@ -98,7 +99,7 @@ Report try_bends(const Person& person, double speed) {
         double a = std::log(rate / v), b = std::log(v);
         ++n, x += a, y += b, xx += a * a, xy += a * b;
     }
-    Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}};
+    Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}, 0};
     r.quantities.push_back({"bend_exponent", (n * xy - x * y) / (n * xx - x * x)});
     return finished(std::move(r), bends_bars());
 }
@@ -177,7 +178,7 @@ Report try_kerb(const Person& person, double speed, double height) {
 }
 
 Report try_gaits(const Person& person) {
-    Report r{"gaits", "From walk to run", {}, {}, {}};
+    Report r{"gaits", "From walk to run", {}, {}, {}, 0};
     for (int i = 16; i <= 28; ++i) {
         double speed = i / 10.0;
         Report level = try_level(person, speed, 14);

@@ -1,5 +1,6 @@
 #include "tools/flaneur/gait/walk.h"
 
+#include "sim/base/hash.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
@@ -39,7 +40,7 @@ City strip(const std::function<float(float z)>& height, const std::vector<float>
 }
 
 Walk walk(const City& city, const Person& person, double seconds, const Wish& wish) {
-    Walk result{person.body, 1 / static_cast<double>(k_tick), {}};
+    Walk result{person.body, 1 / static_cast<double>(k_tick), {}, 0};
     std::vector<Body> bodies{person.body};
     uint32_t index = 0;
     float scale = 1;
@@ -62,6 +63,7 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
         advance_gait(gait, 0, 1, root, city, k_seed, t, k_tick);
         reach_for_walls(gait, 0, 1, root, city, k_seed, t, k_tick);
         pose_blocks(gait, 0, 1, poses);
+        result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
         now.root = position;

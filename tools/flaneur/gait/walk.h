@@ -44,6 +44,7 @@ struct Walk {
     Body body;
     double rate = 60;  // ticks a second
     std::vector<Instant> ticks;
+    uint64_t hash = 0;  // of every pose: equal for equal walks on any machine
 };
 
 // A strip of ground 20 m wide along +z whose height changes at `edges`: between two of them it lies level at
