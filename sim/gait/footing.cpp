@@ -10,7 +10,7 @@ namespace flaneur {
 
 static constexpr float k_level = 0.02f;       // metres; heights this near are one surface
 static constexpr float k_margin = 0.012f;     // metres between a sole and an edge
-static constexpr float k_toe_room = 0.045f;  // and before the toes, which roll on when the heel rises
+static constexpr float k_toe_room = 0.045f;   // and before the toes, which roll on when the heel rises
 static constexpr float k_most_shift = 0.22f;  // metres
 static constexpr float k_riser = 0.05f;       // metres; higher edges are steps
 static constexpr float k_ledge = 1.1f;        // metres; higher ones cannot be jumped on
