@@ -8,7 +8,7 @@ if [[ ! -x $folder/flaneur ]]; then
     echo "SKIPPED: there is no build for aarch64; whole.build_aarch64 says why."
     exit 77
 fi
-for words in "--speed 1.3 --seconds 8" "--turn 180" "--stairs up" "--slope 8"; do
+for words in "--speed 1.3 --seconds 12" "--turn 180" "--stairs up" "--slope 8"; do
     # shellcheck disable=SC2086
     here=$("$flaneur" gait $words | grep '^Poses ') there=$("$folder/flaneur" gait $words | grep '^Poses ')
     echo "gait $words: $here here, $there on aarch64"
