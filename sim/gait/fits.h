@@ -18,6 +18,10 @@ inline constexpr float k_soft = 0.02199f, k_droop = -0.09998f, k_toes = 0.4717f;
 inline constexpr float k_heel_strike = 0.7497f, k_heel_off_0 = 0.3019f, k_heel_off_1 = 0.339f;
 inline constexpr float k_heel_rise = 0.04983f, k_forefoot_pitch = -0.25f;
 
+// Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
+// metres.
+inline constexpr float k_tiptoe = 0.35f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
+
 // Height of the pelvis: radians that the standing knee bends more than in the norm; the straightest leg, as a
 // share of its length, rounded over so many metres; metres that a swinging leg may fall short before
 // `landing`, a share of the swing, and by which a foot in mid-swing gives way.

@@ -73,7 +73,8 @@ HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> an
 // the heel has left, and neither point moves. In the swing the pivot wanders from ball back to heel while the
 // foot goes from one place to the next, its lowest point just above the ground.
 template <class T>
-HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s, const FootSizes<T>& size) {
+HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t lane, const Stride<T>& s,
+                             const FootSizes<T>& size) {
     T zero = T(0.0f), one = T(1.0f);
     T phase = at<T>(f.phase + lane);
     auto planted = phase < s.duty;
@@ -90,6 +91,14 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, size_t lane, const Stride<T>& s
     pitch = select(pitch > zero, pitch * T(k_heel_strike), pitch);
     T rises = ramp(T(0.36f), T(0.48f), norm) * (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
     pitch = pitch - rises * T(k_heel_rise) * s.ahead;
+    // Who lets the body down onto a lower step stands on the ball meanwhile: shins tilt only so far.
+    T drop = at<T>(f.from.y + lane) - at<T>(other.to.y + lane);
+    auto lets_down = planted & (drop > T(k_drop_0));
+    if (any(lets_down)) {
+        T tiptoe = ramp(T(k_drop_0), T(k_drop_1), drop) * ramp(T(0.18f), T(0.42f), norm) *
+                   (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
+        pitch = select(lets_down, pitch - tiptoe * T(k_tiptoe), pitch);
+    }
     if (any(s.running > zero)) {
         T more = s.running * T(k_run_heel) *
                  select(planted, ramp(T(0.26f), T(k_norm_toe_off), norm), one - ramp(zero, T(0.7f), u));

@@ -106,8 +106,8 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     stride.ahead = amplitude * larger(at<T>(g.course + lane), zero);
     stride.running = at<T>(g.running + lane);
     stride.lift = at<T>(g.lift + lane);
-    Foot<T> feet[2] = {pose_foot(g.feet[k_left], lane, stride, foot_size),
-                       pose_foot(g.feet[k_right], lane, stride, foot_size)};
+    Foot<T> feet[2] = {pose_foot(g.feet[k_left], g.feet[k_right], lane, stride, foot_size),
+                       pose_foot(g.feet[k_right], g.feet[k_left], lane, stride, foot_size)};
 
     // Pelvis: list, rotation and sway from the curves.
     Harmonics<T, 3> cycle = harmonics<3>(phase);
