@@ -114,8 +114,9 @@ LocalPose sample(const Clip& clip, float phase) {
     kernel::add_taps(list, clip, time.key, time.fraction, 1);
     auto sum = [&](size_t column) {
         float total = 0;
+        size_t part = column / 16;
         for (size_t t = 0; t < list.count; ++t)
-            total += list.taps[t].weight * list.taps[t].row[column / 16].values[column % 16];
+            total += list.taps[t].weight * list.taps[t].row[part].values[column % 16];
         return total;
     };
     LocalPose pose;
