@@ -71,10 +71,10 @@ HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> an
 
 // Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
 // the heel has left, and neither point moves. In the swing the pivot wanders from ball back to heel while the
-// foot goes from one place to the next, its lowest point just above the ground.
+// foot goes from one place to the next, its lowest point just above the ground. Places are from `origin`.
 template <class T>
 HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t lane, const Stride<T>& s,
-                             const FootSizes<T>& size) {
+                             const FootSizes<T>& size, V3<T> origin) {
     T zero = T(0.0f), one = T(1.0f);
     T phase = at<T>(f.phase + lane);
     auto planted = phase < s.duty;
@@ -143,6 +143,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     T from_x = at<T>(f.from.x + lane), from_y = at<T>(f.from.y + lane), from_z = at<T>(f.from.z + lane);
     T far_x = at<T>(f.to.x + lane) - from_x, far_z = at<T>(f.to.z + lane) - from_z;
     T rise = at<T>(f.to.y + lane) - from_y;
+    from_x = from_x - origin.x, from_y = from_y - origin.y, from_z = from_z - origin.z;
     T from_nx = at<T>(f.from.normal_x + lane), from_nz = at<T>(f.from.normal_z + lane);
     T far_nx = at<T>(f.to.normal_x + lane) - from_nx, far_nz = at<T>(f.to.normal_z + lane) - from_nz;
     T way = eased(u) - T(k_way_late) * square * (u * u) * (u * u) - T(k_way) * hop;

@@ -33,7 +33,9 @@ JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint j
     size_t lane = walker % k_block;
     const auto& p = b.position[joint];
     const auto& q = b.rotation[joint];
-    return {{p[0][lane], p[1][lane], p[2][lane]}, {q[0][lane], q[1][lane], q[2][lane], q[3][lane]}};
+    const auto& o = b.origin;
+    return {{o[0][lane] + p[0][lane], o[1][lane] + p[1][lane], o[2][lane] + p[2][lane]},
+            {q[0][lane], q[1][lane], q[2][lane], q[3][lane]}};
 }
 
 Sole sole(const std::vector<PoseBlock>& poses, const Gait& gait, size_t walker, Side side) {

@@ -8,9 +8,11 @@
 
 namespace flaneur {
 
-// Places and rotations of all joints in the world. rotation takes the canonical pose's axes to the joint's.
+// Places and rotations of all joints, along the world's axes. rotation takes the canonical pose's axes to the
+// joint's.
 struct alignas(64) PoseBlock {
-    float position[k_joint_count][3][k_block];
+    float origin[3][k_block];                   // in the world, near the walker's root
+    float position[k_joint_count][3][k_block];  // from the origin: as exact far out in a city as at its middle
     float rotation[k_joint_count][4][k_block];  // unit quaternions, vector part first
 };
 
@@ -19,7 +21,7 @@ struct alignas(64) PoseBlock {
 void pose_blocks(const Gait& gait, size_t begin, size_t end, std::vector<PoseBlock>& poses);
 
 struct JointPose {
-    Vec3 position;
+    Vec3 position;  // in the world
     Quat rotation;
 };
 JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint joint);

@@ -37,7 +37,7 @@ void world_pose_here(const PersonBlock& people, const LaneRow* local, PoseBlock&
             V3<Lanes> place = load_place<Lanes>(people.joints[j], lane);
             Q4<Lanes> rotation = load_rotation<Lanes>(rows_of(local + 4 * j), lane);
             if (k_joint_parents[j] == k_no_parent) {
-                place = place + load_place<Lanes>(rows_of(local + 4 * k_joint_count), lane);
+                store_place(load_place<Lanes>(rows_of(local + 4 * k_joint_count), lane), out.origin, lane);
             } else {
                 auto parent = size_t(k_joint_parents[j]);
                 Q4<Lanes> above = load_rotation<Lanes>(out.rotation[parent], lane);
@@ -61,8 +61,9 @@ void local_pose_here(const PersonBlock& people, const PoseBlock& poses, LaneRow*
             }
             store_rotation(rotation, rows_of(local + 4 * j), lane);
         }
-        V3<Lanes> way =
+        V3<Lanes> from_origin =
             load_place<Lanes>(poses.position[hips], lane) - load_place<Lanes>(people.joints[hips], lane);
+        V3<Lanes> way = load_place<Lanes>(poses.origin, lane) + from_origin;
         store_place(way, rows_of(local + 4 * k_joint_count), lane);
     }
 }

@@ -10,6 +10,7 @@
 #include "sim/ik/two_bone-inl.h"
 #include "sim/pose/foot-inl.h"
 #include "sim/pose/pose.h"
+#include "sim/pose/rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
@@ -22,13 +23,8 @@ HWY_INLINE V3<T> joint_place(const PersonBlock& p, int joint, size_t lane) {
 
 template <class T>
 HWY_INLINE void set_joint(PoseBlock& out, int joint, size_t lane, V3<T> position, Q4<T> rotation) {
-    store(position.x, out.position[joint][0] + lane);
-    store(position.y, out.position[joint][1] + lane);
-    store(position.z, out.position[joint][2] + lane);
-    store(rotation.x, out.rotation[joint][0] + lane);
-    store(rotation.y, out.rotation[joint][1] + lane);
-    store(rotation.z, out.rotation[joint][2] + lane);
-    store(rotation.w, out.rotation[joint][3] + lane);
+    store_place(position, out.position[joint], lane);
+    store_rotation(rotation, out.rotation[joint], lane);
 }
 
 template <class T>
@@ -77,7 +73,8 @@ HWY_INLINE Q4<T> between(Q4<T> a, Q4<T> b, float t) {
 // A hand on a wall: palm flat on it, fingers up and a little ahead. Returns the wrist; `rotation` is the
 // hand's.
 template <class T>
-HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror, T palm, Q4<T>& rotation) {
+HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror, T palm, V3<T> origin,
+                               Q4<T>& rotation) {
     V3<T> normal{at<T>(hand.normal_x + lane), T(0.0f), at<T>(hand.normal_z + lane)};
     // A body that has the wall at this side, its arm turned up past the shoulder: half a turn about z.
     T cosine = normal.x * T(-mirror), sine = normal.z * T(mirror);
@@ -86,7 +83,7 @@ HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror,
     Q4<T> up = unit(Q4<T>{s * T(mirror), T(0.0f), c * T(mirror), T(0.0f)});
     rotation = turned_x(up, SineCosine<T>{T(0.0f - k_finger_tilt_sine), T(k_finger_tilt_cosine)});
     V3<T> fingers = rotate(rotation, V3<T>{T(0.0f), T(-1.0f), T(0.0f)});
-    V3<T> place{at<T>(hand.x + lane), at<T>(hand.y + lane), at<T>(hand.z + lane)};
+    V3<T> place = V3<T>{at<T>(hand.x + lane), at<T>(hand.y + lane), at<T>(hand.z + lane)} - origin;
     return place + normal * T(k_palm_thickness) - fingers * palm;
 }
 
@@ -110,7 +107,7 @@ inline constexpr float k_arm_soft = 0.004f;
 template <class T>
 HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
                           V3<T> chest_at, Q4<T> chest_rot, V3<T> chest_place, const Trunk<T>& trunk,
-                          const Harmonics<T, 3>& cycle) {
+                          const Harmonics<T, 3>& cycle, V3<T> origin) {
     T zero = T(0.0f);
     V3<T> clavicle = joint_place<T>(p, left_shoulder, lane),
           shoulder = joint_place<T>(p, left_upper_arm, lane);
@@ -156,7 +153,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         Q4<T> on_wall;
         if (reaching) {
             V3<T> to =
-                wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), on_wall) - shoulder_at;
+                wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), origin, on_wall) -
+                shoulder_at;
             wrist = mixed(wrist, V3<T>{dot(to, chest.x), dot(to, chest.y), dot(to, chest.z)}, reach);
             front.sine = mixed(front.sine, T(k_elbow_in_sine * mirror), reach);
         }
@@ -184,7 +182,7 @@ inline constexpr AimJoint k_look[3] = {
 // and the head keeps still.
 template <class T>
 HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
-                           const Trunk<T>& trunk, const Harmonics<T, 3>& cycle) {
+                           const Trunk<T>& trunk, const Harmonics<T, 3>& cycle, V3<T> origin) {
     T one = T(1.0f);
     T look[3];  // of chest, neck and head
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
@@ -213,7 +211,7 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         position = position + axes.y * (next.y - place.y) + axes.z * (next.z - place.z);
         place = next;
         set_joint(out, joint, lane, position, rotations[joint]);
-        if (joint == upper_chest) pose_arms(g, p, out, lane, position, chest_rot, place, trunk, cycle);
+        if (joint == upper_chest) pose_arms(g, p, out, lane, position, chest_rot, place, trunk, cycle, origin);
     }
 }
 

@@ -25,7 +25,6 @@ struct Pelvis {
 // What raises and lowers the pelvis besides the legs, metres.
 template <class T>
 struct Height {
-    T base;    // of the ground that it rides on
     T load;    // share of the body on the left leg
     T bob;     // added as it passes over a leg
     T bounce;  // of a run: up in flight, down in stance
@@ -60,7 +59,7 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     }
     // Never so high that a planted leg would be stretched, rounded so that the knee does not snap straight;
     // but a leg about to leave may be: its heel gives.
-    T y = height.base + wanted - height.crouch;
+    T y = wanted - height.crouch;
     for (int side = 0; side < 2; ++side)
         y = soft_smaller(y, smaller(limits[side] - stride.lift + feet[side].slack, y + T(0.3f)),
                          T(k_straight));
@@ -106,8 +105,11 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     stride.ahead = amplitude * larger(at<T>(g.course + lane), zero);
     stride.running = at<T>(g.running + lane);
     stride.lift = at<T>(g.lift + lane);
-    Foot<T> feet[2] = {pose_foot(g.feet[k_left], g.feet[k_right], lane, stride, foot_size),
-                       pose_foot(g.feet[k_right], g.feet[k_left], lane, stride, foot_size)};
+    // The ground on which the pelvis rides, below the root.
+    V3<T> origin{at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
+    store_place(origin, out.origin, lane);
+    Foot<T> feet[2] = {pose_foot(g.feet[k_left], g.feet[k_right], lane, stride, foot_size, origin),
+                       pose_foot(g.feet[k_right], g.feet[k_left], lane, stride, foot_size, origin)};
 
     // Pelvis: list, rotation and sway from the curves.
     Harmonics<T, 3> cycle = harmonics<3>(phase);
@@ -129,15 +131,13 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         turned_yzx(plus(heading.half, half_turn(zero - turn)), half_turn(list), half_turn(lean * T(0.3f)));
     pelvis.axes = axes_of(pelvis.rotation);
     T surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * amplitude;
-    pelvis.place =
-        along(heading, V3<T>{sway, zero, surge}) + V3<T>{at<T>(g.x + lane), zero, at<T>(g.z + lane)};
+    pelvis.place = along(heading, V3<T>{sway, zero, surge});
     V3<T> aside = pelvis.axes.x * hip_place.x;
     V3<T> middle =
         pelvis.axes.y * (hip_place.y - hips_place.y) + pelvis.axes.z * (hip_place.z - hips_place.z);
     pelvis.to_hip[k_left] = middle + aside;
     pelvis.to_hip[k_right] = middle - aside;
     Height<T> height;
-    height.base = at<T>(g.base + lane);
     height.load = load;
     height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane);
     // cos of twice (phase - k_high).
@@ -169,7 +169,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
 
     Trunk<T> trunk{pelvis.place, pelvis.rotation, pelvis.axes,    hips_place, heading, turn, list,
                    lean,         amplitude,       stride.running, slow};
-    pose_trunk(g, p, out, lane, trunk, cycle);
+    pose_trunk(g, p, out, lane, trunk, cycle, origin);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

@@ -5,6 +5,7 @@
 
 #include "sim/base/isa.h"
 #include "sim/base/math.h"
+#include "sim/pose/joint_speed.h"
 #include "tools/flaneur/bench.h"
 #include "tools/flaneur/load.h"
 
@@ -39,6 +40,14 @@ double pose_ns(Work& work, const Gait& gait) {
     return ns_each(gait.count, [&] { pose_blocks(gait, 0, gait.blocks.size(), work.poses); });
 }
 
+double limit_ns(Work& work) {
+    const World& w = *work.world;
+    work.poses = w.poses;
+    return ns_each(w.gait.count, [&] {
+        limit_joint_speeds(w.gait, 0, w.gait.blocks.size(), k_tick, w.previous_poses, work.poses);
+    });
+}
+
 double advance_ns(Work& work) {
     return ns_each(work.before.count * k_replayed, [&] {
         work.advancing = work.before;
@@ -57,6 +66,7 @@ std::vector<Kernel> kernels_of(Work& work) {
         {"core", [&] { return pose_ns(work, work.walking); }, {130, 80, 60}},
         {"core, 16 x walkers", [&] { return pose_ns(work, work.many); }},
         {"full", [&] { return pose_ns(work, work.reaching); }, {250, 130, 100}},
+        {"joint speeds", [&] { return limit_ns(work); }},
         {"advance", [&] { return advance_ns(work); }},
         blend_kernel(walkers),
     };

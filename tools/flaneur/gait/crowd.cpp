@@ -29,13 +29,6 @@ float angle_between(Quat a, Quat b) {
     return 2 * arctan2(length(Vec3{d.x, d.y, d.z}), std::fabs(d.w)) * k_degrees;
 }
 
-// Metres by which two places near `p` may come nearer or farther because coordinates are single floats: one
-// unit in the last place on each axis.
-float rounding(Vec3 p) {
-    auto unit = [](float v) { return std::nextafter(std::fabs(v), 1e9f) - std::fabs(v); };
-    return length(Vec3{unit(p.x), unit(p.y), unit(p.z)});
-}
-
 void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
     const PersonBlock& person = world.gait.people[i / k_block];
     size_t lane = i % k_block;
@@ -72,11 +65,12 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
         auto rest = [&](size_t of) {
             return Vec3{person.joints[of][0][lane], person.joints[of][1][lane], person.joints[of][2][lane]};
         };
-        float bone = length(rest(j) - rest(parent));
-        Vec3 p = poses[j].position;
-        float error = std::fabs(length(p - poses[parent].position) - bone);
-        watch.bone_error = std::max(watch.bone_error, error - rounding(p));
-        watch.bone_error_at_all = std::max(watch.bone_error_at_all, error);
+        const auto& places = world.poses[i / k_block].position;
+        auto is = [&](size_t of) {
+            return Vec3{places[of][0][lane], places[of][1][lane], places[of][2][lane]};
+        };
+        float error = std::fabs(length(is(j) - is(parent)) - length(rest(j) - rest(parent)));
+        watch.bone_error = std::max(watch.bone_error, error);
     }
     watch.seen = true;
 }
@@ -174,7 +168,7 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
 
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
     std::vector<double> drift{0}, below{0}, above{0}, slip{0};
-    double not_finite = 0, outside = 0, beyond = 0, bone = 0, bone_at_all = 0, spin = 0, jumps = 0;
+    double not_finite = 0, outside = 0, beyond = 0, bone = 0, spin = 0, jumps = 0;
     std::vector<LegCurves> people;
     std::vector<double> speeds;
     for (const WalkerWatch& w : watches) {
@@ -195,7 +189,6 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
             spin = std::max(spin, static_cast<double>(joint.spin));
         }
         bone = std::max(bone, static_cast<double>(w.bone_error));
-        bone_at_all = std::max(bone_at_all, static_cast<double>(w.bone_error_at_all));
         LegCurves m = leg_curves(w.legs);
         if (m.strides < 3) continue;
         people.push_back(m);
@@ -216,7 +209,6 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                           {"joints_outside_most.deg", beyond},
                           {"not_finite", not_finite},
                           {"bone_error.m", bone},
-                          {"bone_error_with_rounding.m", bone_at_all},
                           {"joint_speed.deg_s", spin},
                           {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});

@@ -29,9 +29,7 @@ struct WalkerWatch {
     JointWatch joints[k_joint_count];
     bool seen = false;        // whether `last` of the joints is of the tick before
     uint32_t not_finite = 0;  // ticks
-    // Metres by which a bone differs from its length: beyond what the rounding of its ends explains, and with
-    // it.
-    float bone_error = 0, bone_error_at_all = 0;
+    float bone_error = 0;     // metres by which a bone differs from its length
 
     // Its left leg, for how people differ.
     struct Leg {

@@ -4,6 +4,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
+#include "sim/pose/joint_speed.h"
 
 namespace flaneur {
 
@@ -51,7 +52,8 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
     RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &wished};
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, city, k_seed, &person.manner);
-    std::vector<PoseBlock> poses(1);
+    std::vector<PoseBlock> poses(1), before(1);
+    pose_blocks(gait, 0, 1, poses);
 
     auto ticks = static_cast<uint32_t>(seconds * result.rate);
     for (uint32_t t = 0; t < ticks; ++t) {
@@ -62,7 +64,9 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
         if (auto hit = ground(city, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, city, k_seed, t, k_tick);
         reach_for_walls(gait, 0, 1, root, city, k_seed, t, k_tick);
+        poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
+        limit_joint_speeds(gait, 0, 1, k_tick, before, poses);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
