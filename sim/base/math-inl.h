@@ -48,6 +48,12 @@ HWY_INLINE SineCosine<T> half_turn(T angle) {
     return {s, c};
 }
 
+// Of the sum of two angles.
+template <class T>
+HWY_INLINE SineCosine<T> plus(SineCosine<T> a, SineCosine<T> b) {
+    return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
+}
+
 // Of the whole angle, from those of its half.
 template <class T>
 HWY_INLINE SineCosine<T> doubled(SineCosine<T> half) {

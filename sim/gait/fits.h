@@ -28,6 +28,9 @@ inline constexpr float k_tiptoe = 0.35f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
 inline constexpr float k_knee_more = -0.005341f, k_straightest = 0.9978f, k_straight = 0.001f;
 inline constexpr float k_landing = 0.5942f, k_landing_slack = 0.1f, k_give = 0.03f;
 
+// Share of a foot's time on the ground before the hip passes it.
+inline constexpr float k_lead = 0.3987f;
+
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;
 

@@ -25,8 +25,9 @@ static constexpr float k_base_stiffness = 12;         // 1/s, of the critically 
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
-static constexpr float k_rise = 4.5f;         // 1/s, of the phase of a foot that begins
-static constexpr float k_close = 2;           // 1/s, the least such rate when standing
+static constexpr float k_late = 0.03f, k_hasty_swing = 1.4f;  // metres, behind time; of the frequency
+static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
+static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
 static constexpr float k_drop = 0.07f;        // metres down, from which on a foot lands on its ball
 static constexpr float k_just_below = 1e-4f;  // of the phase
 static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
@@ -140,6 +141,8 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
     float soon = std::min(speed, lerp(speed, length(s.wish), 0.25f));
     float stride = std::max(soon, 0.05f) / f;
     float reach = std::min(k_out_of_reach * s.leg, 0.08f + 0.7f * duty * stride);
+    // And this far when the other one lands, at most.
+    float behind_at_contact = (0.5f - k_lead * k_norm_duty) * stride + k_late;
     const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
@@ -148,7 +151,12 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
             bool drops = foot.goal.y[lane] < foot.from.y[lane] - k_drop;
             float forefoot = g.tread[lane] > 0 || drops ? 1.0f : 0.6f * g.running[lane];
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
-            phase = std::max(phase + f * s.dt, duty);
+            float rate = f;
+            if (g.running[lane] <= 0 && !g.feet[1 - side].swinging[lane]) {
+                float left = std::max(behind_at_contact - off[1 - side].behind, 0.01f);
+                rate = clamp((1 - phase) * speed / left, f, k_hasty_swing * f);
+            }
+            phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {
                 phase -= 1;
                 touch_down(s, side);

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/gait/fits.h"
 
 namespace flaneur {
 
-static constexpr float k_home_twist = 0.55f;  // radians; a standing foot turned farther steps
-static constexpr float k_lead = 0.3987f;      // share of a foot's time on the ground before the hip passes it
+static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
 static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
 static constexpr float k_run_lead = 0.34f;      // the same of a run
 static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish

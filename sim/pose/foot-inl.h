@@ -40,16 +40,16 @@ struct Stride {
 // The foot moves in the plane of its own `up` and `ahead`, in which places have two coordinates.
 template <class T>
 struct Foot {
-    Q4<T> flat;          // of the foot if it stood flat
-    V3<T> place;         // on the ground below the flat foot's ankle
-    V3<T> up, ahead;     // axes of the flat foot
-    T pitch, toe_pitch;  // toes up +, radians
+    Q4<T> flat;       // of the foot if it stood flat
+    V3<T> place;      // on the ground below the flat foot's ankle
+    V3<T> up, ahead;  // axes of the flat foot
     T ankle_up, ankle_ahead;
-    SineCosine<T> half, toe_half;  // of -pitch, as turns about x
+    SineCosine<T> half, toe_half;  // of the turns of foot and toes about x, toes down +
     T knee;                        // cosine of the flexion that the normal walk has now
     T leaving;                     // 0 while the body rests on it .. 1 at toe-off
-    T slack;  // metres that the leg may fall short: none as it lands and stands, some as it leaves
-    T give;   // metres before its reach from which on a swinging leg gives way
+    T slack;   // metres that the leg may fall short: none as it lands and stands, some as it leaves
+    T give;    // metres before its reach from which on a swinging leg gives way
+    T swings;  // 1 in the swing, 0 on the ground
 };
 
 template <class T>
@@ -63,7 +63,7 @@ HWY_INLINE V3<T> ankle_of(const Foot<T>& foot) {
 // The toe joint, for the ankle at `ankle`.
 template <class T>
 HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> ankle) {
-    SineCosine<T> tilt = doubled(foot.half);  // of -pitch
+    SineCosine<T> tilt = doubled(foot.half);
     T down = size.ball_height - size.ankle;
     return ankle + foot.up * (down * tilt.cosine - size.ball * tilt.sine) +
            foot.ahead * (size.ball * tilt.cosine + down * tilt.sine);
@@ -109,10 +109,9 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
                 at<T>(f.forefoot + lane);
     pitch = mixed(pitch, T(k_forefoot_pitch), landing);
     auto toes_up = pitch > zero;
-    out.pitch = pitch;
-    out.toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)) * (one - landing) * T(k_toes));
-    out.half = half_turn(zero - out.pitch);
-    out.toe_half = half_turn(zero - out.toe_pitch);
+    T toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)) * (one - landing) * T(k_toes));
+    out.half = half_turn(zero - pitch);
+    out.toe_half = half_turn(zero - toe_pitch);
     SineCosine<T> tilt = doubled(out.half);
     T cosine = tilt.cosine, sine = zero - tilt.sine;
 
@@ -181,6 +180,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
 
     T knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave) + T(k_knee_more), T(0.03f)), s.amplitude);
     out.knee = doubled(half_turn(knee)).cosine;
+    out.swings = select(planted, zero, one);
     out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
     out.give =
         select(planted, zero, T(k_give) * ramp(zero, T(0.15f), u) * (one - ramp(T(0.7f), T(0.92f), u)));
@@ -192,13 +192,59 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     return out;
 }
 
+// Turns a foot toes down by twice `half`, in the lanes of `turns`: over its ball on the ground.
+template <class M, class T>
+HWY_INLINE void turn_over_ball(Foot<T>& foot, const FootSizes<T>& size, M turns, SineCosine<T> half) {
+    SineCosine<T> turned = plus(foot.half, half), tilt = doubled(turned);
+    foot.half = {select(turns, turned.sine, foot.half.sine), select(turns, turned.cosine, foot.half.cosine)};
+    foot.ankle_up = select(turns, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
+    foot.ankle_ahead =
+        select(turns, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
+}
+
+// Shins tilt over a foot only so far: beyond the first angle ever less, to the second at most (sines of 26
+// and 36 degrees). Half the turn, toes down, by which `shin`, a unit vector up along it, is tilted farther,
+// in the lanes that become `tilted`.
+inline constexpr float k_tilt_free = 0.438f, k_tilt_gives = 0.15f;
+template <class T, class M>
+HWY_INLINE SineCosine<T> over_tilt(const Foot<T>& foot, V3<T> shin, M& tilted) {
+    SineCosine<T> tilt = doubled(foot.half);
+    T up = dot(foot.up, shin), ahead = dot(foot.ahead, shin);
+    T sine = ahead * tilt.cosine - up * tilt.sine, cosine = up * tilt.cosine + ahead * tilt.sine;
+    T excess = sine - T(k_tilt_free);
+    tilted = excess > T(0.0f);
+    if (!any(tilted)) return {};
+    T over = T(1.0f) / (sine * sine + cosine * cosine);
+    excess = smaller(select(cosine > T(0.0f), excess, T(1.0f)), T(2 * k_tilt_gives));
+    T allowed = T(k_tilt_free) + excess - excess * excess * T(0.25f / k_tilt_gives);
+    T rest = root(larger(sine * sine + cosine * cosine - allowed * allowed, T(0.0f)));
+    T half = root(larger(T(0.5f) + T(0.5f) * over * (cosine * rest + sine * allowed), T(1e-6f)));
+    return {T(0.5f) * over * (sine * rest - cosine * allowed) / half, half};
+}
+
+template <class T, class M>
+HWY_INLINE void turn_if(M turns, SineCosine<T>& half, SineCosine<T> by) {
+    SineCosine<T> turned = plus(half, by);
+    half = {select(turns, turned.sine, half.sine), select(turns, turned.cosine, half.cosine)};
+}
+
+// Turns a foot on the ground toes down over its ball, by twice `half`.
+template <class T, class M>
+HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SineCosine<T> half) {
+    turn_if(turns, foot.half, half);
+    SineCosine<T> tilt = doubled(foot.half);
+    foot.ankle_up = select(turns, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
+    foot.ankle_ahead =
+        select(turns, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
+}
+
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
 // the angle.
 template <class T>
 HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip, T reach) {
     V3<T> to_hip = hip - ankle_of(foot);
     T distance2 = dot(to_hip, to_hip);
-    auto short_leg = (foot.leaving > T(0.0f)) & (foot.pitch <= T(0.0f)) & (distance2 > reach * reach);
+    auto short_leg = (foot.leaving > T(0.0f)) & (foot.half.sine >= T(0.0f)) & (distance2 > reach * reach);
     if (!any(short_leg)) return;
     T distance = root(distance2);
     // How fast the ankle nears the hip as the heel rises: d/dpitch of its place in the foot's plane.
@@ -207,14 +253,7 @@ HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip, T
     T move_up = size.ankle * sine + size.ball * cosine, move_ahead = size.ankle * cosine - size.ball * sine;
     T gain = (dot(foot.up, to_hip) * move_up + dot(foot.ahead, to_hip) * move_ahead) / distance;
     T angle = smaller((distance - reach) / larger(gain, T(0.03f)), T(0.3f));
-    foot.pitch = select(short_leg, foot.pitch - angle, foot.pitch);
-    SineCosine<T> half = half_turn(T(0.0f) - foot.pitch);
-    tilt = doubled(half);
-    foot.half = {select(short_leg, half.sine, foot.half.sine),
-                 select(short_leg, half.cosine, foot.half.cosine)};
-    foot.ankle_up = select(short_leg, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
-    foot.ankle_ahead =
-        select(short_leg, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
+    turn_over_ball(short_leg, foot, size, half_turn(angle));
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

@@ -11,8 +11,9 @@ namespace flaneur {
 // Places and rotations of all joints, along the world's axes. rotation takes the canonical pose's axes to the
 // joint's.
 struct alignas(64) PoseBlock {
-    float origin[3][k_block];                   // in the world, near the walker's root
-    float position[k_joint_count][3][k_block];  // from the origin: as exact far out in a city as at its middle
+    float origin[3][k_block];  // in the world, near the walker's root
+    float position[k_joint_count][3]
+                  [k_block];  // from the origin: as exact far out in a city as at its middle
     float rotation[k_joint_count][4][k_block];  // unit quaternions, vector part first
 };
 

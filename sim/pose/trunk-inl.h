@@ -27,11 +27,6 @@ HWY_INLINE void set_joint(PoseBlock& out, int joint, size_t lane, V3<T> position
     store_rotation(rotation, out.rotation[joint], lane);
 }
 
-template <class T>
-HWY_INLINE SineCosine<T> plus(SineCosine<T> a, SineCosine<T> b) {
-    return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
-}
-
 // The yaw of the body: sine and cosine of half of it, and of the whole.
 template <class T>
 struct Heading {
@@ -152,9 +147,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         bool reaching = any(reach > zero);
         Q4<T> on_wall;
         if (reaching) {
-            V3<T> to =
-                wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), origin, on_wall) -
-                shoulder_at;
+            V3<T> to = wrist_on_wall(g.hands[side], lane, mirror, size.lower * T(0.32f), origin, on_wall) -
+                       shoulder_at;
             wrist = mixed(wrist, V3<T>{dot(to, chest.x), dot(to, chest.y), dot(to, chest.z)}, reach);
             front.sine = mixed(front.sine, T(k_elbow_in_sine * mirror), reach);
         }
@@ -211,7 +205,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         position = position + axes.y * (next.y - place.y) + axes.z * (next.z - place.z);
         place = next;
         set_joint(out, joint, lane, position, rotations[joint]);
-        if (joint == upper_chest) pose_arms(g, p, out, lane, position, chest_rot, place, trunk, cycle, origin);
+        if (joint == upper_chest)
+            pose_arms(g, p, out, lane, position, chest_rot, place, trunk, cycle, origin);
     }
 }
 

@@ -152,12 +152,30 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
 
     for (int side = 0; side < 2; ++side) {
         int joint = side == k_left ? left_upper_leg : right_upper_leg;
-        const Foot<T>& foot = feet[side];
-        V3<T> hip = pelvis.place + pelvis.to_hip[side],
-              to_ankle = within_reach(ankle_of(foot) - hip, leg, foot.give);
+        Foot<T>& foot = feet[side];
+        V3<T> hip = pelvis.place + pelvis.to_hip[side];
         // The knee looks where pelvis and foot do; never backwards in the frame of the body.
         V3<T> front = against(heading, pelvis.axes.z + foot.ahead);
-        Limb<T> limb = two_bone(to_ankle, plus(heading.half, half_yaw_to(front.x, front.z)), leg, 1.0f, 0.0f);
+        SineCosine<T> half_front = plus(heading.half, half_yaw_to(front.x, front.z));
+        auto solved = [&] {
+            return two_bone(within_reach(ankle_of(foot) - hip, leg, foot.give), half_front, leg, 1.0f, 0.0f);
+        };
+        Limb<T> limb = solved();
+        auto shin = [&] { return (limb.middle - limb.end) * (one / leg.lower); };
+        auto tilted = zero > zero;
+        SineCosine<T> over = over_tilt(foot, shin(), tilted);
+        if (any(tilted)) {
+            // On the ground the heel comes up, which bends the knee anew; in the air the toes hang.
+            auto stands = foot.swings <= zero;
+            for (int pass = 0; pass < 2 && any(tilted & stands); ++pass) {
+                turn_over_ball(tilted & stands, foot, foot_size, over);
+                limb = solved();
+                over = over_tilt(foot, shin(), tilted);
+            }
+            auto hangs = tilted & (foot.swings > zero);
+            turn_if(hangs, foot.half, over);
+            turn_if(hangs, foot.toe_half, over);
+        }
         V3<T> reached = hip + limb.end;
         Q4<T> rotation = turned_x(foot.flat, foot.half);
         set_joint(out, joint, lane, hip, limb.upper_rot);
