@@ -1,7 +1,7 @@
 #include <chrono>
 
 #include "sim/gait/hands.h"
-#include "sim/pose/joint_speed.h"
+#include "sim/pose/joint_limits.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -46,7 +46,7 @@ void step(World& w) {
         parallel_for(*w.workers, w.gait.blocks.size(), k_blocks_a_chunk,
                      [&](size_t begin, size_t end, int) {
                          pose_blocks(w.gait, begin, end, w.poses);
-                         limit_joint_speeds(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
+                         restrain_legs(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
                      });
         add_idles(w);
     });

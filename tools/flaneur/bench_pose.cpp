@@ -5,7 +5,7 @@
 
 #include "sim/base/isa.h"
 #include "sim/base/math.h"
-#include "sim/pose/joint_speed.h"
+#include "sim/pose/joint_limits.h"
 #include "tools/flaneur/bench.h"
 #include "tools/flaneur/load.h"
 
@@ -44,7 +44,7 @@ double limit_ns(Work& work) {
     const World& w = *work.world;
     work.poses = w.poses;
     return ns_each(w.gait.count, [&] {
-        limit_joint_speeds(w.gait, 0, w.gait.blocks.size(), k_tick, w.previous_poses, work.poses);
+        restrain_legs(w.gait, 0, w.gait.blocks.size(), k_tick, w.previous_poses, work.poses);
     });
 }
 

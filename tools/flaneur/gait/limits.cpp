@@ -9,27 +9,9 @@ namespace flaneur {
 
 namespace {
 
-struct Span {
-    float low, high;
-};
-struct Limits {
-    Span bend, side, twist;
-};
+using namespace joint_limits;
 
-// Ranges of motion after the American Academy of Orthopaedic Surgeons (Joint Motion, 1965) and Kapandji (The
-// Physiology of the Joints), with a few degrees for the ends that only a load reaches: the ankle of one who
-// squats, the hip behind a runner.
-constexpr Limits k_any = {{-180, 180}, {-180, 180}, {-180, 180}};
-constexpr Limits k_trunk = {{-20, 45}, {-25, 25}, {-30, 30}};
-constexpr Limits k_neck = {{-40, 45}, {-35, 35}, {-60, 60}};
-constexpr Limits k_clavicle = {{-25, 40}, {-15, 45}, {-50, 50}};
-constexpr Limits k_shoulder = {{-60, 180}, {-45, 180}, {-100, 100}};
-constexpr Limits k_elbow = {{-5, 150}, {-180, 180}, {-100, 100}};
-constexpr Limits k_wrist = {{-85, 85}, {-45, 45}, {-100, 100}};
-constexpr Limits k_hip = {{-35, 125}, {-30, 50}, {-50, 50}};
-constexpr Limits k_knee = {{-160, 5}, {-180, 180}, {-40, 40}};
-constexpr Limits k_ankle = {{-55, 40}, {-30, 35}, {-35, 35}};
-constexpr Limits k_toes = {{-45, 85}, {-20, 20}, {-20, 20}};
+constexpr JointLimits k_any = {{-180, 180}, {-180, 180}, {-180, 180}};
 
 enum class Kind { root, trunk, neck, clavicle, shoulder, elbow, wrist, hip, knee, ankle, toes };
 
@@ -70,9 +52,10 @@ Kind kind_of(Joint joint) {
     }
 }
 
-const Limits& limits_of(Kind kind) {
-    static constexpr const Limits* k_all[] = {&k_any,   &k_trunk, &k_neck, &k_clavicle, &k_shoulder, &k_elbow,
-                                              &k_wrist, &k_hip,   &k_knee, &k_ankle,    &k_toes};
+const JointLimits& limits_of(Kind kind) {
+    static constexpr const JointLimits* k_all[] = {&k_any,      &k_trunk, &k_neck,  &k_clavicle,
+                                                   &k_shoulder, &k_elbow, &k_wrist, &k_hip,
+                                                   &k_knee,     &k_ankle, &k_toes};
     return *k_all[static_cast<int>(kind)];
 }
 
@@ -121,7 +104,7 @@ JointAngles joint_angles(Joint joint, Quat parent, Quat child) {
 }
 
 float beyond_limits(Joint joint, const JointAngles& a) {
-    const Limits& l = limits_of(kind_of(joint));
+    const JointLimits& l = limits_of(kind_of(joint));
     return std::max({outside(l.bend, a.bend), outside(l.side, a.side), outside(l.twist, a.twist)});
 }
 

@@ -1,15 +1,11 @@
 // How far joints of people turn.
 #pragma once
 
-#include "sim/pose/body.h"
+#include "sim/pose/joint_limits.h"
 
 namespace flaneur {
 
-// Angles of a joint against its parent, degrees, both sides alike. Legs and arms hang, and `bend` carries
-// them forward and `side` outward; trunk, neck and head stand, and bend forward and to their left; feet and
-// toes point ahead, and bend up and outward; the inner ends of the clavicles point outward, and bend forward
-// and up. `twist` is about the part's own length. Knees and elbows have only a bend, which is the whole angle
-// between both bones, negative for a knee that bends as knees do, and a twist.
+// Angles of a joint against its parent, degrees; see JointLimits.
 struct JointAngles {
     float bend = 0, side = 0, twist = 0;
 };

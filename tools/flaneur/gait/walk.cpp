@@ -4,7 +4,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
-#include "sim/pose/joint_speed.h"
+#include "sim/pose/joint_limits.h"
 
 namespace flaneur {
 
@@ -66,7 +66,7 @@ Walk walk(const City& city, const Person& person, double seconds, const Wish& wi
         reach_for_walls(gait, 0, 1, root, city, k_seed, t, k_tick);
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
-        limit_joint_speeds(gait, 0, 1, k_tick, before, poses);
+        restrain_legs(gait, 0, 1, k_tick, before, poses);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
