@@ -117,6 +117,20 @@ HWY_INLINE Q4<T> rotation_of(Axes<T> a) {
     return {(a.y.z - a.z.y) * s, (a.z.x - a.x.z) * s, (a.x.y - a.y.x) * s, w * T(0.5f)};
 }
 
+template <class M, class T>
+HWY_INLINE Q4<T> select(M m, Q4<T> a, Q4<T> b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
+}
+// The turn, or as much of it as a turn by twice `half` is.
+template <class T>
+HWY_INLINE Q4<T> at_most(Q4<T> turn, SineCosine<T> half) {
+    T sign = select(turn.w < T(0.0f), T(-1.0f), T(1.0f));
+    T sine = root(larger(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z, T(1e-12f)));
+    T scale = sign * half.sine / sine;
+    Q4<T> part{turn.x * scale, turn.y * scale, turn.z * scale, half.cosine};
+    return select(absolute(turn.w) < half.cosine, part, turn);
+}
+
 template <class T>
 HWY_INLINE Q4<T> unit(Q4<T> q) {
     T s = T(1.0f) / root(larger(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, T(1e-12f)));

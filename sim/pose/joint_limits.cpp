@@ -44,10 +44,6 @@ namespace flaneur::HWY_NAMESPACE {
 
 using L = Lanes;
 
-HWY_INLINE Q4<L> select(LaneMask m, Q4<L> a, Q4<L> b) {
-    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
-}
-
 // How far a joint has turned in the world: the chord between unit quaternions.
 HWY_INLINE L chord(const PoseBlock& before, const PoseBlock& now, size_t joint, size_t lane) {
     L d = absolute(
@@ -58,17 +54,6 @@ HWY_INLINE L chord(const PoseBlock& before, const PoseBlock& now, size_t joint, 
 HWY_INLINE Q4<L> against_parent(const PoseBlock& pose, size_t joint, size_t parent, size_t lane) {
     return inverse(load_rotation<L>(pose.rotation[parent], lane)) *
            load_rotation<L>(pose.rotation[joint], lane);
-}
-
-// What takes `from` to `to`, or as much of it as half a turn of `limit` allows.
-HWY_INLINE Q4<L> limited_turn(Q4<L> from, Q4<L> to, SineCosine<L> limit) {
-    Q4<L> turn = to * inverse(from);
-    L sign = select(turn.w < L(0.0f), L(-1.0f), L(1.0f));
-    L sine = root(larger(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z, L(1e-12f)));
-    L scale = sign * limit.sine / sine;
-    auto fast = absolute(turn.w) < limit.cosine;
-    return {select(fast, turn.x * scale, turn.x), select(fast, turn.y * scale, turn.y),
-            select(fast, turn.z * scale, turn.z), select(fast, limit.cosine, turn.w)};
 }
 
 // A turn of a part that hangs along -y, as JointLimits sees it.
@@ -140,7 +125,7 @@ void restrain_leg(const PersonBlock& person, const PoseBlock& before, PoseBlock&
                           pointing_ahead(within(foot, ranges.ankle, leg.outward)), turn);
         }
         Q4<L> last = against_parent(before, joint, parent, lane);
-        turn = limited_turn(last, turn, limit) * last;
+        turn = at_most(turn * inverse(last), limit) * last;
         store_rotation(select(poor, unit(above * turn), self), now.rotation[joint], lane);
         V3<L> bone = load_place<L>(person.joints[joint], lane) - load_place<L>(person.joints[parent], lane);
         V3<L> place = load_place<L>(now.position[parent], lane) + rotate(above, bone);

@@ -96,6 +96,9 @@ inline constexpr float k_elbow_out_sine = 0.1675f, k_elbow_out_cosine = 0.9859f;
 inline constexpr float k_elbow_in_sine = 0.2f;
 inline constexpr float k_arm_soft = 0.004f;
 
+// Half the farthest that a hand turns against the forearm, 80 degrees.
+inline constexpr float k_wrist_sine = 0.6428f, k_wrist_cosine = 0.7660f;
+
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, in the frame of the chest, or a place on a wall;
 // two-bone IK brings it there.
@@ -159,10 +162,9 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         set_joint(out, joint + 2, lane, placed(limb.middle), lower_rot);
         Q4<T> hand_rot = lower_rot;
         if (reaching) {
-            Q4<T> laid = blended(lower_rot, on_wall, reach);
-            auto lies = reach > zero;
-            hand_rot = {select(lies, laid.x, hand_rot.x), select(lies, laid.y, hand_rot.y),
-                        select(lies, laid.z, hand_rot.z), select(lies, laid.w, hand_rot.w)};
+            Q4<T> turn = inverse(lower_rot) * blended(lower_rot, on_wall, reach);
+            Q4<T> laid = lower_rot * at_most(turn, SineCosine<T>{T(k_wrist_sine), T(k_wrist_cosine)});
+            hand_rot = select(reach > zero, laid, hand_rot);
         }
         set_joint(out, joint + 3, lane, placed(limb.end), hand_rot);
     }
