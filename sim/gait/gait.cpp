@@ -63,6 +63,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
         person.heel[lane] = b.heel * s;
         person.toe[lane] = b.toe * s;
         person.stride[lane] = m.stride;
+        person.lead[lane] = m.lead;
         person.arm_swing[lane] = m.arm_swing;
         person.sway[lane] = m.sway;
         person.toe_out[lane] = m.toe_out;

@@ -80,6 +80,7 @@ struct alignas(64) PersonBlock {
     float joints[k_joint_count][3][k_block];  // canonical places, metres
     float heel[k_block], toe[k_block];        // see Body
     float stride[k_block];                    // factor on step length
+    float lead[k_block];                      // factor on how far ahead of the body a foot lands
     float arm_swing[k_block];                 // factor
     float sway[k_block];                      // factor on pelvic movements
     float toe_out[k_block];                   // radians

@@ -9,6 +9,7 @@ namespace flaneur {
 // As it is, the neutral manner of a grown person.
 struct Manner {
     float stride = 1;     // factors on the length of steps,
+    float lead = 1;       // on how far ahead of the body a foot lands,
     float arm_swing = 1;  // on how far arms swing,
     float sway = 1;       // and on what the pelvis does
     float toe_out = 6 * k_radians;

@@ -166,7 +166,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         SineCosine<T> over = over_tilt(foot, shin(), tilted);
         if (any(tilted)) {
             // On the ground the heel comes up, which bends the knee anew; in the air the toes hang.
-            auto stands = foot.swings <= zero;
+            auto stands = (foot.swings <= zero) & (foot.half.sine >= zero);
             for (int pass = 0; pass < 2 && any(tilted & stands); ++pass) {
                 turn_over_ball(tilted & stands, foot, foot_size, over);
                 limb = solved();
