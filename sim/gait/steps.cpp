@@ -52,7 +52,8 @@ Side other(Side side) { return side == k_left ? k_right : k_left; }
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
 Place wished_landing(const Stepper& s, Side side, float seconds, float frequency) {
     float duty = s.gait.duty[s.lane];
-    float stands = lerp(k_lead, k_run_lead, s.gait.running[s.lane]) * s.person.lead[s.lane] * duty / frequency,
+    float stands =
+              lerp(k_lead, k_run_lead, s.gait.running[s.lane]) * s.person.lead[s.lane] * duty / frequency,
           until = seconds + stands;
     Vec2 change = s.wish - s.velocity;
     float l = length(change), most = k_reaction * seconds;
