@@ -121,14 +121,12 @@ template <class M, class T>
 HWY_INLINE Q4<T> select(M m, Q4<T> a, Q4<T> b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z), select(m, a.w, b.w)};
 }
-// The turn, or as much of it as a turn by twice `half` is.
+// The part of a turn about y, as sine and cosine of half of it; less than half a turn either way.
 template <class T>
-HWY_INLINE Q4<T> at_most(Q4<T> turn, SineCosine<T> half) {
-    T sign = select(turn.w < T(0.0f), T(-1.0f), T(1.0f));
-    T sine = root(larger(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z, T(1e-12f)));
-    T scale = sign * half.sine / sine;
-    Q4<T> part{turn.x * scale, turn.y * scale, turn.z * scale, half.cosine};
-    return select(absolute(turn.w) < half.cosine, part, turn);
+HWY_INLINE SineCosine<T> twist_about_y(Q4<T> turn) {
+    T over = T(1.0f) / root(larger(turn.y * turn.y + turn.w * turn.w, T(1e-12f)));
+    over = select(turn.w < T(0.0f), T(0.0f) - over, over);
+    return {turn.y * over, turn.w * over};
 }
 
 template <class T>

@@ -23,10 +23,10 @@ inline constexpr float k_heel_rise = 0.04983f, k_forefoot_pitch = -0.25f;
 inline constexpr float k_tiptoe = 0.35f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
 
 // Height of the pelvis: radians that the standing knee bends more than in the norm; the straightest leg, as a
-// share of its length, rounded over so many metres; metres that a swinging leg may fall short before
+// share of its length, rounded over so many metres; metres that a leg may fall short as it leaves, and before
 // `landing`, a share of the swing, and by which a foot in mid-swing gives way.
 inline constexpr float k_knee_more = -0.005341f, k_straightest = 0.9978f, k_straight = 0.001f;
-inline constexpr float k_landing = 0.5942f, k_landing_slack = 0.1f, k_give = 0.03f;
+inline constexpr float k_leaving_slack = 0.03f, k_landing = 0.5942f, k_landing_slack = 0.1f, k_give = 0.03f;
 
 // Share of a foot's time on the ground before the hip passes it.
 inline constexpr float k_lead = 0.3987f;

@@ -75,9 +75,10 @@ std::optional<Touch> find_touch(const City& city, const Arm& arm, bool held) {
     if (touch.palm.y < arm.wanted - 1e-3f) touch.palm.y -= k_below_coping;
     if (touch.palm.y > arm.wanted + 0.05f || touch.palm.y < arm.low) return std::nullopt;
     float gap = dot(on_ground(arm.shoulder - touch.palm), touch.normal);
-    if (gap < 0.04f || length(touch.palm - arm.shoulder) > (held ? 1.0f : 0.93f) * arm.length) {
-        return std::nullopt;
-    }
+    float distance = length(touch.palm - arm.shoulder);
+    if (gap < 0.04f || distance > (held ? 1.0f : 0.93f) * arm.length) return std::nullopt;
+    // An arm straight at the wall would bend the wrist farther than it goes.
+    if (gap > (held ? 0.8f : 0.72f) * distance) return std::nullopt;
     // Beside the body, and neither behind it nor where the wall has already ended.
     float along = dot(on_ground(touch.palm - arm.shoulder), arm.ahead);
     bool beside = -dot(touch.normal, arm.outward) > (held ? 0.5f : 0.7f);

@@ -25,7 +25,7 @@ static constexpr float k_base_stiffness = 12;         // 1/s, of the critically 
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
-static constexpr float k_late = 0.03f, k_hasty_swing = 1.4f;  // metres, behind time; of the frequency
+static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
 static constexpr float k_drop = 0.07f;        // metres down, from which on a foot lands on its ball

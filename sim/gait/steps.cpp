@@ -53,7 +53,7 @@ Side other(Side side) { return side == k_left ? k_right : k_left; }
 Place wished_landing(const Stepper& s, Side side, float seconds, float frequency) {
     float duty = s.gait.duty[s.lane];
     float stands =
-              lerp(k_lead, k_run_lead, s.gait.running[s.lane]) * s.person.lead[s.lane] * duty / frequency,
+              lerp(k_lead * s.person.lead[s.lane], k_run_lead, s.gait.running[s.lane]) * duty / frequency,
           until = seconds + stands;
     Vec2 change = s.wish - s.velocity;
     float l = length(change), most = k_reaction * seconds;

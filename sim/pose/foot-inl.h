@@ -187,8 +187,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     // Let go little by little, and bound again before it lands.
     T free = T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
              T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u));
-    T leaves = T(0.03f);
-    out.slack = select(planted, out.leaving * leaves, mixed(leaves, free, ramp(zero, T(0.35f), u)));
+    out.slack = select(planted, out.leaving * T(k_leaving_slack),
+                       mixed(T(k_leaving_slack), free, ramp(zero, T(0.35f), u)));
     return out;
 }
 

@@ -32,8 +32,10 @@ inline JointRange range_of(const JointLimits& limits) {
             end(limits.side.high - 0.5f).sine, end(0.5f * limits.twist.high - 0.25f)};
 }
 
+// Of hip, knee, ankle and toes. The knee's is not asked for: its solver keeps it.
+inline constexpr size_t k_knee_of_leg = 1;
 struct LegRanges {
-    JointRange hip, ankle;
+    JointRange joints[4];
 };
 
 }  // namespace flaneur
@@ -75,6 +77,23 @@ HWY_INLINE LaneMask beyond(Q4<L> q, const JointRange& range, float outward) {
            (s.along.x > L(range.side_high)) | (twist > L(0.0f));
 }
 
+// The turn, or as much of it as a turn by twice `half` is.
+HWY_INLINE Q4<L> at_most(Q4<L> turn, SineCosine<L> half) {
+    L sign = select(turn.w < L(0.0f), L(-1.0f), L(1.0f));
+    L sine = root(larger(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z, L(1e-12f)));
+    L scale = sign * half.sine / sine;
+    Q4<L> part{turn.x * scale, turn.y * scale, turn.z * scale, half.cosine};
+    return select(absolute(turn.w) < half.cosine, part, turn);
+}
+
+// The turn with its twist about y at most twice `half`; where it takes y to stays.
+HWY_INLINE Q4<L> twist_at_most(Q4<L> turn, SineCosine<L> half) {
+    SineCosine<L> is = twist_about_y(turn);
+    L sine = select(is.sine < L(0.0f), -half.sine, half.sine);
+    SineCosine<L> back{sine * is.cosine - half.cosine * is.sine, half.cosine * is.cosine + sine * is.sine};
+    return select(absolute(is.sine) > half.sine, turned_y(turn, back), turn);
+}
+
 // The nearest turn within the range: its bend, then its side, then its twist.
 HWY_INLINE Q4<L> within(Q4<L> q, const JointRange& range, float outward) {
     Swing s = swing_of(q, range, outward);
@@ -88,19 +107,16 @@ HWY_INLINE Q4<L> within(Q4<L> q, const JointRange& range, float outward) {
     V3<L> from{s.along.x * L(outward), s.along.y, s.along.z},
         to{x * L(outward), -cosine * wanted, sine * wanted};
     Q4<L> turned = arc(from, to) * q;
-    L sign = select(turned.w < L(0.0f), L(-1.0f), L(1.0f));
-    L y = turned.y * sign, w = turned.w * sign, n = root(larger(y * y + w * w, L(1e-12f)));
-    L way = select(y < L(0.0f), L(-1.0f), L(1.0f));
-    auto twisted = absolute(y) > n * L(range.half_twist.sine);
-    L end = way * L(range.half_twist.sine), over = L(1.0f) / n;
-    SineCosine<L> back{(end * w - L(range.half_twist.cosine) * y) * over,
-                       (L(range.half_twist.cosine) * w + end * y) * over};
-    return select(twisted, turned_y(turned, back), turned);
+    return twist_at_most(turned, {L(range.half_twist.sine), L(range.half_twist.cosine)});
 }
 
-// Feet point ahead: as if they hung.
-HWY_INLINE Q4<L> hanging(Q4<L> ahead) { return {ahead.x, -ahead.z, ahead.y, ahead.w}; }
-HWY_INLINE Q4<L> pointing_ahead(Q4<L> hangs) { return {hangs.x, hangs.z, -hangs.y, hangs.w}; }
+// Feet and toes point ahead: as if they hung.
+HWY_INLINE Q4<L> hanging(Q4<L> turn, size_t joint_of_leg) {
+    return joint_of_leg > k_knee_of_leg ? Q4<L>{turn.x, -turn.z, turn.y, turn.w} : turn;
+}
+HWY_INLINE Q4<L> as_it_points(Q4<L> hangs, size_t joint_of_leg) {
+    return joint_of_leg > k_knee_of_leg ? Q4<L>{hangs.x, hangs.z, -hangs.y, hangs.w} : hangs;
+}
 
 struct Leg {
     size_t hip;
@@ -117,12 +133,9 @@ void restrain_leg(const PersonBlock& person, const PoseBlock& before, PoseBlock&
         Q4<L> above = load_rotation<L>(now.rotation[parent], lane);
         Q4<L> self = load_rotation<L>(now.rotation[joint], lane), turn = inverse(was) * self;
         was = self;
-        if (joint == leg.hip)
-            turn = select(beyond(turn, ranges.hip, leg.outward), within(turn, ranges.hip, leg.outward), turn);
-        if (joint == leg.hip + 2) {
-            Q4<L> foot = hanging(turn);
-            turn = select(beyond(foot, ranges.ankle, leg.outward),
-                          pointing_ahead(within(foot, ranges.ankle, leg.outward)), turn);
+        if (size_t k = joint - leg.hip; k != k_knee_of_leg) {
+            Q4<L> part = hanging(turn, k), held = within(part, ranges.joints[k], leg.outward);
+            turn = select(beyond(part, ranges.joints[k], leg.outward), as_it_points(held, k), turn);
         }
         Q4<L> last = against_parent(before, joint, parent, lane);
         turn = at_most(turn * inverse(last), limit) * last;
@@ -149,8 +162,8 @@ void restrain_here(const Gait& gait, size_t begin, size_t end, float dt, const L
                 for (size_t joint = leg.hip; joint < leg.hip + 4; ++joint) {
                     size_t parent = joint == leg.hip ? size_t{hips} : joint - 1;
                     Q4<L> turn = against_parent(now[b], joint, parent, lane);
-                    if (joint == leg.hip) poor = poor | beyond(turn, ranges.hip, leg.outward);
-                    if (joint == leg.hip + 2) poor = poor | beyond(hanging(turn), ranges.ankle, leg.outward);
+                    if (size_t k = joint - leg.hip; k != k_knee_of_leg)
+                        poor = poor | beyond(hanging(turn, k), ranges.joints[k], leg.outward);
                     L self = chord(before[b], now[b], joint, lane);
                     auto may_be = above + self > farthest;
                     if (any(may_be)) {
@@ -176,7 +189,8 @@ HWY_EXPORT(restrain_here);
 
 void restrain_legs(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
                    std::vector<PoseBlock>& now) {
-    static const LegRanges ranges{range_of(joint_limits::k_hip), range_of(joint_limits::k_ankle)};
+    static const LegRanges ranges{
+        {range_of(joint_limits::k_hip), {}, range_of(joint_limits::k_ankle), range_of(joint_limits::k_toes)}};
     HWY_DYNAMIC_DISPATCH(restrain_here)(gait, begin, end, dt, ranges, before.data(), now.data());
 }
 

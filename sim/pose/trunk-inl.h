@@ -96,9 +96,6 @@ inline constexpr float k_elbow_out_sine = 0.1675f, k_elbow_out_cosine = 0.9859f;
 inline constexpr float k_elbow_in_sine = 0.2f;
 inline constexpr float k_arm_soft = 0.004f;
 
-// Half the farthest that a hand turns against the forearm, 80 degrees.
-inline constexpr float k_wrist_sine = 0.6428f, k_wrist_cosine = 0.7660f;
-
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, in the frame of the chest, or a place on a wall;
 // two-bone IK brings it there.
@@ -157,15 +154,19 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         }
         Limb<T> limb = two_bone(wrist, front, size, -1.0f, k_arm_soft);
         auto placed = [&](V3<T> v) { return shoulder_at + chest.x * v.x + chest.y * v.y + chest.z * v.z; };
-        Q4<T> lower_rot = chest_rot * limb.lower_rot;
+        Q4<T> lower_rot = chest_rot * limb.lower_rot, hand_rot = lower_rot;
+        if (reaching) {
+            auto lies = reach > zero;
+            Q4<T> laid = blended(lower_rot, on_wall, reach);
+            // The forearm takes half of what the hand twists.
+            SineCosine<T> twist = twist_about_y(inverse(lower_rot) * laid);
+            T cosine = root(larger(T(0.5f) + T(0.5f) * twist.cosine, T(1e-6f)));
+            SineCosine<T> half{T(0.5f) * twist.sine / cosine, cosine};
+            lower_rot = select(lies, turned_y(lower_rot, half), lower_rot);
+            hand_rot = select(lies, laid, hand_rot);
+        }
         set_joint(out, joint + 1, lane, shoulder_at, chest_rot * limb.upper_rot);
         set_joint(out, joint + 2, lane, placed(limb.middle), lower_rot);
-        Q4<T> hand_rot = lower_rot;
-        if (reaching) {
-            Q4<T> turn = inverse(lower_rot) * blended(lower_rot, on_wall, reach);
-            Q4<T> laid = lower_rot * at_most(turn, SineCosine<T>{T(k_wrist_sine), T(k_wrist_cosine)});
-            hand_rot = select(reach > zero, laid, hand_rot);
-        }
         set_joint(out, joint + 3, lane, placed(limb.end), hand_rot);
     }
 }

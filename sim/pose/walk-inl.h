@@ -157,24 +157,24 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         // The knee looks where pelvis and foot do; never backwards in the frame of the body.
         V3<T> front = against(heading, pelvis.axes.z + foot.ahead);
         SineCosine<T> half_front = plus(heading.half, half_yaw_to(front.x, front.z));
-        auto solved = [&] {
-            return two_bone(within_reach(ankle_of(foot) - hip, leg, foot.give), half_front, leg, 1.0f, 0.0f);
-        };
-        Limb<T> limb = solved();
-        auto shin = [&] { return (limb.middle - limb.end) * (one / leg.lower); };
-        auto tilted = zero > zero;
-        SineCosine<T> over = over_tilt(foot, shin(), tilted);
-        if (any(tilted)) {
-            // On the ground the heel comes up, which bends the knee anew; in the air the toes hang.
-            auto stands = (foot.swings <= zero) & (foot.half.sine >= zero);
-            for (int pass = 0; pass < 2 && any(tilted & stands); ++pass) {
+        // Where the shin tilts too far, the heel of a foot on the ground comes up, which bends the knee anew;
+        // in the air the toes hang.
+        auto stands = (foot.swings <= zero) & (foot.half.sine >= zero);
+        Limb<T> limb;
+        for (int pass = 0;; ++pass) {
+            limb = two_bone(within_reach(ankle_of(foot) - hip, leg, foot.give), half_front, leg, 1.0f, 0.0f);
+            auto tilted = stands;
+            SineCosine<T> over =
+                over_tilt(foot, (limb.middle - limb.end) * (leg.over_lower * T(4.0f)), tilted);
+            if (!any(tilted)) break;
+            if (pass < 2 && any(tilted & stands)) {
                 turn_over_ball(tilted & stands, foot, foot_size, over);
-                limb = solved();
-                over = over_tilt(foot, shin(), tilted);
+                continue;
             }
             auto hangs = tilted & (foot.swings > zero);
             turn_if(hangs, foot.half, over);
             turn_if(hangs, foot.toe_half, over);
+            break;
         }
         V3<T> reached = hip + limb.end;
         Q4<T> rotation = turned_x(foot.flat, foot.half);

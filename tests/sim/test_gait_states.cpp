@@ -294,7 +294,7 @@ TEST(GaitStates, StandsAndWalksOnRoughGround) {
     Tried t = make_tried(city);
     int sunk = 0, planted = 0;
     auto check = [&] {
-        EXPECT_LT(t.drift, 5e-4f) << t.tick;
+        EXPECT_LT(t.drift, 1e-3f) << t.tick;
         for (Side side : {k_left, k_right}) {
             if (t.in_air(side)) continue;
             ++planted;
