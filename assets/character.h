@@ -33,6 +33,47 @@ struct Texture {
     std::vector<uint8_t> rgba;
 };
 
+// How old somebody is and what is worn, of which the built-in generator makes a person.
+enum class Hair : uint8_t {
+    cropped,
+    parted,
+    full,
+    curly,
+    bald,  // but for a fringe round the back
+    bob,
+    bangs,
+    shoulder_length,
+    long_hair,
+    bun,
+    ponytail,
+};
+inline constexpr int k_hair_count = 11;
+enum class Beard : uint8_t { none, moustache, full };
+enum class Top : uint8_t { t_shirt, shirt, sweater, hoodie };
+enum class Over : uint8_t { none, jacket, open_jacket, coat, vest };
+enum class Bottom : uint8_t { slim, straight, wide, shorts, skirt, long_skirt, dress };
+enum class Shoes : uint8_t { sneakers, leather, boots, pumps };
+enum class Hat : uint8_t { none, cap, beanie, brimmed };
+enum class Bag : uint8_t { none, backpack, shoulder_bag, handbag };
+
+struct PersonOptions {
+    uint64_t seed = 1;     // draws the face
+    float height = 1.72f;  // metres, crown above ground
+    bool woman = false;    // or girl
+    float age = 30;        // years, 5..85
+    float build = 0;       // -1 slight .. 1 heavy
+    Hair hair = Hair::cropped;
+    Beard beard = Beard::none;
+    Top top = Top::sweater;
+    Over over = Over::none;
+    Bottom bottom = Bottom::straight;
+    Shoes shoes = Shoes::sneakers;
+    Hat hat = Hat::none;
+    Bag bag = Bag::none;
+    bool glasses = false, scarf = false, headphones = false;
+    bool phone = false, stick = false;  // in the right hand, one of them
+};
+
 struct Character {
     std::string name;
     Body body;
@@ -44,17 +85,12 @@ struct Character {
     std::vector<std::vector<uint32_t>> lods;  // triangle lists over `vertices`, finest first, at least one
     std::vector<Texture> textures;            // base colours
     std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
+    PersonOptions person;                     // what a built-in person was made of
 };
 
 // A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names
 // as hints; units and axes are made canonical. Refuses, by name of what is missing, what cannot be mapped.
 Result<Character> load_character(const std::string& path);
-
-struct PersonOptions {
-    uint64_t seed = 1;
-    float height = 1.72f;  // metres
-    bool woman = false;
-};
 
 // A person made by the built-in generator. The same options give the same mesh.
 Character generate_person(const PersonOptions& options);

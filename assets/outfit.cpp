@@ -55,7 +55,7 @@ uint32_t skin_albedo(uint32_t chip) {
 
 }  // namespace
 
-std::array<uint32_t, k_tint_count> outfit(uint64_t seed, uint32_t walker) {
+std::array<uint32_t, k_tint_count> outfit(const PersonOptions& person, uint64_t seed, uint32_t walker) {
     RandomKey key{seed, walker, 0, Purpose::colour};
     uint32_t draw = 0;
     auto pick = [&](std::span<const uint32_t> from) { return from[random_bits(key, draw++) % from.size()]; };
@@ -69,6 +69,7 @@ std::array<uint32_t, k_tint_count> outfit(uint64_t seed, uint32_t walker) {
     };
     tints[static_cast<size_t>(Tint::none)] = 0xffffffffu;
     set(Tint::skin, skin_albedo(k_skin[tone]), 0.03f);
+    (void)person;
     set(Tint::hair, tone < 5 ? pick(k_fair_hair) : pick(k_dark_hair), 0.1f);
     uint32_t bottom = pick(k_bottoms), top = pick(k_tops);
     bool bright = random_bits(key, draw++) % 8 == 0;

@@ -8,8 +8,8 @@
 
 namespace flaneur {
 
-// sRGB with R in the lowest byte, one for each Tint; [none] is white. The same (seed, walker) always dresses
-// alike.
-std::array<uint32_t, k_tint_count> outfit(uint64_t seed, uint32_t walker);
+// What this walker of `person`'s shape shows: sRGB with R in the lowest byte, one for each Tint; [none] is
+// white. The same arguments always dress alike.
+std::array<uint32_t, k_tint_count> outfit(const PersonOptions& person, uint64_t seed, uint32_t walker);
 
 }  // namespace flaneur

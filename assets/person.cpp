@@ -84,6 +84,7 @@ Character generate_person(const PersonOptions& options) {
     simplify_mesh(mesh, k_finest_triangles, importance);
 
     Character person;
+    person.person = options;
     person.name = options.woman ? "woman" : "man";
     person.body = figure_body(figure);
     auto bind = figure_bind_joints(person.body);

@@ -135,7 +135,8 @@ void add_body(Field& field, const Figure& figure) {
         field.parts.push_back({layer_skin, Blend::add, round, 0, std::move(loft)});
     };
     // Only what clothes leave bare, with some way under their hems.
-    add(0, trimmed(arm_loft(figure), figure.top == Top::t_shirt ? .085f : .290f, .332f, .01f, .01f));
+    add(0, trimmed(arm_loft(figure), figure.top == Top::t_shirt && figure.over == Over::none ? .085f : .290f,
+                   .332f, .01f, .01f));
     add_hand(field, figure);
     if (bare_legs(figure)) add(0, trimmed(leg_loft(figure), .030f, .420f, .01f, .01f));
     add(0, neck_loft(figure));

@@ -96,22 +96,25 @@ void add_clothes(Field& field, const Figure& figure) {
     Tailor inner_{field, figure, layer_inner}, top_{field, figure, layer_top},
         bottom_{field, figure, layer_bottom};
     float hem = figure.skirt ? .590f : .500f;
-    switch (figure.top) {
-        case Top::t_shirt:
-            add_upper(top_, .007f, hem, .115f, .006f);
+    switch (figure.over) {
+        case Over::none:
+        case Over::vest:
+            if (figure.top == Top::t_shirt) {
+                add_upper(top_, .007f, hem, .115f, .006f);
+            } else {
+                add_upper(top_, .008f, hem - .005f, .322f, -.003f);
+                add_collar(top_, .006f, .838f);
+            }
             break;
-        case Top::sweater:
-            add_upper(top_, .008f, hem - .005f, .322f, -.003f);
-            add_collar(top_, .006f, .838f);
-            break;
-        case Top::jacket:
+        case Over::jacket:
+        case Over::open_jacket:
             add_upper(inner_, .003f, .57f, 0, 0);
             add_collar(inner_, .004f, .843f);
             add_upper(top_, .010f, figure.skirt ? .550f : .495f, .325f, -.003f);
             add_collar(top_, .010f, .848f);
             open_front(top_, figure.skirt ? .545f : .490f, .003f);
             break;
-        case Top::coat:
+        case Over::coat:
             add_upper(inner_, .003f, .57f, 0, 0);
             add_collar(inner_, .005f, .852f);
             add_upper(top_, .012f, .560f, .325f, -.003f);

@@ -24,14 +24,8 @@ const std::array<MaterialLook, k_material_count> k_materials = {{
 }};
 
 Figure choose_figure(const PersonOptions& options) {
-    RandomKey key{options.seed, 0, 0, Purpose::accessory};
-    Figure f;
-    f.woman = options.woman;
-    auto pick = [&](uint32_t index, uint32_t count) { return uint32_t(random_bits(key, index) % count); };
-    f.top = Top(pick(0, 4));
-    f.hair = f.woman ? Hair(3 + pick(1, 3)) : Hair(pick(1, 3));
-    f.skirt = f.woman && f.top != Top::coat && pick(2, 3) == 0;
-    f.build = clamp(random_normal(key, 3) * 0.4f, -1, 1);
+    Figure f{options};
+    f.skirt = options.bottom >= Bottom::skirt && options.over != Over::coat;
     return f;
 }
 

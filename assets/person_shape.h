@@ -7,15 +7,8 @@
 
 namespace flaneur {
 
-enum class Top : uint8_t { t_shirt, sweater, jacket, coat };
-enum class Hair : uint8_t { cropped, parted, full, bob, long_hair, bun };
-
-struct Figure {
-    bool woman = false;
-    Top top = Top::sweater;
-    Hair hair = Hair::cropped;
-    bool skirt = false;
-    float build = 0;  // -1 slight .. 1 heavy
+struct Figure : PersonOptions {
+    bool skirt = false;  // of any length
 };
 
 // What a vertex shows. The order is that of k_materials.

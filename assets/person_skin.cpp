@@ -54,8 +54,8 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
 
     // Legs: below a plane that falls inward from the hip's crease; a skirt hangs from the hips and yields to
     // the thighs.
-    bool robe = p.y > .28f &&
-                ((layer == layer_bottom && figure.skirt) || (layer == layer_top && figure.top == Top::coat));
+    bool robe = p.y > .28f && ((layer == layer_bottom && figure.skirt) ||
+                               (layer == layer_top && figure.over == Over::coat));
     float leg =
         robe ? .92f * smoothstep(.545f, .400f, p.y)
              : smoothstep(.040f, -.042f, p.y - (.505f + (p.z < 0 ? -.16f : .06f) * p.z + .25f * (x - .052f)));

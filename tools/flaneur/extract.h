@@ -26,7 +26,7 @@ struct Wardrobe {
     };
     std::vector<Outfit> outfits;
 };
-Wardrobe make_wardrobe(const World& world);
+Wardrobe make_wardrobe(const World& world, const std::vector<Character>& characters);
 
 // The moving part of a frame; kept between frames so that its memory is.
 struct PeopleFrame {

@@ -51,11 +51,11 @@ void pose_character(const Character& character, float scale, const JointPose* jo
     }
 }
 
-Wardrobe make_wardrobe(const World& world) {
+Wardrobe make_wardrobe(const World& world, const std::vector<Character>& characters) {
     Wardrobe wardrobe;
     wardrobe.outfits.resize(world.crowd.count);
     for (uint32_t i = 0; i < world.crowd.count; ++i) {
-        auto tints = outfit(world.seed, i);
+        auto tints = outfit(characters[world.crowd.body[i]].person, world.seed, i);
         static_assert(tints.size() == k_tints);
         std::copy(tints.begin(), tints.end(), std::begin(wardrobe.outfits[i].tints));
     }

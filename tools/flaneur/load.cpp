@@ -3,18 +3,17 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <iterator>
 #include <string>
 
 #include "assets/city.h"
 #include "assets/gltf_clip.h"
+#include "assets/population.h"
 
 namespace flaneur {
 
 namespace {
 
-// The built-in people: women and men of several heights, each with a look of its own.
-constexpr float k_person_heights[] = {1.66f, 1.78f, 1.60f, 1.72f, 1.73f, 1.86f};
+constexpr uint32_t k_built_in_people = 24;
 
 constexpr int k_most_blocks = 32;
 
@@ -39,15 +38,11 @@ Result<std::vector<Character>> load_characters(const Scene& scene, int threads) 
     }
     if (!characters.empty()) return characters;
     show_progress("making people");
-    characters.resize(std::size(k_person_heights));
+    std::vector<PersonOptions> people = draw_population(k_built_in_people, scene.seed);
+    characters.resize(people.size());
     WorkersPtr workers = make_workers(threads);
-    parallel_for(*workers, characters.size(), 1, [&](size_t begin, size_t, int) {
-        PersonOptions person;
-        person.seed = begin + 1;
-        person.woman = begin % 2 == 0;
-        person.height = k_person_heights[begin];
-        characters[begin] = generate_person(person);
-    });
+    parallel_for(*workers, characters.size(), 1,
+                 [&](size_t begin, size_t, int) { characters[begin] = generate_person(people[begin]); });
     return characters;
 }
 

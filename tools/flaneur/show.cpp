@@ -29,7 +29,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     if (!loaded) return loaded.error();
     show.loaded = std::move(*loaded);
     const World& world = *show.loaded.world;
-    show.wardrobe = make_wardrobe(world);
+    show.wardrobe = make_wardrobe(world, show.loaded.characters);
     show.sun = scene_sun(options.scene);
     Result<void> uploaded = upload_scene(*show.renderer, extract_scene(world.city, show.loaded.characters));
     if (!uploaded) return uploaded.error();

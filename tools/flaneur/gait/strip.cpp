@@ -128,7 +128,7 @@ FrameInput frame_of(const Take& take, const Character& character, uint64_t style
     draw.centre = to_glm(place(now, hips));
     draw.radius = 0.62f * character.body.height;
     draw.instance.scale = 1;
-    auto tints = outfit(style, 0);
+    auto tints = outfit(character.person, style, 0);
     std::copy(tints.begin(), tints.end(), std::begin(draw.instance.tints));
     FrameInput frame;
     frame.camera = camera_on(take, now, moment, view);
