@@ -1,4 +1,5 @@
 #include "assets/character.h"
+#include "assets/person_accessories.h"
 #include "assets/person_mesh.h"
 #include "assets/person_shape.h"
 #include "assets/person_skin.h"
@@ -39,17 +40,6 @@ Vec3 importance(Vec3 p) {
     return p + (p - wrist) * hand;
 }
 
-Vec3 gradient(const Field& field, std::span<const uint16_t> near, Vec3 p, int layer) {
-    constexpr float h = 8e-4f;
-    auto at = [&](Vec3 q) {
-        LayerDistances d = layer_distances(field, near, q);
-        return layer < 0 ? distance(d) : d[size_t(layer)];
-    };
-    Vec3 g{at(p + Vec3{h, 0, 0}) - at(p - Vec3{h, 0, 0}), at(p + Vec3{0, h, 0}) - at(p - Vec3{0, h, 0}),
-           at(p + Vec3{0, 0, h}) - at(p - Vec3{0, 0, h})};
-    return g / (2 * h);
-}
-
 // How open the surroundings are, 0..1: distances ahead of the surface compared with what a plane would give.
 float openness(const Field& field, Vec3 p, Vec3 normal, std::vector<uint16_t>& near) {
     float open = 1;
@@ -69,28 +59,86 @@ uint32_t scaled_colour(uint32_t colour, float f) {
     return out;
 }
 
+void add_accessory(const Accessory& a, const Figure& figure, const Field& field,
+                   const std::array<Vec3, k_joint_count>& bind, Character& person) {
+    auto first = uint32_t(person.vertices.size());
+    std::vector<uint16_t> near;
+    for (size_t i = 0; i < a.solid.positions.size(); ++i) {
+        CharacterVertex v;
+        v.position = a.solid.positions[i];
+        v.normal = a.solid.normals[i];
+        v.tint = a.tint;
+        float open = openness(field, v.position + v.normal * .004f, v.normal, near);
+        v.colour = scaled_colour(a.colour, .55f + .45f * open);
+        std::array<float, k_joint_count> weights{};
+        if (a.joint >= 0)
+            weights[size_t(a.joint)] = 1;
+        else
+            weights = skin_weights(v.position, a.layer, figure, bind);
+        pack_weights(weights, v);
+        person.vertices.push_back(v);
+    }
+    for (uint32_t i : a.solid.indices) person.lods[0].push_back(first + i);
+}
+
+// The normal of a surface that had normal n at p before it was warped.
+Vec3 warped_normal(const Figure& figure, Vec3 p, Vec3 n) {
+    constexpr float h = 1e-3f;
+    Vec3 u = normalize_or(cross(n, n.y * n.y < .5f ? Vec3{0, 1, 0} : Vec3{1, 0, 0}), {1, 0, 0});
+    Vec3 v = cross(n, u);
+    return normalize_or(cross(warped(figure, p + u * h) - warped(figure, p - u * h),
+                              warped(figure, p + v * h) - warped(figure, p - v * h)),
+                        n);
+}
+
+// From the adult of height 1 to the person, and the joints that go with it.
+void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Character& person) {
+    for (CharacterVertex& v : person.vertices) {
+        v.normal = warped_normal(figure, v.position, v.normal);
+        v.position = warped(figure, v.position) * figure.height;
+    }
+    for (Vec3& joint : bind) joint = warped(figure, joint);
+    Body& body = person.body = figure_body(bind);
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        body.joints[j] = body.joints[j] * figure.height;
+        person.bind_joints[j] = bind[j] * figure.height;
+    }
+    body.height *= figure.height;
+    body.heel *= figure.height;
+    body.toe *= figure.height;
+    for (int first : {int(left_upper_arm), int(right_upper_arm)})
+        for (int j = first; j <= first + 2; ++j) {
+            int from = std::min(j, first + 1);  // the hand is held as the forearm is
+            Vec3 way = normalize_or(bind[size_t(from + 1)] - bind[size_t(from)], {0, -1, 0});
+            person.bind_to_canonical[size_t(j)] = rotation_between(way, {0, -1, 0});
+        }
+}
+
 }  // namespace
 
 Character generate_person(const PersonOptions& options) {
     Figure figure = choose_figure(options);
     Field field = figure_field(figure);
     FieldMesh mesh = polygonise(field, person_grid());
+    const auto looks = material_looks(figure);
     std::array<Layer, k_material_count> layer_of;
-    for (size_t m = 0; m < layer_of.size(); ++m) layer_of[m] = k_materials[m].layer;
+    for (size_t m = 0; m < layer_of.size(); ++m) layer_of[m] = looks[m].layer;
     mesh =
         cut_materials(mesh, field, layer_of, [&](const LayerDistances& layers, Vec3 p, std::span<float> out) {
             material_distances(figure, layers, p, out);
         });
-    simplify_mesh(mesh, k_finest_triangles, importance);
+    const std::vector<Accessory> accessories = make_accessories(figure, field);
+    size_t carried = 0;
+    for (const Accessory& a : accessories) carried += a.solid.indices.size() / 3;
+    simplify_mesh(mesh, k_finest_triangles - carried, importance);
 
     Character person;
     person.person = options;
-    person.name = options.woman ? "woman" : "man";
-    person.body = figure_body(figure);
-    auto bind = figure_bind_joints(person.body);
+    person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
+    const auto bind = bind_joints(figure);
     std::vector<uint16_t> near;
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
-        const MaterialLook& look = k_materials[mesh.materials[v]];
+        const MaterialLook& look = looks[mesh.materials[v]];
         Vec3 p = mesh.positions[v];
         parts_near(field, p, .01f, near);
         CharacterVertex vertex;
@@ -98,25 +146,13 @@ Character generate_person(const PersonOptions& options) {
         vertex.tint = look.tint;
         pack_weights(skin_weights(p, look.layer, figure, bind), vertex);
         vertex.colour = scaled_colour(look.colour, .55f + .45f * openness(field, p, vertex.normal, near));
-        vertex.position = p * options.height;
+        vertex.position = p;
         person.vertices.push_back(vertex);
     }
     person.lods.push_back(std::move(mesh.indices));
+    for (const Accessory& a : accessories) add_accessory(a, figure, field, bind, person);
 
-    for (size_t j = 0; j < k_joint_count; ++j) {
-        person.body.joints[j] = person.body.joints[j] * options.height;
-        person.bind_joints[j] = bind[j] * options.height;
-        person.bind_to_canonical[j] = {};
-    }
-    person.body.height = options.height;
-    person.body.heel *= options.height;
-    person.body.toe *= options.height;
-    Vec3 arm = bind_arm_direction();
-    for (int j = left_upper_arm; j <= left_hand; ++j) {
-        person.bind_to_canonical[size_t(j)] = rotation_between(arm, {0, -1, 0});
-        person.bind_to_canonical[size_t(j + right_hand - left_hand)] =
-            rotation_between({-arm.x, arm.y, 0}, {0, -1, 0});
-    }
+    warp_person(figure, bind, person);
     build_lods(person);
     return person;
 }

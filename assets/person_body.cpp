@@ -19,12 +19,15 @@ Loft torso_loft(const Figure& figure) {
         {.765f, 0, -.007f, .072f, .045f, .052f, .1f}, {.795f, 0, -.010f, .060f, .035f, .043f, .1f},
         {.825f, 0, -.011f, .036f, .026f, .033f, 0}};
     std::array<Ring, 11> rings;
+    float child = 1 - figure.grown, build = figure.build, stout = std::max(build, 0.0f);
     for (size_t i = 0; i < rings.size(); ++i) {
-        rings[i] = figure.woman ? woman[i] : man[i];
-        float belly = 1 + 0.06f * figure.build, front = 1 + 0.13f * figure.build;
-        rings[i].width *= belly;
-        rings[i].ahead *= rings[i].t < 0.74f ? front : belly;
-        rings[i].behind *= belly;
+        rings[i] = mix_rings(man[i], woman[i], figure.feminine);
+        // Weight shows at the belly first; a child's is round, its chest narrow.
+        float t = rings[i].t, belly = smoothstep(.49f, .60f, t) * smoothstep(.76f, .66f, t);
+        float chest = smoothstep(.66f, .75f, t);
+        rings[i].width *= 1 + .06f * build + .09f * stout * belly - .06f * child * chest;
+        rings[i].ahead *= 1 + .07f * build + .36f * stout * belly + .12f * child * belly;
+        rings[i].behind *= 1 + .06f * build + .08f * stout * belly - .08f * child;
     }
     return make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, .045f, .018f);
 }
@@ -32,7 +35,8 @@ Loft torso_loft(const Figure& figure) {
 // From one shoulder to the middle: deltoid, clavicle and trapezius.
 Loft shoulder_loft(const Figure& figure) {
     Vec3 joint = figure_shoulder(figure);
-    float x = joint.x, g = figure.woman ? .86f : 1;
+    float x = joint.x, g = lerp(.96f, .85f, figure.feminine) * (1 + .05f * figure.build);
+    g *= 1 - .06f * (1 - figure.grown);
     Ring rings[] = {{0, -.015f, 0, .024f * g, .029f * g, .032f * g},
                     {.025f, -.008f, 0, .024f * g, .030f * g, .037f * g},
                     {x * .60f, .006f, -.002f, .023f, .027f, .039f},
@@ -42,7 +46,7 @@ Loft shoulder_loft(const Figure& figure) {
 }
 
 Loft arm_loft(const Figure& figure) {
-    float g = (figure.woman ? .80f : .94f) * (1 + 0.06f * figure.build);
+    float g = lerp(.92f, .79f, figure.feminine) * (1 + .09f * figure.build) * lerp(.90f, 1, figure.grown);
     static constexpr Ring base[] = {
         {-.005f, .012f, 0, .0245f, .0310f, .0320f},    {.040f, .006f, 0, .0280f, .0325f, .0320f},
         {.090f, .001f, .001f, .0270f, .0300f, .0285f}, {.140f, 0, .001f, .0250f, .0280f, .0270f},
@@ -59,7 +63,8 @@ Loft arm_loft(const Figure& figure) {
 }
 
 Loft leg_loft(const Figure& figure) {
-    float g = 1 + 0.05f * figure.build, knee = figure.woman ? .96f : 1, thigh = figure.woman ? 1.02f : 1;
+    float g = (1 + .08f * figure.build) * lerp(.94f, 1, figure.grown);
+    float knee = lerp(1, .95f, figure.feminine), thigh = lerp(1, 1.02f, figure.feminine);
     Ring rings[] = {{.030f, 0, -.004f, .0200f * knee, .0220f, .0240f},
                     {.050f, 0, -.004f, .0190f * knee, .0205f, .0230f},
                     {.100f, .001f, -.005f, .0225f * knee, .0215f, .0280f},
@@ -77,7 +82,7 @@ Loft leg_loft(const Figure& figure) {
 }
 
 Loft neck_loft(const Figure& figure) {
-    float g = figure.woman ? .84f : .95f;
+    float g = lerp(.95f, .83f, figure.feminine) * lerp(.86f, 1, figure.grown) * (1 + .07f * figure.build);
     Ring rings[] = {{.790f, 0, -.014f, .046f * g, .030f * g, .036f * g},
                     {.825f, 0, -.012f, .037f * g, .031f * g, .034f * g},
                     {.850f, 0, -.008f, .0325f * g, .033f * g, .033f * g},
@@ -91,7 +96,7 @@ namespace {
 void add_hand(Field& field, const Figure& figure) {
     Vec3 axis = bind_arm_direction(), palm{axis.y, -axis.x, 0}, ahead{0, 0, 1};
     Vec3 wrist = figure_shoulder(figure) + axis * .327f;
-    float g = figure.woman ? .92f : 1;
+    float g = lerp(1, .92f, figure.feminine) * lerp(.95f, 1, figure.grown);
     auto place = [&](float along, float inward, float z) {
         return wrist + (axis * along + palm * inward + ahead * z) * g;
     };
@@ -135,10 +140,10 @@ void add_body(Field& field, const Figure& figure) {
         field.parts.push_back({layer_skin, Blend::add, round, 0, std::move(loft)});
     };
     // Only what clothes leave bare, with some way under their hems.
-    add(0, trimmed(arm_loft(figure), figure.top == Top::t_shirt && figure.over == Over::none ? .085f : .290f,
-                   .332f, .01f, .01f));
+    add(0, trimmed(arm_loft(figure), figure.bare_arms() ? .075f : .290f, .332f, .01f, .01f));
     add_hand(field, figure);
-    if (bare_legs(figure)) add(0, trimmed(leg_loft(figure), .030f, .420f, .01f, .01f));
+    if (figure.bare_legs()) add(0, trimmed(leg_loft(figure), .030f, .420f, .01f, .01f));
+    if (figure.shoes == Shoes::pumps) add(.006f, trimmed(foot_loft(figure), -.020f, .100f, .008f, .010f));
     add(0, neck_loft(figure));
 }
 

@@ -1,143 +1,225 @@
-#include "assets/person_parts.h"
+#include "assets/person_clothes.h"
 
 namespace flaneur {
 
 namespace {
 
-struct Tailor {
-    Field& field;
-    const Figure& figure;
-    Layer layer;
-
-    void add(Loft loft, float grow, float round = 0) {
-        field.parts.push_back({layer, Blend::add, round, grow, std::move(loft)});
-    }
-    void carve(Loft loft, float round = 0) {
-        field.parts.push_back({layer, Blend::carve, round, 0, std::move(loft)});
-    }
+// Torso, shoulders and, to `sleeve` along the arm, sleeves. `hem` is the lower end.
+struct Cut {
+    float grow;
+    float hem;
+    float sleeve = 0, loose = 0;  // loose: how much wider the cuff is than at the shoulder
+    float quilt = 0;              // depth of quilting
 };
 
-// Torso, shoulders and, to `sleeve` along the arm, sleeves. `hem` is the lower end.
-void add_upper(Tailor t, float grow, float hem, float sleeve, float loose) {
-    t.add(trimmed(torso_loft(t.figure), hem, .825f, 0, .016f), grow);
-    if (hem < .51f) t.add(trimmed(leg_loft(t.figure), hem, .520f, 0, .03f), grow, .018f);  // the seat
-    t.add(shoulder_loft(t.figure), grow, .040f);
-    if (t.figure.woman) {
-        Vec3 radii = Vec3{.040f, .036f, .034f} * (1 + .08f * t.figure.build);
-        t.add(make_ellipsoid({.036f, .718f, .032f}, radii), grow, .030f);
-    } else {
-        t.add(make_ellipsoid({.040f, .742f, .030f}, {.048f, .038f, .022f}), grow, .040f);
+void add_chest(Tailor t, float grow) {
+    const Figure& f = t.figure;
+    t.add(shoulder_loft(f), grow, .040f);
+    float bust = f.feminine * f.grown, size = 1 + .08f * f.build;
+    if (bust > .3f) {
+        t.add(
+            make_ellipsoid({.036f, .718f, .030f}, Vec3{.040f, .036f, .034f} * (size * (.75f + .25f * bust))),
+            grow, .032f);
+    } else if (f.grown > .5f) {
+        t.add(make_ellipsoid({.040f, .742f, .028f}, {.048f, .038f, .022f}), grow, .040f);
     }
-    if (sleeve <= 0) return;
-    Loft arm = arm_loft(t.figure);
-    for (Ring& ring : arm.table) {  // wider or tighter towards the cuff
-        float free = loose * smoothstep(.02f, sleeve, ring.t);
+}
+
+void add_upper(Tailor t, const Cut& cut) {
+    const Figure& f = t.figure;
+    Loft torso = trimmed(torso_loft(f), cut.hem, .825f, 0, .016f);
+    float long_hem = .008f * smoothstep(.56f, .50f, cut.hem);
+    for (Ring& ring : torso.table) {
+        // Cloth hangs from the chest to the hem; a quilt bulges between its seams.
+        float hang = long_hem * smoothstep(.60f, .52f, ring.t);
+        float along = (ring.t - cut.hem) / .042f, wave = along - float(int(along)) - .5f;
+        float bulge = cut.quilt * (.25f - wave * wave) * 4 * smoothstep(.81f, .77f, ring.t);
+        ring.width += bulge + hang, ring.ahead += bulge + hang * .5f, ring.behind += bulge + hang * .5f;
+        if (cut.hem < .53f) {
+            // Straight down over the seat.
+            float seat = smoothstep(.525f, .49f, ring.t) * .010f;
+            ring.width += seat, ring.ahead += seat, ring.behind += seat * .6f;
+        }
+    }
+    t.add(std::move(torso), cut.grow);
+    add_chest(t, cut.grow);
+    if (cut.sleeve <= 0) return;
+    Loft arm = arm_loft(f);
+    for (Ring& ring : arm.table) {
+        float free = cut.loose * smoothstep(.02f, cut.sleeve, ring.t);
+        // A long sleeve gathers above the cuff.
+        if (cut.sleeve > .3f) {
+            float end = smoothstep(.27f, .300f, ring.t) * smoothstep(.322f, .312f, ring.t);
+            free += .0022f * end;
+        }
         ring.width += free, ring.ahead += free, ring.behind += free;
     }
-    t.add(trimmed(arm, -.005f, sleeve, .028f, 0), grow, .022f);
+    t.add(trimmed(arm, -.005f, cut.sleeve, .028f, 0), cut.grow, .022f);
 }
 
-void add_trousers(Tailor t) {
-    const Figure& f = t.figure;
-    t.add(trimmed(torso_loft(f), .470f, .600f, .03f, 0), .003f);
-    float ease = f.woman ? .6f : 1;
-    Loft leg = leg_loft(f);
-    for (Ring& ring : leg.table) {
-        float shin = smoothstep(.33f, .10f, ring.t) * ease, cuff = smoothstep(.12f, .03f, ring.t) * ease;
-        ring.width += .006f * shin + .002f * cuff;
-        ring.ahead += .006f * shin + .006f * cuff;
-        ring.behind += .001f * shin + .004f * cuff;
-    }
-    t.add(trimmed(leg, .026f, .520f, 0, .03f), .005f, .018f);
+void add_neckband(Tailor t, float grow, float top_y) {
+    t.add(trimmed(neck_loft(t.figure), .795f, top_y, 0, .004f), grow, .010f);
 }
 
-void add_skirt(Tailor t, float hem, float waist) {
-    float g = t.figure.woman ? 1 : .96f;
-    Ring rings[] = {{hem, 0, .002f, .118f * g, .085f, .092f, .1f},
-                    {lerp(hem, .5f, .5f), 0, 0, .110f * g, .075f, .086f, .1f},
-                    {.480f, 0, 0, .103f * g, .062f, .078f, .15f},
-                    {.530f, 0, 0, .100f * g, .060f, .072f, .15f},
-                    {.570f, 0, 0, .088f * g, .056f, .058f, .15f},
-                    {waist, 0, .002f, .076f * g, .051f, .047f, .15f}};
-    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .008f);
+// A leaf that folds down from the neck, open in front.
+void add_shirt_collar(Field& field, const Figure& figure, float grow) {
+    Tailor t{field, figure, layer_collar};
+    float g = lerp(.95f, .83f, figure.feminine) * lerp(.86f, 1, figure.grown) * (1 + .07f * figure.build);
+    Ring leaf[] = {{.812f, 0, -.006f, .049f * g + grow, .044f * g + grow, .044f * g + grow},
+                   {.826f, 0, -.008f, .043f * g + grow, .040f * g + grow, .040f * g + grow},
+                   {.842f, 0, -.010f, .0375f * g + grow, .036f * g + grow, .037f * g + grow},
+                   {.848f, 0, -.010f, .0355f * g + grow, .034f * g + grow, .036f * g + grow}};
+    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, leaf, 0, .003f), 0);
+    // The points part below the throat.
+    Ring notch[] = {{.780f, 0, 0, .030f, .12f, .001f},
+                    {.815f, 0, 0, .013f, .12f, .001f},
+                    {.838f, 0, 0, .003f, .12f, .001f},
+                    {.860f, 0, 0, .008f, .12f, .001f}};
+    t.carve(make_loft({0, 0, .004f}, {1, 0, 0}, {0, 1, 0}, notch, 0, 0), .002f);
+    Ring hollow[] = {{.780f, 0, -.010f, .030f * g, .028f * g, .030f * g},
+                     {.830f, 0, -.010f, .0335f * g, .033f * g, .034f * g},
+                     {.870f, 0, -.009f, .0350f * g, .036f * g, .035f * g}};
+    t.carve(make_loft({}, {1, 0, 0}, {0, 1, 0}, hollow, 0, 0), .002f);
 }
 
-void add_shoes(Tailor t) {
-    float g = t.figure.woman ? .88f : 1;
-    // The axis runs ahead; the rings' front is up.
-    Ring rings[] = {{-.030f, 0, .012f, .0205f * g, .034f, .020f, .2f},
-                    {-.005f, 0, .012f, .0225f * g, .040f, .020f, .2f},
-                    {.020f, 0, .012f, .0225f * g, .034f, .020f, .2f},
-                    {.045f, -.001f, .012f, .0255f * g, .024f, .020f, .2f},
-                    {.075f, -.002f, .012f, .0300f * g, .017f, .020f, .2f},
-                    {.100f, -.001f, .011f, .0275f * g, .013f, .018f, .2f},
-                    {.113f, .001f, .010f, .0210f * g, .010f, .016f, .1f}};
-    t.add(make_loft({.052f, 0, 0}, {-1, 0, 0}, {0, 0, 1}, rings, .009f, .011f), 0);
-    t.field.parts.push_back({layer_shoes, Blend::keep, .004f, 0, {}, true, {0, -1, 0}, 0});
+void add_hood(Field& field, const Figure& figure) {
+    Tailor t{field, figure, figure.over == Over::none ? layer_trim : layer_collar};
+    // A roll round the neck that lies thick on the back, and comes to a point there.
+    float w = lerp(.061f, .055f, figure.feminine);
+    Ring roll[] = {{.806f, 0, -.014f, w, .042f, .052f},
+                   {.824f, 0, -.016f, w - .003f, .040f, .056f},
+                   {.842f, 0, -.018f, w - .010f, .030f, .054f},
+                   {.852f, 0, -.020f, w - .016f, .022f, .046f}};
+    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, roll, .006f, .008f), 0);
+    t.add(make_ellipsoid({0, .800f, -.062f}, {.052f, .044f, .024f}), 0, .022f);
+    Ring hollow[] = {{.800f, 0, 0, .026f, .034f, .030f},
+                     {.835f, 0, 0, .038f, .050f, .036f},
+                     {.890f, 0, 0, .046f, .090f, .040f}};
+    t.carve(make_loft({}, {1, 0, 0}, {0, 1, 0}, hollow, .004f, 0), .006f);
+}
+
+void add_pouch(Field& field, const Figure& figure, float grow) {
+    Tailor t{field, figure, layer_trim};
+    t.add(trimmed(torso_loft(figure), .540f, .625f, 0, 0), grow);
+    Ring cut[] = {{.530f, 0, 0, .060f, .15f, .001f, .6f},
+                  {.555f, 0, 0, .060f, .15f, .001f, .6f},
+                  {.600f, 0, 0, .042f, .15f, .001f, .6f},
+                  {.622f, 0, 0, .040f, .15f, .001f, .6f}};
+    t.keep(make_loft({0, 0, .01f}, {1, 0, 0}, {0, 1, 0}, cut, 0, 0), .004f);
 }
 
 // The opening of a jacket: a wedge down the front, from the lapels to `low`.
-void open_front(Tailor t, float low, float slit) {
-    Ring rings[] = {{low, 0, 0, slit, .12f, .001f},
-                    {.600f, 0, 0, slit, .12f, .001f},
-                    {.660f, 0, 0, slit + .004f, .12f, .001f},
-                    {.780f, 0, 0, .026f, .12f, .001f},
-                    {.900f, 0, 0, .046f, .12f, .001f}};
-    t.carve(make_loft({0, 0, .012f}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .003f);
+void open_front(Tailor t, float low, float button, float slit) {
+    float throat = .014f;
+    Ring rings[] = {{low, 0, 0, slit, .14f, .001f},
+                    {lerp(low, button, .6f), 0, 0, slit, .14f, .001f},
+                    {button, 0, 0, slit + .003f, .14f, .001f},
+                    {.785f, 0, 0, throat + .014f, .14f, .001f},
+                    {.840f, 0, 0, throat + .020f, .14f, .001f},
+                    {.900f, 0, 0, throat + .028f, .14f, .001f}};
+    t.carve(make_loft({0, 0, .010f}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .003f);
 }
 
-void add_collar(Tailor t, float grow, float top_y) {
-    t.add(trimmed(neck_loft(t.figure), .800f, top_y, 0, 0), grow, .012f);
+// Lapels lie along that opening and end in a collar.
+void add_lapels(Field& field, const Figure& figure, float grow, float button, float wide) {
+    Tailor t{field, figure, layer_trim};
+    t.add(trimmed(torso_loft(figure), button - .02f, .825f, 0, .016f), grow);
+    add_chest(t, grow);
+    t.add(trimmed(neck_loft(figure), .800f, .846f, 0, 0), grow + .004f, .012f);
+    // What is kept: a band beside the opening, broadest at the chest, and the collar behind.
+    Ring band[] = {{button, 0, 0, .007f, .2f, .001f},       {.700f, 0, 0, .022f + wide * .5f, .2f, .001f},
+                   {.758f, 0, 0, .034f + wide, .2f, .012f}, {.772f, 0, 0, .030f + wide * .4f, .2f, .06f},
+                   {.800f, 0, 0, .048f, .2f, .09f},         {.850f, 0, 0, .056f, .2f, .09f}};
+    t.keep(make_loft({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, band, .004f, 0), .003f);
+    open_front(t, button - .05f, button, .002f);
+    // Behind, only above the yoke.
+    t.crop({0, -1, -1.4f}, {0, .770f, .0f}, .004f);
+}
+
+void add_top(Field& field, const Figure& figure) {
+    bool under = figure.over != Over::none, sleeves = !under || figure.over == Over::vest;
+    Tailor t{field, figure, under ? layer_inner : layer_top};
+    // Tucked in where a jacket hides it or a skirt begins.
+    float hem = figure.has_skirt() ? .590f : under ? .56f : .497f;
+    float thin = under ? .003f : .006f;
+    switch (figure.top) {
+        case Top::t_shirt:
+            add_upper(t, {thin, hem, sleeves ? .112f : 0, .007f});
+            add_neckband(t, .002f, .822f);
+            break;
+        case Top::shirt:
+            add_upper(t, {thin, hem, sleeves ? .318f : 0, -.001f});
+            add_neckband(t, .002f, .832f);
+            add_shirt_collar(field, figure, under ? .003f : .005f);
+            break;
+        case Top::sweater:
+            add_upper(t, {thin + .002f, hem, sleeves ? .320f : 0, 0});
+            add_neckband(t, .0045f, figure.seed % 3 == 0 ? .850f : .829f);
+            break;
+        case Top::hoodie:
+            add_upper(t, {thin + .003f, hem, sleeves ? .320f : 0, .001f});
+            add_neckband(t, .004f, .826f);
+            add_hood(field, figure);
+            if (!under) add_pouch(field, figure, .0125f);
+            break;
+    }
+}
+
+void add_coat(Tailor t) {
+    const Figure& f = t.figure;
+    float hem = f.bottom == Bottom::long_skirt ? .300f : f.robe_hem;
+    float stout = 1 + .06f * f.build;
+    if (f.has_skirt()) hem = std::min(hem, .280f);
+    add_upper(t, {.012f, .560f, .325f, .001f});
+    Ring skirt[] = {{hem, 0, .002f, .116f, .088f, .092f, .15f}, {.400f, 0, .001f, .113f, .080f, .088f, .15f},
+                    {.480f, 0, 0, .109f, .072f, .084f, .15f},   {.530f, 0, 0, .106f, .068f, .078f, .15f},
+                    {.580f, 0, 0, .097f, .066f, .066f, .15f},   {.610f, 0, 0, .089f, .062f, .060f, .15f}};
+    float g = lerp(1, .96f, f.feminine);
+    for (Ring& r : skirt) {
+        r.width *= g * stout, r.ahead *= g * stout, r.behind *= g;
+        // A waist for her.
+        float waist = f.feminine * smoothstep(.56f, .61f, r.t);
+        r.width -= .008f * waist, r.ahead -= .004f * waist, r.behind -= .004f * waist;
+    }
+    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, skirt, 0, .02f), 0, .02f);
 }
 
 }  // namespace
 
-void add_clothes(Field& field, const Figure& figure) {
-    Tailor inner_{field, figure, layer_inner}, top_{field, figure, layer_top},
-        bottom_{field, figure, layer_bottom};
-    float hem = figure.skirt ? .590f : .500f;
+void add_upper_clothes(Field& field, const Figure& figure) {
+    Tailor top{field, figure, layer_top};
+    add_top(field, figure);
+    bool skirt = figure.has_skirt();
     switch (figure.over) {
         case Over::none:
-        case Over::vest:
-            if (figure.top == Top::t_shirt) {
-                add_upper(top_, .007f, hem, .115f, .006f);
-            } else {
-                add_upper(top_, .008f, hem - .005f, .322f, -.003f);
-                add_collar(top_, .006f, .838f);
-            }
             break;
         case Over::jacket:
+            add_upper(top, {.011f, skirt ? .550f : .505f, .325f, .001f});
+            add_neckband(top, .012f, .851f);
+            {
+                Ring throat[] = {{.812f, 0, 0, .003f, .14f, .001f}, {.870f, 0, 0, .026f, .14f, .001f}};
+                top.carve(make_loft({0, 0, .010f}, {1, 0, 0}, {0, 1, 0}, throat, 0, 0), .003f);
+            }
+            break;
         case Over::open_jacket:
-            add_upper(inner_, .003f, .57f, 0, 0);
-            add_collar(inner_, .004f, .843f);
-            add_upper(top_, .010f, figure.skirt ? .550f : .495f, .325f, -.003f);
-            add_collar(top_, .010f, .848f);
-            open_front(top_, figure.skirt ? .545f : .490f, .003f);
+            add_upper(top, {.010f, skirt ? .545f : .485f, .323f, 0});
+            add_neckband(top, .009f, .846f);
+            open_front(top, .470f, .640f, .006f);
+            add_lapels(field, figure, .0135f, .640f, .004f);
             break;
         case Over::coat:
-            add_upper(inner_, .003f, .57f, 0, 0);
-            add_collar(inner_, .005f, .852f);
-            add_upper(top_, .012f, .560f, .325f, -.003f);
-            add_collar(top_, .013f, .850f);
-            {
-                Ring skirt[] = {{.310f, 0, .002f, .122f, .088f, .092f, .15f},
-                                {.400f, 0, .001f, .116f, .078f, .088f, .15f},
-                                {.480f, 0, 0, .112f, .071f, .084f, .15f},
-                                {.530f, 0, 0, .108f, .068f, .078f, .15f},
-                                {.580f, 0, 0, .098f, .066f, .066f, .15f},
-                                {.610f, 0, 0, .090f, .062f, .060f, .15f}};
-                float g = figure.woman ? .96f : 1;
-                for (Ring& r : skirt) r.width *= g, r.ahead *= g, r.behind *= g;
-                top_.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, skirt, 0, .02f), 0, .02f);
-            }
-            open_front(top_, .640f, .001f);
+            add_coat(top);
+            add_neckband(top, .011f, .848f);
+            open_front(top, .660f, .680f, .001f);
+            add_lapels(field, figure, .0160f, .680f, .012f);
+            break;
+        case Over::vest:
+            add_upper(top, {.013f, skirt ? .550f : .510f, 0, 0, .007f});
+            add_neckband(top, .013f, .850f);
+            // The armholes.
+            top.carve(trimmed(arm_loft(figure), .012f, .33f, .008f, 0), .006f);
             break;
     }
-    if (figure.skirt)
-        add_skirt(bottom_, .300f, .605f);
-    else if (!bare_legs(figure))
-        add_trousers(bottom_);
-    add_shoes({field, figure, layer_shoes});
 }
 
 }  // namespace flaneur

@@ -9,12 +9,6 @@ namespace {
 constexpr int k_table_size = 96;
 constexpr float k_far = 1;  // longer than any distance that matters
 
-Ring mix_rings(const Ring& a, const Ring& b, float t) {
-    return {lerp(a.t, b.t, t),          lerp(a.side, b.side, t),   lerp(a.front, b.front, t),
-            lerp(a.width, b.width, t),  lerp(a.ahead, b.ahead, t), lerp(a.behind, b.behind, t),
-            lerp(a.square, b.square, t)};
-}
-
 // Catmull-Rom over uneven knots, one channel.
 float cubic(float v0, float v1, float v2, float v3, float t0, float t1, float t2, float t3, float t) {
     float h = t2 - t1, u = (t - t1) / h;
@@ -58,6 +52,12 @@ float part_distance(const Part& part, Vec3 p) {
 }
 
 }  // namespace
+
+Ring mix_rings(const Ring& a, const Ring& b, float t) {
+    return {lerp(a.t, b.t, t),          lerp(a.side, b.side, t),   lerp(a.front, b.front, t),
+            lerp(a.width, b.width, t),  lerp(a.ahead, b.ahead, t), lerp(a.behind, b.behind, t),
+            lerp(a.square, b.square, t)};
+}
 
 Loft make_loft(Vec3 origin, Vec3 side, Vec3 axis, std::span<const Ring> rings, float cap_begin,
                float cap_end) {
@@ -159,5 +159,16 @@ LayerDistances layer_distances(const Field& field, std::span<const uint16_t> nea
 }
 
 float distance(const LayerDistances& layers) { return *std::min_element(layers.begin(), layers.end()); }
+
+Vec3 gradient(const Field& field, std::span<const uint16_t> near, Vec3 p, int layer) {
+    constexpr float h = 8e-4f;
+    auto at = [&](Vec3 q) {
+        LayerDistances d = layer_distances(field, near, q);
+        return layer < 0 ? distance(d) : d[size_t(layer)];
+    };
+    Vec3 g{at(p + Vec3{h, 0, 0}) - at(p - Vec3{h, 0, 0}), at(p + Vec3{0, h, 0}) - at(p - Vec3{0, h, 0}),
+           at(p + Vec3{0, 0, h}) - at(p - Vec3{0, 0, h})};
+    return g / (2 * h);
+}
 
 }  // namespace flaneur

@@ -11,8 +11,17 @@
 
 namespace flaneur {
 
-enum Layer : uint8_t { layer_skin, layer_hair, layer_inner, layer_top, layer_bottom, layer_shoes };
-inline constexpr int k_layer_count = 6;
+enum Layer : uint8_t {
+    layer_skin,
+    layer_hair,
+    layer_inner,  // what is worn under a jacket
+    layer_top,
+    layer_bottom,
+    layer_shoes,
+    layer_collar,  // of a shirt
+    layer_trim,    // lapels, hoods, pockets of what is worn outermost
+};
+inline constexpr int k_layer_count = 8;
 using LayerDistances = std::array<float, k_layer_count>;
 
 // A cross-section: half an ellipse ahead, half an ellipse behind, squared off by `square` (0 round .. 1
@@ -34,6 +43,8 @@ struct Loft {
     Vec3 centre;              // of a sphere that holds the loft
     float radius = 0;
 };
+
+Ring mix_rings(const Ring& a, const Ring& b, float t);
 
 // Rings in rising t, joined by cubics.
 Loft make_loft(Vec3 origin, Vec3 side, Vec3 axis, std::span<const Ring> rings, float cap_begin,
@@ -71,5 +82,7 @@ struct Field {
 void parts_near(const Field& field, Vec3 p, float radius, std::vector<uint16_t>& near);
 LayerDistances layer_distances(const Field& field, std::span<const uint16_t> near, Vec3 p);
 float distance(const LayerDistances& layers);
+// Of one layer's distance, or of the nearest layer's where `layer` is negative.
+Vec3 gradient(const Field& field, std::span<const uint16_t> near, Vec3 p, int layer = -1);
 
 }  // namespace flaneur

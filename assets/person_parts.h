@@ -7,8 +7,7 @@ namespace flaneur {
 
 inline constexpr float k_head_height = 0.130f;  // chin to crown
 inline constexpr float k_chin_y = 0.868f;
-inline constexpr float k_head_z = 0.012f;                // of the ears
-inline constexpr Vec3 k_eye = {0.140f, 0.485f, 0.345f};  // the left eye, head heights above the chin
+inline constexpr float k_head_z = 0.012f;  // of the ears
 inline constexpr float k_mouth_y = 0.190f;
 
 // Head heights, from the chin up and from the ears ahead.
@@ -19,8 +18,16 @@ constexpr Vec3 from_face(Vec3 f) {
     return {f.x * k_head_height, k_chin_y + f.y * k_head_height, k_head_z + f.z * k_head_height};
 }
 
+// In head heights, as places of the face are.
+Loft face_ellipsoid(Vec3 centre, Vec3 radii);
+// Rings in head heights, t upward from the chin.
+Loft head_loft(std::span<const Ring> rings, float cap_begin, float cap_end);
+
 // The left shoulder joint.
-constexpr Vec3 figure_shoulder(const Figure& figure) { return {figure.woman ? .095f : .105f, .798f, -.010f}; }
+inline Vec3 figure_shoulder(const Figure& figure) {
+    float broad = lerp(.105f, .0945f, figure.feminine) - .004f * (1 - figure.grown);
+    return {broad, .796f, -.010f};
+}
 
 // Bare lofts that skin and garments share.
 Loft torso_loft(const Figure& figure);
@@ -28,14 +35,14 @@ Loft shoulder_loft(const Figure& figure);
 Loft arm_loft(const Figure& figure);
 Loft leg_loft(const Figure& figure);
 Loft neck_loft(const Figure& figure);
+Loft foot_loft(const Figure& figure);  // in a shoe
 Loft skull_loft(const Figure& figure);
-
-// Legs show below a skirt.
-inline bool bare_legs(const Figure& figure) { return figure.skirt; }
 
 void add_body(Field& field, const Figure& figure);  // neck, hands, what skin shows
 void add_head(Field& field, const Figure& figure);
 void add_hair(Field& field, const Figure& figure);
-void add_clothes(Field& field, const Figure& figure);
+void add_beard(Field& field, const Figure& figure);
+void add_upper_clothes(Field& field, const Figure& figure);
+void add_lower_clothes(Field& field, const Figure& figure);
 
 }  // namespace flaneur

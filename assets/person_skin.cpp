@@ -37,7 +37,7 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     float along = dot(from_shoulder, bind_arm_direction());
     float away = length(from_shoulder - bind_arm_direction() * along);
     float arm = smoothstep(-.022f, .046f, along) * (1 - smoothstep(.046f, .075f, away));
-    if (p.y < .40f || layer == layer_shoes || layer == layer_bottom) arm = 0;
+    if (p.y < .40f || layer == layer_shoes || layer == layer_bottom || layer == layer_collar) arm = 0;
     if (p.y > .85f || layer == layer_hair) arm = 0;
     float elbow = length(bind[left_lower_arm] - bind[left_upper_arm]);
     float wrist = elbow + length(bind[left_hand] - bind[left_lower_arm]);
@@ -52,31 +52,32 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     w[size_t(left_shoulder + arm_side)] += clavicle;
     rest -= clavicle;
 
-    // Legs: below a plane that falls inward from the hip's crease; a skirt hangs from the hips and yields to
-    // the thighs.
-    bool robe = p.y > .28f && ((layer == layer_bottom && figure.skirt) ||
-                               (layer == layer_top && figure.over == Over::coat));
-    float leg =
-        robe ? .92f * smoothstep(.545f, .400f, p.y)
-             : smoothstep(.040f, -.042f, p.y - (.505f + (p.z < 0 ? -.16f : .06f) * p.z + .25f * (x - .052f)));
-    if (layer == layer_inner || layer == layer_hair) leg = 0;
+    // Legs: below a plane that falls inward from the hip's crease. A robe hangs from the hips and goes over
+    // to the thighs on its way down, each side to its own and the middle to both; what comes out below its
+    // hem moves with it there.
+    bool outer = layer == layer_top || layer == layer_trim;
+    bool robe = (layer == layer_bottom && figure.has_skirt()) || (outer && figure.over == Over::coat);
+    robe = robe && p.y > .08f;
+    float crease = p.y - (.505f + (p.z < 0 ? -.16f : .06f) * p.z + .25f * (x - .052f));
+    float leg = smoothstep(.040f, -.042f, crease), robe_leg = smoothstep(.570f, .430f, p.y);
+    float hemmed = robe ? 1 : figure.robe_hem > 0 ? smoothstep(-.050f, -.004f, p.y - figure.robe_hem) : 0;
+    leg = lerp(leg, robe_leg, hemmed);
+    if (layer == layer_inner || layer == layer_hair || layer == layer_collar) leg = 0;
     if (layer == layer_skin && p.y > .43f) leg = 0;
-    float other = robe ? smoothstep(.075f, -.075f, x) : smoothstep(.010f, -.010f, x);
-    if (p.y < .40f && !robe) other = 0;
+    float other = p.y < .40f ? 0 : smoothstep(.010f, -.010f, x);
+    other = lerp(other, smoothstep(.050f, -.050f, x), hemmed);
     float knee = -bind[left_lower_leg].y, ankle = -bind[left_foot].y;
     for (int side : {leg_side, right_upper_leg - left_upper_leg - leg_side}) {
         float share = rest * leg * (side == leg_side ? 1 - other : other);
         std::array<int, 3> joints = {left_upper_leg + side, left_lower_leg + side, left_foot + side};
-        if (robe) {
-            w[size_t(joints[0])] += share;
-        } else if (layer == layer_shoes) {
+        if (layer == layer_shoes || (layer == layer_skin && p.y < .06f)) {
             float toes = smoothstep(bind[left_toes].z - .018f, bind[left_toes].z + .018f, p.z);
-            float shin = smoothstep(.040f, .058f, p.y) * .6f;
+            float shin = smoothstep(.040f, .065f, p.y) * (p.y > .07f ? 1 : .7f);
             w[size_t(left_toes + side)] += share * toes;
             w[size_t(left_lower_leg + side)] += share * (1 - toes) * shin;
             w[size_t(left_foot + side)] += share * (1 - toes) * (1 - shin);
         } else {
-            along_chain<3>(w, share, joints, {0, knee, ankle}, {0, .040f, .016f}, -p.y);
+            along_chain<3>(w, share, joints, {0, knee, ankle}, {0, lerp(.040f, .055f, hemmed), .016f}, -p.y);
         }
     }
     rest *= 1 - leg;

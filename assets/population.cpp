@@ -54,7 +54,7 @@ void dress_child(PersonOptions& p, Dealer& d) {
     p.over = d.deal<Over>({Over::vest, Over::none, Over::jacket});
     if (p.bottom == Bottom::shorts || p.bottom == Bottom::dress) p.over = Over::none;
     p.bag = d.deal<Bag>({Bag::backpack, Bag::none});
-    p.hat = d.deal<Hat>({Hat::none, Hat::cap, Hat::beanie});
+    p.hat = d.deal<Hat>({Hat::none, Hat::cap});
     p.glasses = d.one_in(5);
 }
 
@@ -74,8 +74,8 @@ void dress_woman(PersonOptions& p, Dealer& d, Kind kind) {
     p.over = d.deal<Over>({Over::none, Over::coat, Over::open_jacket, Over::none, Over::jacket, Over::vest});
     p.shoes = d.deal<Shoes>({Shoes::pumps, Shoes::sneakers, Shoes::boots, Shoes::leather});
     p.bag = d.deal<Bag>({Bag::handbag, Bag::none, Bag::shoulder_bag, Bag::backpack, Bag::none});
-    p.hat = d.deal<Hat>(
-        {Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::brimmed, Hat::none, Hat::none, Hat::none});
+    p.hat = d.deal<Hat>({Hat::none, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::none, Hat::none,
+                         Hat::brimmed, Hat::none});
 }
 
 void dress_man(PersonOptions& p, Dealer& d, Kind kind) {
@@ -92,7 +92,8 @@ void dress_man(PersonOptions& p, Dealer& d, Kind kind) {
     p.over = d.deal<Over>({Over::none, Over::jacket, Over::coat, Over::none, Over::open_jacket, Over::vest});
     p.shoes = d.deal<Shoes>({Shoes::leather, Shoes::sneakers, Shoes::boots, Shoes::sneakers});
     p.bag = d.deal<Bag>({Bag::none, Bag::backpack, Bag::shoulder_bag, Bag::none});
-    p.hat = d.deal<Hat>({Hat::none, Hat::cap, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::brimmed});
+    p.hat = d.deal<Hat>({Hat::none, Hat::cap, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::none,
+                         Hat::none, Hat::brimmed});
     if (old && p.hat == Hat::beanie) p.hat = Hat::brimmed;
 }
 
@@ -106,6 +107,7 @@ void agree(PersonOptions& p) {
         if (p.shoes != Shoes::pumps) p.shoes = Shoes::sneakers;
         if (p.hat == Hat::beanie) p.hat = Hat::cap;
     }
+    if (p.bottom == Bottom::long_skirt && p.over == Over::coat) p.over = Over::none;
     if (p.top == Top::hoodie && p.over != Over::none && p.over != Over::vest) p.top = Top::sweater;
     if (p.top == Top::t_shirt && p.over == Over::coat) p.top = Top::sweater;
     if (p.hat == Hat::beanie && (p.hair == Hair::bun || p.hair == Hair::curly)) p.hat = Hat::none;
