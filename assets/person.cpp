@@ -1,6 +1,7 @@
 #include "assets/character.h"
 #include "assets/person_accessories.h"
 #include "assets/person_mesh.h"
+#include "assets/person_parts.h"
 #include "assets/person_shape.h"
 #include "assets/person_skin.h"
 
@@ -17,16 +18,16 @@ void steps(std::vector<float>& out, float to, float step) {
 // Finer at the head and the hands.
 FieldGrid person_grid() {
     FieldGrid g{{.0012f}, {-.008f}, {-.125f}};
-    steps(g.half_x, .052f, .0024f);
-    steps(g.half_x, .300f, .0045f);
-    steps(g.half_x, .430f, .0028f);
-    steps(g.y, .440f, .0045f);
-    steps(g.y, .560f, .0032f);
-    steps(g.y, .855f, .0045f);
-    steps(g.y, 1.020f, .0023f);
-    steps(g.z, -.042f, .0036f);
-    steps(g.z, .030f, .0026f);
-    steps(g.z, .140f, .0036f);
+    steps(g.half_x, .052f, .0026f);
+    steps(g.half_x, .300f, .0056f);
+    steps(g.half_x, .430f, .0030f);
+    steps(g.y, .440f, .0056f);
+    steps(g.y, .560f, .0036f);
+    steps(g.y, .800f, .0056f);
+    steps(g.y, 1.030f, .0025f);
+    steps(g.z, -.042f, .0044f);
+    steps(g.z, .030f, .0029f);
+    steps(g.z, .140f, .0042f);
     return g;
 }
 
@@ -50,6 +51,28 @@ float openness(const Field& field, Vec3 p, Vec3 normal, std::vector<uint16_t>& n
         open -= (1 - d) * .28f;
     }
     return open;
+}
+
+// By vertex, where its triangles face on average.
+std::vector<Vec3> facing_of(const FieldMesh& mesh) {
+    std::vector<Vec3> facing(mesh.positions.size());
+    for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const uint32_t* v = &mesh.indices[t];
+        Vec3 a = mesh.positions[v[0]];
+        Vec3 n = cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a);
+        for (int i = 0; i < 3; ++i) facing[v[i]] += n;
+    }
+    for (Vec3& f : facing) f = normalize_or(f * 1e6f, {0, 1, 0});
+    return facing;
+}
+
+// Locks of hair, lighter and darker, that fall from the crown.
+float strand(Vec3 p) {
+    Vec3 f = to_face(p) - Vec3{0, 0, -.05f};
+    float out = std::sqrt(f.x * f.x + f.z * f.z) + .05f, x = f.x < 0 ? -f.x : f.x;
+    float turn = (f.z > 0 ? 1 - x / out : x / out - 1) * 11;  // from the front round to the back
+    float place = turn - float(int(turn + 16) - 16), wave = place * (1 - place) * 4;
+    return .84f + .20f * wave;
 }
 
 uint32_t scaled_colour(uint32_t colour, float f) {
@@ -136,6 +159,7 @@ Character generate_person(const PersonOptions& options) {
     person.person = options;
     person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
     const auto bind = bind_joints(figure);
+    const std::vector<Vec3> facing = facing_of(mesh);
     std::vector<uint16_t> near;
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
         const MaterialLook& look = looks[mesh.materials[v]];
@@ -143,9 +167,13 @@ Character generate_person(const PersonOptions& options) {
         parts_near(field, p, .01f, near);
         CharacterVertex vertex;
         vertex.normal = normalize_or(gradient(field, near, p, look.layer), {0, 1, 0});
+        // Where garments meet, the field of one bends away under the other.
+        if (dot(vertex.normal, facing[v]) < .6f) vertex.normal = facing[v];
         vertex.tint = look.tint;
         pack_weights(skin_weights(p, look.layer, figure, bind), vertex);
-        vertex.colour = scaled_colour(look.colour, .55f + .45f * openness(field, p, vertex.normal, near));
+        float light = .55f + .45f * openness(field, p, vertex.normal, near);
+        if (look.layer == layer_hair) light = strand(p) * (.3f + .7f * light);
+        vertex.colour = scaled_colour(look.colour, light);
         vertex.position = p;
         person.vertices.push_back(vertex);
     }

@@ -174,7 +174,7 @@ void add_headphones(Rack& r) {
         float a = 3.1415927f * float(i) / 10;
         band.push_back(from_face({.395f * std::cos(a), .44f + .645f * std::sin(a), -.02f}));
     }
-    r.add(make_band(band, {0, 0, 1}, .034f * h, .015f * h), Tint::none, colour, head);
+    r.add(make_band(band, {0, 0, 1}, .040f * h, .022f * h), Tint::none, colour, head);
     for (float side : {1.0f, -1.0f}) {
         Frame cup = make_frame(from_face({side * .375f, .435f, -.02f}), {0, 1, 0}, {side, 0, .1f});
         r.add(make_pillow(cup, Vec3{.085f, .110f, .050f} * h, .7f, 12, 6), Tint::none, colour, head);

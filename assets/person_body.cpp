@@ -142,9 +142,16 @@ void add_body(Field& field, const Figure& figure) {
     // Only what clothes leave bare, with some way under their hems.
     add(0, trimmed(arm_loft(figure), figure.bare_arms() ? .075f : .290f, .332f, .01f, .01f));
     add_hand(field, figure);
-    if (figure.bare_legs()) add(0, trimmed(leg_loft(figure), .030f, .420f, .01f, .01f));
-    if (figure.shoes == Shoes::pumps) add(.006f, trimmed(foot_loft(figure), -.020f, .100f, .008f, .010f));
+    float knee = figure.robe_hem > 0 ? figure.robe_hem + .05f : .420f;
+    if (figure.bare_legs()) add(0, trimmed(leg_loft(figure), .030f, knee, .01f, .01f));
+    if (figure.shoes == Shoes::pumps) {
+        add(.006f, trimmed(foot_loft(figure), -.020f, .100f, .008f, .010f));
+        field.parts.push_back({layer_skin, Blend::keep, .004f, 0, {}, true, {0, -1, 0}, -.004f});
+    }
     add(0, neck_loft(figure));
+    // What a neckline leaves bare.
+    add(.012f, trimmed(torso_loft(figure), .735f, .825f, 0, .016f));
+    add(.040f, shoulder_loft(figure));
 }
 
 }  // namespace flaneur

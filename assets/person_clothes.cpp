@@ -28,7 +28,7 @@ void add_chest(Tailor t, float grow) {
 void add_upper(Tailor t, const Cut& cut) {
     const Figure& f = t.figure;
     Loft torso = trimmed(torso_loft(f), cut.hem, .825f, 0, .016f);
-    float long_hem = .008f * smoothstep(.56f, .50f, cut.hem);
+    float long_hem = .004f * smoothstep(.56f, .50f, cut.hem);
     for (Ring& ring : torso.table) {
         // Cloth hangs from the chest to the hem; a quilt bulges between its seams.
         float hang = long_hem * smoothstep(.60f, .52f, ring.t);
@@ -37,7 +37,7 @@ void add_upper(Tailor t, const Cut& cut) {
         ring.width += bulge + hang, ring.ahead += bulge + hang * .5f, ring.behind += bulge + hang * .5f;
         if (cut.hem < .53f) {
             // Straight down over the seat.
-            float seat = smoothstep(.525f, .49f, ring.t) * .010f;
+            float seat = smoothstep(.525f, .49f, ring.t) * .004f;
             ring.width += seat, ring.ahead += seat, ring.behind += seat * .6f;
         }
     }
@@ -57,8 +57,24 @@ void add_upper(Tailor t, const Cut& cut) {
     t.add(trimmed(arm, -.005f, cut.sleeve, .028f, 0), cut.grow, .022f);
 }
 
+// Up to `top_y` in front, a little higher behind.
 void add_neckband(Tailor t, float grow, float top_y) {
-    t.add(trimmed(neck_loft(t.figure), .795f, top_y, 0, .004f), grow, .010f);
+    t.add(trimmed(neck_loft(t.figure), .795f, top_y + .02f, 0, 0), grow, .010f);
+    t.crop({0, 1, .35f}, {0, top_y, .020f}, .003f);
+}
+
+// A neckline below the throat: wide and round, or to a point.
+void add_neckline(Tailor t, float depth, bool pointed) {
+    float wide = lerp(.046f, .042f, t.figure.feminine);
+    if (pointed) {
+        Ring wedge[] = {{.835f - depth - .016f, 0, 0, .002f, .14f, .03f},
+                        {.822f, 0, 0, wide * .72f, .14f, .03f},
+                        {.880f, 0, 0, wide, .14f, .04f}};
+        t.carve(make_loft({}, {1, 0, 0}, {0, 1, 0}, wedge, .004f, 0), .003f);
+    } else {
+        t.carve(make_ellipsoid({0, .842f, .020f}, {wide, depth + .012f, .090f}), .003f);
+    }
+    t.carve(make_ellipsoid({0, .845f, -.014f}, {wide * .98f, .024f, .044f}), .003f);
 }
 
 // A leaf that folds down from the neck, open in front.
@@ -98,16 +114,6 @@ void add_hood(Field& field, const Figure& figure) {
     t.carve(make_loft({}, {1, 0, 0}, {0, 1, 0}, hollow, .004f, 0), .006f);
 }
 
-void add_pouch(Field& field, const Figure& figure, float grow) {
-    Tailor t{field, figure, layer_trim};
-    t.add(trimmed(torso_loft(figure), .540f, .625f, 0, 0), grow);
-    Ring cut[] = {{.530f, 0, 0, .060f, .15f, .001f, .6f},
-                  {.555f, 0, 0, .060f, .15f, .001f, .6f},
-                  {.600f, 0, 0, .042f, .15f, .001f, .6f},
-                  {.622f, 0, 0, .040f, .15f, .001f, .6f}};
-    t.keep(make_loft({0, 0, .01f}, {1, 0, 0}, {0, 1, 0}, cut, 0, 0), .004f);
-}
-
 // The opening of a jacket: a wedge down the front, from the lapels to `low`.
 void open_front(Tailor t, float low, float button, float slit) {
     float throat = .014f;
@@ -140,40 +146,41 @@ void add_top(Field& field, const Figure& figure) {
     bool under = figure.over != Over::none, sleeves = !under || figure.over == Over::vest;
     Tailor t{field, figure, under ? layer_inner : layer_top};
     // Tucked in where a jacket hides it or a skirt begins.
-    float hem = figure.has_skirt() ? .590f : under ? .56f : .497f;
+    float hem = figure.has_skirt() ? .590f : under ? .56f : .508f;
     float thin = under ? .003f : .006f;
     switch (figure.top) {
         case Top::t_shirt:
             add_upper(t, {thin, hem, sleeves ? .112f : 0, .007f});
-            add_neckband(t, .002f, .822f);
+            add_neckline(t, figure.feminine > .6f ? .026f : .016f, figure.seed % 3 == 1);
             break;
         case Top::shirt:
             add_upper(t, {thin, hem, sleeves ? .318f : 0, -.001f});
-            add_neckband(t, .002f, .832f);
+            add_neckline(t, .022f, true);
             add_shirt_collar(field, figure, under ? .003f : .005f);
             break;
         case Top::sweater:
             add_upper(t, {thin + .002f, hem, sleeves ? .320f : 0, 0});
-            add_neckband(t, .0045f, figure.seed % 3 == 0 ? .850f : .829f);
+            if (figure.seed % 3 == 0)
+                add_neckband(t, .0045f, .848f);
+            else
+                add_neckline(t, .013f, !under && figure.seed % 3 == 1);
             break;
         case Top::hoodie:
             add_upper(t, {thin + .003f, hem, sleeves ? .320f : 0, .001f});
-            add_neckband(t, .004f, .826f);
+            add_neckline(t, .013f, false);
             add_hood(field, figure);
-            if (!under) add_pouch(field, figure, .0125f);
             break;
     }
 }
 
 void add_coat(Tailor t) {
     const Figure& f = t.figure;
-    float hem = f.bottom == Bottom::long_skirt ? .300f : f.robe_hem;
-    float stout = 1 + .06f * f.build;
-    if (f.has_skirt()) hem = std::min(hem, .280f);
-    add_upper(t, {.012f, .560f, .325f, .001f});
-    Ring skirt[] = {{hem, 0, .002f, .116f, .088f, .092f, .15f}, {.400f, 0, .001f, .113f, .080f, .088f, .15f},
-                    {.480f, 0, 0, .109f, .072f, .084f, .15f},   {.530f, 0, 0, .106f, .068f, .078f, .15f},
-                    {.580f, 0, 0, .097f, .066f, .066f, .15f},   {.610f, 0, 0, .089f, .062f, .060f, .15f}};
+    float stout = 1 + .06f * f.build + (f.has_skirt() ? .09f : 0);
+    add_upper(t, {.012f, .585f, .325f, .001f});
+    Ring skirt[] = {
+        {f.robe_hem, 0, .002f, .113f, .088f, .092f, .15f}, {.400f, 0, .001f, .107f, .079f, .087f, .15f},
+        {.480f, 0, 0, .103f, .071f, .083f, .15f},          {.530f, 0, 0, .101f, .068f, .078f, .15f},
+        {.580f, 0, 0, .095f, .066f, .066f, .15f},          {.610f, 0, 0, .089f, .062f, .060f, .15f}};
     float g = lerp(1, .96f, f.feminine);
     for (Ring& r : skirt) {
         r.width *= g * stout, r.ahead *= g * stout, r.behind *= g;
@@ -181,7 +188,7 @@ void add_coat(Tailor t) {
         float waist = f.feminine * smoothstep(.56f, .61f, r.t);
         r.width -= .008f * waist, r.ahead -= .004f * waist, r.behind -= .004f * waist;
     }
-    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, skirt, 0, .02f), 0, .02f);
+    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, skirt, 0, .02f), 0, .03f);
 }
 
 }  // namespace
@@ -194,7 +201,7 @@ void add_upper_clothes(Field& field, const Figure& figure) {
         case Over::none:
             break;
         case Over::jacket:
-            add_upper(top, {.011f, skirt ? .550f : .505f, .325f, .001f});
+            add_upper(top, {.011f, skirt ? .550f : .510f, .325f, .001f});
             add_neckband(top, .012f, .851f);
             {
                 Ring throat[] = {{.812f, 0, 0, .003f, .14f, .001f}, {.870f, 0, 0, .026f, .14f, .001f}};
@@ -202,7 +209,7 @@ void add_upper_clothes(Field& field, const Figure& figure) {
             }
             break;
         case Over::open_jacket:
-            add_upper(top, {.010f, skirt ? .545f : .485f, .323f, 0});
+            add_upper(top, {.010f, skirt ? .545f : .500f, .323f, 0});
             add_neckband(top, .009f, .846f);
             open_front(top, .470f, .640f, .006f);
             add_lapels(field, figure, .0135f, .640f, .004f);
@@ -217,7 +224,7 @@ void add_upper_clothes(Field& field, const Figure& figure) {
             add_upper(top, {.013f, skirt ? .550f : .510f, 0, 0, .007f});
             add_neckband(top, .013f, .850f);
             // The armholes.
-            top.carve(trimmed(arm_loft(figure), .012f, .33f, .008f, 0), .006f);
+            top.crop({1, .25f, 0}, {figure_shoulder(figure).x - .001f, .80f, 0}, .006f);
             break;
     }
 }

@@ -15,8 +15,8 @@ struct Tailor {
     void add(Loft loft, float grow, float round = 0) const {
         field.parts.push_back({layer, Blend::add, round, grow, std::move(loft)});
     }
-    void carve(Loft loft, float round = 0) const {
-        field.parts.push_back({layer, Blend::carve, round, 0, std::move(loft)});
+    void carve(Loft loft, float round = 0, float grow = 0) const {
+        field.parts.push_back({layer, Blend::carve, round, grow, std::move(loft)});
     }
     void keep(Loft loft, float round = 0) const {
         field.parts.push_back({layer, Blend::keep, round, 0, std::move(loft)});

@@ -19,7 +19,7 @@ namespace {
 
 void add_trousers(Tailor t) {
     const Figure& f = t.figure;
-    t.add(trimmed(torso_loft(f), .470f, .600f, .03f, 0), .003f);
+    if (f.robe_hem == 0) t.add(trimmed(torso_loft(f), .470f, .600f, .03f, 0), .003f);
     bool slim = f.bottom == Bottom::slim, wide = f.bottom == Bottom::wide;
     float ease = slim ? .15f : lerp(1, .8f, f.feminine);
     Loft leg = leg_loft(f);
@@ -36,7 +36,9 @@ void add_trousers(Tailor t) {
         ring.ahead += fold, ring.width += fold * .6f, ring.behind += fold * .4f;
     }
     float hem = slim ? .040f : wide ? .018f : .026f;
-    t.add(trimmed(leg, hem, .520f, 0, .03f), slim ? .0035f : .005f, .018f);
+    // Under a coat there is nothing to show.
+    float top = f.robe_hem > 0 ? f.robe_hem + .05f : .520f;
+    t.add(trimmed(leg, hem, top, 0, .03f), slim ? .0035f : .005f, .018f);
 }
 
 void add_shorts(Tailor t) {
@@ -57,16 +59,16 @@ void add_skirt(Tailor t) {
     float flare = f.bottom == Bottom::long_skirt ? 1.10f : f.bottom == Bottom::dress ? 1.14f : 1;
     float g = lerp(.96f, 1, f.feminine), stout = 1 + .10f * std::max(f.build, 0.0f);
     Ring rings[] = {{hem, 0, .002f, .112f * flare, .085f * flare, .092f * flare, .1f},
-                    {lerp(hem, .5f, .5f), 0, 0, .109f * lerp(1, flare, .6f), .075f, .086f, .1f},
-                    {.480f, 0, 0, .103f, .062f, .078f, .15f},
-                    {.530f, 0, 0, .100f, .060f, .072f, .15f},
+                    {lerp(hem, .5f, .5f), 0, 0, .103f * lerp(1, flare, .6f), .075f, .086f, .1f},
+                    {.480f, 0, 0, .098f, .062f, .078f, .15f},
+                    {.530f, 0, 0, .096f, .060f, .072f, .15f},
                     {.570f, 0, 0, .088f, .056f, .058f, .15f},
                     {.605f, 0, .002f, .076f, .051f, .047f, .15f}};
     for (Ring& r : rings) {
         float hips = r.t < .55f ? 1 : stout;
         r.width *= g * hips, r.ahead *= g * (r.t < .5f ? 1 : stout), r.behind *= g;
     }
-    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .008f);
+    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .006f);
 }
 
 void add_shoes(Tailor t) {

@@ -143,6 +143,18 @@ void parts_near(const Field& field, Vec3 p, float radius, std::vector<uint16_t>&
     }
 }
 
+void parts_touching(const Field& field, Vec3 p, float radius, std::vector<uint16_t>& near) {
+    parts_near(field, p, radius, near);
+    p.x = p.x < 0 ? -p.x : p.x;
+    // Distances are approximate: a third of them is left as a margin.
+    radius *= 1.33f;
+    std::erase_if(near, [&](uint16_t i) {
+        const Part& part = field.parts[i];
+        float d = part_distance(part, p);
+        return part.blend == Blend::keep ? d < -radius - part.round : d > radius + part.round;
+    });
+}
+
 LayerDistances layer_distances(const Field& field, std::span<const uint16_t> near, Vec3 p) {
     p.x = p.x < 0 ? -p.x : p.x;
     LayerDistances d;

@@ -80,6 +80,8 @@ struct Field {
 
 // Indices of the parts that matter within `radius` of p.
 void parts_near(const Field& field, Vec3 p, float radius, std::vector<uint16_t>& near);
+// Those of them that matter to the surface there, which takes longer to tell.
+void parts_touching(const Field& field, Vec3 p, float radius, std::vector<uint16_t>& near);
 LayerDistances layer_distances(const Field& field, std::span<const uint16_t> near, Vec3 p);
 float distance(const LayerDistances& layers);
 // Of one layer's distance, or of the nearest layer's where `layer` is negative.

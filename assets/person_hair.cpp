@@ -45,7 +45,7 @@ struct Barber {
             float h = k_head_height;
             r.t *= h, r.width *= h, r.ahead *= h, r.behind *= h;
         }
-        carve(.05f,
+        carve(.11f,
               make_loft(from_face({0, middle, 0}), {1, 0, 0}, {0, 0, 1}, opening, .03f * k_head_height, 0));
         carve(.03f, face_ellipsoid({.35f, .27f, .13f}, {.16f, .22f, .19f}));
         carve(.02f, face_ellipsoid({.36f, .40f, -.03f}, {.07f, .13f, .09f}));
@@ -124,7 +124,7 @@ void add_hair(Field& field, const Figure& figure) {
         case Hair::bald:
             b.add_cap(.018f);
             b.trim(.90f, .2f);
-            b.crop({0, 1, .55f}, {0, .66f, -.20f}, .04f);
+            b.crop({0, 1, .30f}, {0, .70f, -.15f}, .04f);
             break;
         case Hair::bob:
             b.add_fall(.04f, .385f, false);
@@ -163,7 +163,7 @@ void add_hair(Field& field, const Figure& figure) {
 void add_beard(Field& field, const Figure& figure) {
     Barber b{field, figure};
     if (figure.beard == Beard::none) return;
-    b.add(.03f, face_ellipsoid({.045f, k_mouth_y + .068f, .352f}, {.070f * figure.face.mouth, .022f, .050f}));
+    b.add(.03f, face_ellipsoid({.045f, k_mouth_y + .068f, .352f}, {.085f * figure.face.mouth, .028f, .054f}));
     if (figure.beard == Beard::moustache) return;
     float h = k_head_height, jaw = figure.face.jaw;
     Ring ring[] = {{-.01f, 0, .25f, .12f * jaw, .14f, .10f, .1f},
@@ -171,10 +171,12 @@ void add_beard(Field& field, const Figure& figure) {
                    {.20f, 0, .13f, .258f * jaw, .262f, .20f, .15f},
                    {.25f, 0, .10f, .272f * jaw, .290f, .18f, .1f}};
     b.add(.04f, head_loft(ring, .04f, .02f));
+    float chin = figure.face.chin;
+    b.add(.04f, face_ellipsoid({0, .060f, .330f}, Vec3{.125f, .085f, .085f} * chin));
     b.add(.08f, make_capsule(from_face({.255f * jaw, .22f, .10f}), from_face({.292f, .48f, .06f}), .035f * h,
                              .022f * h));
     b.carve(.03f, face_ellipsoid({.135f * jaw, .33f, .34f}, {.13f, .125f, .16f}));
-    b.carve(.02f, face_ellipsoid({0, k_mouth_y - .004f, .42f}, {.105f * figure.face.mouth, .032f, .10f}));
+    b.carve(.02f, face_ellipsoid({0, k_mouth_y - .006f, .42f}, {.095f * figure.face.mouth, .022f, .10f}));
 }
 
 }  // namespace flaneur

@@ -29,11 +29,19 @@ struct Samples {
 // visit(i, j, k) for every cell, by its lowest corner, that the surface may cross, in a fixed order.
 template <class Visit>
 void for_crossed_cells(const Samples& s, Visit&& visit) {
-    for (int k = 0; k + 1 < s.nz; ++k)
-        for (int j = 0; j + 1 < s.ny; ++j)
-            for (int i = 0; i + 1 < s.nx; ++i) {
-                int folded = i >= s.half ? i - s.half : std::max(s.half - 2 - i, 0);
-                if (s.crossed[s.block(folded, j, k)]) visit(i, j, k);
+    for (int k0 = 0; k0 + 1 < s.nz; k0 += k_block)
+        for (int j0 = 0; j0 + 1 < s.ny; j0 += k_block)
+            for (int i0 = 0; i0 < s.half; i0 += k_block) {
+                if (!s.crossed[s.block(i0, j0, k0)]) continue;
+                int k1 = std::min(k0 + k_block, s.nz - 1), j1 = std::min(j0 + k_block, s.ny - 1);
+                int i1 = std::min(i0 + k_block, s.half);
+                for (int k = k0; k < k1; ++k)
+                    for (int j = j0; j < j1; ++j)
+                        for (int i = i0; i < i1; ++i) {
+                            if (s.half + i + 1 < s.nx) visit(s.half + i, j, k);
+                            if (s.half - 2 - i >= 0) visit(s.half - 2 - i, j, k);
+                            if (i == 0) visit(s.half - 1, j, k);
+                        }
             }
 }
 
@@ -57,7 +65,7 @@ Samples sample(const Field& field, const FieldGrid& grid) {
                 Vec3 low = s.place(i0, j0, k0), high = s.place(i1 - 1, j1 - 1, k1 - 1);
                 Vec3 middle = (low + high) * 0.5f;
                 float reach = length(high - low) + 0.004f;  // twice the radius: distances are approximate
-                parts_near(field, middle, reach, near);
+                parts_touching(field, middle, reach, near);
                 float at_middle = distance(layer_distances(field, near, middle));
                 bool crossed = (at_middle < 0 ? -at_middle : at_middle) < reach;
                 s.crossed[s.block(i0 - s.half, j0, k0)] = crossed;
@@ -306,28 +314,67 @@ void drop_flat(FieldMesh& mesh, const std::vector<uint32_t>& place) {
     mesh.indices = std::move(kept);
 }
 
-// The simplifier may pinch the surface until four triangles meet at an edge; such edges shrink to a point.
+// The simplifier may pinch the surface until four triangles meet at an edge. Two and two of them are given a
+// place of their own in the middle of the edge, so that each edge has two sides again.
 void open_pinches(FieldMesh& mesh) {
+    struct Side {
+        uint64_t edge;  // lower place, higher place
+        bool falls;     // the triangle runs from the higher to the lower
+        size_t corner;  // in the index list, where the side begins
+    };
     for (int round = 0; round < 10; ++round) {
         std::vector<uint32_t> place = place_numbers(mesh.positions);
         drop_flat(mesh, place);
-        std::vector<uint64_t> edges;
+        auto next = [](size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
+        std::vector<Side> sides;
         for (size_t t = 0; t < mesh.indices.size(); ++t) {
-            uint32_t a = place[mesh.indices[t]], b = place[mesh.indices[t % 3 == 2 ? t - 2 : t + 1]];
-            edges.push_back(uint64_t{std::min(a, b)} << 32 | std::max(a, b));
+            uint32_t a = place[mesh.indices[t]], b = place[mesh.indices[next(t)]];
+            sides.push_back({uint64_t{std::min(a, b)} << 32 | std::max(a, b), a > b, t});
         }
-        std::sort(edges.begin(), edges.end());
-        std::vector<uint32_t> moved(place.size());
-        for (size_t v = 0; v < moved.size(); ++v) moved[v] = uint32_t(v);
+        std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+            if (a.edge != b.edge) return a.edge < b.edge;
+            return a.falls != b.falls ? b.falls : a.corner < b.corner;
+        });
+        auto normal = [&](size_t corner) {
+            size_t t = corner - corner % 3;
+            Vec3 p[3];
+            for (size_t i = 0; i < 3; ++i) p[i] = mesh.positions[mesh.indices[t + i]];
+            return normalize_or(cross(p[1] - p[0], p[2] - p[0]), {0, 1, 0});
+        };
+        std::vector<uint8_t> split(mesh.indices.size(), 0);  // by first corner of a triangle
         bool pinched = false;
-        for (size_t i = 0; i + 2 < edges.size(); ++i) {
-            auto a = uint32_t(edges[i] >> 32), b = uint32_t(edges[i]);
-            if (edges[i] != edges[i + 2] || moved[a] != a || moved[b] != b) continue;
-            moved[b] = a;
+        for (size_t first = 0, last = 0; first < sides.size(); first = last) {
+            while (last < sides.size() && sides[last].edge == sides[first].edge) ++last;
+            if (last - first != 4 || sides[first + 1].falls || !sides[first + 2].falls) continue;
             pinched = true;
+            std::array<size_t, 4> c;
+            bool free = true;
+            for (size_t i = 0; i < 4; ++i) {
+                c[i] = sides[first + i].corner;
+                free = free && !split[c[i] - c[i] % 3];
+            }
+            if (!free) continue;
+            // A rising side goes with the falling one whose triangle faces most nearly where its own does.
+            if (dot(normal(c[0]), normal(c[2])) + dot(normal(c[1]), normal(c[3])) <
+                dot(normal(c[0]), normal(c[3])) + dot(normal(c[1]), normal(c[2])))
+                std::swap(c[2], c[3]);
+            for (size_t i = 0; i < 4; ++i) {
+                size_t corner = c[i], pair = i % 2;
+                uint32_t a = mesh.indices[corner], b = mesh.indices[next(corner)],
+                         apex = mesh.indices[next(next(corner))];
+                Vec3 off = normal(c[pair]) + normal(c[pair + 2]);
+                auto m = uint32_t(mesh.positions.size());
+                // Corners of different materials stand apart at one place: the lower place is the first.
+                Vec3 low = mesh.positions[a], high = mesh.positions[b];
+                if (i >= 2) std::swap(low, high);
+                mesh.positions.push_back((low + high) * .5f + off * (pair == 0 ? 2e-5f : 1e-5f));
+                mesh.materials.push_back(mesh.materials[a]);
+                split[corner - corner % 3] = 1;
+                mesh.indices[next(corner)] = m;
+                mesh.indices.insert(mesh.indices.end(), {m, b, apex});
+            }
         }
         if (!pinched) return;
-        for (size_t v = 0; v < place.size(); ++v) mesh.positions[v] = mesh.positions[moved[place[v]]];
     }
 }
 

@@ -25,7 +25,7 @@ Loft head_loft(std::span<const Ring> rings, float cap_begin, float cap_end);
 
 // The left shoulder joint.
 inline Vec3 figure_shoulder(const Figure& figure) {
-    float broad = lerp(.105f, .0945f, figure.feminine) - .004f * (1 - figure.grown);
+    float broad = lerp(.1035f, .0950f, figure.feminine) - .004f * (1 - figure.grown);
     return {broad, .796f, -.010f};
 }
 

@@ -47,7 +47,7 @@ Figure choose_figure(const PersonOptions& options) {
     if (f.bottom == Bottom::skirt) f.robe_hem = .292f;
     if (f.bottom == Bottom::dress) f.robe_hem = .275f;
     if (f.bottom == Bottom::long_skirt) f.robe_hem = .105f;
-    if (f.over == Over::coat && f.robe_hem == 0) f.robe_hem = .300f;
+    if (f.over == Over::coat) f.robe_hem = f.robe_hem > 0 ? f.robe_hem - .012f : .300f;
     choose_face(f);
 
     // A child of five is about six of its heads tall, an adult seven and a half (Stratz 1903); its legs are
@@ -135,7 +135,9 @@ std::array<MaterialLook, k_material_count> material_looks(const Figure& figure) 
              {layer_inner, inner, 0xffffffff},
              {layer_top, Tint::top, 0xffffffff},
              {layer_top, Tint::top, 0xffa8a8a8},
+             {layer_top, Tint::top, 0xff585858},
              {layer_bottom, bottom, 0xffffffff},
+             {layer_bottom, bottom, 0xff585858},
              {layer_bottom, Tint::shoes, 0xffc8c8c8},
              {layer_shoes, Tint::shoes, 0xffffffff},
              {layer_shoes, sporty ? Tint::none : Tint::shoes, sporty ? 0xffdce2e4 : 0xff707070},
@@ -194,6 +196,10 @@ void material_distances(const Figure& figure, const LayerDistances& layers, Vec3
     float x = p.x < 0 ? -p.x : p.x;
     if (figure.over == Over::jacket || figure.over == Over::vest || figure.over == Over::coat)
         if (p.z > 0) out[material_zip] = layers[layer_top] + x - .0035f;
+    // Up a skirt it is dark.
+    float inside = p.y - figure.robe_hem - .0020f;
+    if (figure.over == Over::coat) out[material_top_lining] = layers[layer_top] + inside;
+    if (figure.has_skirt()) out[material_bottom_lining] = layers[layer_bottom] + inside;
     float band = p.y - .583f;
     if (!figure.has_skirt()) out[material_belt] = layers[layer_bottom] + (band > 0 ? band : -band) - .011f;
 }

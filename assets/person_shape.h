@@ -41,14 +41,16 @@ enum Material : uint8_t {
     material_inner,
     material_top,
     material_zip,
+    material_top_lining,
     material_bottom,
+    material_bottom_lining,
     material_belt,
     material_shoes,
     material_sole,
     material_collar,
     material_trim,
 };
-inline constexpr int k_material_count = 16;
+inline constexpr int k_material_count = 18;
 struct MaterialLook {
     Layer layer;
     Tint tint;

@@ -63,6 +63,8 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     float hemmed = robe ? 1 : figure.robe_hem > 0 ? smoothstep(-.050f, -.004f, p.y - figure.robe_hem) : 0;
     leg = lerp(leg, robe_leg, hemmed);
     if (layer == layer_inner || layer == layer_hair || layer == layer_collar) leg = 0;
+    // Cloth about the hips is held by them.
+    if (outer && !robe) leg *= .45f;
     if (layer == layer_skin && p.y > .43f) leg = 0;
     float other = p.y < .40f ? 0 : smoothstep(.010f, -.010f, x);
     other = lerp(other, smoothstep(.050f, -.050f, x), hemmed);
