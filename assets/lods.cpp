@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include "assets/character.h"
 
@@ -11,7 +13,8 @@ namespace {
 
 constexpr std::array<size_t, 4> k_level_triangles = {1500, 500, 180, 60};
 constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
-constexpr size_t k_repainted_below = 100;  // and these across garments, whose colours are then laid on anew
+constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
+constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew
 
 // Places as the simplifier measures errors: the head twice as large, for the eye goes there.
 std::vector<Vec3> weighed_places(const Character& c) {
@@ -130,8 +133,7 @@ std::vector<uint32_t> unweld(const std::vector<uint32_t>& places, const Characte
 
 // Where a level has lost the borders of garments, each of its triangles takes vertices of its own in the
 // colour that the fine surface shows nearest to its middle. Textured surfaces stay.
-void repaint(std::vector<uint32_t>& level, Character& c) {
-    size_t fine = c.vertices.size();
+void repaint(std::vector<uint32_t>& level, Character& c, size_t fine) {
     for (size_t t = 0; t + 2 < level.size(); t += 3) {
         std::array<CharacterVertex, 3> corner;
         for (size_t i = 0; i < 3; ++i) corner[i] = c.vertices[level[t + i]];
@@ -155,11 +157,65 @@ void repaint(std::vector<uint32_t>& level, Character& c) {
     }
 }
 
+// A coarse level takes vertices of its own: their normals are those of its few triangles, their colours the
+// means of what the fine surface shows about them, so that no single dark fold spreads over half a body.
+void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
+    auto plain = [&](uint32_t v) { return c.vertices[v].texture == CharacterVertex::k_no_texture; };
+    std::map<std::array<float, 3>, Vec3> normals;
+    auto place = [&](uint32_t v) {
+        Vec3 p = c.vertices[v].position;
+        return std::array<float, 3>{p.x, p.y, p.z};
+    };
+    for (size_t t = 0; t + 2 < level.size(); t += 3) {
+        Vec3 a = c.vertices[level[t]].position;
+        Vec3 n = cross(c.vertices[level[t + 1]].position - a, c.vertices[level[t + 2]].position - a);
+        for (size_t i = 0; i < 3; ++i) normals[place(level[t + i])] += n;
+    }
+    std::map<std::pair<std::array<float, 3>, Tint>, uint32_t> own;
+    auto first = static_cast<uint32_t>(c.vertices.size());
+    for (uint32_t& v : level) {
+        if (!plain(v)) continue;
+        auto [known, fresh] = own.try_emplace({place(v), c.vertices[v].tint}, uint32_t(c.vertices.size()));
+        if (fresh) {
+            CharacterVertex vertex = c.vertices[v];
+            vertex.normal = normalize_or(normals[place(v)] * 1e4f, vertex.normal);
+            c.vertices.push_back(vertex);
+        }
+        v = known->second;
+    }
+    struct Mean {
+        std::array<uint32_t, 3> sum{};
+        uint32_t count = 0;
+    };
+    std::vector<Mean> means(c.vertices.size() - first);
+    for (uint32_t v = 0; v < fine; ++v) {
+        if (!plain(v)) continue;
+        uint32_t nearest = first;
+        float best = 1e30f;
+        for (uint32_t o = first; o < c.vertices.size(); ++o) {
+            if (c.vertices[o].tint != c.vertices[v].tint) continue;
+            float d = length_squared(c.vertices[o].position - c.vertices[v].position);
+            if (d < best) best = d, nearest = o;
+        }
+        if (best > 1e29f) continue;
+        Mean& m = means[nearest - first];
+        for (size_t i = 0; i < 3; ++i) m.sum[i] += c.vertices[v].colour >> (8 * i) & 0xffu;
+        ++m.count;
+    }
+    for (size_t o = 0; o < means.size(); ++o) {
+        if (means[o].count == 0) continue;
+        uint32_t& colour = c.vertices[first + o].colour;
+        colour &= 0xff000000u;
+        for (size_t i = 0; i < 3; ++i) colour |= means[o].sum[i] / means[o].count << (8 * i);
+    }
+}
+
 }  // namespace
 
 void build_lods(Character& c) {
     c.lods.resize(1);
     if (c.vertices.empty() || c.lods[0].empty()) return;
+    const size_t fine = c.vertices.size();
     std::vector<Vec3> places = weighed_places(c);
     const std::array<Weld, 2> welds = {weld(c, places, true), weld(c, places, false)};
     for (size_t triangles : k_level_triangles) {
@@ -179,8 +235,9 @@ void build_lods(Character& c) {
                 level = simplify_sloppily(whole, welds[w].places, triangles);
             level = unweld(level, c, welds[w]);
         }
-        if (triangles < k_repainted_below) repaint(level, c);
+        if (triangles < k_repainted_below) repaint(level, c, fine);
         if (level.empty() || level.size() * 10 > before.size() * 9) continue;
+        if (triangles <= k_smoothed_below) smooth_out(level, c, fine);
         c.lods.push_back(std::move(level));
     }
     for (std::vector<uint32_t>& level : c.lods)

@@ -18,15 +18,16 @@ void steps(std::vector<float>& out, float to, float step) {
 // Finer at the head and the hands.
 FieldGrid person_grid() {
     FieldGrid g{{.0012f}, {-.008f}, {-.125f}};
-    steps(g.half_x, .052f, .0026f);
-    steps(g.half_x, .300f, .0056f);
-    steps(g.half_x, .430f, .0030f);
-    steps(g.y, .440f, .0056f);
-    steps(g.y, .560f, .0036f);
-    steps(g.y, .800f, .0056f);
-    steps(g.y, 1.030f, .0025f);
-    steps(g.z, -.042f, .0044f);
-    steps(g.z, .030f, .0029f);
+    steps(g.half_x, .052f, .0027f);
+    steps(g.half_x, .290f, .0068f);
+    steps(g.half_x, .430f, .0034f);
+    steps(g.y, .060f, .0046f);
+    steps(g.y, .430f, .0080f);
+    steps(g.y, .560f, .0042f);
+    steps(g.y, .800f, .0072f);
+    steps(g.y, 1.030f, .0027f);
+    steps(g.z, -.042f, .0050f);
+    steps(g.z, .030f, .0034f);
     steps(g.z, .140f, .0042f);
     return g;
 }

@@ -207,7 +207,7 @@ void add_backpack(Rack& r) {
                                {.049f, .815f, .036f},        {.054f, .770f, .068f},  {.060f, .725f, .075f},
                                {.072f, .680f, .060f},        {.088f, .648f, .022f},  {.084f, .635f, -.030f},
                                {.062f, .630f, back - .006f}};
-    strap = draped(r.field, strap, .0022f);
+    strap = draped(r.field, rounded(strap, false), .0022f);
     r.add_on_cloth(make_band(strap, {1, 0, 0}, .0098f, .0034f), tint, 0xffb8b8b8);
     r.add_on_cloth(make_band(mirrored(strap), {1, 0, 0}, .0098f, .0034f), tint, 0xffb8b8b8);
 }
@@ -227,10 +227,10 @@ void add_shoulder_bag(Rack& r) {
 }
 
 void add_handbag(Rack& r) {
-    Vec3 palm = r.palm(), at = palm + Vec3{.026f, -.098f, 0};
-    r.add_to_hand(make_pillow(make_frame(at, {.05f, 1, 0}, {1, 0, 0}), {.054f, .040f, .021f}, .5f, 18, 8),
+    Vec3 palm = r.palm(), at = palm + Vec3{.012f, -.108f, 0};
+    r.add_to_hand(make_pillow(make_frame(at, {.05f, 1, 0}, {1, 0, 0}), {.064f, .046f, .022f}, .55f, 18, 8),
                   Tint::shoes, 0xffe8e8e8, 1);
-    Vec3 top = at + Vec3{0, .032f, 0};
+    Vec3 top = at + Vec3{0, .036f, 0};
     std::vector<Vec3> handle = {
         top + Vec3{0, 0, -.036f}, lerp(top, palm, .7f) + Vec3{0, 0, -.030f}, palm + Vec3{0, 0, -.012f},
         palm + Vec3{0, 0, .012f}, lerp(top, palm, .7f) + Vec3{0, 0, .030f},  top + Vec3{0, 0, .036f}};

@@ -1,5 +1,7 @@
 #include "assets/person_clothes.h"
 
+#include <algorithm>
+
 namespace flaneur {
 
 namespace {
@@ -142,11 +144,30 @@ void add_lapels(Field& field, const Figure& figure, float grow, float button, fl
     t.crop({0, -1, -1.4f}, {0, .770f, .0f}, .004f);
 }
 
+}  // namespace
+
+float top_hem(const Figure& figure) {
+    bool skirt = figure.has_skirt(), tucked = figure.top == Top::shirt && figure.seed % 2 == 0;
+    switch (figure.over) {
+        case Over::none:
+            break;
+        case Over::jacket:
+        case Over::vest:
+            return skirt ? .550f : .510f;
+        case Over::open_jacket:
+            return skirt ? .545f : .500f;
+        case Over::coat:
+            return figure.robe_hem;
+    }
+    return skirt || tucked ? .590f : .508f;
+}
+
+namespace {
+
 void add_top(Field& field, const Figure& figure) {
     bool under = figure.over != Over::none, sleeves = !under || figure.over == Over::vest;
     Tailor t{field, figure, under ? layer_inner : layer_top};
-    // Tucked in where a jacket hides it or a skirt begins.
-    float hem = figure.has_skirt() ? .590f : under ? .56f : .508f;
+    float hem = figure.over == Over::coat ? .56f : top_hem(figure) + (under ? .008f : 0);
     float thin = under ? .003f : .006f;
     switch (figure.top) {
         case Top::t_shirt:
@@ -183,7 +204,8 @@ void add_coat(Tailor t) {
         {.580f, 0, 0, .095f, .066f, .066f, .15f},          {.610f, 0, 0, .089f, .062f, .060f, .15f}};
     float g = lerp(1, .96f, f.feminine);
     for (Ring& r : skirt) {
-        r.width *= g * stout, r.ahead *= g * stout, r.behind *= g;
+        float belly = 1 + .34f * std::max(f.build, 0.0f) * smoothstep(.45f, .58f, r.t);
+        r.width *= g * stout, r.ahead *= g * stout * belly, r.behind *= g;
         // A waist for her.
         float waist = f.feminine * smoothstep(.56f, .61f, r.t);
         r.width -= .008f * waist, r.ahead -= .004f * waist, r.behind -= .004f * waist;
@@ -196,12 +218,11 @@ void add_coat(Tailor t) {
 void add_upper_clothes(Field& field, const Figure& figure) {
     Tailor top{field, figure, layer_top};
     add_top(field, figure);
-    bool skirt = figure.has_skirt();
     switch (figure.over) {
         case Over::none:
             break;
         case Over::jacket:
-            add_upper(top, {.011f, skirt ? .550f : .510f, .325f, .001f});
+            add_upper(top, {.011f, top_hem(figure), .325f, .001f});
             add_neckband(top, .012f, .851f);
             {
                 Ring throat[] = {{.812f, 0, 0, .003f, .14f, .001f}, {.870f, 0, 0, .026f, .14f, .001f}};
@@ -209,7 +230,7 @@ void add_upper_clothes(Field& field, const Figure& figure) {
             }
             break;
         case Over::open_jacket:
-            add_upper(top, {.010f, skirt ? .545f : .500f, .323f, 0});
+            add_upper(top, {.010f, top_hem(figure), .323f, 0});
             add_neckband(top, .009f, .846f);
             open_front(top, .470f, .640f, .006f);
             add_lapels(field, figure, .0135f, .640f, .004f);
@@ -221,7 +242,7 @@ void add_upper_clothes(Field& field, const Figure& figure) {
             add_lapels(field, figure, .0160f, .680f, .012f);
             break;
         case Over::vest:
-            add_upper(top, {.013f, skirt ? .550f : .510f, 0, 0, .007f});
+            add_upper(top, {.013f, top_hem(figure), 0, 0, .007f});
             add_neckband(top, .013f, .850f);
             // The armholes.
             top.crop({1, .25f, 0}, {figure_shoulder(figure).x - .001f, .80f, 0}, .006f);

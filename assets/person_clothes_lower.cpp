@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "assets/person_clothes.h"
 
 namespace flaneur {
@@ -17,9 +19,12 @@ Loft foot_loft(const Figure& figure) {
 
 namespace {
 
+// Where trousers end under what is worn above.
+float waist(const Figure& figure) { return std::min(top_hem(figure) + .010f, .600f); }
+
 void add_trousers(Tailor t) {
     const Figure& f = t.figure;
-    if (f.robe_hem == 0) t.add(trimmed(torso_loft(f), .470f, .600f, .03f, 0), .003f);
+    if (f.robe_hem == 0) t.add(trimmed(torso_loft(f), .470f, waist(f), .03f, 0), .003f);
     bool slim = f.bottom == Bottom::slim, wide = f.bottom == Bottom::wide;
     float ease = slim ? .15f : lerp(1, .8f, f.feminine);
     Loft leg = leg_loft(f);
@@ -37,20 +42,20 @@ void add_trousers(Tailor t) {
     }
     float hem = slim ? .040f : wide ? .018f : .026f;
     // Under a coat there is nothing to show.
-    float top = f.robe_hem > 0 ? f.robe_hem + .05f : .520f;
-    t.add(trimmed(leg, hem, top, 0, .03f), slim ? .0035f : .005f, .018f);
+    float top = f.robe_hem > 0 ? f.robe_hem + .05f : .508f;
+    t.add(trimmed(leg, hem, top, 0, .02f), slim ? .0035f : .005f, .018f);
 }
 
 void add_shorts(Tailor t) {
     const Figure& f = t.figure;
-    t.add(trimmed(torso_loft(f), .470f, .600f, .03f, 0), .003f);
+    t.add(trimmed(torso_loft(f), .470f, waist(f), .03f, 0), .003f);
     float hem = lerp(.345f, .385f, f.feminine * f.grown);
     Loft leg = leg_loft(f);
     for (Ring& ring : leg.table) {
         float free = .007f * smoothstep(.47f, hem, ring.t);
         ring.width += free, ring.ahead += free + .002f, ring.behind += free;
     }
-    t.add(trimmed(leg, hem, .520f, 0, .03f), .006f, .018f);
+    t.add(trimmed(leg, hem, .505f, 0, .02f), .006f, .018f);
 }
 
 void add_skirt(Tailor t) {
@@ -68,7 +73,8 @@ void add_skirt(Tailor t) {
         float hips = r.t < .55f ? 1 : stout;
         r.width *= g * hips, r.ahead *= g * (r.t < .5f ? 1 : stout), r.behind *= g;
     }
-    t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), .006f);
+    float top = f.over == Over::coat ? .580f : std::min(top_hem(f) + .012f, .605f);
+    t.add(trimmed(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), hem, top, 0, 0), .006f);
 }
 
 void add_shoes(Tailor t) {
@@ -80,15 +86,15 @@ void add_shoes(Tailor t) {
             for (Ring& r : foot.table) r.ahead += .0035f;
             t.add(std::move(foot), .0015f);
             // A padded collar and a thick sole.
-            t.add(make_ellipsoid({.052f, .046f, -.006f}, {.0255f, .010f, .030f}), 0, .012f);
+            t.add(make_ellipsoid({.052f, .046f, -.006f}, {.0255f, .010f, .027f}), 0, .012f);
             {
                 float g = lerp(1, .88f, f.feminine);
-                Ring sole[] = {{-.033f, 0, 0, .0215f * g, .0115f, .02f, .4f},
+                Ring sole[] = {{-.030f, 0, 0, .0215f * g, .0115f, .02f, .4f},
                                {.010f, 0, 0, .0240f * g, .0115f, .02f, .4f},
                                {.045f, -.001f, 0, .0275f * g, .0110f, .02f, .4f},
                                {.078f, -.002f, 0, .0318f * g, .0115f, .02f, .4f},
                                {.112f, .000f, 0, .0235f * g, .0130f, .02f, .2f}};
-                t.add(make_loft({.052f, 0, 0}, {-1, 0, 0}, {0, 0, 1}, sole, .009f, .012f), 0, .002f);
+                t.add(make_loft({.052f, 0, 0}, {-1, 0, 0}, {0, 0, 1}, sole, .008f, .012f), 0, .002f);
             }
             break;
         case Shoes::leather:

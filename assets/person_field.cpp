@@ -124,8 +124,12 @@ float distance(const Loft& loft, Vec3 p) {
                             z * z / (reach * reach));
     float d = -std::min(ring.width, std::min(ring.ahead, ring.behind));
     if (slope > 1e-6f) {
-        float boxy = std::sqrt(std::sqrt(x * x * x * x + y * y * y * y + z * z * z * z));
-        d = (lerp(round, boxy, ring.square) - 1) * round / slope;
+        float shape = round;
+        if (ring.square > 0) {
+            float xx = x * x, yy = y * y, zz = z * z;
+            shape = lerp(round, std::sqrt(std::sqrt(xx * xx + yy * yy + zz * zz)), ring.square);
+        }
+        d = (shape - 1) * round / slope;
     }
     if (loft.cap_begin <= 0) d = std::max(d, loft.begin - t);
     if (loft.cap_end <= 0) d = std::max(d, t - loft.end);

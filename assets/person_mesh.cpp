@@ -122,6 +122,10 @@ void repair(Samples& s) {
         changed = false;
         for_crossed_cells(s, [&](int i, int j, int k) {
             size_t a = s.at(i, j, k);
+            bool in = s.value[a] < 0, all = true;
+            for (size_t corner : {sx, sy, sz, sx + sy, sy + sz, sz + sx, sx + sy + sz})
+                all = all && (s.value[a + corner] < 0) == in;
+            if (all) return;
             for (auto [u, v] : {std::pair{sx, sy}, {sy, sz}, {sz, sx}})
                 if (square(a, u, v)) changed = true;
             if (cube(a)) changed = true;
@@ -358,16 +362,14 @@ void open_pinches(FieldMesh& mesh) {
             if (dot(normal(c[0]), normal(c[2])) + dot(normal(c[1]), normal(c[3])) <
                 dot(normal(c[0]), normal(c[3])) + dot(normal(c[1]), normal(c[2])))
                 std::swap(c[2], c[3]);
+            const Vec3 off[2] = {normal(c[0]) + normal(c[2]), normal(c[1]) + normal(c[3])};
             for (size_t i = 0; i < 4; ++i) {
                 size_t corner = c[i], pair = i % 2;
                 uint32_t a = mesh.indices[corner], b = mesh.indices[next(corner)],
                          apex = mesh.indices[next(next(corner))];
-                Vec3 off = normal(c[pair]) + normal(c[pair + 2]);
                 auto m = uint32_t(mesh.positions.size());
-                // Corners of different materials stand apart at one place: the lower place is the first.
-                Vec3 low = mesh.positions[a], high = mesh.positions[b];
-                if (i >= 2) std::swap(low, high);
-                mesh.positions.push_back((low + high) * .5f + off * (pair == 0 ? 2e-5f : 1e-5f));
+                Vec3 middle = (mesh.positions[a] + mesh.positions[b]) * .5f;
+                mesh.positions.push_back(middle + off[pair] * (pair == 0 ? 2e-5f : 1e-5f));
                 mesh.materials.push_back(mesh.materials[a]);
                 split[corner - corner % 3] = 1;
                 mesh.indices[next(corner)] = m;

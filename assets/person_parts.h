@@ -38,6 +38,9 @@ Loft neck_loft(const Figure& figure);
 Loft foot_loft(const Figure& figure);  // in a shoe
 Loft skull_loft(const Figure& figure);
 
+// The lower end of what is outermost above, in body heights; a skirt or trousers end a little higher.
+float top_hem(const Figure& figure);
+
 void add_body(Field& field, const Figure& figure);  // neck, hands, what skin shows
 void add_head(Field& field, const Figure& figure);
 void add_hair(Field& field, const Figure& figure);

@@ -102,7 +102,7 @@ Body figure_body(const std::array<Vec3, k_joint_count>& bind) {
             b.joints[size_t(j)] =
                 b.joints[size_t(j - 1)] - Vec3{0, length(bind[size_t(j)] - bind[size_t(j - 1)]), 0};
     b.height = 1;
-    b.heel = .038f;
+    b.heel = .040f;
     b.toe = .046f;
     return b;
 }
@@ -164,7 +164,7 @@ void paint_face(const Figure& figure, Vec3 face, std::span<float> out) {
     const Face& f = figure.face;
     float x = face.x < 0 ? -face.x : face.x, s = f.eye_size;
     float ex = x - f.eye.x, ey = face.y - f.eye.y - .12f * ex;
-    float eye = almond(ex, ey, .074f * s, .031f * s, .021f * s);
+    float eye = almond(ex, ey, .069f * s, .031f * s, .021f * s);
     float lid = almond(ex, ey, .084f * s, .046f * s, .012f);
     paint(material_lash, std::max(lid, -ey));
     paint(material_eye_white, eye);

@@ -74,8 +74,8 @@ void dress_woman(PersonOptions& p, Dealer& d, Kind kind) {
     p.over = d.deal<Over>({Over::none, Over::coat, Over::open_jacket, Over::none, Over::jacket, Over::vest});
     p.shoes = d.deal<Shoes>({Shoes::pumps, Shoes::sneakers, Shoes::boots, Shoes::leather});
     p.bag = d.deal<Bag>({Bag::handbag, Bag::none, Bag::shoulder_bag, Bag::backpack, Bag::none});
-    p.hat = d.deal<Hat>({Hat::none, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::none, Hat::none,
-                         Hat::brimmed, Hat::none});
+    p.hat = d.deal<Hat>(
+        {Hat::none, Hat::none, Hat::none, Hat::brimmed, Hat::none, Hat::none, Hat::none, Hat::none});
 }
 
 void dress_man(PersonOptions& p, Dealer& d, Kind kind) {
@@ -92,9 +92,10 @@ void dress_man(PersonOptions& p, Dealer& d, Kind kind) {
     p.over = d.deal<Over>({Over::none, Over::jacket, Over::coat, Over::none, Over::open_jacket, Over::vest});
     p.shoes = d.deal<Shoes>({Shoes::leather, Shoes::sneakers, Shoes::boots, Shoes::sneakers});
     p.bag = d.deal<Bag>({Bag::none, Bag::backpack, Bag::shoulder_bag, Bag::none});
-    p.hat = d.deal<Hat>({Hat::none, Hat::cap, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::none,
-                         Hat::none, Hat::brimmed});
-    if (old && p.hat == Hat::beanie) p.hat = Hat::brimmed;
+    p.hat = d.deal<Hat>(
+        {Hat::none, Hat::cap, Hat::none, Hat::none, Hat::beanie, Hat::none, Hat::none, Hat::none});
+    Hat aged = d.deal<Hat>({Hat::none, Hat::brimmed, Hat::cap});
+    if (old) p.hat = aged;
 }
 
 // What cannot be worn together gives way.

@@ -5,7 +5,8 @@
 #include <map>
 #include <string>
 
-#include "assets/character.h"
+#include "assets/outfit.h"
+#include "assets/population.h"
 #include "sim/base/hash.h"
 
 namespace flaneur {
@@ -16,14 +17,23 @@ struct Made {
     Character person;
 };
 
-// Some of each sex, enough to meet every garment and cut.
+constexpr uint32_t k_crowd = 24;
+constexpr uint64_t k_seed = 1;
+
+// Women and men, a child, an old man, and one in a coat, a skirt, a dress, with this and that in the hand.
 const std::vector<Made>& several() {
     static const std::vector<Made> all = [] {
         std::vector<Made> made;
-        for (uint64_t seed = 1; seed <= 6; ++seed) {
-            PersonOptions options{seed, 1.5f + 0.05f * float(seed), seed % 2 == 0};
-            made.push_back({options, generate_person(options)});
-        }
+        for (const PersonOptions& options : draw_population(k_crowd, k_seed))
+            if (options.seed % 3 == 0) made.push_back({options, generate_person(options)});
+        PersonOptions dressed;
+        dressed.woman = true;
+        dressed.bottom = Bottom::dress;
+        dressed.over = Over::coat;
+        dressed.bag = Bag::handbag;
+        dressed.stick = true;
+        dressed.age = 80;
+        made.push_back({dressed, generate_person(dressed)});
         return made;
     }();
     return all;
@@ -93,7 +103,7 @@ TEST(Person, FacesOutward) {
         }
         double litres = volume * 1000,
                expected = 22 * std::pow(options.height, 2);  // about a body mass index of 22
-        EXPECT_GT(litres, 0.7 * expected) << options.seed;
+        EXPECT_GT(litres, (options.age < 18 ? 0.5 : 0.7) * expected) << options.seed;
         EXPECT_LT(litres, 2.0 * expected) << options.seed;
         EXPECT_LT(against, triangles.size() / 3 / 50)
             << "triangles against their normals, seed " << options.seed;
@@ -118,6 +128,8 @@ TEST(Person, WeightsSumTo255AndFall) {
 TEST(Person, StandsOnTheGroundAtFullHeight) {
     for (const auto& [options, c] : several()) {
         float low = 1e9f, high = -1e9f, back = 0, front = 0;
+        // The crown is where it is under any hat, but curls stand above it.
+        bool flat = options.hat == Hat::none && !options.headphones && options.hair != Hair::curly;
         for (const CharacterVertex& v : c.vertices) {
             Vec3 p = canonical_place(c, v);
             low = std::min(low, p.y);
@@ -126,7 +138,8 @@ TEST(Person, StandsOnTheGroundAtFullHeight) {
             if (v.joints[0] == left_toes) front = std::max(front, p.z);
         }
         EXPECT_NEAR(low, 0, 0.005f) << options.seed;
-        EXPECT_NEAR(high, options.height, 0.01f) << options.seed;
+        EXPECT_GT(high, 0.985f * options.height) << options.seed;
+        EXPECT_LT(high, (flat ? 1.015f : 1.07f) * options.height) << options.seed;
         EXPECT_NEAR(c.body.height, options.height, 1e-5f);
         EXPECT_NEAR(c.body.heel, c.body.joints[left_foot].z - back, 0.01f);
         EXPECT_NEAR(c.body.toe, front - c.body.joints[left_toes].z, 0.01f);
@@ -179,6 +192,95 @@ TEST(Person, SameOptionsSameBytes) {
     EXPECT_EQ(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, true})));
     EXPECT_NE(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, false})));
     EXPECT_NE(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({4, 1.7f, true})));
+}
+
+// Heights of a standing body from chin to crown and from hip to ground.
+TEST(Person, ChildrenHaveLargeHeads) {
+    auto heads = [](float age) {
+        PersonOptions options{1, mean_height(true, age), true, age};
+        Character c = generate_person(options);
+        return options.height / (options.height - c.body.joints[head].y);
+    };
+    float child = heads(5), youth = heads(12), adult = heads(30);
+    EXPECT_LT(child, 0.87f * adult);
+    EXPECT_LT(child, youth);
+    EXPECT_LT(youth, adult);
+}
+
+TEST(Person, TheOldStoop) {
+    PersonOptions options{1, 1.7f, false, 30};
+    float upright = generate_person(options).body.joints[head].z;
+    options.age = 84;
+    EXPECT_GT(generate_person(options).body.joints[head].z, upright + 0.03f);
+}
+
+TEST(Population, IsBalancedAndShowsEverything) {
+    auto people = draw_population(k_crowd, k_seed);
+    ASSERT_EQ(people.size(), k_crowd);
+    size_t women = 0, young = 0, old = 0;
+    std::map<std::string, std::map<int, int>> worn;
+    for (const PersonOptions& p : people) {
+        women += p.woman;
+        young += p.age < 18;
+        old += p.age > 65;
+        EXPECT_GE(p.age, 5);
+        EXPECT_LE(p.age, 85);
+        EXPECT_NEAR(p.height, mean_height(p.woman, p.age), 0.16f);
+        EXPECT_FALSE(p.phone && p.stick) << "one hand";
+        ++worn["hair"][int(p.hair)], ++worn["top"][int(p.top)], ++worn["over"][int(p.over)];
+        ++worn["bottom"][int(p.bottom)], ++worn["shoes"][int(p.shoes)], ++worn["hat"][int(p.hat)];
+        ++worn["bag"][int(p.bag)], ++worn["beard"][int(p.beard)];
+        for (auto [name, has] : {std::pair{"glasses", p.glasses},
+                                 {"scarf", p.scarf},
+                                 {"phone", p.phone},
+                                 {"headphones", p.headphones},
+                                 {"stick", p.stick}})
+            ++worn[name][has];
+    }
+    EXPECT_NEAR(int(women), int(k_crowd / 2), 1);
+    EXPECT_EQ(young, 3u);
+    EXPECT_EQ(old, 4u);
+    const std::pair<const char*, size_t> kinds[] = {{"hair", k_hair_count},
+                                                    {"top", 4},
+                                                    {"over", 5},
+                                                    {"bottom", 7},
+                                                    {"shoes", 4},
+                                                    {"hat", 4},
+                                                    {"bag", 4},
+                                                    {"beard", 3},
+                                                    {"glasses", 2},
+                                                    {"scarf", 2},
+                                                    {"phone", 2},
+                                                    {"headphones", 2},
+                                                    {"stick", 2}};
+    for (auto [what, count] : kinds) EXPECT_EQ(worn[what].size(), count) << what;
+}
+
+TEST(Population, FewerAreTheFirstOfMore) {
+    auto few = draw_population(5, 7), many = draw_population(50, 7);
+    for (size_t i = 0; i < few.size(); ++i) {
+        EXPECT_EQ(few[i].seed, many[i].seed);
+        EXPECT_EQ(few[i].height, many[i].height);
+        EXPECT_EQ(few[i].hair, many[i].hair);
+        EXPECT_EQ(few[i].bag, many[i].bag);
+    }
+    EXPECT_NE(draw_population(1, 8)[0].seed, few[0].seed);
+}
+
+TEST(Outfit, HairGreysWithAge) {
+    auto grey_of = [](float age) {
+        PersonOptions person;
+        person.age = age;
+        int grey = 0;
+        for (uint32_t i = 0; i < 200; ++i) {
+            uint32_t hair = outfit(person, k_seed, i)[size_t(Tint::hair)];
+            auto channel = [&](int shift) { return int(hair >> shift & 0xffu); };
+            grey += channel(0) > 90 && channel(0) - channel(16) < 20;
+        }
+        return grey;
+    };
+    EXPECT_EQ(grey_of(25), 0);
+    EXPECT_GT(grey_of(80), 190);
 }
 
 }  // namespace
