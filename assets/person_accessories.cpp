@@ -11,6 +11,9 @@ namespace {
 constexpr float h = k_head_height;
 constexpr uint32_t k_dark = 0xff2b2826, k_pale = 0xffd2d4d6, k_wood = 0xff33435a;
 
+// Down, in the canonical pose, for what hangs from a hand: who walks bends the elbow by some 0.4 rad.
+constexpr Vec3 k_hanging{0, -.921f, -.389f};
+
 // Places on the path, laid on whatever the figure wears, `gap` above it.
 std::vector<Vec3> draped(const Field& field, std::vector<Vec3> path, float gap) {
     std::vector<uint16_t> near;
@@ -172,7 +175,7 @@ void add_headphones(Rack& r) {
     std::vector<Vec3> band;
     for (int i = 0; i <= 10; ++i) {
         float a = 3.1415927f * float(i) / 10;
-        band.push_back(from_face({.395f * std::cos(a), .44f + .645f * std::sin(a), -.02f}));
+        band.push_back(from_face({.395f * std::cos(a), .44f + .612f * std::sin(a), -.02f}));
     }
     r.add(make_band(band, {0, 0, 1}, .040f * h, .022f * h), Tint::none, colour, head);
     for (float side : {1.0f, -1.0f}) {
@@ -227,14 +230,14 @@ void add_shoulder_bag(Rack& r) {
 }
 
 void add_handbag(Rack& r) {
-    Vec3 palm = r.palm(), at = palm + Vec3{.012f, -.108f, 0};
-    r.add_to_hand(make_pillow(make_frame(at, {.05f, 1, 0}, {1, 0, 0}), {.064f, .046f, .022f}, .55f, 18, 8),
-                  Tint::shoes, 0xffe8e8e8, 1);
-    Vec3 top = at + Vec3{0, .036f, 0};
+    Vec3 palm = r.palm(), down = k_hanging, ahead{0, down.z, -down.y}, out{1, 0, 0};
+    Vec3 at = palm + down * .108f + out * .012f, top = palm + down * .072f + out * .010f;
+    r.add_to_hand(make_pillow(make_frame(at, -down, out), {.064f, .046f, .022f}, .55f, 18, 8), Tint::shoes,
+                  0xffe8e8e8, 1);
     std::vector<Vec3> handle = {
-        top + Vec3{0, 0, -.036f}, lerp(top, palm, .7f) + Vec3{0, 0, -.030f}, palm + Vec3{0, 0, -.012f},
-        palm + Vec3{0, 0, .012f}, lerp(top, palm, .7f) + Vec3{0, 0, .030f},  top + Vec3{0, 0, .036f}};
-    r.add_to_hand(make_band(rounded(handle, false), {1, 0, 0}, .0035f, .0028f), Tint::shoes, 0xffb0b0b0, 1);
+        top - ahead * .036f,  lerp(top, palm, .7f) - ahead * .030f, palm - ahead * .012f,
+        palm + ahead * .012f, lerp(top, palm, .7f) + ahead * .030f, top + ahead * .036f};
+    r.add_to_hand(make_band(rounded(handle, false), out, .0035f, .0028f), Tint::shoes, 0xffb0b0b0, 1);
 }
 
 void add_phone(Rack& r) {
@@ -244,18 +247,13 @@ void add_phone(Rack& r) {
 }
 
 void add_stick(Rack& r) {
-    Vec3 palm = r.palm();
-    float x = -palm.x + .002f;
-    std::vector<Vec3> shaft = {{x, palm.y + .018f, .020f},
-                               {x - .002f, .24f, .032f},
-                               {x - .004f, .030f, .044f},
-                               {x - .004f, .012f, .045f}};
+    Vec3 palm = r.palm(), at{-palm.x + .002f, palm.y + .016f, palm.z + .012f};
+    Vec3 down = k_hanging, ahead{0, down.z, -down.y};
+    std::vector<Vec3> shaft = {at, at + down * .2f, at + down * .395f, at + down * .415f};
     r.add_to_hand(make_band(shaft, {1, 0, 0}, .0052f, .0052f, 8), Tint::none, k_wood, -1);
-    std::vector<Vec3> grip = {{x, palm.y + .006f, -.036f},
-                              {x, palm.y + .018f, -.022f},
-                              {x, palm.y + .020f, 0},
-                              {x, palm.y + .019f, .024f},
-                              {x, palm.y + .013f, .034f}};
+    std::vector<Vec3> grip = {at + ahead * -.050f + down * .014f, at + ahead * -.036f + down * .002f,
+                              at + ahead * -.012f, at + ahead * .012f - down * .001f,
+                              at + ahead * .024f + down * .004f};
     r.add_to_hand(make_band(grip, {1, 0, 0}, .0072f, .0068f, 8), Tint::none, k_wood, -1);
 }
 

@@ -166,6 +166,12 @@ LayerDistances layer_distances(const Field& field, std::span<const uint16_t> nea
     for (uint16_t i : near) {
         const Part& part = field.parts[i];
         float& layer = d[part.layer];
+        if (part.blend != Blend::keep) {
+            // Too far off to matter, whatever its shape is.
+            float limit = part.loft.radius + part.grow + part.round;
+            limit += std::max(part.blend == Blend::add ? layer : -layer, 0.0f);
+            if (length_squared(p - part.loft.centre) > limit * limit) continue;
+        }
         float v = part_distance(part, p);
         if (part.blend == Blend::add) layer = smooth_min(layer, v, part.round);
         if (part.blend == Blend::carve) layer = -smooth_min(-layer, v, part.round);
