@@ -98,7 +98,7 @@ void add_accessory(const Accessory& a, const Figure& figure, const Field& field,
         if (a.joint >= 0)
             weights[size_t(a.joint)] = 1;
         else
-            weights = skin_weights(v.position, a.layer, figure, bind);
+            weights = skin_weights(v.position, layer_top, figure, bind);
         pack_weights(weights, v);
         person.vertices.push_back(v);
     }

@@ -56,11 +56,11 @@ struct Rack {
     std::vector<Accessory> worn;
 
     void add(Solid solid, Tint tint, uint32_t colour, int joint) {
-        worn.push_back({std::move(solid), tint, colour, joint, layer_top});
+        worn.push_back({std::move(solid), tint, colour, joint});
     }
     // Lies on the coat or whatever is worn.
     void add_on_cloth(Solid solid, Tint tint, uint32_t colour) {
-        worn.push_back({std::move(solid), tint, colour, -1, layer_top});
+        worn.push_back({std::move(solid), tint, colour, -1});
     }
     // In the canonical pose, the arms down, into the bind pose; `side` 1 left, -1 right.
     void add_to_hand(Solid solid, Tint tint, uint32_t colour, float side) {

@@ -8,14 +8,12 @@
 
 namespace flaneur {
 
-// A piece, the colours it shows, and what it moves with: one joint, or, for what lies on cloth, the skin
-// weights of `layer`.
+// A piece, the colours it shows, and the joint that it moves with; -1: it lies on cloth and moves with that.
 struct Accessory {
     Solid solid;
     Tint tint = Tint::none;
     uint32_t colour = 0xffffffff;
     int joint = -1;
-    Layer layer = layer_top;
 };
 
 std::vector<Accessory> make_accessories(const Figure& figure, const Field& field);

@@ -64,8 +64,7 @@ Samples sample(const Field& field, const FieldGrid& grid) {
                     k1 = std::min(k0 + k_block, s.nz);
                 Vec3 low = s.place(i0, j0, k0), high = s.place(i1 - 1, j1 - 1, k1 - 1);
                 Vec3 middle = (low + high) * 0.5f;
-                float reach =
-                    length(high - low) + 0.004f;  // twice the radius: distances are approximate
+                float reach = length(high - low) + 0.004f;  // twice the radius: distances are approximate
                 parts_touching(field, middle, reach, near);
                 float at_middle = distance(layer_distances(field, near, middle));
                 bool crossed = (at_middle < 0 ? -at_middle : at_middle) < reach;

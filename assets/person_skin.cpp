@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "assets/person_parts.h"
+
 namespace flaneur {
 
 namespace {
@@ -63,8 +65,10 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     float hemmed = robe ? 1 : figure.robe_hem > 0 ? smoothstep(-.050f, -.004f, p.y - figure.robe_hem) : 0;
     leg = lerp(leg, robe_leg, hemmed);
     if (layer == layer_inner || layer == layer_hair || layer == layer_collar) leg = 0;
-    // Cloth about the hips is held by them.
+    // Cloth about the hips is held by them, and what comes out below its hem goes along there.
     if (outer && !robe) leg *= .45f;
+    if (layer == layer_bottom && figure.robe_hem == 0)
+        leg *= lerp(1, .45f, smoothstep(-.055f, -.008f, p.y - top_hem(figure)));
     if (layer == layer_skin && p.y > .43f) leg = 0;
     float other = p.y < .40f ? 0 : smoothstep(.010f, -.010f, x);
     other = lerp(other, smoothstep(.050f, -.050f, x), hemmed);

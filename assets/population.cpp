@@ -59,9 +59,9 @@ void dress_child(PersonOptions& p, Dealer& d) {
 }
 
 void dress_woman(PersonOptions& p, Dealer& d, Kind kind) {
-    static constexpr Hair young[] = {Hair::long_hair, Hair::bob,       Hair::bun,
-                                     Hair::ponytail,  Hair::curly,     Hair::shoulder_length,
-                                     Hair::bangs,     Hair::long_hair, Hair::shoulder_length},
+    static constexpr Hair young[] = {Hair::long_hair, Hair::bob,      Hair::bun,
+                                     Hair::ponytail,  Hair::curly,    Hair::shoulder_length,
+                                     Hair::bangs,     Hair::long_hair},
                           grey[] = {Hair::bob, Hair::curly, Hair::bun, Hair::cropped, Hair::shoulder_length};
     static constexpr Bottom young_wear[] = {Bottom::slim,  Bottom::dress,    Bottom::wide,
                                             Bottom::skirt, Bottom::straight, Bottom::long_skirt,
@@ -106,13 +106,11 @@ void agree(PersonOptions& p) {
         if (p.top == Top::sweater) p.top = Top::t_shirt;
         if (p.over == Over::coat || p.over == Over::jacket) p.over = Over::none;
         if (p.shoes != Shoes::pumps) p.shoes = Shoes::sneakers;
-        if (p.hat == Hat::beanie) p.hat = Hat::cap;
     }
     if (p.bottom == Bottom::long_skirt && p.over == Over::coat) p.over = Over::none;
     if (p.top == Top::hoodie && p.over != Over::none && p.over != Over::vest) p.top = Top::sweater;
     if (p.top == Top::t_shirt && p.over == Over::coat) p.top = Top::sweater;
-    if (p.hat == Hat::beanie && (p.hair == Hair::bun || p.hair == Hair::curly)) p.hat = Hat::none;
-    if (p.hat != Hat::none && p.hair == Hair::bun) p.hair = Hair::bob;
+    if (p.hair == Hair::bun) p.hat = Hat::none;
     if (p.hat != Hat::none) p.headphones = false;
     if (p.bag == Bag::handbag && p.stick) p.bag = Bag::shoulder_bag;
     if (p.stick) p.phone = false;

@@ -9,8 +9,8 @@
 namespace flaneur {
 
 // Half of them women, an eighth children from five years on, a sixth old; heights as guided by age and sex,
-// garments, cuts and things carried dealt like cards, so that 24 people show every one of them. The same
-// arguments give the same people, and fewer people are the first of more.
+// garments, cuts and things carried dealt like cards, so that 24 people show nearly every one of them. The
+// same arguments give the same people, and fewer people are the first of more.
 std::vector<PersonOptions> draw_population(uint32_t count, uint64_t seed);
 
 // The mean height in metres of girls and boys from five years on, and of adults; after the growth references
