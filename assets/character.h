@@ -74,6 +74,18 @@ struct PersonOptions {
     bool phone = false, stick = false;  // in the right hand, one of them
 };
 
+// What a file held and how it was read, for those who ask.
+struct Found {
+    // The node that each joint was taken from: its name, or "node 7" where it has none; empty where the joint
+    // was made up by proportion.
+    std::array<std::string, k_joint_count> nodes;
+    Vec3 up{0, 1, 0}, ahead{0, 0, 1};  // of the character, in the file's axes
+    float scale = 0;                   // metres a unit of the file; 0: no file
+    size_t skins = 0, materials = 0;   // in use
+    size_t triangles = 0;
+    std::vector<std::string> clips;  // animations, by name or "animation 3"
+};
+
 struct Character {
     std::string name;
     Body body;
@@ -86,6 +98,9 @@ struct Character {
     std::vector<Texture> textures;            // base colours
     std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
     PersonOptions person;                     // what a built-in person was made of
+};
+
+    Found found;                              // in its file; as it is when the generator made it
 };
 
 // A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names

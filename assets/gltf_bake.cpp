@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace flaneur {
 
@@ -247,6 +248,8 @@ Result<BakedMesh> bake(const GltfScene& scene) {
         mesh.notes.push_back("Its skins agree on no bind pose; its rest pose is taken.");
     }
 
+    mesh.skins = size_t(std::count(used.begin(), used.end(), 1));
+    std::set<int> materials;
     size_t repaired = 0, skipped = 0, unskinned = 0;
     for (size_t n = 0; n < scene.nodes.size(); ++n) {
         const GltfNode& node = scene.nodes[n];
@@ -266,9 +269,12 @@ Result<BakedMesh> bake(const GltfScene& scene) {
                           mesh);
             } else {
                 ++(node.skin >= 0 ? unskinned : skipped);
+                continue;
             }
+            materials.insert(p.material);
         }
     }
+    mesh.materials = materials.size();
     if (mesh.indices.empty() || mesh.rig.size() > 4096 || pose.rig_nodes.empty())
         return Error{"has a skin but no triangles bound to it"};
     if (repaired > 0)

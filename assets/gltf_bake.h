@@ -16,9 +16,10 @@ struct BakedMesh {
         influences;  // by vertex: rig joint, weight; they sum to 1
     std::vector<uint32_t> indices;
     std::vector<RigJoint> rig;
-    std::vector<int> nodes;     // of the first rig joints; those behind were made up for loose ends
-    std::vector<Affine> binds;  // of the same: joint to scene, in the pose baked
-    Vec3 low, high;             // bounding box
+    std::vector<int> nodes;           // of the first rig joints; those behind were made up for loose ends
+    std::vector<Affine> binds;        // of the same: joint to scene, in the pose baked
+    Vec3 low, high;                   // bounding box
+    size_t skins = 0, materials = 0;  // in use
     std::vector<std::string> notes;
 };
 

@@ -265,6 +265,15 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map, float& scale) {
     return c;
 }
 
+// Joints behind the nodes stand where a chain's last bone ends.
+std::string node_name(const GltfScene& scene, const BakedMesh& mesh, int rig_joint) {
+    auto joint = size_t(rig_joint);
+    if (joint >= mesh.nodes.size()) return "end of " + node_name(scene, mesh, mesh.rig[joint].parent);
+    auto node = size_t(mesh.nodes[joint]);
+    const std::string& name = scene.nodes[node].name;
+    return name.empty() ? "node " + std::to_string(node) : name;
+}
+
 }  // namespace
 
 Result<MappedCharacter> map_character(const GltfScene& scene) {
@@ -276,9 +285,20 @@ Result<MappedCharacter> map_character(const GltfScene& scene) {
     out.map = *map;
     out.nodes = mesh->nodes;
     out.binds = mesh->binds;
+    Found found;
+    for (size_t j = 0; j < k_joint_count; ++j)
+        if (int rig = map->joints[j]; rig != k_not_found) found.nodes[j] = node_name(scene, *mesh, rig);
+    found.up = map->up;
+    found.ahead = map->ahead;
+    found.skins = mesh->skins;
+    found.materials = mesh->materials;
+    found.triangles = mesh->indices.size() / 3;
+    found.clips = scene.clips;
     auto character = assemble(std::move(*mesh), *map, out.scale);
     if (!character) return character.error();
     out.character = std::move(*character);
+    found.scale = out.scale;
+    out.character.found = std::move(found);
     return out;
 }
 

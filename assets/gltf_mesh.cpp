@@ -139,6 +139,7 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
                                      const std::string& what, GltfScene& scene,
                                      std::vector<int>& known_images) {
     GltfPrimitive out;
+    out.material = source.material;
     auto vectors = [&](const char* name, int components) -> Result<AccessorData> {
         auto found = source.attributes.find(name);
         if (found == source.attributes.end()) return AccessorData{};

@@ -237,6 +237,10 @@ Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& pa
         if (auto done = read_nodes(model, scene); !done) return refuse(done.error());
         if (auto done = read_skins(model, scene); !done) return refuse(done.error());
         read_vrm(model, scene);
+        for (size_t a = 0; a < model.animations.size(); ++a) {
+            const std::string& name = model.animations[a].name;
+            scene.clips.push_back(name.empty() ? "animation " + std::to_string(a) : name);
+        }
         auto meshes = read_meshes(model, scene);
         if (!meshes) return refuse(meshes.error());
         scene.meshes = std::move(*meshes);

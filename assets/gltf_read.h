@@ -36,6 +36,7 @@ struct GltfPrimitive {
     int influences_per_vertex = 0;
     std::vector<uint32_t> indices;  // triangles
     uint16_t texture = CharacterVertex::k_no_texture;
+    int material = -1;
 };
 
 struct GltfScene {
@@ -44,7 +45,8 @@ struct GltfScene {
     std::vector<std::vector<GltfPrimitive>> meshes;
     std::vector<Texture> textures;
     std::vector<std::string>
-        humanoid;  // by node: the bone's name where a VRM extension gives one, else empty
+        humanoid;                    // by node: the bone's name where a VRM extension gives one, else empty
+    std::vector<std::string> clips;  // animations, by name or "animation 3"
     std::vector<std::string> notes;
 };
 
