@@ -16,7 +16,12 @@ constexpr Affine operator*(const Affine& a, const Affine& b) {
     return {rotate_scale(a, b.x), rotate_scale(a, b.y), rotate_scale(a, b.z), transform(a, b.t)};
 }
 constexpr float determinant(const Affine& a) { return dot(a.x, cross(a.y, a.z)); }
-// The determinant must not be 0.
+// Whether space keeps its three dimensions, at whatever scale.
+inline bool invertible(const Affine& a) {
+    float volume = determinant(a), most = length(a.x) * length(a.y) * length(a.z);
+    return most > 1e-33f && (volume > 1e-5f * most || volume < -1e-5f * most);
+}
+// Of what is invertible.
 constexpr Affine inverse(const Affine& a) {
     float s = 1 / determinant(a);
     Vec3 u = cross(a.y, a.z) * s, v = cross(a.z, a.x) * s, w = cross(a.x, a.y) * s;  // rows of the inverse

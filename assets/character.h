@@ -98,8 +98,6 @@ struct Character {
     std::vector<Texture> textures;            // base colours
     std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
     PersonOptions person;                     // what a built-in person was made of
-};
-
     Found found;                              // in its file; as it is when the generator made it
 };
 

@@ -10,8 +10,6 @@ namespace flaneur {
 
 namespace {
 
-constexpr size_t k_most_elements = size_t{1} << 25;  // more would be no character
-
 struct Bytes {
     const unsigned char* data = nullptr;  // null: all zero
     size_t stride = 0;
@@ -66,7 +64,7 @@ struct Layout {
     size_t component_size, element_size;
 };
 
-Result<Layout> layout_of(const tinygltf::Model& model, int index, const std::string& what) {
+Result<Layout> layout_of(const tinygltf::Model& model, int index, const std::string& what, size_t most) {
     if (index < 0 || size_t(index) >= model.accessors.size())
         return Error{what + " names accessor " + std::to_string(index) + ", which does not exist"};
     const tinygltf::Accessor& a = model.accessors[size_t(index)];
@@ -74,7 +72,9 @@ Result<Layout> layout_of(const tinygltf::Model& model, int index, const std::str
     int size = tinygltf::GetComponentSizeInBytes(uint32_t(a.componentType));
     if (components < 1 || size < 1 || a.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE)
         return Error{what + " has an unknown component type"};
-    if (a.count > k_most_elements) return Error{what + " claims " + std::to_string(a.count) + " elements"};
+    if (a.count > most)
+        return Error{what + " are " + std::to_string(a.count) + " where at most " + std::to_string(most) +
+                     " are of use; simplify it or export it again"};
     return Layout{&a, components, size_t(size), size_t(components) * size_t(size)};
 }
 
@@ -115,8 +115,9 @@ Result<void> visit(const tinygltf::Model& model, const Layout& l, const std::str
 
 }  // namespace
 
-Result<AccessorData> read_accessor(const tinygltf::Model& model, int accessor, const std::string& what) {
-    auto layout = layout_of(model, accessor, what);
+Result<AccessorData> read_accessor(const tinygltf::Model& model, int accessor, const std::string& what,
+                                   size_t most) {
+    auto layout = layout_of(model, accessor, what, most);
     if (!layout) return layout.error();
     AccessorData data;
     data.components = layout->components;
@@ -139,7 +140,7 @@ Result<AccessorData> read_accessor(const tinygltf::Model& model, int accessor, c
 
 Result<std::vector<uint32_t>> read_indices(const tinygltf::Model& model, int accessor,
                                            const std::string& what) {
-    auto layout = layout_of(model, accessor, what);
+    auto layout = layout_of(model, accessor, what, k_most_elements);
     if (!layout) return layout.error();
     int type = layout->accessor->componentType;
     bool whole = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||

@@ -11,6 +11,8 @@ namespace flaneur {
 
 namespace {
 
+constexpr size_t k_most_keys = 2'000'000;
+
 // Where a time lies between two keys.
 struct Span {
     size_t from, to;
@@ -81,8 +83,10 @@ Affine joined(const Part& p) {
             rotate(p.rotation, {0, 0, p.scale.z}), p.place};
 }
 
+// `room` is how many keys the animation may have yet.
 Result<GltfTrack> read_track(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler,
-                             const tinygltf::AnimationChannel& channel, const std::string& what) {
+                             const tinygltf::AnimationChannel& channel, const std::string& what,
+                             size_t& room) {
     GltfTrack track;
     track.node = channel.target_node;
     if (track.node < 0 || size_t(track.node) >= model.nodes.size())
@@ -93,9 +97,9 @@ Result<GltfTrack> read_track(const tinygltf::Model& model, const tinygltf::Anima
     track.way = sampler.interpolation == "STEP"          ? GltfTrack::Way::step
                 : sampler.interpolation == "CUBICSPLINE" ? GltfTrack::Way::cubic_spline
                                                          : GltfTrack::Way::linear;
-    auto times = read_accessor(model, sampler.input, what + "'s times");
+    auto times = read_accessor(model, sampler.input, what + "'s times", room);
     if (!times) return times.error();
-    auto values = read_accessor(model, sampler.output, what + "'s values");
+    auto values = read_accessor(model, sampler.output, what + "'s values", 3 * times->count);
     if (!values) return values.error();
     size_t each = track.way == GltfTrack::Way::cubic_spline ? 3 : 1;
     int width = track.path == GltfTrack::Path::rotation ? 4 : 3;
@@ -107,6 +111,7 @@ Result<GltfTrack> read_track(const tinygltf::Model& model, const tinygltf::Anima
             return Error{what + "'s times do not rise"};
     for (float v : values->values)
         if (!(v > -1e9f && v < 1e9f)) return Error{what + " has values beyond reason"};
+    room -= times->count;
     track.times = std::move(times->values);
     track.values = std::move(values->values);
     return track;
@@ -128,6 +133,7 @@ Quat rotation_in(const Affine& a) {
 Result<GltfAnimation> read_animation(const tinygltf::Model& model, size_t index) {
     const tinygltf::Animation& from = model.animations[index];
     GltfAnimation animation;
+    size_t room = k_most_keys;
     animation.name = from.name.empty() ? std::to_string(index) : from.name;
     for (size_t c = 0; c < from.channels.size(); ++c) {
         const tinygltf::AnimationChannel& channel = from.channels[c];
@@ -138,7 +144,7 @@ Result<GltfAnimation> read_animation(const tinygltf::Model& model, size_t index)
             continue;  // an extension's
         if (channel.sampler < 0 || size_t(channel.sampler) >= from.samplers.size())
             return Error{what + " names a sampler that does not exist"};
-        auto track = read_track(model, from.samplers[size_t(channel.sampler)], channel, what);
+        auto track = read_track(model, from.samplers[size_t(channel.sampler)], channel, what, room);
         if (!track) return track.error();
         bool first = animation.tracks.empty();
         animation.begin = first ? track->times.front() : std::min(animation.begin, track->times.front());

@@ -8,6 +8,8 @@ namespace flaneur {
 
 namespace {
 
+constexpr size_t k_most_joints = 2048;
+
 struct Pose {
     std::vector<Affine> world;   // by node
     std::vector<int> rig_of;     // by node: index into rig_nodes, or -1
@@ -240,6 +242,9 @@ Result<BakedMesh> bake(const GltfScene& scene) {
             "skin)"};
     Pose pose;
     collect_joints(scene, used, pose);
+    if (pose.rig_nodes.size() > k_most_joints)
+        return Error{"has " + std::to_string(pose.rig_nodes.size()) +
+                     " joints; simplify its skeleton to at most " + std::to_string(k_most_joints)};
     pose.world = bind_pose(scene, used);
     BakedMesh mesh;
     mesh.notes = scene.notes;
@@ -256,6 +261,9 @@ Result<BakedMesh> bake(const GltfScene& scene) {
         if (node.mesh < 0) continue;
         int bone = pose.rig_of[n] >= 0 ? int(n) : parent_joint(scene, pose, int(n));
         for (const GltfPrimitive& p : scene.meshes[size_t(node.mesh)]) {
+            if (mesh.vertices.size() + p.positions.size() > k_most_vertices ||
+                mesh.indices.size() + p.indices.size() > k_most_corners)
+                return Error{k_too_much};
             if (node.skin >= 0 && p.influences_per_vertex > 0 &&
                 !scene.skins[size_t(node.skin)].joints.empty()) {
                 auto done = add_skinned(pose, p, scene.skins[size_t(node.skin)], mesh);
@@ -263,8 +271,7 @@ Result<BakedMesh> bake(const GltfScene& scene) {
                 repaired += *done;
             } else if (bone >= 0) {
                 const Affine& rest = scene.nodes[size_t(bone)].world;
-                float volume = determinant(rest);
-                if (!(volume * volume > 1e-30f)) continue;
+                if (!invertible(rest)) continue;
                 add_rigid(p, pose.world[size_t(bone)] * inverse(rest) * node.world, pose.rig_of[size_t(bone)],
                           mesh);
             } else {
@@ -275,7 +282,7 @@ Result<BakedMesh> bake(const GltfScene& scene) {
         }
     }
     mesh.materials = materials.size();
-    if (mesh.indices.empty() || mesh.rig.size() > 4096 || pose.rig_nodes.empty())
+    if (mesh.indices.empty() || pose.rig_nodes.empty())
         return Error{"has a skin but no triangles bound to it"};
     if (repaired > 0)
         mesh.notes.push_back("The weights of " + std::to_string(repaired) +

@@ -304,8 +304,11 @@ Result<MappedCharacter> map_character(const GltfScene& scene) {
 
 Result<Character> load_character(const std::string& path) {
     auto model = parse_gltf(path);
-    if (!model) return model.error();
-    auto scene = read_scene(*model, path);
+    return model ? make_character(*model, path) : model.error();
+}
+
+Result<Character> make_character(const tinygltf::Model& model, const std::string& path) {
+    auto scene = read_scene(model, path);
     if (!scene) return scene.error();
     auto mapped = map_character(*scene);
     if (!mapped) return Error{path + ": " + mapped.error().message};

@@ -19,4 +19,7 @@ struct MappedCharacter {
 
 Result<MappedCharacter> map_character(const GltfScene& scene);
 
+// load_character of a file that was parsed; errors begin with `path`.
+Result<Character> make_character(const tinygltf::Model& model, const std::string& path);
+
 }  // namespace flaneur

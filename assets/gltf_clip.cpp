@@ -78,8 +78,7 @@ Result<Motion> resample(const GltfScene& scene, const MappedCharacter& mapped,
     if (length > k_longest)
         return Error{"animation '" + animation.name + "' is longer than ten minutes; cut it"};
     for (const Affine& bind : mapped.binds)
-        if (float volume = determinant(bind); !(volume * volume > 1e-30f))
-            return Error{"has a joint that is bound with no size"};
+        if (!invertible(bind)) return Error{"has a joint that is bound with no size"};
     auto steps = size_t(length * k_rate + 0.5f);
     Motion motion;
     motion.name = animation.name;
@@ -98,13 +97,16 @@ Result<Motion> resample(const GltfScene& scene, const MappedCharacter& mapped,
 
 Result<Motion> load_motion(const std::string& path, const std::string& name) {
     auto model = parse_gltf(path);
-    if (!model) return model.error();
+    return model ? make_motion(*model, path, name) : model.error();
+}
+
+Result<Motion> make_motion(const tinygltf::Model& model, const std::string& path, const std::string& name) {
     auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
-    auto scene = read_scene(*model, path);
+    auto scene = read_scene(model, path);
     if (!scene) return scene.error();
-    auto found = find_animation(*model, name);
+    auto found = find_animation(model, name);
     if (!found) return refuse(found.error());
-    auto animation = read_animation(*model, *found);
+    auto animation = read_animation(model, *found);
     if (!animation) return refuse(animation.error());
     auto mapped = map_character(*scene);
     if (!mapped) return refuse(mapped.error());

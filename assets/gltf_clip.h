@@ -7,6 +7,10 @@
 #include "sim/base/result.h"
 #include "sim/pose/clip.h"
 
+namespace tinygltf {
+class Model;
+}
+
 namespace flaneur {
 
 // Keys at even times for the 22 joints, against the canonical pose.
@@ -23,6 +27,9 @@ struct Motion {
 // scales and morph targets is left out. Refuses, in a sentence, what is broken or not there, and names what
 // there is.
 Result<Motion> load_motion(const std::string& path, const std::string& name);
+
+// load_motion of a file that was parsed; errors begin with `path`.
+Result<Motion> make_motion(const tinygltf::Model& model, const std::string& path, const std::string& name);
 
 // Motion as differences to its first key, for people of any size.
 Result<Clip> additive_clip(const Motion& motion);

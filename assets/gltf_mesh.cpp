@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "assets/gltf_accessor.h"
+#include "assets/gltf_material.h"
 
 namespace flaneur {
 
@@ -17,57 +18,6 @@ uint32_t to_srgb_byte(float linear) {
     float s = linear < 0.0031308f ? 12.92f * std::max(linear, 0.0f)
                                   : 0.585122381f * a + 0.783140355f * b - 0.368262736f * c;
     return uint32_t(clamp(s * 255 + 0.5f, 0, 255));
-}
-
-struct Surface {
-    Vec3 colour{1, 1, 1};  // linear
-    int image = -1, texcoord = 0;
-};
-
-Surface surface_of(const tinygltf::Model& model, int material) {
-    Surface s;
-    if (material < 0 || size_t(material) >= model.materials.size()) return s;
-    const auto& pbr = model.materials[size_t(material)].pbrMetallicRoughness;
-    auto unit = [](double v) { return float(std::clamp(v, 0.0, 1.0)); };
-    const auto& factor = pbr.baseColorFactor;
-    if (factor.size() >= 3) s.colour = {unit(factor[0]), unit(factor[1]), unit(factor[2])};
-    int texture = pbr.baseColorTexture.index;
-    if (texture >= 0 && size_t(texture) < model.textures.size()) {
-        int image = model.textures[size_t(texture)].source;
-        if (image >= 0 && size_t(image) < model.images.size()) s.image = image;
-        s.texcoord = pbr.baseColorTexture.texCoord;
-    }
-    return s;
-}
-
-// Index among scene.textures, adding it at its first use.
-uint16_t texture_of(const tinygltf::Model& model, int image, GltfScene& scene, std::vector<int>& known) {
-    if (image < 0) return CharacterVertex::k_no_texture;
-    int& slot = known[size_t(image)];
-    if (slot != -2) return uint16_t(slot);
-    slot = CharacterVertex::k_no_texture;
-    const tinygltf::Image& source = model.images[size_t(image)];
-    size_t depth = source.bits == 16 ? 2 : 1, channels = size_t(source.component);
-    bool sound = source.width > 0 && source.height > 0 && channels >= 1 && channels <= 4 &&
-                 source.image.size() >= size_t(source.width) * size_t(source.height) * channels * depth;
-    if (!sound) {
-        scene.notes.push_back("Image " + std::to_string(image) +
-                              " is missing or unreadable; its surfaces go plain.");
-        return CharacterVertex::k_no_texture;
-    }
-    Texture texture{source.width, source.height, {}};
-    texture.rgba.resize(size_t(source.width) * size_t(source.height) * 4);
-    for (size_t i = 0; i < texture.rgba.size() / 4; ++i)
-        for (size_t c = 0; c < 4; ++c) {
-            bool grey = channels < 3;
-            size_t from = c == 3 ? (grey ? 1 : 3) : (grey ? 0 : c);
-            uint8_t value = 255;  // opaque where there is no alpha
-            if (from < channels) value = source.image[(i * channels + from) * depth + depth - 1];
-            texture.rgba[i * 4 + c] = value;
-        }
-    slot = int(scene.textures.size());
-    scene.textures.push_back(std::move(texture));
-    return uint16_t(slot);
 }
 
 std::vector<uint32_t> as_triangles(const std::vector<uint32_t>& in, int mode) {
@@ -93,8 +43,8 @@ Result<void> read_influences(const tinygltf::Model& model, const tinygltf::Primi
         auto joints = source.attributes.find("JOINTS_" + std::to_string(set));
         auto weights = source.attributes.find("WEIGHTS_" + std::to_string(set));
         if (joints == source.attributes.end() || weights == source.attributes.end()) break;
-        auto j = read_accessor(model, joints->second, "the joints of " + what);
-        auto w = read_accessor(model, weights->second, "the weights of " + what);
+        auto j = read_accessor(model, joints->second, "the joints of " + what, count);
+        auto w = read_accessor(model, weights->second, "the weights of " + what, count);
         if (!j) return j.error();
         if (!w) return w.error();
         if (j->count != count || w->count != count || j->components != 4 || w->components != 4)
@@ -119,7 +69,7 @@ Result<void> read_colours(const tinygltf::Model& model, const tinygltf::Primitiv
                           const std::string& what, Vec3 factor, GltfPrimitive& out) {
     AccessorData colours;
     if (auto found = source.attributes.find("COLOR_0"); found != source.attributes.end()) {
-        auto data = read_accessor(model, found->second, "the colours of " + what);
+        auto data = read_accessor(model, found->second, "the colours of " + what, out.positions.size());
         if (!data) return data.error();
         if (data->count == out.positions.size() && data->components >= 3) colours = std::move(*data);
     }
@@ -136,20 +86,28 @@ Result<void> read_colours(const tinygltf::Model& model, const tinygltf::Primitiv
 }
 
 Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                                     const std::string& what, GltfScene& scene,
-                                     std::vector<int>& known_images) {
+                                     const std::string& what, const GltfSurface& surface) {
     GltfPrimitive out;
     out.material = source.material;
-    auto vectors = [&](const char* name, int components) -> Result<AccessorData> {
+    out.two_sided = surface.two_sided;
+    // As many as there are positions, if there are any.
+    auto vectors = [&](const char* name, int components, size_t count) -> Result<AccessorData> {
         auto found = source.attributes.find(name);
         if (found == source.attributes.end()) return AccessorData{};
-        auto data = read_accessor(model, found->second, std::string(name) + " of " + what);
+        bool first = count == 0;
+        auto data = read_accessor(model, found->second, std::string(name) + " of " + what,
+                                  first ? k_most_vertices : count);
         if (data && data->components != components)
-            return Error{std::string(name) + " of " + what + " has a wrong type"};
+            return Error{std::string(name) + " of " + what + " has a wrong type; export it again"};
+        if (data && !first && data->count != count)
+            return Error{std::string(name) + " of " + what + " is there for " + std::to_string(data->count) +
+                         " of " + std::to_string(count) + " vertices; export it again"};
         return data;
     };
-    auto positions = vectors("POSITION", 3), normals = vectors("NORMAL", 3);
+    auto positions = vectors("POSITION", 3, 0);
     if (!positions) return positions.error();
+    if (positions->count == 0) return out;
+    auto normals = vectors("NORMAL", 3, positions->count);
     if (!normals) return normals.error();
     for (size_t v = 0; v < positions->count; ++v) {
         const float* p = &positions->values[v * 3];
@@ -161,13 +119,14 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
             out.normals.push_back(normalize_or({p[0], p[1], p[2]}, {0, 1, 0}));
         }
 
-    Surface surface = surface_of(model, source.material);
-    auto uvs = vectors(surface.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0", 2);
+    auto uvs = vectors(surface.texcoord == 1 ? "TEXCOORD_1" : "TEXCOORD_0", 2, positions->count);
     if (!uvs) return uvs.error();
-    if (uvs->count == positions->count && uvs->count > 0) {
-        for (size_t v = 0; v < uvs->count; ++v)
-            out.uvs.push_back({uvs->values[v * 2], uvs->values[v * 2 + 1]});
-        out.texture = texture_of(model, surface.image, scene, known_images);
+    if (uvs->count == positions->count && surface.texture != CharacterVertex::k_no_texture) {
+        for (size_t v = 0; v < uvs->count; ++v) {
+            Vec2 uv{uvs->values[v * 2], uvs->values[v * 2 + 1]};
+            out.uvs.push_back(surface.origin + Vec2{dot(surface.u_axis, uv), dot(surface.v_axis, uv)});
+        }
+        out.texture = surface.texture;
     }
     if (auto done = read_colours(model, source, what, surface.colour, out); !done) return done.error();
     if (auto done = read_influences(model, source, what, out); !done) return done.error();
@@ -190,7 +149,8 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
 
 Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, GltfScene& scene) {
     std::vector<std::vector<GltfPrimitive>> meshes(model.meshes.size());
-    std::vector<int> known_images(model.images.size(), -2);
+    KnownTextures known;
+    size_t vertices = 0, corners = 0;
     for (size_t m = 0; m < model.meshes.size(); ++m)
         for (size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
             const tinygltf::Primitive& source = model.meshes[m].primitives[p];
@@ -198,8 +158,14 @@ Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Mode
                                                    source.mode <= TINYGLTF_MODE_TRIANGLE_FAN);
             if (!triangles) continue;
             std::string what = "mesh " + std::to_string(m) + ", primitive " + std::to_string(p);
-            auto primitive = read_primitive(model, source, what, scene, known_images);
+            GltfSurface surface = surface_of(model, source.material, scene, known);
+            if (!surface.visible) continue;
+            auto primitive = read_primitive(model, source, what, surface);
             if (!primitive) return primitive.error();
+            if (primitive->positions.empty()) continue;
+            vertices += primitive->positions.size();
+            corners += primitive->indices.size();
+            if (vertices > k_most_vertices || corners > k_most_corners) return Error{k_too_much};
             meshes[m].push_back(std::move(*primitive));
         }
     return meshes;

@@ -5,64 +5,14 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <string_view>
 
 #include "assets/gltf_accessor.h"
+#include "assets/gltf_file.h"
 #include "assets/gltf_mesh.h"
 
 namespace flaneur {
 
 namespace {
-
-// Keeps an image that cannot be decoded as an empty one: a character without its texture is still a
-// character.
-bool load_image(tinygltf::Image* image, const int index, std::string* error, std::string* warning, int width,
-                int height, const unsigned char* bytes, int size, void*) {
-    std::string why;
-    if (!tinygltf::LoadImageData(image, index, &why, warning, width, height, bytes, size, nullptr)) {
-        image->image.clear();
-        (void)error;
-    }
-    return true;
-}
-
-constexpr uintmax_t k_most_bytes = uintmax_t{1} << 30;
-
-// Only regular files of a sensible size: a file may name a folder, a device or a pipe as its buffer.
-bool readable(const std::string& path) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error) &&
-           std::filesystem::file_size(path, error) <= k_most_bytes && !error;
-}
-
-bool file_exists(const std::string& path, void*) { return readable(path); }
-
-std::string same_path(const std::string& path, void*) { return path; }  // no shell expansion
-
-bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& path, void*) {
-    std::ifstream file(path, std::ios::binary);
-    if (!readable(path) || !file) {
-        if (error) *error += "cannot read " + path;
-        return false;
-    }
-    out->assign(std::istreambuf_iterator<char>(file), {});
-    return true;
-}
-
-Result<void> check_extensions(const tinygltf::Model& model) {
-    static constexpr std::string_view k_understood[] = {"KHR_mesh_quantization", "KHR_texture_transform",
-                                                        "VRM", "VRMC_vrm"};
-    for (const std::string& name : model.extensionsRequired) {
-        bool fine =
-            std::find(std::begin(k_understood), std::end(k_understood), name) != std::end(k_understood) ||
-            name.starts_with("KHR_materials_") || name.starts_with("VRMC_");
-        if (!fine)
-            return Error{"requires the extension " + name +
-                         ", which is not supported; export it without compression"};
-    }
-    return {};
-}
 
 Affine local_transform(const tinygltf::Node& node) {
     auto f = [](double v) { return float(v); };
@@ -149,17 +99,17 @@ Result<void> read_skins(const tinygltf::Model& model, GltfScene& scene) {
         }
         out.inverse_binds.resize(out.joints.size());
         if (skin.inverseBindMatrices >= 0) {
-            auto data =
-                read_accessor(model, skin.inverseBindMatrices, "the inverse bind matrices of " + what);
+            auto data = read_accessor(model, skin.inverseBindMatrices, "the inverse bind matrices of " + what,
+                                      model.nodes.size());
             if (!data) return data.error();
             if (data->components != 16 || data->count < out.joints.size())
                 return Error{what + " has fewer inverse bind matrices than joints"};
             for (size_t j = 0; j < out.joints.size(); ++j) {
                 const float* m = &data->values[j * 16];
                 Affine a{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
-                float volume = determinant(a);
-                if (!finite(a) || !(volume * volume > 1e-30f))
-                    return Error{what + " has an inverse bind matrix that cannot be inverted"};
+                if (!finite(a) || !invertible(a))
+                    return Error{what +
+                                 " has an inverse bind matrix that cannot be inverted; export it again"};
                 out.inverse_binds[j] = a;
             }
         }
@@ -198,34 +148,33 @@ void read_vrm(const tinygltf::Model& model, GltfScene& scene) {
 }  // namespace
 
 Result<tinygltf::Model> parse_gltf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!readable(path) || !file)
-        return Error{path + ": cannot be opened as a file; check the path and its permissions"};
-    char magic[4] = {};
-    file.read(magic, 4);
-    if (file.gcount() < 4) return Error{path + ": not a glTF file (it has fewer than four bytes)"};
-    bool binary = std::string_view(magic, 4) == "glTF";
-    file.close();
+    auto bytes = read_bytes(path, k_most_gltf_bytes);
+    if (!bytes) return Error{path + ": " + bytes.error().message};
+    return parse_gltf(*bytes, std::filesystem::path(path).parent_path().string(), path);
+}
 
+Result<tinygltf::Model> parse_gltf(std::span<const uint8_t> bytes, const std::string& folder,
+                                   const std::string& path) {
+    auto refuse = [&](const std::string& why) { return Error{path + ": " + why}; };
+    auto file = open_gltf(bytes, folder);
+    if (!file) return refuse(file.error().message);
     tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(load_image, nullptr);
-    loader.SetFsCallbacks({file_exists, same_path, read_file, nullptr, nullptr});
     tinygltf::Model model;
     std::string error, warning;
     bool loaded = false;
     try {
-        loaded = binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
-                        : loader.LoadASCIIFromFile(&model, &error, &warning, path);
-    } catch (const std::bad_alloc&) {
-        error = "it claims more memory than there is";
-    } catch (const std::exception& e) {
+        loaded = loader.LoadASCIIFromString(&model, &error, &warning, file->json.data(),
+                                            unsigned(file->json.size()), "");
+    } catch (const std::exception& e) {  // an index out of range
         error = e.what();
     }
     while (!error.empty() && (error.back() == '\n' || error.back() == '.')) error.pop_back();
     std::replace(error.begin(), error.end(), '\n', ' ');
     if (!loaded)
-        return Error{path + ": not a readable glTF 2.0 file (" + (error.empty() ? "unknown reason" : error) +
-                     "); export it again as .glb"};
+        return refuse("is no sound glTF 2.0 file (" + (error.empty() ? "a property is missing" : error) +
+                      "); export it again as .glb");
+    for (Bytes& bytes_of : file->buffers) model.buffers.emplace_back().data = std::move(bytes_of);
+    for (Bytes& bytes_of : file->images) model.images.emplace_back().image = std::move(bytes_of);
     return model;
 }
 
@@ -233,7 +182,6 @@ Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& pa
     auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
     GltfScene scene;
     try {
-        if (auto done = check_extensions(model); !done) return refuse(done.error());
         if (auto done = read_nodes(model, scene); !done) return refuse(done.error());
         if (auto done = read_skins(model, scene); !done) return refuse(done.error());
         read_vrm(model, scene);

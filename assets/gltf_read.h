@@ -1,6 +1,7 @@
 // A glTF 2.0 file as plain, validated data: what load_character needs of it and nothing else.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct GltfPrimitive {
     std::vector<uint32_t> indices;  // triangles
     uint16_t texture = CharacterVertex::k_no_texture;
     int material = -1;
+    bool two_sided = false;
 };
 
 struct GltfScene {
@@ -50,8 +52,19 @@ struct GltfScene {
     std::vector<std::string> notes;
 };
 
-// The file as tinygltf reads it, unchecked. Refuses, in a sentence, what cannot be read.
+// More than these would be no character.
+inline constexpr size_t k_most_vertices = 1'000'000, k_most_corners = 8'000'000;
+inline constexpr const char* k_too_much =
+    "has more than a million vertices or two and a half million triangles; simplify it (with Blender's "
+    "Decimate "
+    "or gltfpack -si)";
+
+// The file as tinygltf reads it, unchecked but for its size; images are encoded still. Refuses, in a sentence
+// that begins with `path`, what cannot be read.
 Result<tinygltf::Model> parse_gltf(const std::string& path);
+// The same from memory; other files that it names are looked for in `folder`.
+Result<tinygltf::Model> parse_gltf(std::span<const uint8_t> bytes, const std::string& folder,
+                                   const std::string& path);
 
 // Refuses, in a sentence that begins with `path`, what breaks the format where it matters.
 Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 
 #include "assets/gltf_rig_names.h"
 
@@ -15,6 +16,7 @@ struct Rig {
     std::vector<std::vector<int>> children;  // by joint; the last entry holds the roots
     std::vector<float> reach;                // length of the longest chain below
     std::vector<int> size;                   // joints below, itself included
+    std::vector<float> mass;                 // of it and all below
     std::vector<BoneKind> kind;
     float extent = 0;  // diagonal of the mesh
 
@@ -25,16 +27,29 @@ struct Rig {
             if (j == ancestor) return true;
         return ancestor == root();
     }
+    // By joint: whether it is `ancestor` or below it.
+    std::vector<uint8_t> subtree(int ancestor) const {
+        std::vector<uint8_t> in(joints.size(), 0);
+        for (size_t j = 0; j < in.size(); ++j) {
+            int parent = joints[j].parent;
+            in[j] = int(j) == ancestor || (parent >= 0 && in[size_t(parent)]);
+        }
+        return in;
+    }
 };
 
+// A skeleton may be made to have any number of limbs; people have few, and long ones.
+constexpr size_t k_most_children = 12, k_most_pairs = 128, k_longest_chain = 32;
+
 Rig make_rig(const std::vector<RigJoint>& joints, float extent) {
-    Rig rig{joints, {}, {}, {}, {}, extent};
+    Rig rig{joints, {}, {}, {}, {}, {}, extent};
     size_t count = joints.size();
     rig.children.resize(count + 1);
     rig.reach.assign(count, 0);
     rig.size.assign(count, 1);
     for (size_t j = 0; j < count; ++j) {
         rig.kind.push_back(bone_kind(joints[j].name));
+        rig.mass.push_back(joints[j].mass);
         rig.children[joints[j].parent < 0 ? count : size_t(joints[j].parent)].push_back(int(j));
     }
     for (size_t j = count; j-- > 0;) {
@@ -43,6 +58,7 @@ Rig make_rig(const std::vector<RigJoint>& joints, float extent) {
         float step = length(joints[j].place - joints[size_t(p)].place);
         rig.reach[size_t(p)] = std::max(rig.reach[size_t(p)], step + rig.reach[j]);
         rig.size[size_t(p)] += rig.size[j];
+        rig.mass[size_t(p)] += rig.mass[j];
     }
     return rig;
 }
@@ -72,19 +88,36 @@ struct Pair {
 
 float limb_hints(const Rig& rig, int start) {
     float hints = 0;
-    for (int j = start; j < rig.root(); ++j) {
-        if (!rig.below(j, start)) continue;
-        BoneKind k = rig.kind[size_t(j)];
+    std::vector<uint8_t> in = rig.subtree(start);
+    for (size_t j = 0; j < in.size(); ++j) {
+        if (!in[j]) continue;
+        BoneKind k = rig.kind[j];
         if (k == BoneKind::upper_arm || k == BoneKind::lower_arm || k == BoneKind::hand) hints += 1;
         if (k == BoneKind::upper_leg || k == BoneKind::foot || k == BoneKind::toes) hints -= 1;
     }
     return clamp(hints, -1, 1);
 }
 
+// The `most` longest, in the order in which they stood.
+template <class T, class Length>
+void keep_longest(std::vector<T>& all, size_t most, Length&& length_of) {
+    if (all.size() <= most) return;
+    std::vector<float> lengths;
+    for (const T& one : all) lengths.push_back(length_of(one));
+    std::nth_element(lengths.begin(), lengths.begin() + std::ptrdiff_t(most), lengths.end(),
+                     std::greater<>());
+    float least = lengths[most];
+    std::erase_if(all, [&](const T& one) { return length_of(one) < least; });
+    if (all.size() > most) all.resize(most, all.front());
+}
+
 std::vector<Pair> find_pairs(const Rig& rig) {
     std::vector<Pair> pairs;
     for (int from = 0; from <= rig.root(); ++from) {
-        const auto& below = rig.children[size_t(from)];
+        std::vector<int> below;
+        for (int child : rig.children[size_t(from)])
+            if (rig.reach[size_t(child)] > 0.03f * rig.extent) below.push_back(child);
+        keep_longest(below, k_most_children, [&](int child) { return rig.reach[size_t(child)]; });
         for (size_t i = 0; i < below.size(); ++i)
             for (size_t k = i + 1; k < below.size(); ++k) {
                 int a = below[i], b = below[k];
@@ -94,9 +127,11 @@ std::vector<Pair> find_pairs(const Rig& rig) {
                 Vec3 gap = rig.place(longest_path(rig, a).back()) - rig.place(longest_path(rig, b).back());
                 bool apart = length(gap) > 0.01f * rig.extent;
                 if (!alike || !apart || longer < 0.05f * rig.extent) continue;
-                pairs.push_back({from, a, b, std::min(la, lb), limb_hints(rig, a)});
+                pairs.push_back({from, a, b, std::min(la, lb), 0});
             }
     }
+    keep_longest(pairs, k_most_pairs, [](const Pair& p) { return p.length; });
+    for (Pair& pair : pairs) pair.hints = limb_hints(rig, pair.a);
     return pairs;
 }
 
@@ -205,6 +240,7 @@ Chain find_arm(const Rig& rig, const Frame& frame, const std::vector<int>& path,
 // carries on.
 std::vector<int> leg_path(const Rig& rig, const Frame& frame, const Pair& legs, int start) {
     std::vector<int> path = longest_path(rig, start);
+    if (path.size() > k_longest_chain) path.resize(k_longest_chain);
     size_t real = path.size();  // without an end that only the flesh tells of
     while (real > 1 && rig.joints[size_t(path[real - 1])].mass <= 0) --real;
     if (frame.level(rig.place(path[real - 1])) < 0.12f) return path;
@@ -222,6 +258,7 @@ std::vector<int> leg_path(const Rig& rig, const Frame& frame, const Pair& legs, 
     if (best == k_not_found) return path;
     path.resize(real);
     for (int j : longest_path(rig, best)) path.push_back(j);
+    if (path.size() > k_longest_chain) path.resize(k_longest_chain);
     return path;
 }
 
@@ -282,19 +319,18 @@ bool map_head(const Rig& rig, const Frame& frame, const Limbs& limbs, std::vecto
     for (int child : rig.children[size_t(limbs.arms.from)]) {
         if (child == limbs.arms.a || child == limbs.arms.b || rig.below(limbs.legs.a, child)) continue;
         float level = -1e9f;
-        for (int j = child; j < rig.root(); ++j)
-            if (rig.below(j, child) && rig.joints[size_t(j)].mass > 0)
-                level = std::max(level, frame.level(rig.joints[size_t(j)].flesh));
+        std::vector<uint8_t> in = rig.subtree(child);
+        for (size_t j = 0; j < in.size(); ++j)
+            if (in[j] && rig.joints[j].mass > 0) level = std::max(level, frame.level(rig.joints[j].flesh));
         if (level > best_level) best_level = level, best_child = child;
     }
     if (best_child == k_not_found || best_level < frame.level(middle(rig, limbs.arms))) return false;
     int best = k_not_found;
     float best_score = -1e9f;
+    std::vector<uint8_t> in = rig.subtree(best_child);
     for (int j = best_child; j < rig.root(); ++j) {
-        if (!rig.below(j, best_child) || rig.joints[size_t(j)].mass <= 0) continue;
-        float below = 0;  // hair, eyes and jaw count for the head that carries them
-        for (int d = j; d < rig.root(); ++d)
-            if (rig.below(d, j)) below += rig.joints[size_t(d)].mass;
+        if (!in[size_t(j)] || rig.joints[size_t(j)].mass <= 0) continue;
+        float below = rig.mass[size_t(j)];  // hair, eyes and jaw count for the head that carries them
         float own = rig.joints[size_t(j)].mass;
         float score = own + 0.5f * below + (rig.kind[size_t(j)] == BoneKind::head ? 1e6f : 0.0f);
         if (score > best_score) best_score = score, best = j;
@@ -367,7 +403,9 @@ Result<RigMap> map_rig(const std::vector<RigJoint>& joints, Vec3 low, Vec3 high)
         int leg_start = s == 0 ? limbs->legs.a : limbs->legs.b,
             arm_start = s == 0 ? limbs->arms.a : limbs->arms.b;
         legs[s] = find_leg(rig, frame, leg_path(rig, frame, limbs->legs, leg_start));
-        arms[s] = find_arm(rig, frame, longest_path(rig, arm_start), centre, side);
+        std::vector<int> arm = longest_path(rig, arm_start);
+        if (arm.size() > k_longest_chain) arm.resize(k_longest_chain);
+        arms[s] = find_arm(rig, frame, arm, centre, side);
         if (legs[s].joints[0] == k_not_found)
             return Error{"a leg with hip, knee and ankle was not found below joint '" +
                          joints[size_t(leg_start)].name + "'"};

@@ -1,0 +1,33 @@
+// A glTF file taken apart: its JSON and the bytes that belong to it, held within limits before a parser sees
+// them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/base/result.h"
+
+namespace flaneur {
+
+using Bytes = std::vector<uint8_t>;
+
+struct GltfFile {
+    std::string json;            // all that makes a character; buffers and images are taken out of it
+    std::vector<Bytes> buffers;  // as many as the file says and those of compressed views
+    std::vector<Bytes> images;   // encoded; empty where there is none to be had
+};
+
+// No character needs more. Together they keep the loader under a gigabyte.
+inline constexpr size_t k_most_gltf_bytes = size_t{128} << 20;  // of the file, all buffers, all images
+
+// From the bytes of a .gltf, .glb or .vrm file. Other files that it names are looked for in `folder`.
+// Refuses, in a sentence, what is no glTF 2.0, claims more than it holds, or needs an extension that is not
+// supported.
+Result<GltfFile> open_gltf(std::span<const uint8_t> bytes, const std::string& folder);
+
+// A regular file of at most `most` bytes: a path may name a folder, a device or a pipe.
+Result<Bytes> read_bytes(const std::string& path, size_t most);
+
+}  // namespace flaneur
