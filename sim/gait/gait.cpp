@@ -70,7 +70,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
         // Never so near that the thighs would meet.
         person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * s;
         person.lean[lane] = m.lean;
-        person.carriage[lane] = m.carriage;
+        person.carriage[lane] = std::max(m.carriage, b.carriage);
         person.crouch[lane] = m.crouch * leg_length(b) * s;
 
         g.duty[lane] = duty_factor(0);

@@ -74,6 +74,7 @@ struct Body {
     float height = 1.7f;                     // crown above ground
     float heel = 0.05f;                      // from the ankle back to where the heel touches, along -z
     float toe = 0.06f;                       // from the ball ahead to the tip of the toes, along +z
+    float carriage = 0;  // radians, 0..0.7: arms hang out no less, for hands to clear hips and ground
 };
 
 // A standing adult after Drillis & Contini's segment lengths (as fractions of height; Winter 2009, fig. 4.1).
