@@ -119,6 +119,7 @@ void add_primitive(const GltfPrimitive& p, BakedMesh& out) {
 Result<size_t> add_skinned(const Pose& pose, const GltfPrimitive& p, const GltfSkin& skin, BakedMesh& out) {
     size_t base = out.vertices.size(), repaired = 0;
     add_primitive(p, out);
+    out.rigid.resize(out.vertices.size(), 0);
     std::vector<std::pair<Affine, float>> bones;
     for (size_t v = 0; v < p.positions.size(); ++v) {
         bones.clear();
@@ -157,7 +158,37 @@ void add_rigid(const GltfPrimitive& p, const Affine& to_world, int rig_joint, Ba
         out.vertices[v].position = transform(to_world, out.vertices[v].position);
         out.vertices[v].normal = normalize_or(rotate_scale(to_world, out.vertices[v].normal), {});
         out.influences.push_back({{rig_joint, 1.0f}});
+        out.rigid.push_back(1);
     }
+}
+
+// Things that share a joint which moves nothing else, a slot in the hand, are there to choose from: all but
+// the first of each slot.
+std::vector<uint8_t> spare_things(const GltfScene& scene, const Pose& pose, const std::vector<uint8_t>& used,
+                                  std::vector<std::string>& notes) {
+    std::vector<uint8_t> moves(scene.nodes.size(), 0), spare(scene.nodes.size(), 0);
+    for (const GltfNode& node : scene.nodes) {
+        if (node.mesh < 0 || node.skin < 0 || !used[size_t(node.skin)]) continue;
+        const GltfSkin& skin = scene.skins[size_t(node.skin)];
+        for (const GltfPrimitive& p : scene.meshes[size_t(node.mesh)])
+            for (auto [joint, weight] : p.influences)
+                if (weight > 0 && joint < skin.joints.size()) moves[size_t(skin.joints[joint])] = 1;
+    }
+    std::vector<int> kept(scene.nodes.size(), -1);
+    size_t count = 0;
+    for (size_t n = 0; n < scene.nodes.size(); ++n) {
+        const GltfNode& node = scene.nodes[n];
+        if (node.mesh < 0 || node.skin >= 0 || node.parent < 0) continue;
+        auto slot = size_t(node.parent);
+        if (pose.rig_of[slot] < 0 || moves[slot]) continue;
+        if (kept[slot] < 0) kept[slot] = int(n);
+        spare[n] = kept[slot] != int(n);
+        count += spare[n];
+    }
+    if (count > 0)
+        notes.push_back(std::to_string(count) +
+                        " things share a slot with another; the first of each is kept.");
+    return spare;
 }
 
 // Area-weighted normals for vertices that came without, smooth over vertices at one place.
@@ -253,12 +284,13 @@ Result<BakedMesh> bake(const GltfScene& scene) {
         mesh.notes.push_back("Its skins agree on no bind pose; its rest pose is taken.");
     }
 
+    std::vector<uint8_t> spare = spare_things(scene, pose, used, mesh.notes);
     mesh.skins = size_t(std::count(used.begin(), used.end(), 1));
     std::set<int> materials;
     size_t repaired = 0, skipped = 0, unskinned = 0;
     for (size_t n = 0; n < scene.nodes.size(); ++n) {
         const GltfNode& node = scene.nodes[n];
-        if (node.mesh < 0) continue;
+        if (node.mesh < 0 || spare[n]) continue;
         int bone = pose.rig_of[n] >= 0 ? int(n) : parent_joint(scene, pose, int(n));
         for (const GltfPrimitive& p : scene.meshes[size_t(node.mesh)]) {
             if (mesh.vertices.size() + p.positions.size() > k_most_vertices ||

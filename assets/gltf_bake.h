@@ -13,7 +13,8 @@ namespace flaneur {
 struct BakedMesh {
     std::vector<CharacterVertex> vertices;  // joints and weights not set yet; normals may be zero
     std::vector<std::vector<std::pair<int, float>>>
-        influences;  // by vertex: rig joint, weight; they sum to 1
+        influences;              // by vertex: rig joint, weight; they sum to 1
+    std::vector<uint8_t> rigid;  // by vertex: 1 if it is of a thing that hangs from a bone
     std::vector<uint32_t> indices;
     std::vector<RigJoint> rig;
     std::vector<int> nodes;           // of the first rig joints; those behind were made up for loose ends

@@ -7,6 +7,7 @@
 
 #include "assets/gltf_accessor.h"
 #include "assets/gltf_material.h"
+#include "assets/gltf_sheets.h"
 
 namespace flaneur {
 
@@ -163,6 +164,7 @@ Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Mode
             auto primitive = read_primitive(model, source, what, surface);
             if (!primitive) return primitive.error();
             if (primitive->positions.empty()) continue;
+            add_backs(*primitive);
             vertices += primitive->positions.size();
             corners += primitive->indices.size();
             if (vertices > k_most_vertices || corners > k_most_corners) return Error{k_too_much};

@@ -444,6 +444,10 @@ Result<RigMap> map_rig(const std::vector<RigJoint>& joints, Vec3 low, Vec3 high)
         map.joints[size_t(left_shoulder) + n] = arms[0].joints[n];
         map.joints[size_t(right_shoulder) + n] = arms[1].joints[n];
     }
+    for (int toes : {left_toes, right_toes}) {
+        int& joint = map.joints[size_t(toes)];
+        if (joint != k_not_found && rig.mass[size_t(joint)] <= 0) joint = k_not_found;  // they move nothing
+    }
     std::vector<int> below_shoulders;
     if (!map_head(rig, frame, *limbs, below_shoulders, map))
         return Error{"no head was found above its shoulders"};
