@@ -17,7 +17,11 @@ layout(location = 0) out vec4 out_picture;
 void main() {
     vec3 normal = normalize(in_normal);
     vec3 albedo = in_colour;
-    if (k_textured == 1) albedo *= texture(textures, vec3(in_uv, float(in_layer))).rgb;
+    if (k_textured == 1) {
+        vec4 texel = texture(textures, vec3(in_uv, float(in_layer)));
+        if (texel.a < 0.5) discard;
+        albedo *= texel.rgb;
+    }
 
     // Cloth and skin let light round the edge a little; the rim catches the sky.
     float facing = dot(normal, frame.sun_direction.xyz);
