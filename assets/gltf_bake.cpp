@@ -19,7 +19,7 @@ struct Pose {
 std::vector<uint8_t> skins_in_use(const GltfScene& scene) {
     std::vector<uint8_t> used(scene.skins.size(), 0);
     for (const GltfNode& node : scene.nodes)
-        if (node.mesh >= 0 && node.skin >= 0 && !scene.meshes[size_t(node.mesh)].empty())
+        if (node.mesh >= 0 && node.shown && node.skin >= 0 && !scene.meshes[size_t(node.mesh)].empty())
             used[size_t(node.skin)] = 1;
     return used;
 }
@@ -290,7 +290,7 @@ Result<BakedMesh> bake(const GltfScene& scene) {
     size_t repaired = 0, skipped = 0, unskinned = 0;
     for (size_t n = 0; n < scene.nodes.size(); ++n) {
         const GltfNode& node = scene.nodes[n];
-        if (node.mesh < 0 || spare[n]) continue;
+        if (node.mesh < 0 || !node.shown || spare[n]) continue;
         int bone = pose.rig_of[n] >= 0 ? int(n) : parent_joint(scene, pose, int(n));
         for (const GltfPrimitive& p : scene.meshes[size_t(node.mesh)]) {
             if (mesh.vertices.size() + p.positions.size() > k_most_vertices ||

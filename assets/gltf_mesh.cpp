@@ -151,7 +151,7 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
 Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, GltfScene& scene) {
     std::vector<std::vector<GltfPrimitive>> meshes(model.meshes.size());
     KnownTextures known;
-    size_t vertices = 0, corners = 0;
+    size_t vertices = 0, corners = 0, morphed = 0;
     for (size_t m = 0; m < model.meshes.size(); ++m)
         for (size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
             const tinygltf::Primitive& source = model.meshes[m].primitives[p];
@@ -165,11 +165,15 @@ Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Mode
             if (!primitive) return primitive.error();
             if (primitive->positions.empty()) continue;
             add_backs(*primitive);
+            morphed += !source.targets.empty();
             vertices += primitive->positions.size();
             corners += primitive->indices.size();
             if (vertices > k_most_vertices || corners > k_most_corners) return Error{k_too_much};
             meshes[m].push_back(std::move(*primitive));
         }
+    if (morphed > 0)
+        scene.notes.push_back("The morph targets of " + std::to_string(morphed) +
+                              " surfaces are left out; they keep the shape at rest.");
     return meshes;
 }
 

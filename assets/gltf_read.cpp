@@ -87,6 +87,23 @@ Result<void> read_nodes(const tinygltf::Model& model, GltfScene& scene) {
     return {};
 }
 
+// Nodes outside the default scene are not shown, if that scene shows anything.
+void choose_scene(const tinygltf::Model& model, GltfScene& scene) {
+    size_t chosen = model.defaultScene >= 0 ? size_t(model.defaultScene) : 0;
+    if (chosen >= model.scenes.size()) return;
+    std::vector<uint8_t> root(scene.nodes.size(), 0);
+    for (int node : model.scenes[chosen].nodes)
+        if (node >= 0 && size_t(node) < root.size()) root[size_t(node)] = 1;
+    bool any = false;
+    for (size_t n = 0; n < root.size(); ++n) {
+        int at = int(n);
+        while (at >= 0 && !root[size_t(at)]) at = scene.nodes[size_t(at)].parent;
+        scene.nodes[n].shown = at >= 0;
+        any |= at >= 0 && scene.nodes[n].mesh >= 0;
+    }
+    for (GltfNode& node : scene.nodes) node.shown |= !any;
+}
+
 Result<void> read_skins(const tinygltf::Model& model, GltfScene& scene) {
     for (size_t s = 0; s < model.skins.size(); ++s) {
         const tinygltf::Skin& skin = model.skins[s];
@@ -183,6 +200,7 @@ Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& pa
     GltfScene scene;
     try {
         if (auto done = read_nodes(model, scene); !done) return refuse(done.error());
+        choose_scene(model, scene);
         if (auto done = read_skins(model, scene); !done) return refuse(done.error());
         read_vrm(model, scene);
         for (size_t a = 0; a < model.animations.size(); ++a) {

@@ -18,6 +18,7 @@ struct GltfNode {
     std::string name;
     int parent = -1, mesh = -1, skin = -1;
     Affine local, world;  // at rest
+    bool shown = true;    // part of the scene that the file opens with
 };
 
 struct GltfSkin {

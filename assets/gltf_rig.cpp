@@ -161,10 +161,18 @@ Result<Limbs> find_limbs(const Rig& rig) {
                           2 * (legs.length + arms.length) / rig.extent;
             if (score > best) best = score, best_legs = &legs, best_arms = &arms, best_cosine = cosine;
         }
-    if (pairs.empty()) return Error{"its skeleton has no pair of limbs: neither legs nor arms were found"};
-    if (!best_legs) return Error{"its skeleton has one pair of limbs only: legs or arms are missing"};
+    if (pairs.empty())
+        return Error{
+            "its skeleton has no pair of limbs: neither legs nor arms were found; a character needs both, "
+            "and a head"};
+    if (!best_legs)
+        return Error{
+            "its skeleton has one pair of limbs only: legs or arms are missing; a character needs both, and "
+            "a head"};
     if (best_cosine > -0.5f)
-        return Error{"no arms were found above its legs: the limbs do not belong to an upright body"};
+        return Error{
+            "no arms were found above its legs: the limbs do not belong to an upright body, which a "
+            "character needs"};
     return Limbs{*best_legs, *best_arms};
 }
 

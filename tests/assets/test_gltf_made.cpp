@@ -72,6 +72,22 @@ TEST(GltfMade, CentimetresAreTold) {
     EXPECT_TRUE(noted(c, "centimetres"));
 }
 
+TEST(GltfMade, OnlyTheDefaultSceneIsShown) {
+    TinyMan man = tiny_man();
+    man.gltf["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
+    EXPECT_EQ(loaded(man).found.triangles, 22u * 12);
+    man.gltf["scenes"][0]["nodes"].push_back(k_tiny_mesh + 1);
+    EXPECT_EQ(loaded(man).found.triangles, 22u * 24);
+}
+
+TEST(GltfMade, MorphTargetsAreLeftOutWithANote) {
+    TinyMan man = tiny_man();
+    primitive(man)["targets"] = {{{"POSITION", tiny_positions}}};
+    Character c = loaded(man);
+    expect_same_body(c, loaded(tiny_man()));
+    EXPECT_TRUE(noted(c, "morph targets"));
+}
+
 TEST(GltfMade, SparsePositionsAreRead) {
     TinyMan man = tiny_man();
     Json& accessor = man.gltf["accessors"][tiny_positions];
