@@ -1,4 +1,6 @@
 // gltf_seeds FOLDER: small files for the fuzzer to begin with.
+#include <stb/stb_image_write.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -34,15 +36,18 @@ int main(int argc, char** argv) {
     write(folder / "swaying.glb", as_glb(swaying));
 
     TinyMan dressed = tiny_man();
-    const Bytes k_png = {0x89, 'P', 'N', 'G',  13,   10,   26,   10, 0, 0,    0,  13,  'I',
-                         'H',  'D', 'R', 0,    0,    0,    1,    0,  0, 0,    1,  8,   0,
-                         0,    0,   0,   0x3a, 0x7e, 0x9b, 0x55, 0,  0, 0,    10, 'I', 'D',
-                         'A',  'T', 'x', 0x9c, 0x63, 0x68, 0,    0,  0, 0x82, 0,  0x81};
+    const uint8_t k_texels[] = {200, 80, 60, 255, 200, 80, 60, 0};
+    Bytes png;
+    auto append = [](void* to, void* data, int size) {
+        auto from = static_cast<uint8_t*>(data);
+        static_cast<Bytes*>(to)->insert(static_cast<Bytes*>(to)->end(), from, from + size);
+    };
+    stbi_write_png_to_func(append, &png, 2, 1, 4, k_texels, 8);
     std::vector<float> uvs(2 * dressed.gltf["accessors"][0]["count"].get<size_t>(), 0.5f);
     Json& primitive = dressed.gltf["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] = add_accessor(dressed, uvs, "VEC2");
     primitive["material"] = 0;
-    dressed.gltf["images"] = {{{"uri", "data:image/png;base64," + as_base64(k_png)}}};
+    dressed.gltf["images"] = {{{"uri", "data:image/png;base64," + as_base64(png)}}};
     dressed.gltf["textures"] = {{{"source", 0}}};
     Json texture = {{"index", 0},
                     {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
