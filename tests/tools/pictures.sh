@@ -1,6 +1,6 @@
 #!/bin/bash
 # pictures.sh FLANEUR: a picture, numbered pictures and a film have the size and length that was asked for; a strip has twelve
-# pictures in a row.
+# pictures in a row, a sheet of people a cell for each.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -16,4 +16,9 @@ expect "$(echo many/*)" "many/0000.png many/0002.png many/0004.png"
 expect "$(probe width,height,r_frame_rate,nb_read_frames city.mp4)" 66,48,30/1,11
 "$1" gait --stairs up --strip strip.png --view side > /dev/null
 expect "$(probe width,height strip.png)" 2880,420
-expect "$(echo *)" "city.mp4 many one strip.png"
+"$1" people --count 2 --sheet sheet.png --size 130x120 > /dev/null
+"$1" people --count 2 --sheet faces.png --size 130x120 --close > /dev/null
+expect "$(probe width,height sheet.png)" 260,120
+expect "$(probe width,height faces.png)" 260,120
+if cmp -s sheet.png faces.png; then echo "FAILED: --close changes nothing." && exit 1; fi
+expect "$(echo *)" "city.mp4 faces.png many one sheet.png strip.png"

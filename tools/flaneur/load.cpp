@@ -27,25 +27,6 @@ void print_notes(const std::string& source, const std::vector<std::string>& note
     for (const std::string& note : notes) std::fprintf(stderr, "%s: %s\n", source.c_str(), note.c_str());
 }
 
-Result<std::vector<Character>> load_characters(const Scene& scene, int threads) {
-    std::vector<Character> characters;
-    for (const std::string& path : scene.characters) {
-        show_progress("reading " + path);
-        Result<Character> character = load_character(path);
-        if (!character) return character.error();
-        print_notes(path, character->notes);
-        characters.push_back(std::move(*character));
-    }
-    if (!characters.empty()) return characters;
-    show_progress("making people");
-    std::vector<PersonOptions> people = draw_population(k_built_in_people, scene.seed);
-    characters.resize(people.size());
-    WorkersPtr workers = make_workers(threads);
-    parallel_for(*workers, characters.size(), 1,
-                 [&](size_t begin, size_t, int) { characters[begin] = generate_person(people[begin]); });
-    return characters;
-}
-
 // FILE or FILE:CLIP; the name of an animation may have colons in it.
 Result<std::vector<Clip>> load_idles(const Scene& scene) {
     std::vector<Clip> clips;
@@ -84,6 +65,28 @@ void show_progress(const std::string& line) {
 
 void clear_progress() { show_progress(""); }
 
+Result<std::vector<Character>> load_characters(const std::vector<std::string>& paths) {
+    std::vector<Character> characters;
+    for (const std::string& path : paths) {
+        show_progress("reading " + path);
+        Result<Character> character = load_character(path);
+        if (!character) return character.error();
+        print_notes(path, character->notes);
+        characters.push_back(std::move(*character));
+    }
+    return characters;
+}
+
+std::vector<Character> make_people(const std::vector<PersonOptions>& options, int threads) {
+    show_progress("making people");
+    std::vector<Character> people(options.size());
+    WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, people.size(), 1, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin; i < end; ++i) people[i] = generate_person(options[i]);
+    });
+    return people;
+}
+
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
     Loaded loaded;
@@ -91,8 +94,10 @@ Result<Loaded> load(const Options& options) {
     if (!city) return city.error();
     print_notes(city->name, city->notes);
 
-    Result<std::vector<Character>> characters = load_characters(scene, options.threads);
+    Result<std::vector<Character>> characters = load_characters(scene.characters);
     if (!characters) return characters.error();
+    if (characters->empty())
+        characters = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
     loaded.characters = std::move(*characters);
 
     Result<std::vector<Clip>> idles = load_idles(scene);

@@ -19,6 +19,12 @@ struct Loaded {
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
+// Each refused in a sentence; what was repaired goes to stderr.
+Result<std::vector<Character>> load_characters(const std::vector<std::string>& paths);
+
+// Makes people, in the order of `options`, on so many threads; 0: one a core.
+std::vector<Character> make_people(const std::vector<PersonOptions>& options, int threads);
+
 // A line on stderr that the next one replaces; nothing where stderr is not a terminal.
 void show_progress(const std::string& line);
 void clear_progress();

@@ -11,12 +11,12 @@ Result<void> run(const Options& options) {
 #ifndef FLANEUR_VULKAN
     bool draws = options.command == Command::view || options.command == Command::render ||
                  (options.command == Command::bench && options.load == BenchLoad::frame) ||
-                 (options.command == Command::gait && !options.gait.strip.empty());
+                 (options.command == Command::gait && !options.gait.strip.empty()) ||
+                 (options.command == Command::people && !options.people.sheet.empty());
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose and gait without --strip. "
-            "One "
-            "that draws is made by ./tools/build release."};
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip and "
+            "people without --sheet. One that draws is made by ./tools/build release."};
     }
 #endif
     switch (options.command) {
@@ -30,6 +30,8 @@ Result<void> run(const Options& options) {
             return run_sim(options);
         case Command::gait:
             return run_gait(options);
+        case Command::people:
+            return run_people(options);
         default:
             return run_bench(options);
     }

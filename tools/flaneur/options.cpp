@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <iostream>
 #include <optional>
 #include <vector>
@@ -18,6 +17,15 @@ constexpr const char* k_footer = R"(Examples:
   flaneur sim --seconds 60 --hash                          the same number on every machine
   flaneur bench frame --walkers 2000                       where the time of a frame goes
 `flaneur render --help` and so on tell more.)";
+
+constexpr const char* k_people_footer =
+    R"(Prints who they are: age, height and triangles of each. The files are skinned on 22 joints with VRM's names.
+A cell of a sheet shows one person twice: as it was bound, and in the middle of a step; --close shows its face.
+Examples:
+  flaneur people --count 24 --seed 1 --sheet out/people.png    pictures of 24 of the built-in people
+  flaneur people --count 24 --seed 1 --out out/people          the same people as out/people/person_01.glb, ...
+  flaneur people --count 6 --close --size 800x500 --sheet out/faces.png
+  flaneur people --character me.glb --character you.glb --sheet out/us.png)";
 
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
@@ -65,34 +73,6 @@ Examples:
   flaneur gait --crowd 1000 --seconds 60 --check           feet, joints and manners of a whole crowd
   flaneur gait --strip out/strip.png --view front)";
 
-template <class T>
-bool parse_number(std::string_view text, T& to) {
-    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (size_t at = 0;;) {
-        size_t next = text.find(separator, at);
-        parts.push_back(text.substr(at, next - at));
-        if (next == std::string_view::npos) return parts;
-        at = next + 1;
-    }
-}
-
-bool parse_point(std::string_view text, Vec3& to) {
-    auto parts = split(text, ',');
-    constexpr float k_far = 1e6f;
-    float* values[] = {&to.x, &to.y, &to.z};
-    if (parts.size() != 3) return false;
-    for (size_t i = 0; i < 3; ++i) {
-        if (!parse_number(parts[i], *values[i]) || !(*values[i] >= -k_far && *values[i] <= k_far))
-            return false;
-    }
-    return true;
-}
-
 // What the command line says about the scene, on top of the one it names.
 struct SceneWords {
     std::string scene = "district";
@@ -131,12 +111,6 @@ Result<StripView> parse_view(const std::string& text) {
     if (text == "side") return StripView::side;
     if (text == "front") return StripView::front;
     return Error{"--view " + text + " is neither side nor front."};
-}
-
-Result<uint64_t> parse_seed(const std::string& text) {
-    uint64_t seed = 0;
-    if (parse_number(text, seed)) return seed;
-    return Error{"--seed " + text + " is not a whole number from 0 to 18446744073709551615."};
 }
 
 void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
@@ -310,6 +284,37 @@ void add_gait(CLI::App& app, Options& options) {
                       "Fail if a bar is not met; without a place, try every walk that has bars");
 }
 
+void add_people(CLI::App& app, SceneWords& words, Options& options) {
+    PeopleOptions& people = options.people;
+    CLI::App* command =
+        app.add_subcommand("people", "Make people: as files, as pictures")->footer(k_people_footer);
+    command->callback([&] { options.command = Command::people; });
+    command->add_option("--count", people.count, "How many of the built-in people")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000).description(""))
+        ->capture_default_str();
+    add_parsed(*command, "--seed", parse_seed, words.seed, "Another seed makes other people", "S", "1");
+    command
+        ->add_option("--character", words.characters,
+                     "A skinned humanoid to show instead; may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->take_all();
+    command->add_option("--out", people.folder, "Write them as person_01.glb and so on")->type_name("FOLDER");
+    command->add_option("--sheet", people.sheet, "Draw them, a .png")->type_name("FILE");
+    command->add_flag("--close", people.close, "Draw their faces");
+    add_parsed(*command, "--size", parse_size, people.cell, "Pixels of each one's cell of the sheet", "WxH",
+               "480x400");
+    command->add_option("--device", options.device, "Part of the name of a Vulkan device, or its number")
+        ->type_name("NAME");
+    command->add_flag("--validate", options.validate,
+                      "Fail if the Khronos validation layer has anything to say");
+    command->add_option("--threads", options.threads, "Threads that make people; 0: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(0, 256).description(""))
+        ->capture_default_str();
+}
+
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene) return scene.error();
@@ -345,53 +350,6 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
 
 }  // namespace
 
-Result<CameraChoice> parse_camera(const std::string& text) {
-    CameraChoice camera;
-    if (text == "street") return camera;
-    camera.kind = CameraChoice::Kind::overview;
-    if (text == "overview") return camera;
-    constexpr std::string_view k_follow = "follow:";
-    camera.kind = CameraChoice::Kind::follow;
-    if (text.starts_with(k_follow) &&
-        parse_number(std::string_view(text).substr(k_follow.size()), camera.walker))
-        return camera;
-    camera.kind = CameraChoice::Kind::fixed;
-    auto points = split(text, '/');
-    if (points.size() == 2 && parse_point(points[0], camera.eye) && parse_point(points[1], camera.target)) {
-        if (length(camera.target - camera.eye) > 1e-3f) return camera;
-        return Error{"--camera " + text + " looks at where it stands; eye and target must differ."};
-    }
-    return Error{
-        "--camera " + text +
-        " is none of overview, street, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)."};
-}
-
-Result<Size> parse_size(const std::string& text) {
-    constexpr int k_most = 8192;
-    auto parts = split(text, 'x');
-    Size size;
-    if (parts.size() == 2 && parse_number(parts[0], size.width) && parse_number(parts[1], size.height) &&
-        size.width >= 1 && size.width <= k_most && size.height >= 1 && size.height <= k_most)
-        return size;
-    return Error{"--size " + text + " is not a width and a height from 1 to 8192, such as 1280x720."};
-}
-
-Result<TickRange> parse_ticks(const std::string& text) {
-    constexpr uint32_t k_most = 10'000'000;
-    auto parts = split(text, ':');
-    TickRange ticks;
-    bool good = parts.size() <= 3 && parse_number(parts[0], ticks.first);
-    ticks.last = ticks.first;
-    if (good && parts.size() > 1) good = parse_number(parts[1], ticks.last);
-    if (good && parts.size() > 2) good = parse_number(parts[2], ticks.step) && ticks.step > 0;
-    if (!good)
-        return Error{"--frames " + text + " is not a tick (600) or a range of ticks (0:600 or 0:600:2)."};
-    if (ticks.first > ticks.last) return Error{"--frames " + text + " ends before it begins."};
-    if (ticks.last > k_most)
-        return Error{"--frames " + text + " goes beyond tick 10000000, 46 hours of simulated time."};
-    return ticks;
-}
-
 Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv) {
     using Parsed = std::variant<std::monostate, Options>;
     Options options;
@@ -407,6 +365,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_sim(app, words, options);
     add_bench(app, words, options);
     add_gait(app, options);
+    add_people(app, words, options);
 
     try {
         app.parse(argc, argv);
@@ -420,7 +379,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
         if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
             what = who + " has no option or word " + app.remaining(true).front() + ".";
         } else if (app.get_subcommands().empty()) {
-            what = "say what to do: view, render, sim, bench or gait.";
+            what = "say what to do: view, render, sim, bench, gait or people.";
         }
         if (!what.ends_with('.')) what += ".";
         return Error{what + " `" + who + " --help` explains."};

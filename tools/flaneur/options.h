@@ -11,7 +11,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait };
+enum class Command { view, render, sim, bench, gait, people };
 enum class BenchLoad { frame, crowd, pose };
 
 struct Size {
@@ -53,6 +53,15 @@ struct GaitOptions {
     StripView view = StripView::side;
 };
 
+// Empty words ask for nothing.
+struct PeopleOptions {
+    uint32_t count = 24;     // of the built-in people, where no characters are given
+    std::string folder;      // for .glb files
+    std::string sheet;       // a picture of them
+    bool close = false;      // of their faces
+    Size cell = {480, 400};  // pixels of one of them on the sheet
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;  // with what the command line says instead
@@ -83,12 +92,15 @@ struct Options {
     std::string json;
 
     GaitOptions gait;
+    PeopleOptions people;
 };
 
 // "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0". Refuses anything else.
 Result<CameraChoice> parse_camera(const std::string& text);
 // "1280x720".
 Result<Size> parse_size(const std::string& text);
+// 0 .. 2^64 - 1.
+Result<uint64_t> parse_seed(const std::string& text);
 // "600", "0:600" or "0:600:2".
 Result<TickRange> parse_ticks(const std::string& text);
 
