@@ -44,6 +44,16 @@ struct Reader {
         }
     }
 
+    void flag(const char* key, bool& to) {
+        const Json* value = find(key);
+        if (!value) return;
+        if (value->is_boolean()) {
+            to = value->get<bool>();
+        } else {
+            wrong = std::string("\"") + key + "\" must be true or false, not " + value->dump();
+        }
+    }
+
     void texts(const char* key, std::vector<std::string>& to) {
         const Json* value = find(key);
         if (!value) return;
@@ -81,6 +91,48 @@ struct Reader {
     }
 };
 
+// Refuses keys that were not asked for. `what` may have them.
+void refuse_unknown(Reader& reader, const std::string& what) {
+    if (!reader.wrong.empty()) return;
+    for (const auto& item : reader.json.items()) {
+        if (std::find(reader.known.begin(), reader.known.end(), item.key()) == reader.known.end())
+            reader.wrong =
+                "\"" + item.key() + "\" is not known; " + what + " may have " + joined(reader.known);
+    }
+}
+
+// [{"character": "robot.glb", "share": 1}, {"builtin": true, "share": 9}]
+void read_people(Reader& scene, std::vector<PeopleShare>& to) {
+    const Json* list = scene.find("people");
+    if (!list) return;
+    if (!list->is_array()) {
+        scene.wrong = R"("people" must be a list such as [{"character": "robot.glb", "share": 1}, )"
+                      R"({"builtin": true, "share": 9}], not )" +
+                      list->dump();
+        return;
+    }
+    for (const Json& item : *list) {
+        PeopleShare people;
+        bool builtin = false;
+        std::string wrong;
+        if (item.is_object()) {
+            Reader reader{item, {}, {}};
+            reader.text("character", people.character);
+            reader.flag("builtin", builtin);
+            reader.number("share", k_least_share, k_most_share, people.share);
+            refuse_unknown(reader, "it");
+            wrong = reader.wrong;
+        }
+        if (wrong.empty() && builtin == !people.character.empty())
+            wrong = R"(it must have either "character": "FILE" or "builtin": true)";
+        if (!wrong.empty()) {
+            scene.wrong = "in \"people\", number " + std::to_string(to.size() + 1) + ": " + wrong;
+            return;
+        }
+        to.push_back(people);
+    }
+}
+
 Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     auto refused = [&](const std::string& why) { return Error{"Scene " + name + ": " + why + "."}; };
     Json json;
@@ -97,7 +149,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     scene.name = name;
     Reader reader{json, {}, {}};
     reader.text("city", scene.city);
-    reader.texts("characters", scene.characters);
+    read_people(reader, scene.people);
     reader.texts("idles", scene.idles);
     reader.number("walkers", 0, k_max_walkers, scene.walkers);
     reader.number("seed", uint64_t{0}, std::numeric_limits<uint64_t>::max(), scene.seed);
@@ -105,11 +157,8 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     reader.text("camera", scene.camera);
     reader.number("sun_height", 2.0f, 90.0f, scene.sun_height);
     reader.number("sun_heading", 0.0f, 360.0f, scene.sun_heading);
+    refuse_unknown(reader, "a scene");
     if (!reader.wrong.empty()) return refused(reader.wrong);
-    for (const auto& item : json.items()) {
-        if (std::find(reader.known.begin(), reader.known.end(), item.key()) == reader.known.end())
-            return refused("\"" + item.key() + "\" is not known; a scene may have " + joined(reader.known));
-    }
     return scene;
 }
 
@@ -141,7 +190,9 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     scene->name = path.stem().string();
     auto beside = [&](std::string& other) { other = (path.parent_path() / other).string(); };
     if (!scene->city.empty()) beside(scene->city);
-    for (std::string& character : scene->characters) beside(character);
+    for (PeopleShare& people : scene->people) {
+        if (!people.character.empty()) beside(people.character);
+    }
     for (std::string& idle : scene->idles) beside(idle);
     return scene;
 }

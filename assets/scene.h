@@ -10,12 +10,20 @@
 
 namespace flaneur {
 
+// Some of the people of a scene.
+struct PeopleShare {
+    std::string character;  // a glTF or VRM file; empty: the built-in people
+    float share = 1;        // of all walkers, against the others' shares: 0.001..1000
+    bool operator==(const PeopleShare&) const = default;
+};
+inline constexpr float k_least_share = 0.001f, k_most_share = 1000;
+
 struct Scene {
     std::string name = "district";
-    std::string city;                     // an OpenStreetMap file; empty: the built-in district
-    std::vector<std::string> characters;  // glTF files; empty: the built-in people
-    std::vector<std::string> idles;       // FILE or FILE:CLIP, glTF animations that those who stand play
-    int walkers = 500;                    // 0..100,000
+    std::string city;                 // an OpenStreetMap file; empty: the built-in district
+    std::vector<PeopleShare> people;  // empty: the built-in people
+    std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
+    int walkers = 500;                // 0..100,000
     uint64_t seed = 1;
     int blocks = 4;                 // size of the built-in district
     std::string camera = "street";  // as --camera takes it

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/base/hash.h"
+#include "sim/crowd/pace.h"
 
 namespace flaneur {
 
@@ -11,7 +12,6 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
                                           const std::function<void(std::string_view, float)>& progress) {
     auto world = std::make_unique<World>();
     world->city = std::move(city);
-    world->bodies = options.bodies;
     world->seed = options.seed;
     world->workers = make_workers(options.threads);
     int threads = thread_count(*world->workers);
@@ -24,15 +24,24 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
     prepare_queries(*world->navmesh, threads);
 
     if (progress) progress("setting down the walkers", 0);
-    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers,
-                          static_cast<uint32_t>(world->bodies.size()), options.seed);
+    std::vector<Folk> folk;
+    for (const Kind& kind : options.kinds) {
+        world->bodies.push_back(kind.body);
+        folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg_length(kind.body))});
+    }
+    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers, folk, options.seed);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
 
     RootMotion root{world->crowd.position.data(), world->crowd.velocity.data(), world->crowd.heading.data(),
                     world->crowd.turn_rate.data(), world->crowd.chosen.data()};
+    std::vector<Manner> manners;
+    for (uint32_t i = 0; i < world->crowd.count; ++i) {
+        Manner middle = manner_at_age(options.kinds[world->crowd.body[i]].age);
+        manners.push_back(draw_manner(middle, {world->seed, i, 0, Purpose::style}));
+    }
     start_gait(world->gait, world->crowd.count, world->bodies, world->crowd.body.data(),
-               world->crowd.scale.data(), root, world->city, world->seed);
+               world->crowd.scale.data(), root, world->city, world->seed, manners.data());
     world->idles = make_layer(options.idles, world->crowd.count);
     world->poses.resize(world->gait.blocks.size());
     pose_blocks(world->gait, 0, world->gait.blocks.size(), world->poses);

@@ -19,11 +19,19 @@
 
 namespace flaneur {
 
+// A body that walkers have, and who has such a body.
+struct Kind {
+    Body body;
+    float share = 1;  // of all walkers, against the other kinds' shares; above 0
+    float age = 30;   // years: with sex and legs it sets how fast they walk, and with it how they move
+    bool woman = false;
+};
+
 struct WorldOptions {
     uint32_t walkers = 500;
     uint64_t seed = 1;
-    int threads = 0;                                 // 0: one a core
-    std::vector<Body> bodies{standard_body(1.72f)};  // walkers take them in turns of chance
+    int threads = 0;                                  // 0: one a core
+    std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
     std::vector<Clip> idles;  // of the humanoid, additive; each who stands a while plays one of them
     NavmeshSettings navmesh;
 };
@@ -38,7 +46,7 @@ struct World {
     City city;
     NavmeshPtr navmesh;
     WorkersPtr workers;
-    std::vector<Body> bodies;
+    std::vector<Body> bodies;  // one of each kind
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sim/base/parallel_for.h"
@@ -108,12 +109,18 @@ void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 // Whether a walker stands where it was sent.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
+// The walkers who share a body.
+struct Folk {
+    float share = 1;      // of all walkers, against the others' shares
+    float speed = 1.34f;  // the mean that they prefer, metres a second
+};
+
 // A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching (in a large city
-// over those about the middle of its houses, one walker to some 60 square metres), under way to random goals,
-// with bodies 0
-// .. bodies - 1. Refuses more walkers than fit.
+// over those about the middle of its houses, one walker to some 60 square metres), under way to random goals.
+// Each belongs by chance to one of the folk, whose place in the list is its body. Refuses more walkers than
+// fit.
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       uint32_t bodies, uint64_t seed);
+                       std::span<const Folk> folk, uint64_t seed);
 
 // Goals, paths and the velocity that each walker would like. Serves a bounded number of path requests a tick.
 void think(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,

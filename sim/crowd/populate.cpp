@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -11,9 +12,9 @@ namespace flaneur {
 static constexpr float k_body_radius = 0.25f;
 static constexpr float k_spacing = 2 * k_body_radius + 0.15f;  // between walkers at the start, metres
 
-// Weidmann 1993: free speeds of pedestrians are nearly normal.
-static constexpr float k_mean_speed = 1.34f, k_speed_deviation = 0.26f, k_least_speed = 0.7f,
-                       k_most_speed = 1.9f;
+// Weidmann 1993: free speeds of pedestrians are nearly normal, with a deviation of 0.26 m/s at a mean
+// of 1.34.
+static constexpr float k_speed_deviation = 0.26f / 1.34f, k_least_speed = 0.7f, k_most_speed = 1.9f;
 
 namespace {
 // The walkers placed so far by cell of the wrapped plane, as chains.
@@ -75,7 +76,10 @@ static Neighbourhood find_neighbourhood(const City& city, const Navmesh& mesh, u
 }
 
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       uint32_t bodies, uint64_t seed) {
+                       std::span<const Folk> folk, uint64_t seed) {
+    assert(!folk.empty() || walkers == 0);
+    std::vector<float> shares;  // of each folk and all before
+    for (const Folk& f : folk) shares.push_back(f.share + (shares.empty() ? 0 : shares.back()));
     Crowd c = make_crowd(walkers);
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
@@ -99,10 +103,12 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
                          " walkers fit on the sidewalks of '" + city.name + "': take fewer or a larger city"};
         }
         RandomKey body{seed, i, 0, Purpose::body};
-        w.preferred_speed =
-            clamp(k_mean_speed + k_speed_deviation * random_normal(body, 1), k_least_speed, k_most_speed);
+        float drawn = random_unit(body, 0) * shares.back();
+        auto found = std::upper_bound(shares.begin(), shares.end() - 1, drawn);
+        w.body = static_cast<uint32_t>(found - shares.begin());
+        w.preferred_speed = clamp(folk[w.body].speed * (1 + k_speed_deviation * random_normal(body, 1)),
+                                  k_least_speed, k_most_speed);
         w.radius = k_body_radius;
-        w.body = static_cast<uint32_t>(random_bits(body, 0) % std::max(bodies, 1u));
         w.scale = random_between(body, 0.95f, 1.05f, 2);
         w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 2.2f);
         add_walker(c, city, w);

@@ -36,24 +36,41 @@ TEST(Scenes, BuiltInOnesAreSortedAndSound) {
 
 TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     Result<Scene> scene = load(R"({ "walkers": 12, "seed": 18446744073709551615, "camera": "overview",
-        "city": "maps/a.osm", "characters": ["a.glb", "/b.glb"], "sun_height": 40.5 })");
+        "city": "maps/a.osm", "people": [{"character": "a.glb", "share": 2.5},
+        {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5 })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->name, "mine");
     EXPECT_EQ(scene->walkers, 12);
     EXPECT_EQ(scene->seed, ~uint64_t{0});
     EXPECT_EQ(scene->camera, "overview");
     EXPECT_EQ(scene->city, folder / "maps/a.osm");
-    EXPECT_EQ(scene->characters, (std::vector<std::string>{folder / "a.glb", "/b.glb"}));
+    EXPECT_EQ(scene->people, (std::vector<PeopleShare>{{folder / "a.glb", 2.5f}, {"/b.glb", 1}, {"", 9}}));
     EXPECT_EQ(scene->sun_height, 40.5f);
     EXPECT_EQ(scene->blocks, Scene().blocks);
 }
 
 TEST_F(SceneFile, IsRefusedByKeyAndRange) {
-    for (const char* text :
-         {R"({"walkers": -1})", R"({"walkers": 100001})", R"({"walkers": 1.5})", R"({"walkers": "ten"})",
-          R"({"walkers": 18446744073709551615})", R"({"seed": -1})", R"({"seed": 1e30})", R"({"blocks": 0})",
-          R"({"blocks": 33})", R"({"camera": 3})", R"({"city": null})", R"({"characters": "a.glb"})",
-          R"({"characters": [1]})", R"({"sun_height": 91})", R"({"sun_heading": -1})"}) {
+    for (const char* text : {R"({"walkers": -1})",
+                             R"({"walkers": 100001})",
+                             R"({"walkers": 1.5})",
+                             R"({"walkers": "ten"})",
+                             R"({"walkers": 18446744073709551615})",
+                             R"({"seed": -1})",
+                             R"({"seed": 1e30})",
+                             R"({"blocks": 0})",
+                             R"({"blocks": 33})",
+                             R"({"camera": 3})",
+                             R"({"city": null})",
+                             R"({"people": "a.glb"})",
+                             R"({"people": [1]})",
+                             R"({"people": [{}]})",
+                             R"({"people": [{"builtin": false}]})",
+                             R"({"people": [{"builtin": true, "character": "a.glb"}]})",
+                             R"({"people": [{"builtin": true, "share": 0}]})",
+                             R"({"people": [{"builtin": 1}]})",
+                             R"({"people": [{"character": "a.glb", "colour": "red"}]})",
+                             R"({"sun_height": 91})",
+                             R"({"sun_heading": -1})"}) {
         Result<Scene> scene = load(text);
         ASSERT_FALSE(scene) << text;
         std::string key(text + 2, std::string(text + 2).find('"'));

@@ -57,7 +57,7 @@ void look_at_feet(const World& w, size_t i, const std::vector<Sole>& last,
 Sums walk(City city, uint32_t walkers, int ticks) {
     WorldOptions options;
     options.walkers = walkers;
-    options.bodies = {standard_body(1.62f), standard_body(1.78f)};
+    options.kinds = {{standard_body(1.62f)}, {standard_body(1.78f)}};
     auto made = make_world(std::move(city), options);
     EXPECT_TRUE(made) << (made ? "" : made.error().message);
     Sums sums;

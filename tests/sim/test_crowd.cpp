@@ -120,7 +120,7 @@ TEST(HalfPlanes, BeatsEveryVelocityOfASearch) {
 
 TEST(Crowd, NeighboursAreTheNearest) {
     World w = make_world(square(60), 400);
-    auto made = populate(w.city, *w.mesh, *w.workers, 400, 3, 5);
+    auto made = populate(w.city, *w.mesh, *w.workers, 400, std::vector<Folk>(3), 5);
     ASSERT_TRUE(made);
     Crowd& c = *made;
     for (uint32_t tick = 0; tick < k_decision_ticks; ++tick) find_neighbours(c, *w.workers, tick);
@@ -139,7 +139,7 @@ TEST(Crowd, NeighboursAreTheNearest) {
 
 TEST(Crowd, PopulateSpreadsWithoutTouchingAndRefusesTooMany) {
     World w = make_world(street(), 0);
-    auto c = populate(w.city, *w.mesh, *w.workers, 300, 4, 9);
+    auto c = populate(w.city, *w.mesh, *w.workers, 300, std::vector<Folk>(4), 9);
     ASSERT_TRUE(c);
     EXPECT_LT(deepest_overlap(*c), 0);
     for (uint32_t i = 0; i < c->count; ++i) {
@@ -148,10 +148,10 @@ TEST(Crowd, PopulateSpreadsWithoutTouchingAndRefusesTooMany) {
         EXPECT_LE(c->preferred_speed[i], 1.9f);
         EXPECT_GT(c->corner_count[i], 0);
     }
-    auto too_many = populate(w.city, *w.mesh, *w.workers, 100000, 4, 9);
+    auto too_many = populate(w.city, *w.mesh, *w.workers, 100000, std::vector<Folk>(4), 9);
     ASSERT_FALSE(too_many);
     EXPECT_NE(too_many.error().message.find("fit"), std::string::npos);
-    EXPECT_TRUE(populate(w.city, *w.mesh, *w.workers, 0, 0, 9));
+    EXPECT_TRUE(populate(w.city, *w.mesh, *w.workers, 0, std::vector<Folk>(0), 9));
 }
 
 TEST(Crowd, RimeaR1CorridorTime) {
@@ -256,7 +256,7 @@ TEST(Crowd, TwoWayFlowKeepsItsSpeed) {
 
 TEST(Crowd, MovesAsLegsCan) {
     World w = make_world(street(), 0);
-    auto made = populate(w.city, *w.mesh, *w.workers, 150, 4, 2);
+    auto made = populate(w.city, *w.mesh, *w.workers, 150, std::vector<Folk>(4), 2);
     ASSERT_TRUE(made);
     w.crowd = std::move(*made);
     int samples = 0, askew = 0, jumps = 0;
@@ -290,7 +290,7 @@ TEST(Crowd, MovesAsLegsCan) {
 TEST(Crowd, NobodyIsStuckOnTheStreetOrTheSteps) {
     for (bool stairs : {false, true}) {
         World w = make_world(stairs ? steps() : street(), 0);
-        auto made = populate(w.city, *w.mesh, *w.workers, 80, 4, 3);
+        auto made = populate(w.city, *w.mesh, *w.workers, 80, std::vector<Folk>(4), 3);
         ASSERT_TRUE(made);
         w.crowd = std::move(*made);
         std::vector<Vec2> anchor(80);
@@ -309,7 +309,7 @@ TEST(Crowd, NobodyIsStuckOnTheStreetOrTheSteps) {
 
 TEST(Crowd, StepAllocatesNothing) {
     World w = make_world(street(), 0);
-    auto made = populate(w.city, *w.mesh, *w.workers, 200, 4, 4);
+    auto made = populate(w.city, *w.mesh, *w.workers, 200, std::vector<Folk>(4), 4);
     ASSERT_TRUE(made);
     w.crowd = std::move(*made);
     size_t before = allocations();
@@ -324,7 +324,7 @@ TEST(Crowd, TheSameOnAnyNumberOfThreads) {
     uint64_t expected = 0;
     for (int threads : {1, 2, 7}) {
         World w = make_world(street(), 0, threads);
-        auto made = populate(w.city, *w.mesh, *w.workers, 200, 4, 4);
+        auto made = populate(w.city, *w.mesh, *w.workers, 200, std::vector<Folk>(4), 4);
         ASSERT_TRUE(made);
         w.crowd = std::move(*made);
         for (int k = 0; k < 600; ++k) step(w);

@@ -17,7 +17,7 @@ std::unique_ptr<World> world_of(uint32_t walkers, int threads, uint64_t seed = 5
     options.walkers = walkers;
     options.threads = threads;
     options.seed = seed;
-    options.bodies = {standard_body(1.62f), standard_body(1.78f)};
+    options.kinds = {{standard_body(1.62f)}, {standard_body(1.78f)}};
     auto world = make_world(square(40), options);
     EXPECT_TRUE(world) << (world ? "" : world.error().message);
     return std::move(world).value();

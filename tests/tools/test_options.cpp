@@ -34,7 +34,7 @@ TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
         parsed({"render", "--character", "a.glb",     "--character", "b.glb",     "--idle", "c.glb:Wave",
                 "--idle", "d.glb",       "--walkers", "1",           "--walkers", "2",      "--out",
                 "a.png",  "--out",       "b.png",     "--size",      "10x20",     "--size", "30x40"});
-    EXPECT_EQ(options.scene.characters, (std::vector<std::string>{"a.glb", "b.glb"}));
+    EXPECT_EQ(options.scene.people, (std::vector<PeopleShare>{{"a.glb"}, {"b.glb"}}));
     EXPECT_EQ(options.scene.idles, (std::vector<std::string>{"c.glb:Wave", "d.glb"}));
     EXPECT_EQ(options.scene.walkers, 2);
     EXPECT_EQ(options.out, "b.png");
@@ -86,6 +86,16 @@ TEST(Ticks, OneOrARange) {
     for (const char* text : {"", ":", "1:", ":1", "1:0", "0:9:0", "0:9:-1", "-1", "0:1:1:1", "a", "1 ",
                              "4294967296", "0:10000001"})
         EXPECT_FALSE(parse_ticks(text)) << text;
+}
+
+TEST(People, AFileOrTheBuiltInOnesAndTheirShare) {
+    EXPECT_EQ(*parse_people("a.glb"), (PeopleShare{"a.glb", 1}));
+    EXPECT_EQ(*parse_people("a.glb:2.5"), (PeopleShare{"a.glb", 2.5f}));
+    EXPECT_EQ(*parse_people("c:a.glb"), (PeopleShare{"c:a.glb", 1}));
+    EXPECT_EQ(*parse_people("c:a.glb:3"), (PeopleShare{"c:a.glb", 3}));
+    EXPECT_EQ(*parse_people("builtin:9"), (PeopleShare{"", 9}));
+    for (const char* text : {"", ":3", "a.glb:0", "a.glb:-1", "a.glb:1e9", "a.glb:nan"})
+        EXPECT_FALSE(parse_people(text)) << text;
 }
 
 TEST(Size, WidthByHeight) {

@@ -27,6 +27,31 @@ void print_notes(const std::string& source, const std::vector<std::string>& note
     for (const std::string& note : notes) std::fprintf(stderr, "%s: %s\n", source.c_str(), note.c_str());
 }
 
+// Fills both: a kind for each character. The built-in people share what they have evenly.
+Result<void> add_people(const Options& options, std::vector<Character>& characters,
+                        std::vector<Kind>& kinds) {
+    const Scene& scene = options.scene;
+    kinds.clear();
+    std::vector<PeopleShare> people = scene.people;
+    if (people.empty()) people.emplace_back();
+    for (const PeopleShare& some : people) {
+        std::vector<Character> added;
+        if (some.character.empty()) {
+            added = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
+        } else {
+            Result<Character> character = read_character(some.character);
+            if (!character) return character.error();
+            added.push_back(std::move(*character));
+        }
+        for (Character& c : added) {
+            kinds.push_back(
+                {c.body, some.share / static_cast<float>(added.size()), c.person.age, c.person.woman});
+            characters.push_back(std::move(c));
+        }
+    }
+    return {};
+}
+
 // FILE or FILE:CLIP; the name of an animation may have colons in it.
 Result<std::vector<Clip>> load_idles(const Scene& scene) {
     std::vector<Clip> clips;
@@ -65,16 +90,11 @@ void show_progress(const std::string& line) {
 
 void clear_progress() { show_progress(""); }
 
-Result<std::vector<Character>> load_characters(const std::vector<std::string>& paths) {
-    std::vector<Character> characters;
-    for (const std::string& path : paths) {
-        show_progress("reading " + path);
-        Result<Character> character = load_character(path);
-        if (!character) return character.error();
-        print_notes(path, character->notes);
-        characters.push_back(std::move(*character));
-    }
-    return characters;
+Result<Character> read_character(const std::string& path) {
+    show_progress("reading " + path);
+    Result<Character> character = load_character(path);
+    if (character) print_notes(path, character->notes);
+    return character;
 }
 
 std::vector<Character> make_people(const std::vector<PersonOptions>& options, int threads) {
@@ -94,22 +114,17 @@ Result<Loaded> load(const Options& options) {
     if (!city) return city.error();
     print_notes(city->name, city->notes);
 
-    Result<std::vector<Character>> characters = load_characters(scene.characters);
-    if (!characters) return characters.error();
-    if (characters->empty())
-        characters = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
-    loaded.characters = std::move(*characters);
+    WorldOptions world;
+    Result<void> peopled = add_people(options, loaded.characters, world.kinds);
+    if (!peopled) return peopled.error();
 
     Result<std::vector<Clip>> idles = load_idles(scene);
     if (!idles) return idles.error();
 
-    WorldOptions world;
     world.idles = std::move(*idles);
     world.walkers = static_cast<uint32_t>(scene.walkers);
     world.seed = scene.seed;
     world.threads = options.threads;
-    world.bodies.clear();
-    for (const Character& character : loaded.characters) world.bodies.push_back(character.body);
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
     };

@@ -19,8 +19,8 @@ struct Loaded {
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
-// Each refused in a sentence; what was repaired goes to stderr.
-Result<std::vector<Character>> load_characters(const std::vector<std::string>& paths);
+// Refuses in a sentence; says on stderr what was repaired.
+Result<Character> read_character(const std::string& path);
 
 // Makes people, in the order of `options`, on so many threads; 0: one a core.
 std::vector<Character> make_people(const std::vector<PersonOptions>& options, int threads);

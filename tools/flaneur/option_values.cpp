@@ -39,6 +39,19 @@ bool parse_point(std::string_view text, Vec3& to) {
 
 }  // namespace
 
+Result<PeopleShare> parse_people(const std::string& text) {
+    PeopleShare people{text};
+    size_t colon = text.rfind(':');
+    if (colon != std::string::npos && parse_number(std::string_view(text).substr(colon + 1), people.share)) {
+        people.character.resize(colon);
+        if (!(people.share >= k_least_share && people.share <= k_most_share))
+            return Error{"--character " + text + " has a share that is not from 0.001 to 1000."};
+    }
+    if (people.character.empty()) return Error{"--character " + text + " names no file."};
+    if (people.character == "builtin") people.character.clear();
+    return people;
+}
+
 Result<uint64_t> parse_seed(const std::string& text) {
     uint64_t seed = 0;
     if (parse_number(text, seed)) return seed;

@@ -33,7 +33,8 @@ Space pauses; 1 street, 2 overview, 3 follow a walker, Tab the next one; F12 wri
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
-  flaneur view --character me.glb --character you.glb)";
+  flaneur view --character me.glb --character you.glb
+  flaneur view --character robot.glb:1 --character builtin:9    one in ten is a robot)";
 
 constexpr const char* k_render_footer =
     R"(One tick is 1/60 s of simulation. A film plays in real time: 60 pictures a second, or 60 / STEP.
@@ -77,7 +78,8 @@ Examples:
 struct SceneWords {
     std::string scene = "district";
     std::optional<std::string> city, camera;
-    std::vector<std::string> characters, idles;
+    std::vector<PeopleShare> people;
+    std::vector<std::string> idles;
     std::optional<int> walkers;
     std::optional<uint64_t> seed;
 };
@@ -113,6 +115,24 @@ Result<StripView> parse_view(const std::string& text) {
     return Error{"--view " + text + " is neither side nor front."};
 }
 
+CLI::Option* add_characters(CLI::App& app, SceneWords& words, const char* description, const char* type) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            "--character",
+            [&words](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    Result<PeopleShare> people = parse_people(text);
+                    if (!people)
+                        throw CLI::ValidationError(people.error().message, CLI::ExitCodes::ValidationError);
+                    words.people.push_back(*people);
+                }
+            },
+            description)
+        ->type_name(type)
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
 void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
     std::string names;
     for (const std::string& name : scene_names()) names += (names.empty() ? "" : ", ") + name;
@@ -123,11 +143,11 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
     app.add_option("--city", words.city, "An OpenStreetMap extract: .osm or .osm.pbf")
         ->type_name("FILE")
         ->group("Scene");
-    app.add_option("--character", words.characters,
-                   "A skinned humanoid, .glb or .gltf; may be given several times")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->take_all()
+    add_characters(
+        app, words,
+        "A skinned humanoid, .glb, .gltf or .vrm, or builtin for the built-in people, and its share "
+        "of the walkers; may be given several times",
+        "FILE[:SHARE]")
         ->group("Scene");
     app.add_option(
            "--idle", words.idles,
@@ -294,12 +314,9 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
         ->check(CLI::Range(1, 1000).description(""))
         ->capture_default_str();
     add_parsed(*command, "--seed", parse_seed, words.seed, "Another seed makes other people", "S", "1");
-    command
-        ->add_option("--character", words.characters,
-                     "A skinned humanoid to show instead; may be given several times")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->take_all();
+    add_characters(*command, words,
+                   "A skinned humanoid to show instead, or builtin to show both; may be given several times",
+                   "FILE");
     command->add_option("--out", people.folder, "Write them as person_01.glb and so on")->type_name("FOLDER");
     command->add_option("--sheet", people.sheet, "Draw them, a .png")->type_name("FILE");
     command->add_flag("--close", people.close, "Draw their faces");
@@ -320,7 +337,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!scene) return scene.error();
     options.scene = *scene;
     if (words.city) options.scene.city = *words.city;
-    if (!words.characters.empty()) options.scene.characters = words.characters;
+    if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;

@@ -99,6 +99,8 @@ struct Options {
 Result<CameraChoice> parse_camera(const std::string& text);
 // "1280x720".
 Result<Size> parse_size(const std::string& text);
+// "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.
+Result<PeopleShare> parse_people(const std::string& text);
 // 0 .. 2^64 - 1.
 Result<uint64_t> parse_seed(const std::string& text);
 // "600", "0:600" or "0:600:2".

@@ -26,33 +26,38 @@ std::string metres(float height) {
 }
 
 std::string described(const Sitter& sitter) {
-    std::string years = std::to_string(static_cast<int>(sitter.character.person.age));
-    return sitter.character.name + ", " + years + ", " + metres(sitter.character.body.height);
+    const PersonOptions& person = sitter.character.person;
+    std::string who = person.age < 16 ? (person.woman ? "girl" : "boy") : (person.woman ? "woman" : "man");
+    std::string years = std::to_string(static_cast<int>(person.age));
+    return who + ", " + years + ", " + metres(sitter.character.body.height);
 }
 
-// The built-in people that the options ask for, dressed; or the characters that they name, as these are.
-Result<std::vector<Sitter>> gather(const Options& options) {
-    std::vector<Sitter> sitters;
-    if (!options.scene.characters.empty()) {
-        Result<std::vector<Character>> characters = load_characters(options.scene.characters);
-        if (!characters) return characters.error();
-        for (Character& character : *characters) {
-            Sitter& sitter = sitters.emplace_back();
-            sitter.character = std::move(character);
-            sitter.tints = outfit(sitter.character.person, options.scene.seed, 0);
-            sitter.caption = sitter.character.name + ", " + metres(sitter.character.body.height);
-        }
-        return sitters;
-    }
-    std::vector<PersonOptions> people = draw_population(options.people.count, options.scene.seed);
-    std::vector<Character> characters = make_people(people, options.threads);
-    for (size_t i = 0; i < people.size(); ++i) {
+// Those asked for; without a word about it, the built-in people.
+std::vector<PeopleShare> wanted_people(const Options& options) {
+    std::vector<PeopleShare> wanted = options.scene.people;
+    if (wanted.empty()) wanted.emplace_back();
+    return wanted;
+}
+
+void add_built_in(const Options& options, std::vector<Sitter>& sitters) {
+    uint32_t count = options.people.count;
+    std::vector<Character> people = make_people(draw_population(count, options.scene.seed), options.threads);
+    for (uint32_t i = 0; i < count; ++i) {
         Sitter& sitter = sitters.emplace_back();
-        sitter.character = std::move(characters[i]);
-        sitter.tints = outfit(people[i], options.scene.seed, static_cast<uint32_t>(i));
-        sitter.caption = numbered(i, people.size()) + " " + described(sitter);
+        sitter.character = std::move(people[i]);
+        sitter.tints = outfit(sitter.character.person, options.scene.seed, i);
+        sitter.caption = numbered(i, count) + " " + described(sitter);
     }
-    return sitters;
+}
+
+Result<void> add_character(const std::string& path, std::vector<Sitter>& sitters) {
+    Result<Character> character = read_character(path);
+    if (!character) return character.error();
+    Sitter& sitter = sitters.emplace_back();
+    sitter.character = std::move(*character);
+    sitter.tints.fill(0xffffffffu);  // none of which it has
+    sitter.caption = sitter.character.name + ", " + metres(sitter.character.body.height);
+    return {};
 }
 
 void print_table(const std::vector<Sitter>& sitters) {
@@ -79,29 +84,42 @@ Result<void> write_files(const std::vector<Sitter>& sitters, const std::string& 
 
 Result<void> run_people(const Options& options) {
     const PeopleOptions& people = options.people;
-    const std::vector<std::string>& characters = options.scene.characters;
-    if (!people.folder.empty() && !characters.empty())
+    std::vector<PeopleShare> wanted = wanted_people(options);
+    size_t count = 0, files = 0;
+    for (const PeopleShare& some : wanted) {
+        files += !some.character.empty();
+        count += some.character.empty() ? people.count : 1;
+    }
+    if (!people.folder.empty() && files > 0)
         return Error{"people --out writes the built-in people; leave out --character, or --out."};
 #ifdef FLANEUR_VULKAN
     PartFilePtr sheet;
     if (!people.sheet.empty()) {
-        Result<PartFilePtr> file = open_sheet(people, characters.empty() ? people.count : characters.size());
+        Result<PartFilePtr> file = open_sheet(people, count);
         if (!file) return file.error();
         sheet = std::move(*file);
     }
 #endif
-    Result<std::vector<Sitter>> sitters = gather(options);
+    std::vector<Sitter> sitters;
+    for (const PeopleShare& some : wanted) {
+        if (some.character.empty()) {
+            add_built_in(options, sitters);
+        } else if (Result<void> added = add_character(some.character, sitters); !added) {
+            return added;
+        }
+    }
     clear_progress();
-    if (!sitters) return sitters.error();
     if (!people.folder.empty()) {
-        if (Result<void> written = write_files(*sitters, people.folder); !written) return written;
+        if (Result<void> written = write_files(sitters, people.folder); !written) return written;
     }
 #ifdef FLANEUR_VULKAN
     if (sheet) {
-        if (Result<void> drawn = draw_sheet(std::move(sheet), *sitters, options); !drawn) return drawn;
+        bool one_scale = files == 0;
+        Result<void> drawn = draw_sheet(std::move(sheet), sitters, one_scale, options);
+        if (!drawn) return drawn;
     }
 #endif
-    print_table(*sitters);
+    print_table(sitters);
     return {};
 }
 

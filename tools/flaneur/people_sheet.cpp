@@ -232,9 +232,8 @@ Size sheet_size(size_t count, Size cell) {
     return {columns * cell.width, (people + columns - 1) / columns * cell.height};
 }
 
-Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, const Options& options) {
-    const PeopleOptions& people = options.people;
-    bool one_scale = options.scene.characters.empty();
+Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool one_scale,
+                        const PeopleOptions& people) {
     int columns = sheet.size.width / people.cell.width;
     int letters = std::max(people.cell.height / 250, 1);
     Size picture{people.cell.width, people.cell.height - 14 * letters};
@@ -283,7 +282,8 @@ Result<PartFilePtr> open_sheet(const PeopleOptions& people, size_t count) {
     return open_file(people.sheet);
 }
 
-Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, const Options& options) {
+Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, bool one_scale,
+                        const Options& options) {
     std::atomic<uint32_t> messages = 0;
     {
         Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
@@ -297,7 +297,7 @@ Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, co
         Sheet sheet{**renderer, size, {}, {}};
         sheet.rgba.assign(size_t{4} * static_cast<size_t>(size.width) * static_cast<size_t>(size.height),
                           k_paper);
-        Result<void> drawn = draw_cells(sheet, sitters, options);
+        Result<void> drawn = draw_cells(sheet, sitters, one_scale, options.people);
         clear_progress();
         if (!drawn) return drawn;
         Result<void> written = write_png(std::move(file), sheet.rgba, size);

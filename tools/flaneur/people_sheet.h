@@ -22,8 +22,8 @@ struct Sitter {
 Result<PartFilePtr> open_sheet(const PeopleOptions& people, size_t count);
 
 // Shows each in a cell: the pose in which the character was bound, from ahead, beside a step of its walk,
-// half from the side; built-in people all at one scale, characters as large as fits. Close: two views of the
-// face instead.
-Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, const Options& options);
+// half from the side; all at one scale, or each as large as fits. Close: two views of the face instead.
+Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, bool one_scale,
+                        const Options& options);
 
 }  // namespace flaneur
