@@ -7,6 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/half_planes.h"
+#include "sim/crowd/pace.h"
 #include "tests/sim/allocations.h"
 #include "tests/sim/small_cities.h"
 
@@ -152,6 +153,36 @@ TEST(Crowd, PopulateSpreadsWithoutTouchingAndRefusesTooMany) {
     ASSERT_FALSE(too_many);
     EXPECT_NE(too_many.error().message.find("fit"), std::string::npos);
     EXPECT_TRUE(populate(w.city, *w.mesh, *w.workers, 0, std::vector<Folk>(0), 9));
+}
+
+TEST(Crowd, FolkHaveTheirSharesAndSpeeds) {
+    World w = make_world(square(60), 0);
+    const Folk folk[] = {{1, 1.4f}, {6, 1.2f}, {3, 1.0f}};
+    auto c = populate(w.city, *w.mesh, *w.workers, 1000, folk, 9);
+    ASSERT_TRUE(c);
+    int count[3] = {};
+    float speeds[3] = {};
+    for (uint32_t i = 0; i < c->count; ++i) {
+        ++count[c->body[i]];
+        speeds[c->body[i]] += c->preferred_speed[i];
+    }
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(static_cast<float>(count[k]), 100 * folk[k].share, 50) << k;
+        EXPECT_NEAR(speeds[k] / static_cast<float>(count[k]), folk[k].speed, 0.07f) << k;
+    }
+}
+
+TEST(Pace, GrownPeopleAreFastestAndShortLegsSlow) {
+    EXPECT_NEAR(usual_speed(30, false, 0.93f), 1.395f, 1e-3f);
+    EXPECT_NEAR(usual_speed(85, true, 0.85f), 0.94f, 1e-3f);
+    EXPECT_EQ(usual_speed(20, true, 0.85f), usual_speed(25, true, 0.85f));
+    for (bool woman : {false, true}) {
+        for (float age = 55; age < 85; ++age)
+            EXPECT_GT(usual_speed(age, woman, 0.9f), usual_speed(age + 1, woman, 0.9f)) << age;
+        // A child of six, 1.15 m tall, at the Froude number of its mother.
+        float child = usual_speed(6, woman, 0.61f);
+        EXPECT_NEAR(child, usual_speed(25, woman, 0.9f) * 0.87f, 0.02f);
+    }
 }
 
 TEST(Crowd, RimeaR1CorridorTime) {

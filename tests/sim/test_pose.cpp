@@ -74,6 +74,29 @@ TEST(World, SameHashForEveryThreadCountAndAnotherForAnotherSeed) {
     EXPECT_NE(hashes[0], hash_world(*other));
 }
 
+TEST(World, KindsHaveTheirShareSpeedAndManner) {
+    WorldOptions options;
+    options.walkers = 400;
+    options.threads = 2;
+    Kind old_women{standard_body(1.58f), 3, 85, true}, boys{standard_body(1.15f), 1, 6};
+    options.kinds = {old_women, boys};
+    auto made = make_world(square(60), options);
+    ASSERT_TRUE(made) << made.error().message;
+    const World& world = **made;
+    float count[2] = {}, speed[2] = {}, stride[2] = {};
+    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+        uint32_t kind = world.crowd.body[i];
+        count[kind] += 1;
+        speed[kind] += world.crowd.preferred_speed[i];
+        stride[kind] += world.gait.people[i / k_block].stride[i % k_block];
+    }
+    EXPECT_NEAR(count[1], 100, 40);
+    EXPECT_NEAR(speed[0] / count[0], 0.96f, 0.06f);  // few are slower than the crowd's least
+    EXPECT_NEAR(speed[1] / count[1], 1.17f, 0.06f);
+    EXPECT_NEAR(stride[0] / count[0], manner_at_age(85).stride, 0.02f);
+    EXPECT_NEAR(stride[1] / count[1], manner_at_age(6).stride, 0.02f);
+}
+
 TEST(World, CrowdWalksOnItsFeet) {
     auto world = world_of(120, 2);
     float drift = 0, below = 0, overreach = 0;

@@ -10,6 +10,7 @@ Result<void> run_view(const Options& options);
 Result<void> run_render(const Options& options);
 Result<void> run_sim(const Options& options);
 Result<void> run_gait(const Options& options);
+Result<void> run_inspect(const Options& options);
 Result<void> run_people(const Options& options);
 Result<void> run_bench(const Options& options);
 

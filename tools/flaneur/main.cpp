@@ -15,8 +15,8 @@ Result<void> run(const Options& options) {
                  (options.command == Command::people && !options.people.sheet.empty());
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip and "
-            "people without --sheet. One that draws is made by ./tools/build release."};
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip, people "
+            "without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
 #endif
     switch (options.command) {
@@ -30,6 +30,8 @@ Result<void> run(const Options& options) {
             return run_sim(options);
         case Command::gait:
             return run_gait(options);
+        case Command::inspect:
+            return run_inspect(options);
         case Command::people:
             return run_people(options);
         default:

@@ -16,6 +16,8 @@ constexpr const char* k_footer = R"(Examples:
   flaneur render --city berlin.osm --walkers 2000 --frames 600:1200 --out out/berlin.mp4
   flaneur sim --seconds 60 --hash                          the same number on every machine
   flaneur bench frame --walkers 2000                       where the time of a frame goes
+  flaneur people --count 24 --sheet out/people.png         who lives there
+  flaneur inspect me.glb                                   what is found in a character
 `flaneur render --help` and so on tell more.)";
 
 constexpr const char* k_people_footer =
@@ -26,6 +28,13 @@ Examples:
   flaneur people --count 24 --seed 1 --out out/people          the same people as out/people/person_01.glb, ...
   flaneur people --count 6 --close --size 800x500 --sheet out/faces.png
   flaneur people --character me.glb --character you.glb --sheet out/us.png)";
+
+constexpr const char* k_inspect_footer =
+    R"(Of a character: which node of the file each joint was taken from, size, facing, triangles, animations and what was
+repaired. Of a map: its extent, ground and houses, and what was skipped. Refuses, in a sentence, what cannot be used.
+Examples:
+  flaneur inspect me.glb
+  flaneur inspect berlin.osm.pbf --json out/berlin.json)";
 
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
@@ -332,6 +341,16 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
         ->capture_default_str();
 }
 
+void add_inspect(CLI::App& app, Options& options) {
+    CLI::App* command =
+        app.add_subcommand("inspect", "Say what is found in a character or a map")->footer(k_inspect_footer);
+    command->callback([&] { options.command = Command::inspect; });
+    command->add_option("file", options.file, "A character (.glb, .gltf, .vrm) or a map (.osm, .osm.pbf)")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--json", options.json, "Write it to a file too")->type_name("FILE");
+}
+
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene) return scene.error();
@@ -383,6 +402,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_bench(app, words, options);
     add_gait(app, options);
     add_people(app, words, options);
+    add_inspect(app, options);
 
     try {
         app.parse(argc, argv);
@@ -396,7 +416,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
         if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
             what = who + " has no option or word " + app.remaining(true).front() + ".";
         } else if (app.get_subcommands().empty()) {
-            what = "say what to do: view, render, sim, bench, gait or people.";
+            what = "say what to do: view, render, sim, bench, gait, people or inspect.";
         }
         if (!what.ends_with('.')) what += ".";
         return Error{what + " `" + who + " --help` explains."};

@@ -11,7 +11,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people };
+enum class Command { view, render, sim, bench, gait, people, inspect };
 enum class BenchLoad { frame, crowd, pose };
 
 struct Size {
@@ -89,10 +89,14 @@ struct Options {
     // bench
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;  // or ticks, or repetitions
-    std::string json;
+
+    std::string json;  // where bench, gait and inspect write their figures too
 
     GaitOptions gait;
     PeopleOptions people;
+
+    // inspect
+    std::string file;
 };
 
 // "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0". Refuses anything else.
