@@ -1,5 +1,6 @@
 #!/bin/bash
-# people_files.sh FLANEUR: people writes as many files as it is asked for, the same ones for the same seed, and they walk.
+# people_files.sh FLANEUR: people writes as many files as it is asked for, the same ones for the same seed, and they
+# walk, among others too.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -15,3 +16,11 @@ diff -r a b
 if cmp -s a/person_01.glb c/person_01.glb; then echo "FAILED: another seed gives the same person." && exit 1; fi
 "$1" sim --scene corner --seconds 1 --character a/person_01.glb --character a/person_02.glb --hash > hash
 [[ -s hash ]]
+cat > mixed.json << END
+{ "walkers": 60, "blocks": 1, "people": [{ "character": "a/person_01.glb", "share": 1 }, { "builtin": true, "share": 9 }] }
+END
+"$1" sim --seconds 1 --scene mixed.json --hash > mixed
+"$1" sim --seconds 1 --scene corner --walkers 60 --character a/person_01.glb --character builtin:9 --hash > same
+"$1" sim --seconds 1 --scene corner --walkers 60 --character a/person_01.glb:9 --character builtin --hash > other
+cmp mixed same
+if cmp -s mixed other; then echo "FAILED: shares change nothing." && exit 1; fi

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 #include "assets/gltf_write.h"
@@ -71,7 +73,7 @@ void print_table(const std::vector<Sitter>& sitters) {
 Result<void> write_files(const std::vector<Sitter>& sitters, const std::string& folder) {
     for (size_t i = 0; i < sitters.size(); ++i) {
         std::string name = "person_" + numbered(i, sitters.size()) + ".glb";
-        Result<PartFilePtr> file = open_file(folder + "/" + name);
+        Result<PartFilePtr> file = open_file((std::filesystem::path(folder) / name).string());
         if (!file) return file.error();
         std::string bytes = character_glb(sitters[i].character, sitters[i].tints);
         std::fwrite(bytes.data(), 1, bytes.size(), (*file)->file);
