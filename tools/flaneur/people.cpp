@@ -103,6 +103,7 @@ Result<void> run_people(const Options& options) {
     }
 #endif
     std::vector<Sitter> sitters;
+    sitters.reserve(count);
     for (const PeopleShare& some : wanted) {
         if (some.character.empty()) {
             add_built_in(options, sitters);
