@@ -24,26 +24,29 @@ Result<void> upload(const Device& device, std::span<const T> first, std::span<co
 void update_descriptors(const Renderer& renderer, const FrameSlot& slot) {
     const VkDescriptorBufferInfo buffers[] = {{slot.constants.handle, 0, VK_WHOLE_SIZE},
                                               {slot.instances.handle, 0, VK_WHOLE_SIZE},
-                                              {slot.palette.handle, 0, VK_WHOLE_SIZE}};
+                                              {slot.palette.handle, 0, VK_WHOLE_SIZE},
+                                              {slot.impostors.handle, 0, VK_WHOLE_SIZE},
+                                              {renderer.scene.impostors.cells.handle, 0, VK_WHOLE_SIZE}};
     const VkDescriptorImageInfo images[] = {
         {renderer.pipelines.shadow_sampler, renderer.shadows.map.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.scene.textures.view, k_sampled.layout},
-        {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout}};
-    VkWriteDescriptorSet writes[6] = {};
-    for (uint32_t i = 0; i < 6; ++i) {
+        {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout},
+        {renderer.pipelines.atlas_sampler, renderer.scene.impostors.atlas.view, k_sampled.layout}};
+    VkWriteDescriptorSet writes[k_bindings] = {};
+    for (uint32_t i = 0; i < k_bindings; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
         writes[i].dstSet = slot.set;
         writes[i].dstBinding = i;
         writes[i].descriptorCount = 1;
-        writes[i].descriptorType = i == k_binding_frame     ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-                                   : i <= k_binding_palette ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-                                                            : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-        if (i <= k_binding_palette)
+        writes[i].descriptorType = i == k_binding_frame   ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+                                   : i <= k_binding_cells ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+                                                          : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        if (i <= k_binding_cells)
             writes[i].pBufferInfo = &buffers[i];
         else
             writes[i].pImageInfo = &images[i - k_binding_shadow];
     }
-    vkUpdateDescriptorSets(renderer.device.handle, 6, writes, 0, nullptr);
+    vkUpdateDescriptorSets(renderer.device.handle, k_bindings, writes, 0, nullptr);
 }
 
 Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input, const FramePlan& plan,
@@ -60,6 +63,7 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
     FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances,
                                        k_storage, slot.instances));
     FLANEUR_TRY(upload<JointTransform>(device, input.palette, {}, k_storage, slot.palette));
+    FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, {}, k_storage, slot.impostors));
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.contacts));
     update_descriptors(renderer, slot);
@@ -119,6 +123,7 @@ void draw_scene(const FrameRecord& record) {
         {k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED});
     begin_picture(record, true);
     draw_crowd(record);
+    draw_impostors(record);
     vkCmdEndRendering(record.commands);
     colour_barrier(k_colour_target, k_colour_target);
     depth_barrier(k_depth_target);
@@ -224,10 +229,12 @@ Result<void> submit(Renderer& renderer, FrameSlot& slot, VkSemaphore wait, VkSem
 
 void count_frame(const FramePlan& plan, Renderer& renderer) {
     FrameStats& stats = renderer.stats;
-    stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size());
+    stats.impostors = static_cast<uint32_t>(renderer.crowd.impostors.size());
+    stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size()) + stats.impostors;
     stats.walkers_in_shadow = static_cast<uint32_t>(renderer.casters.instances.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
-    stats.direct_draws = (plan.contacts.empty() ? 0 : 1) + 2;  // contacts, sky, fxaa
+    stats.direct_draws =
+        (plan.contacts.empty() ? 0 : 1) + (stats.impostors == 0 ? 0 : 1) + 2;  // and sky, fxaa
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
     for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.near_city, plan.far_city})
         for (uint32_t i = 0; i < range.count; ++i)

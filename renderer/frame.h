@@ -57,6 +57,7 @@ Result<void> finish_slot(Renderer& renderer, FrameSlot& slot);
 void draw_shadows(const FrameRecord& record);  // leaves the shadow map ready for sampling
 void draw_city(const FrameRecord& record);
 void draw_crowd(const FrameRecord& record);
+void draw_impostors(const FrameRecord& record);
 void draw_contacts(const FrameRecord& record);
 void draw_sky(const FrameRecord& record);
 void draw_fxaa(const FrameRecord& record);

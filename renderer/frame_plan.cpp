@@ -34,6 +34,13 @@ DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> m
     return range;
 }
 
+// Whether a view does not go on from the one before, but shows something else.
+bool is_cut(const View& before, const View& now) {
+    constexpr float farthest = 3, widest = 1.05f;  // metres; factor on the size of what is seen
+    const float zoom = now.pixels_at_one_metre / before.pixels_at_one_metre;
+    return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
+}
+
 }  // namespace
 
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
@@ -46,7 +53,10 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.refresh_near = plan.near_box != renderer.shadows.near_box;
     plan.refresh_far = plan.far_box != renderer.shadows.far_box;
 
-    const CrowdInput crowd{input.walkers, scene.people, input.palette.size()};
+    const CrowdInput crowd{input.walkers, scene.people, input.palette.size(), scene.impostors.pixels};
+    if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
+        renderer.crowd.levels.clear();
+    renderer.last_view = plan.view;
     cull_crowd(crowd, plan.view, renderer.crowd);
     cull_shadow_casters(crowd, plan.view, plan.near_box, plan.to_sun, plan.slice.far, renderer.casters);
     find_contacts(crowd, input.palette, plan.view, plan.contacts);

@@ -40,6 +40,10 @@ Result<void> check_person(const PersonMesh& mesh, size_t number) {
             return Error{name + " refers to tint " + std::to_string(vertex.normal[3]) + " of " +
                          std::to_string(k_tints) + "."};
     }
+    if (!mesh.strides.empty() && mesh.strides.size() != k_stride_poses * k_palette_joints)
+        return Error{name + " has " + std::to_string(mesh.strides.size()) +
+                     " transforms to bake impostors from; " +
+                     std::to_string(k_stride_poses * k_palette_joints) + " or none are needed."};
     for (const RgbaImage& texture : mesh.textures)
         if (texture.width == 0 || texture.height == 0 ||
             texture.rgba.size() != size_t{4} * texture.width * texture.height)
@@ -104,7 +108,8 @@ Result<void> upload_textures(const Device& device, const SceneMeshes& meshes, Gp
 
 }  // namespace
 
-Result<void> make_scene(const Device& device, const SceneMeshes& meshes, GpuScene& scene) {
+Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
+                        GpuScene& scene) {
     Result<PreparedCity> city = prepare_city(meshes.city);
     if (!city) return city.error();
     if (meshes.people.size() > k_most_people)
@@ -141,7 +146,8 @@ Result<void> make_scene(const Device& device, const SceneMeshes& meshes, GpuScen
                               scene.person_vertices));
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                               scene.indices));
-    return upload_textures(device, meshes, scene);
+    FLANEUR_TRY(upload_textures(device, meshes, scene));
+    return bake_impostors(device, pipelines, meshes, scene);
 }
 
 void destroy_scene(const Device& device, GpuScene& scene) {
@@ -149,6 +155,7 @@ void destroy_scene(const Device& device, GpuScene& scene) {
     destroy_buffer(device, scene.person_vertices);
     destroy_buffer(device, scene.indices);
     destroy_image(device, scene.textures);
+    destroy_impostors(device, scene.impostors);
     scene = {};
 }
 

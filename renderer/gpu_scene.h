@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/city_mesh.h"
-#include "renderer/resources.h"
+#include "renderer/impostors.h"
 
 namespace flaneur {
 
@@ -11,13 +11,15 @@ struct GpuScene {
     GpuImage textures;  // an array; layer 0 is white
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
     std::vector<PersonRanges> people;
+    Impostors impostors;
     float ground_low = 0;  // metres
     bool is_textured = false;
 };
 
 // Fills an empty `scene`; after a failure destroy_scene() frees what had been made. Refuses meshes that refer
 // to vertices, joints or textures that are not there.
-Result<void> make_scene(const Device& device, const SceneMeshes& meshes, GpuScene& scene);
+Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
+                        GpuScene& scene);
 void destroy_scene(const Device& device, GpuScene& scene);
 
 }  // namespace flaneur

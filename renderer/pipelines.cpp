@@ -16,6 +16,10 @@
 #include "spirv/crowd.vert.h"
 #include "spirv/fullscreen.vert.h"
 #include "spirv/fxaa.frag.h"
+#include "spirv/impostor.frag.h"
+#include "spirv/impostor.vert.h"
+#include "spirv/impostor_bake.frag.h"
+#include "spirv/impostor_bake.vert.h"
 #include "spirv/shadow_city.vert.h"
 #include "spirv/shadow_crowd.vert.h"
 #include "spirv/sky.frag.h"
@@ -164,9 +168,13 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
          VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_instances, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT);
     bind(k_binding_palette, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT);
+    bind(k_binding_impostors, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+         VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_cells, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT);
     bind(k_binding_shadow, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_picture, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_atlas, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     set_info.bindingCount = static_cast<uint32_t>(bindings.size());
     set_info.pBindings = bindings.data();
@@ -190,6 +198,7 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     sampler.magFilter = sampler.minFilter = VK_FILTER_NEAREST;
     sampler.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
     sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &pipelines.atlas_sampler), "make a sampler");
     sampler.compareEnable = VK_TRUE;
     sampler.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &pipelines.shadow_sampler),
@@ -241,6 +250,19 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
         crowd.constants[k_constant_bones] = 1;
         FLANEUR_TRY(make(crowd, p.crowd_rigid[textured]));
     }
+    PipelineShape impostor{.vertex = k_spirv_impostor_vert,
+                           .fragment = k_spirv_impostor_frag,
+                           .attributes = {},
+                           .colour = k_picture_format,
+                           .depth = k_depth_format};
+    FLANEUR_TRY(make(impostor, p.impostor));
+    PipelineShape bake = crowd;
+    bake.vertex = k_spirv_impostor_bake_vert;
+    bake.fragment = k_spirv_impostor_bake_frag;
+    bake.colour = k_atlas_format;
+    bake.depth = k_shadow_format;
+    bake.constants[k_constant_bones] = 4;
+    FLANEUR_TRY(make(bake, p.impostor_bake));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
         .fragment = k_spirv_contact_frag,
@@ -272,11 +294,12 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
-    for (VkPipeline pipeline :
-         {p.shadow_city, p.shadow_crowd, p.city_surface, p.city_facade, p.crowd_smooth[0], p.crowd_smooth[1],
-          p.crowd_rigid[0], p.crowd_rigid[1], p.contact, p.sky, p.fxaa_image, p.fxaa_window})
+    for (VkPipeline pipeline : {p.shadow_city, p.shadow_crowd, p.city_surface, p.city_facade,
+                                p.crowd_smooth[0], p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1],
+                                p.impostor, p.impostor_bake, p.contact, p.sky, p.fxaa_image, p.fxaa_window})
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);
+    if (p.atlas_sampler) vkDestroySampler(device.handle, p.atlas_sampler, nullptr);
     if (p.texture_sampler) vkDestroySampler(device.handle, p.texture_sampler, nullptr);
     if (p.layout) vkDestroyPipelineLayout(device.handle, p.layout, nullptr);
     if (p.set_layout) vkDestroyDescriptorSetLayout(device.handle, p.set_layout, nullptr);

@@ -10,13 +10,15 @@ inline constexpr VkFormat k_picture_format =
     VK_FORMAT_R8G8B8A8_UNORM;  // holds display-ready sRGB; luma in alpha
 inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
+inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors; see shaders/impostor.glsl
 
 struct Pipelines {
     VkDescriptorSetLayout set_layout = {};
     VkPipelineLayout layout = {};
-    VkSampler shadow_sampler = {}, texture_sampler = {};
+    VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {};
     VkPipeline shadow_city = {}, shadow_crowd = {};
     VkPipeline city_surface = {}, city_facade = {};
+    VkPipeline impostor = {}, impostor_bake = {};
     VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
     VkPipeline contact = {}, sky = {};
     VkPipeline fxaa_image = {}, fxaa_window = {};

@@ -35,7 +35,8 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 }
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.draws, &slot.contacts})
+    for (Buffer* buffer :
+         {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws, &slot.contacts})
         destroy_buffer(device, *buffer);
     if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
     if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
@@ -45,8 +46,8 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
 
 Result<void> make_descriptor_sets(Renderer& renderer) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
-                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * k_slots},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3 * k_slots}};
+                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * k_slots},
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 4 * k_slots}};
     VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool.maxSets = k_slots;
     pool.poolSizeCount = 3;
@@ -74,7 +75,7 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     for (FrameSlot& slot : r.slots) FLANEUR_TRY(make_slot(r.device, slot));
     FLANEUR_TRY(make_descriptor_sets(r));
     FLANEUR_TRY(make_shadow_maps(r.device, r.shadows));
-    FLANEUR_TRY(make_scene(r.device, {}, r.scene));
+    FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
     return renderer;
 }
 
@@ -156,12 +157,13 @@ std::string device_name(const Renderer& renderer) {
 
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     GpuScene scene;
-    if (Result<void> made = make_scene(renderer.device, meshes, scene); !made) {
+    if (Result<void> made = make_scene(renderer.device, renderer.pipelines, meshes, scene); !made) {
         destroy_scene(renderer.device, scene);
         return made;
     }
     std::swap(renderer.scene, scene);
     renderer.shadows.near_box = renderer.shadows.far_box = {};
+    renderer.last_view = {};
     FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
     destroy_scene(renderer.device, scene);
     return {};

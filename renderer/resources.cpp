@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <vector>
 
 #include "renderer/check.h"
@@ -39,38 +38,6 @@ Result<void> allocate(const Device& device, const VkMemoryRequirements& needs, M
     FLANEUR_VK(vkAllocateMemory(device.handle, &info, nullptr, &memory),
                "allocate " + std::to_string(needs.size / 1024) + " KiB");
     return {};
-}
-
-// Runs a command buffer that `record` fills, to its end.
-Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
-    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    pool_info.queueFamilyIndex = device.queue_family;
-    VkCommandPool pool = {};
-    FLANEUR_VK(vkCreateCommandPool(device.handle, &pool_info, nullptr, &pool), "make a command pool");
-    auto run = [&]() -> Result<void> {
-        VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-        info.commandPool = pool;
-        info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-        info.commandBufferCount = 1;
-        VkCommandBuffer commands = {};
-        FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &info, &commands), "make a command buffer");
-        VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-        FLANEUR_VK(vkBeginCommandBuffer(commands, &begin), "record an upload");
-        record(commands);
-        FLANEUR_VK(vkEndCommandBuffer(commands), "record an upload");
-        VkCommandBufferSubmitInfo command_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-        command_info.commandBuffer = commands;
-        VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-        submit.commandBufferInfoCount = 1;
-        submit.pCommandBufferInfos = &command_info;
-        FLANEUR_VK(vkQueueSubmit2(device.queue, 1, &submit, VK_NULL_HANDLE), "submit an upload");
-        FLANEUR_VK(vkQueueWaitIdle(device.queue), "finish an upload");
-        return {};
-    };
-    Result<void> result = run();
-    vkDestroyCommandPool(device.handle, pool, nullptr);
-    return result;
 }
 
 // A host buffer filled with `bytes`, for `use` alone.
@@ -119,6 +86,37 @@ Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsa
     destroy_buffer(device, buffer);
     Result<void> result = make_buffer(device, grown, usage, kind, buffer);
     if (!result) destroy_buffer(device, buffer);
+    return result;
+}
+
+Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
+    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool_info.queueFamilyIndex = device.queue_family;
+    VkCommandPool pool = {};
+    FLANEUR_VK(vkCreateCommandPool(device.handle, &pool_info, nullptr, &pool), "make a command pool");
+    auto run = [&]() -> Result<void> {
+        VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+        info.commandPool = pool;
+        info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        info.commandBufferCount = 1;
+        VkCommandBuffer commands = {};
+        FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &info, &commands), "make a command buffer");
+        VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+        FLANEUR_VK(vkBeginCommandBuffer(commands, &begin), "record commands");
+        record(commands);
+        FLANEUR_VK(vkEndCommandBuffer(commands), "record commands");
+        VkCommandBufferSubmitInfo command_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+        command_info.commandBuffer = commands;
+        VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+        submit.commandBufferInfoCount = 1;
+        submit.pCommandBufferInfos = &command_info;
+        FLANEUR_VK(vkQueueSubmit2(device.queue, 1, &submit, VK_NULL_HANDLE), "submit commands");
+        FLANEUR_VK(vkQueueWaitIdle(device.queue), "finish commands");
+        return {};
+    };
+    Result<void> result = run();
+    vkDestroyCommandPool(device.handle, pool, nullptr);
     return result;
 }
 

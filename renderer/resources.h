@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "renderer/device.h"
@@ -82,6 +83,9 @@ struct LayerRange {
 };
 void image_barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, Access from, Access to,
                    LayerRange range = {});
+
+// Runs a command buffer that `record` fills, to its end.
+Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 
 // Copies `bytes` into a new device buffer. An empty span makes a buffer of a few bytes.
 Result<void> upload_buffer(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,

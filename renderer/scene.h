@@ -47,6 +47,10 @@ struct PersonMesh {
     std::vector<PersonVertex> vertices;
     std::vector<std::vector<uint32_t>> lods;  // triangle lists, finest first
     std::vector<RgbaImage> textures;
+    // What impostors are baked from: k_stride_poses poses of k_palette_joints transforms each, about
+    // WalkerDraw::centre, facing +z: a walk at phases 0, 1/8 .. 7/8, then standing. Empty: the mesh has no
+    // impostors, and its coarsest level is drawn however far away.
+    std::vector<JointTransform> strides;
 };
 
 struct SceneMeshes {
@@ -60,6 +64,8 @@ struct WalkerDraw {
     float radius = 1;
     uint32_t mesh = 0;  // index into SceneMeshes::people
     WalkerInstance instance;
+    float heading = 0;  // yaw about +y, 0 faces +z, radians
+    float phase = -1;   // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
 };
 
 struct Camera {

@@ -20,7 +20,7 @@ struct FrameSlot {
     VkSemaphore image_ready = {};
     VkDescriptorSet set = {};
     VkQueryPool timestamps = {};  // at the start, and at the end of each stage
-    Buffer constants, instances, palette, draws, contacts;
+    Buffer constants, instances, palette, impostors, draws, contacts;
     std::vector<std::string> stages;  // names of those timed
     bool is_pending = false;          // submitted, and not yet waited for
 };
@@ -40,6 +40,7 @@ struct Renderer {
     Swapchain swapchain;
     bool is_swapchain_stale = true;
     CrowdDraws crowd, casters;
+    View last_view{};  // of the frame before
     FrameStats stats;
 };
 

@@ -18,30 +18,13 @@ layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_layer;
 
 void main() {
-    uint first = instances[gl_InstanceIndex].palette;
-    vec3 v = in_place * instances[gl_InstanceIndex].scale;
-    uint joint = first + in_joints.x;
-    vec4 turn = palette[joint].rotation;
-    vec3 place;
-    if (k_bones == 1) {
-        place = rotate(turn, v) + palette[joint].translation.xyz;
-    } else {
-        place = in_weights.x * moved_by(joint, v);
-        vec4 own = turn;
-        turn *= in_weights.x;
-        for (int k = 1; k < 4; ++k) {
-            uint other = first + in_joints[k];
-            vec4 q = palette[other].rotation;
-            place += in_weights[k] * (rotate(q, v) + palette[other].translation.xyz);
-            turn += in_weights[k] * (dot(own, q) < 0.0 ? -q : q);
-        }
-        turn = normalize(turn);
-    }
-    out_place = place;
-    out_normal = rotate(turn, vec3(in_normal.xyz) * (1.0 / 127.0));
+    vec3 v = in_place * instances[gl_InstanceIndex].scale, normal = vec3(in_normal.xyz) * (1.0 / 127.0);
+    Skinned body = skinned(instances[gl_InstanceIndex].palette, v, normal, in_joints, in_weights);
+    out_place = body.place;
+    out_normal = body.normal;
     vec4 tint = unpackUnorm4x8(instances[gl_InstanceIndex].tints[in_normal.w]);
     out_colour = linear_from_srgb(in_colour.rgb) * linear_from_srgb(tint.rgb);
     out_uv = in_uv;
     out_layer = in_layer;
-    gl_Position = frame.clip_from_world * vec4(place, 1);
+    gl_Position = frame.clip_from_world * vec4(body.place, 1);
 }

@@ -25,6 +25,30 @@ struct WalkerInstance {
     uint tints[k_tints];   // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
 };
 
+// Impostors: pictures of people baked from their meshes in so many phases of a walk and standing, seen from so many
+// sides and heights. A cell holds one of them; a person's cells run by pose, height, side.
+FLANEUR_CONST int k_stride_phases = 8;
+FLANEUR_CONST int k_stride_poses = k_stride_phases + 1;  // the last one stands
+FLANEUR_CONST int k_impostor_sides = 16;                 // about the vertical, 0 in front, growing towards +x
+FLANEUR_CONST int k_impostor_tilts = 3;                  // how far the viewer is above, see impostor.glsl
+FLANEUR_CONST int k_impostor_views = k_impostor_sides * k_impostor_tilts;
+FLANEUR_CONST int k_person_cells = k_stride_poses * k_impostor_views;
+
+struct ImpostorCell {
+    vec4 box;     // what is seen, metres about the body's centre on the plane square to the view: left and lower
+                  //   end, width, height
+    vec4 texels;  // where it is in the atlas: left and upper end, width, height
+};
+
+// One walker as a picture.
+struct ImpostorInstance {
+    vec4 place;           // centre of the body, metres; scale of the mesh
+    float heading;        // yaw about +y, 0 faces +z
+    uint first_cell;      // of its mesh and pose
+    uint tints[k_tints];  // as WalkerInstance's
+    uint unused[3];
+};
+
 // What a city vertex is made of; city.frag draws each by a procedure.
 FLANEUR_CONST uint k_material_road = 0;
 FLANEUR_CONST uint k_material_sidewalk = 1;
@@ -45,9 +69,13 @@ FLANEUR_CONST uint k_material_metal = 13;   // lamps, bollards, benches
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
 FLANEUR_CONST int k_binding_instances = 1;  // WalkerInstance[]
 FLANEUR_CONST int k_binding_palette = 2;    // JointTransform[]
-FLANEUR_CONST int k_binding_shadow = 3;     // two layers: near (city and crowd), far (city)
-FLANEUR_CONST int k_binding_textures = 4;   // base colours of people, layer 0 white
-FLANEUR_CONST int k_binding_picture = 5;    // the picture before anti-aliasing, luma in alpha
+FLANEUR_CONST int k_binding_impostors = 3;  // ImpostorInstance[]
+FLANEUR_CONST int k_binding_cells = 4;      // ImpostorCell[]
+FLANEUR_CONST int k_binding_shadow = 5;     // two layers: near (city and crowd), far (city)
+FLANEUR_CONST int k_binding_textures = 6;   // base colours of people, layer 0 white
+FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing, luma in alpha
+FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
+FLANEUR_CONST int k_bindings = 9;           // up to k_binding_cells buffers, then images
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4

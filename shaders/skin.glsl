@@ -10,3 +10,29 @@ vec3 rotate(vec4 q, vec3 v) {
 }
 
 vec3 moved_by(uint joint, vec3 v) { return rotate(palette[joint].rotation, v) + palette[joint].translation.xyz; }
+
+struct Skinned {
+    vec3 place, normal;
+};
+
+// A vertex moved by k_bones of the joints from palette[first] on.
+Skinned skinned(uint first, vec3 v, vec3 normal, uvec4 joints, vec4 weights) {
+    uint joint = first + joints.x;
+    vec4 turn = palette[joint].rotation;
+    vec3 place;
+    if (k_bones == 1) {
+        place = rotate(turn, v) + palette[joint].translation.xyz;
+    } else {
+        place = weights.x * moved_by(joint, v);
+        vec4 own = turn;
+        turn *= weights.x;
+        for (int k = 1; k < 4; ++k) {
+            uint other = first + joints[k];
+            vec4 q = palette[other].rotation;
+            place += weights[k] * (rotate(q, v) + palette[other].translation.xyz);
+            turn += weights[k] * (dot(own, q) < 0.0 ? -q : q);
+        }
+        turn = normalize(turn);
+    }
+    return Skinned(place, rotate(turn, normal));
+}

@@ -15,20 +15,39 @@ bool is_drawable(const CrowdInput& input, const WalkerDraw& walker) {
            uint64_t{walker.instance.palette} + k_palette_joints <= input.palette_size;
 }
 
-// A stable counting sort of the walkers by `level_of` (-1: left out).
+ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
+    const float phase = walker.phase - std::floor(walker.phase);
+    int pose = k_stride_phases;
+    if (walker.phase >= 0 && phase < 1)
+        pose = static_cast<int>(phase * k_stride_phases + 0.5f) % k_stride_phases;
+    ImpostorInstance out{};
+    out.place = glm::vec4(walker.centre, walker.instance.scale);
+    out.heading = walker.heading;
+    out.first_cell = first_cell + static_cast<uint32_t>(pose * k_impostor_views);
+    std::copy(std::begin(walker.instance.tints), std::end(walker.instance.tints), std::begin(out.tints));
+    return out;
+}
+
+// A stable counting sort of the walkers by `level_of(walker, number)` (k_unseen: left out).
 template <class LevelOf>
 void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_of) {
     const size_t mesh_count = input.people.size(), bucket_count = mesh_count * k_max_lods;
     out.buckets.assign(input.walkers.size(), k_no_bucket);
     out.firsts.assign(bucket_count + 1, 0);
     out.draws.clear();
+    out.impostors.clear();
     out.smooth_draws = out.triangles = 0;
     for (size_t i = 0; i < input.walkers.size(); ++i) {
         const WalkerDraw& walker = input.walkers[i];
         if (!is_drawable(input, walker)) continue;
-        const int wanted = level_of(walker);
-        if (wanted < 0) continue;
-        const size_t level = std::min(static_cast<size_t>(wanted), input.people[walker.mesh].lods.size() - 1);
+        const uint32_t wanted = level_of(walker, i);
+        if (wanted == k_unseen) continue;
+        const PersonRanges& person = input.people[walker.mesh];
+        if (wanted == k_impostor_level) {
+            out.impostors.push_back(impostor_of(walker, person.first_cell));
+            continue;
+        }
+        const size_t level = std::min<size_t>(wanted, person.lods.size() - 1);
         const size_t bucket = level * mesh_count + walker.mesh;
         out.buckets[i] = static_cast<uint16_t>(bucket);
         ++out.firsts[bucket + 1];
@@ -45,11 +64,29 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
         if (level < k_first_rigid_lod) ++out.smooth_draws;
         out.triangles += range.index_count / 3 * count;
     }
+    out.triangles += static_cast<uint32_t>(2 * out.impostors.size());
     out.instances.resize(out.firsts[bucket_count]);
     for (size_t i = 0; i < input.walkers.size(); ++i)
         if (out.buckets[i] != k_no_bucket)
             out.instances[out.firsts[out.buckets[i]]++] = input.walkers[i].instance;
 }
+
+DrawCommand draw_of(const CityChunk& chunk) {
+    return {chunk.range.index_count, 1, chunk.range.first_index, 0, 0};
+}
+
+// How many pixels high a sphere is seen.
+float pixels_of(const View& view, glm::vec3 centre, float radius) {
+    return 2 * radius * view.pixels_at_one_metre / glm::length(centre - view.eye);
+}
+
+uint32_t lod_of(float pixels) {
+    uint32_t lod = 0;
+    while (lod < k_max_lods - 1 && !(pixels >= k_lod_pixels[lod])) ++lod;
+    return lod;
+}
+
+}  // namespace
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
     const glm::vec3 u(joint.rotation);
@@ -57,18 +94,8 @@ glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
     return v + joint.rotation.w * t + glm::cross(u, t) + glm::vec3(joint.translation);
 }
 
-DrawCommand draw_of(const CityChunk& chunk) {
-    return {chunk.range.index_count, 1, chunk.range.first_index, 0, 0};
-}
-
-}  // namespace
-
 uint32_t lod_of(const View& view, glm::vec3 centre, float radius) {
-    const float distance = glm::length(centre - view.eye);
-    const float pixels = 2 * radius * view.pixels_at_one_metre;  // times a metre over the distance
-    uint32_t lod = 0;
-    while (lod < k_max_lods - 1 && !(pixels >= k_lod_pixels[lod] * distance)) ++lod;
-    return lod;
+    return lod_of(pixels_of(view, centre, radius));
 }
 
 // Whether the eye is within a standing body, of which only shards beyond the near plane would be seen.
@@ -80,26 +107,37 @@ static bool is_eye_inside(const View& view, const WalkerDraw& walker) {
 }
 
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
-    sort_into_draws(input, out, [&](const WalkerDraw& walker) {
-        return sees_sphere(view, walker.centre, walker.radius) && !is_eye_inside(view, walker)
-                   ? static_cast<int>(lod_of(view, walker.centre, walker.radius))
-                   : -1;
+    out.levels.resize(input.walkers.size(), k_unseen);
+    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t i) -> uint32_t {
+        const uint8_t before = std::exchange(out.levels[i], k_unseen);
+        if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker)) return k_unseen;
+        const bool has_impostor = input.people[walker.mesh].first_cell != PersonRanges::k_no_cell;
+        auto level_at = [&](float pixels) {
+            return has_impostor && !(pixels >= input.impostor_pixels) ? k_impostor_level : lod_of(pixels);
+        };
+        const float pixels = pixels_of(view, walker.centre, walker.radius);
+        uint32_t level = level_at(pixels);
+        if (before != k_unseen)
+            level = std::clamp<uint32_t>(before, level_at(pixels * k_lod_hysteresis),
+                                         level_at(pixels / k_lod_hysteresis));
+        out.levels[i] = static_cast<uint8_t>(level);
+        return level;
     });
 }
 
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out) {
-    sort_into_draws(input, out, [&](const WalkerDraw& walker) {
+    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t) -> uint32_t {
         if (!(glm::length(walker.centre - view.eye) <= reach) ||
             !casts_into(box, walker.centre, walker.radius))
-            return -1;
+            return k_unseen;
         // The body and its shadow on the ground lie within a sphere about the middle of the two.
         const float across = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
         const float fall =
             2 * walker.radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
         const glm::vec3 middle = walker.centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2);
-        if (!sees_sphere(view, middle, walker.radius + fall / 2)) return -1;
-        return static_cast<int>(lod_of(view, walker.centre, walker.radius)) + 1;
+        if (!sees_sphere(view, middle, walker.radius + fall / 2)) return k_unseen;
+        return std::min(lod_of(view, walker.centre, walker.radius) + 1, k_max_lods - 1);
     });
 }
 

@@ -19,6 +19,8 @@ struct PersonRanges {
     int32_t vertex_offset = 0;
     glm::vec3 soles[2] =
         {};  // middles of the left and right sole in the bind pose, moved by k_left_foot, k_right_foot
+    uint32_t first_cell = k_no_cell;  // of its k_person_cells impostors
+    static constexpr uint32_t k_no_cell = ~0u;
 };
 
 inline constexpr uint32_t k_max_lods = 5;
@@ -27,6 +29,11 @@ inline constexpr uint32_t k_max_lods = 5;
 inline constexpr float k_lod_pixels[k_max_lods - 1] = {420, 150, 70, 32};
 // Levels before this one are skinned by four joints, the others by one.
 inline constexpr uint32_t k_first_rigid_lod = 2;
+
+// The level after those of meshes: an impostor.
+inline constexpr uint32_t k_impostor_level = k_max_lods;
+// A level is kept until the size is so far beyond its border.
+inline constexpr float k_lod_hysteresis = 1.05f;
 
 // As vkCmdDrawIndexedIndirect takes it.
 struct DrawCommand {
@@ -39,23 +46,31 @@ struct DrawCommand {
 // bucket.
 struct CrowdDraws {
     std::vector<WalkerInstance> instances;
+    std::vector<ImpostorInstance> impostors;  // in the order of the walkers
     std::vector<DrawCommand> draws;
     uint32_t smooth_draws = 0;  // the first of `draws`, to be skinned by four joints
     uint32_t triangles = 0;
+    std::vector<uint8_t> levels;    // of each walker, k_unseen for those left out: kept for hysteresis
     std::vector<uint16_t> buckets;  // scratch: one a walker
     std::vector<uint32_t> firsts;   // scratch: one a bucket
 };
 
+inline constexpr uint8_t k_unseen = 0xff;
+
 struct CrowdInput {
     std::span<const WalkerDraw> walkers;
     std::span<const PersonRanges> people;
-    size_t palette_size = 0;  // walkers that refer beyond it are left out, as are those of unknown meshes
+    size_t palette_size = 0;    // walkers that refer beyond it are left out, as are those of unknown meshes
+    float impostor_pixels = 0;  // smaller ones are impostors, if their meshes have any
 };
 
-// The level for a body: by its height on the picture.
+glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v);
+
+// The level of a mesh for a body: by its height on the picture.
 uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
 
-// Those that the view sees.
+// Those that the view sees. `out.levels`, if there is one for each walker, are those of the frame before, and
+// a walker near the border of its level stays in it.
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 
 // Those within `reach` of the eye that the view sees, or whose shadows it may see; a level coarser than in

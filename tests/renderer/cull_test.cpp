@@ -82,6 +82,46 @@ TEST(Cull, LevelsGetCoarserWithDistance) {
     EXPECT_EQ(last, k_max_lods - 1);
 }
 
+TEST(Cull, SmallOnesAreImpostorsAndStayWhatTheyAreNearTheBorder) {
+    std::vector<PersonRanges> people = two_kinds();
+    people[0].first_cell = 1000;
+    const View view = make_view({}, 1280, 720);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(2);
+    const float border = 2 * 0.95f * view.pixels_at_one_metre / 40;
+    auto impostors_at = [&](float distance, CrowdDraws& out) {
+        for (WalkerDraw& walker : walkers) walker.centre = view.eye + view.forward * distance;
+        cull_crowd({walkers, people, 2 * k_palette_joints, 40}, view, out);
+        EXPECT_EQ(out.instances.size() + out.impostors.size(), 2u);  // the second has no impostors
+        return out.impostors.size();
+    };
+    CrowdDraws coming, going;
+    EXPECT_EQ(impostors_at(border * 1.2f, coming), 1u);
+    EXPECT_EQ(impostors_at(border * 0.98f, coming), 1u);
+    EXPECT_EQ(impostors_at(border * 0.8f, coming), 0u);
+    EXPECT_EQ(impostors_at(border * 0.8f, going), 0u);
+    EXPECT_EQ(impostors_at(border * 1.02f, going), 0u);
+    EXPECT_EQ(impostors_at(border * 1.2f, going), 1u);
+    EXPECT_EQ(going.triangles, 2u + 30u);
+}
+
+TEST(Cull, ImpostorsShowThePhaseNearest) {
+    std::vector<PersonRanges> people = two_kinds();
+    people[0].first_cell = 1000;
+    std::vector<WalkerDraw> walkers = ring_of_walkers(1);
+    auto pose_at = [&](float phase) {
+        walkers[0].centre = {0, 1.6f, 200};
+        walkers[0].phase = phase;
+        CrowdDraws out;
+        cull_crowd({walkers, people, k_palette_joints, 40}, make_view({}, 1280, 720), out);
+        return (out.impostors.at(0).first_cell - 1000) / k_impostor_views;
+    };
+    EXPECT_EQ(pose_at(0), 0u);
+    EXPECT_EQ(pose_at(0.18f), 1u);
+    EXPECT_EQ(pose_at(0.19f), 2u);
+    EXPECT_EQ(pose_at(0.95f), 0u);
+    for (float standing : {-1.0f, std::nanf(""), INFINITY}) EXPECT_EQ(pose_at(standing), 8u);
+}
+
 TEST(Cull, LeavesOutWhatRefersNowhere) {
     const std::vector<PersonRanges> people = two_kinds();
     std::vector<WalkerDraw> walkers = ring_of_walkers(4);

@@ -191,6 +191,7 @@ TEST(Draw, BrokenMeshesAreRefusedAndTheOldSceneStays) {
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].joints[2] = 22; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].texture = 0; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].normal[3] = 7; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.strides.pop_back(); }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.textures.push_back({2, 2, {1, 2, 3}}); }));
     EXPECT_EQ(draw(*renderer, scene.frame(street_camera())).rgba, before.rgba);
 }

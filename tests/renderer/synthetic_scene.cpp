@@ -147,7 +147,7 @@ void add_part(PersonMesh& mesh, const Part& part, int rings, int sectors, std::v
             const float turn = 2 * k_pi * static_cast<float>(sector) / static_cast<float>(sectors);
             const glm::vec3 n(std::sin(polar) * std::cos(turn), std::cos(polar),
                               -std::sin(polar) * std::sin(turn));
-            const float across = std::sqrt(std::sin(polar));
+            const float across = std::sqrt(std::max(std::sin(polar), 0.0f));
             PersonVertex vertex{};
             vertex.position =
                 centre + half * glm::vec3(across * std::cos(turn), squarish(n.y), -across * std::sin(turn));
@@ -205,9 +205,9 @@ uint32_t pick(const uint32_t (&colours)[N], uint32_t key) {
     return rgb(colours[hash(key) % N]);
 }
 
-}  // namespace
-
-void add_walker(SyntheticScene& scene, glm::vec3 place, float yaw, float phase, uint32_t look) {
+// Appends a body in a stride of `phase` radians, on the ground at `place`; returns where its hips are.
+glm::vec3 add_pose(std::vector<JointTransform>& palette, glm::vec3 place, float yaw, float phase,
+                   float height) {
     const float swing = 0.45f * std::sin(phase);
     const glm::vec3 x(1, 0, 0);
     std::array<glm::vec4, k_joints> local;
@@ -221,8 +221,7 @@ void add_walker(SyntheticScene& scene, glm::vec3 place, float yaw, float phase, 
     local[11] = turn_about(x, -0.8f * swing);
     local[8] = local[12] = turn_about(x, -0.35f);
 
-    const float height = 0.92f + 0.14f * unit(look * 7 + 3);
-    const uint32_t first = static_cast<uint32_t>(scene.palette.size());
+    const size_t first = palette.size();
     std::array<glm::vec3, k_joints> joints;
     std::array<glm::vec4, k_joints> turns;
     for (int j = 0; j < k_joints; ++j) {
@@ -231,16 +230,36 @@ void add_walker(SyntheticScene& scene, glm::vec3 place, float yaw, float phase, 
         joints[j] = parent < 0
                         ? place + k_bind[0] * height
                         : joints[parent] + rotated(turns[parent], (k_bind[j] - k_bind[parent]) * height);
-        scene.palette.push_back({turns[j], glm::vec4(joints[j] - rotated(turns[j], k_bind[j] * height), 0)});
+        palette.push_back({turns[j], glm::vec4(joints[j] - rotated(turns[j], k_bind[j] * height), 0)});
     }
     // Down onto the ground, by the lower heel.
     auto sole = [&](int foot) { return joints[foot].y - k_bind[foot].y * height - place.y; };
     const float drop = std::min(sole(16), sole(20));
-    for (int j = 0; j < k_joints; ++j) scene.palette[first + j].translation.y -= drop;
+    for (size_t j = first; j < palette.size(); ++j) palette[j].translation.y -= drop;
+    return joints[0] - glm::vec3(0, drop, 0);
+}
 
+std::vector<JointTransform> synthetic_strides() {
+    std::vector<JointTransform> strides;
+    for (int pose = 0; pose < k_stride_poses; ++pose) {
+        const float phase = 2 * k_pi * static_cast<float>(pose % k_stride_phases) / k_stride_phases;
+        const size_t first = strides.size();
+        const glm::vec3 hips = add_pose(strides, {0, 0, 0}, 0, phase, 1);
+        for (size_t j = first; j < strides.size(); ++j) strides[j].translation -= glm::vec4(hips, 0);
+    }
+    return strides;
+}
+
+}  // namespace
+
+void add_walker(SyntheticScene& scene, glm::vec3 place, float yaw, float phase, uint32_t look) {
+    const float height = 0.92f + 0.14f * unit(look * 7 + 3);
+    const uint32_t first = static_cast<uint32_t>(scene.palette.size());
     WalkerDraw walker{};
-    walker.centre = place + glm::vec3(0, 0.88f * height, 0);
+    walker.centre = add_pose(scene.palette, place, yaw, phase, height);
     walker.radius = 0.95f * height;
+    walker.heading = yaw;
+    walker.phase = phase / (2 * k_pi);
     walker.instance.palette = first;
     walker.instance.scale = height;
     const uint32_t tints[k_tints] = {0xffffffffu,
@@ -294,6 +313,7 @@ SyntheticScene synthetic_scene(int people) {
     SyntheticScene scene;
     scene.meshes.city = synthetic_city();
     scene.meshes.people.push_back(synthetic_person());
+    scene.meshes.people[0].strides = synthetic_strides();
     for (int i = 0; i < people; ++i) {
         const uint32_t key = static_cast<uint32_t>(i) * 5 + 1;
         const float side = i % 2 ? 1.0f : -1.0f;

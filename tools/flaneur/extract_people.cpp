@@ -3,6 +3,7 @@
 #include "assets/outfit.h"
 #include "tools/flaneur/convert.h"
 #include "tools/flaneur/extract.h"
+#include "tools/flaneur/extract_strides.h"
 
 namespace flaneur {
 
@@ -29,6 +30,8 @@ Quat nearest_mix(Quat a, Quat b, float t) {
                           lerp(a.w, sign * b.w, t)});
 }
 
+constexpr float k_walks = 0.5f;  // amplitude from which a walker is nearer to walking than to standing
+
 }  // namespace
 
 PersonMesh extract_character(const Character& character) {
@@ -39,6 +42,7 @@ PersonMesh extract_character(const Character& character) {
     for (const Texture& t : character.textures) {
         mesh.textures.push_back({static_cast<uint32_t>(t.width), static_cast<uint32_t>(t.height), t.rgba});
     }
+    mesh.strides = extract_strides(character);
     return mesh;
 }
 
@@ -87,6 +91,9 @@ void extract_people(const World& world, const std::vector<Character>& characters
             draw.instance.scale = scale;
             std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
                       std::begin(draw.instance.tints));
+            const GaitBlock& gait = world.gait.blocks[i / k_block];
+            draw.heading = gait.heading[i % k_block];
+            draw.phase = gait.amplitude[i % k_block] > k_walks ? gait.phase[i % k_block] : -1;
         }
     });
 }
