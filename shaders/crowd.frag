@@ -23,5 +23,11 @@ void main() {
         if (texel.a < 0.5) discard;
         albedo *= texel.rgb;
     }
-    out_picture = lit_person(in_place, in_place, normal, albedo);
+
+    vec3 ray = in_place - frame.eye.xyz;
+    float distance = length(ray);
+    ray /= distance;
+    float sun = wrapped(dot(normal, frame.sun_direction.xyz));
+    sun *= sunlit(in_place, normal, sun, distance, 1.5);
+    out_picture = picture(through_air(light_from(albedo, normal, sun, -dot(ray, normal)), ray, distance));
 }

@@ -1,15 +1,13 @@
 // Light on people, to be included after light.glsl. Cloth and skin let light round the edge a little; the rim
-// catches the sky. `shaded` is where the sun's shadow is looked up.
-vec4 lit_person(vec3 place, vec3 shaded, vec3 normal, vec3 albedo) {
-    float facing = dot(normal, frame.sun_direction.xyz);
-    float wrapped = saturate((facing + 0.2) / 1.2);
-    vec3 ray = place - frame.eye.xyz;
-    float distance = length(ray);
-    ray /= distance;
-    float sun = wrapped * sunlit(shaded, normal, wrapped, distance, 1.5);
-    float grazing = 1.0 - saturate(-dot(ray, normal));
+// catches the sky.
+
+// How much of the sun a surface takes whose normal has this cosine to it.
+float wrapped(float facing) { return saturate((facing + 0.2) / 1.2); }
+
+// `sun`: wrapped(), less what is in shadow; `towards`: the cosine between normal and viewer.
+vec3 light_from(vec3 albedo, vec3 normal, float sun, float towards) {
+    float grazing = 1.0 - saturate(towards);
     float rim = 0.06 * grazing * grazing * grazing;
     vec3 sky = ambient(normal);
-    vec3 light = albedo * (frame.sun_light.xyz * sun + sky) + rim * (sky + frame.sun_light.xyz * (0.5 * sun));
-    return picture(through_air(light, ray, distance));
+    return albedo * (frame.sun_light.xyz * sun + sky) + rim * (sky + frame.sun_light.xyz * (0.5 * sun));
 }

@@ -66,6 +66,7 @@ Result<Figures> bench_frame(const Options& options) {
     figures.setting.emplace_back("first frame", std::to_string(first.series.back().ms.front()) + " ms");
     const FrameStats& stats = frame_stats(*show->renderer);
     figures.counts = {{"walkers drawn", stats.walkers_drawn},
+                      {"impostors", stats.impostors},
                       {"walkers in shadow", stats.walkers_in_shadow},
                       {"triangles", stats.triangles},
                       {"sub-draws", stats.sub_draws},
