@@ -63,7 +63,8 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
     FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances,
                                        k_storage, slot.instances));
     FLANEUR_TRY(upload<JointTransform>(device, input.palette, {}, k_storage, slot.palette));
-    FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, {}, k_storage, slot.impostors));
+    FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, renderer.casters.impostors,
+                                         k_storage, slot.impostors));
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.contacts));
     update_descriptors(renderer, slot);
@@ -231,10 +232,12 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     FrameStats& stats = renderer.stats;
     stats.impostors = static_cast<uint32_t>(renderer.crowd.impostors.size());
     stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size()) + stats.impostors;
-    stats.walkers_in_shadow = static_cast<uint32_t>(renderer.casters.instances.size());
+    stats.walkers_in_shadow =
+        static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
-    stats.direct_draws =
-        (plan.contacts.empty() ? 0 : 1) + (stats.impostors == 0 ? 0 : 1) + 2;  // and sky, fxaa
+    stats.direct_draws = 2;  // sky, fxaa
+    for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
+        stats.direct_draws += is_drawn;
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
     for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.near_city, plan.far_city})
         for (uint32_t i = 0; i < range.count; ++i)

@@ -58,6 +58,7 @@ void draw_shadows(const FrameRecord& record);  // leaves the shadow map ready fo
 void draw_city(const FrameRecord& record);
 void draw_crowd(const FrameRecord& record);
 void draw_impostors(const FrameRecord& record);
+void draw_impostor_shadows(const FrameRecord& record);  // into the map that is being drawn
 void draw_contacts(const FrameRecord& record);
 void draw_sky(const FrameRecord& record);
 void draw_fxaa(const FrameRecord& record);

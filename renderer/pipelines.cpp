@@ -22,6 +22,8 @@
 #include "spirv/impostor_bake.vert.h"
 #include "spirv/shadow_city.vert.h"
 #include "spirv/shadow_crowd.vert.h"
+#include "spirv/shadow_impostor.frag.h"
+#include "spirv/shadow_impostor.vert.h"
 #include "spirv/sky.frag.h"
 #include "spirv/sky.vert.h"
 
@@ -227,6 +229,10 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     shadow.attributes = {person[0], person[4]};
     shadow.stride = sizeof(PersonVertex);
     FLANEUR_TRY(make(shadow, p.shadow_crowd));
+    shadow.vertex = k_spirv_shadow_impostor_vert;
+    shadow.fragment = k_spirv_shadow_impostor_frag;
+    shadow.attributes = {};
+    FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
     PipelineShape city{.vertex = k_spirv_city_vert,
                        .fragment = k_spirv_city_surface_frag,
@@ -295,9 +301,10 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
-    for (VkPipeline pipeline : {p.shadow_city, p.shadow_crowd, p.city_surface, p.city_facade,
-                                p.crowd_smooth[0], p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1],
-                                p.impostor, p.impostor_bake, p.contact, p.sky, p.fxaa_image, p.fxaa_window})
+    for (VkPipeline pipeline :
+         {p.shadow_city, p.shadow_crowd, p.shadow_impostor, p.city_surface, p.city_facade, p.crowd_smooth[0],
+          p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1], p.impostor, p.impostor_bake, p.contact,
+          p.sky, p.fxaa_image, p.fxaa_window})
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);
     if (p.atlas_sampler) vkDestroySampler(device.handle, p.atlas_sampler, nullptr);

@@ -16,7 +16,7 @@ struct Pipelines {
     VkDescriptorSetLayout set_layout = {};
     VkPipelineLayout layout = {};
     VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {};
-    VkPipeline shadow_city = {}, shadow_crowd = {};
+    VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {};
     VkPipeline city_surface = {}, city_facade = {};
     VkPipeline impostor = {}, impostor_bake = {};
     VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures

@@ -86,6 +86,11 @@ uint32_t lod_of(float pixels) {
     return lod;
 }
 
+bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
+    return input.people[walker.mesh].first_cell != PersonRanges::k_no_cell &&
+           !(pixels >= input.impostor_pixels);
+}
+
 }  // namespace
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
@@ -111,9 +116,8 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
     sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t i) -> uint32_t {
         const uint8_t before = std::exchange(out.levels[i], k_unseen);
         if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker)) return k_unseen;
-        const bool has_impostor = input.people[walker.mesh].first_cell != PersonRanges::k_no_cell;
         auto level_at = [&](float pixels) {
-            return has_impostor && !(pixels >= input.impostor_pixels) ? k_impostor_level : lod_of(pixels);
+            return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
         };
         const float pixels = pixels_of(view, walker.centre, walker.radius);
         uint32_t level = level_at(pixels);
@@ -137,7 +141,11 @@ void cull_shadow_casters(const CrowdInput& input, const View& view, const Shadow
             2 * walker.radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
         const glm::vec3 middle = walker.centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2);
         if (!sees_sphere(view, middle, walker.radius + fall / 2)) return k_unseen;
-        return std::min(lod_of(view, walker.centre, walker.radius) + 1, k_max_lods - 1);
+        const float pixels = pixels_of(view, walker.centre, walker.radius);
+        // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
+        // middle.
+        if (is_impostor(input, walker, pixels * k_lod_hysteresis)) return k_impostor_level;
+        return std::min(lod_of(pixels) + 1, k_max_lods - 1);
     });
 }
 

@@ -104,6 +104,20 @@ TEST(Cull, SmallOnesAreImpostorsAndStayWhatTheyAreNearTheBorder) {
     EXPECT_EQ(going.triangles, 2u + 30u);
 }
 
+TEST(Cull, WhoIsSeenAsAnImpostorThrowsItsShadow) {
+    std::vector<PersonRanges> people = two_kinds();
+    people[0].first_cell = 1000;
+    const View view = make_view({}, 1280, 720);
+    const glm::vec3 to_sun = glm::normalize(glm::vec3(0.3f, 0.6f, 0.5f));
+    const ShadowBox box = fit_shadow(view, to_sun, {0, 120}, 2048);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(2);
+    for (WalkerDraw& walker : walkers) walker.centre = {0, 0.9f, 80};
+    CrowdDraws out;
+    cull_shadow_casters({walkers, people, 2 * k_palette_joints, 40}, view, box, to_sun, 120, out);
+    EXPECT_EQ(out.impostors.size(), 1u);
+    EXPECT_EQ(out.instances.size(), 1u);  // the second has no impostors
+}
+
 TEST(Cull, ImpostorsShowThePhaseNearest) {
     std::vector<PersonRanges> people = two_kinds();
     people[0].first_cell = 1000;
