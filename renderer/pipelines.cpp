@@ -268,7 +268,7 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     bake.fragment = k_spirv_impostor_bake_frag;
     bake.colour = k_atlas_format;
     bake.depth = k_shadow_format;
-    bake.constants[k_constant_bones] = 4;
+    bake.constants[k_constant_bones] = 1;
     FLANEUR_TRY(make(bake, p.impostor_bake));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,

@@ -76,7 +76,7 @@ class Pair {
         if (!has_ground) with_.meshes.city = {};
         without_ = with_;
         for (SyntheticScene* scene : {&with_, &without_})
-            scene->meshes.people[0].lods.resize(3);  // down to the one that is baked
+            scene->meshes.people[0].lods.resize(3);  // the last one has gaps
         without_.meshes.people[0].strides.clear();
         for (auto [renderer, scene] : {std::pair(&mesh_, &without_), std::pair(&impostor_, &with_)}) {
             Result<RendererPtr> made = make_renderer(validated());
