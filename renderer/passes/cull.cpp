@@ -153,12 +153,14 @@ void find_contacts(const CrowdInput& input, std::span<const JointTransform> pale
                    std::vector<Contact>& contacts) {
     constexpr float foot_radius = 0.19f, body_radius = 0.55f;
     constexpr float foot_strength = 0.55f, body_strength = 0.28f;
-    constexpr float lifted = 0.12f;  // a foot this high above the other leaves no spot, metres
+    constexpr float lifted = 0.12f;         // a foot this high above the other leaves no spot, metres
+    constexpr float gone = 32, whole = 48;  // pixels between which spots fade in
     contacts.clear();
     for (const WalkerDraw& walker : input.walkers) {
-        if (!is_drawable(input, walker) || !sees_sphere(view, walker.centre, walker.radius) ||
-            lod_of(view, walker.centre, walker.radius) + 1 >= k_max_lods)
-            continue;
+        if (!is_drawable(input, walker) || !sees_sphere(view, walker.centre, walker.radius)) continue;
+        const float size = pixels_of(view, walker.centre, walker.radius);
+        const float shown = std::clamp((size - gone) / (whole - gone), 0.0f, 1.0f);
+        if (!(shown > 0)) continue;
         const PersonRanges& person = input.people[walker.mesh];
         const JointTransform* joints = &palette[walker.instance.palette];
         const float scale = walker.instance.scale;
@@ -168,10 +170,11 @@ void find_contacts(const CrowdInput& input, std::span<const JointTransform> pale
         for (const glm::vec3& sole : {left, right}) {
             const float near = 1 - (sole.y - ground) / (lifted * scale);
             if (near > 0)
-                contacts.push_back({{sole.x, ground, sole.z}, foot_radius * scale, foot_strength * near});
+                contacts.push_back(
+                    {{sole.x, ground, sole.z}, foot_radius * scale, foot_strength * near * shown});
         }
         const glm::vec3 middle = (left + right) * 0.5f;
-        contacts.push_back({{middle.x, ground, middle.z}, body_radius * scale, body_strength});
+        contacts.push_back({{middle.x, ground, middle.z}, body_radius * scale, body_strength * shown});
     }
 }
 
