@@ -27,7 +27,8 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
     std::vector<Folk> folk;
     for (const Kind& kind : options.kinds) {
         world->bodies.push_back(kind.body);
-        folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg_length(kind.body))});
+        float leg = leg_length(kind.body);
+        folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg)});
     }
     auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers, folk, options.seed);
     if (!crowd) return crowd.error();

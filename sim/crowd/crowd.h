@@ -113,6 +113,7 @@ bool has_arrived(const Crowd& crowd, uint32_t walker);
 struct Folk {
     float share = 1;      // of all walkers, against the others' shares
     float speed = 1.34f;  // the mean that they prefer, metres a second
+    float most = 1.9f;    // nobody prefers to go faster
 };
 
 // A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching (in a large city

@@ -9,4 +9,7 @@ namespace flaneur {
 // Bohannon & Andrews, Physiotherapy 97, 2011; Alexander, "Principles of Animal Locomotion", 2003.
 float usual_speed(float age, bool woman, float leg);
 
+// What people prefer at most, so that they walk rather than run: Froude number 0.45, m/s.
+float fastest_walk(float leg);
+
 }  // namespace flaneur

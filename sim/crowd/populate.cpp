@@ -14,7 +14,7 @@ static constexpr float k_spacing = 2 * k_body_radius + 0.15f;  // between walker
 
 // Weidmann 1993: free speeds of pedestrians are nearly normal, with a deviation of 0.26 m/s at a mean
 // of 1.34.
-static constexpr float k_speed_deviation = 0.26f / 1.34f, k_least_speed = 0.7f, k_most_speed = 1.9f;
+static constexpr float k_speed_deviation = 0.26f / 1.34f, k_least_speed = 0.7f;
 
 namespace {
 // The walkers placed so far by cell of the wrapped plane, as chains.
@@ -107,7 +107,7 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
         auto found = std::upper_bound(shares.begin(), shares.end() - 1, drawn);
         w.body = static_cast<uint32_t>(found - shares.begin());
         w.preferred_speed = clamp(folk[w.body].speed * (1 + k_speed_deviation * random_normal(body, 1)),
-                                  k_least_speed, k_most_speed);
+                                  k_least_speed, folk[w.body].most);
         w.radius = k_body_radius;
         w.scale = random_between(body, 0.95f, 1.05f, 2);
         w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 2.2f);

@@ -123,8 +123,8 @@ struct Leg {
     float outward;  // +1 left, -1 right
 };
 
-// In the lanes of `poor` every joint of the leg is set anew: its own turn, within its range and no faster
-// than it can, below its parent.
+// In the lanes of `poor` every joint of the leg is set anew: its own turn, no faster than it can and within
+// its range, below its parent.
 void restrain_leg(const PersonBlock& person, const PoseBlock& before, PoseBlock& now, Leg leg, size_t lane,
                   LaneMask poor, SineCosine<L> limit, const LegRanges& ranges) {
     Q4<L> was = load_rotation<L>(now.rotation[hips], lane);
@@ -133,12 +133,12 @@ void restrain_leg(const PersonBlock& person, const PoseBlock& before, PoseBlock&
         Q4<L> above = load_rotation<L>(now.rotation[parent], lane);
         Q4<L> self = load_rotation<L>(now.rotation[joint], lane), turn = inverse(was) * self;
         was = self;
+        Q4<L> last = against_parent(before, joint, parent, lane);
+        turn = at_most(turn * inverse(last), limit) * last;
         if (size_t k = joint - leg.hip; k != k_knee_of_leg) {
             Q4<L> part = hanging(turn, k), held = within(part, ranges.joints[k], leg.outward);
             turn = select(beyond(part, ranges.joints[k], leg.outward), as_it_points(held, k), turn);
         }
-        Q4<L> last = against_parent(before, joint, parent, lane);
-        turn = at_most(turn * inverse(last), limit) * last;
         store_rotation(select(poor, unit(above * turn), self), now.rotation[joint], lane);
         V3<L> bone = load_place<L>(person.joints[joint], lane) - load_place<L>(person.joints[parent], lane);
         V3<L> place = load_place<L>(now.position[parent], lane) + rotate(above, bone);
