@@ -3,10 +3,12 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "assets/city.h"
 #include "assets/gltf_clip.h"
+#include "assets/person_cache.h"
 #include "assets/population.h"
 
 namespace flaneur {
@@ -50,6 +52,15 @@ Result<void> add_people(const Options& options, std::vector<Character>& characte
         }
     }
     return {};
+}
+
+// Where what is dear to make is kept between runs, after the XDG base directory specification; empty:
+// nowhere.
+std::string cache_folder() {
+    const char* cache = std::getenv("XDG_CACHE_HOME");
+    if (cache && *cache == '/') return std::string(cache) + "/flaneur";
+    const char* home = std::getenv("HOME");
+    return home && *home ? std::string(home) + "/.cache/flaneur" : "";
 }
 
 // FILE or FILE:CLIP; the name of an animation may have colons in it.
@@ -100,9 +111,10 @@ Result<Character> read_character(const std::string& path) {
 std::vector<Character> make_people(const std::vector<PersonOptions>& options, int threads) {
     show_progress("making people");
     std::vector<Character> people(options.size());
+    std::string folder = cache_folder();
     WorkersPtr workers = make_workers(threads);
     parallel_for(*workers, people.size(), 1, [&](size_t begin, size_t end, int) {
-        for (size_t i = begin; i < end; ++i) people[i] = generate_person(options[i]);
+        for (size_t i = begin; i < end; ++i) people[i] = cached_person(options[i], folder);
     });
     return people;
 }
