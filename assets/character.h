@@ -24,6 +24,7 @@ struct CharacterVertex {
     Tint tint = Tint::none;
     uint8_t joints[4] = {0, 0, 0, 0};     // Joint
     uint8_t weights[4] = {255, 0, 0, 0};  // sum to 255, falling
+    uint8_t spare = 0;                    // so that all bytes are set
     static constexpr uint16_t k_no_texture = 0xffff;
 };
 

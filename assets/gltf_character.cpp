@@ -171,10 +171,13 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map, float& scale) {
     return c;
 }
 
-// Joints behind the nodes stand where a chain's last bone ends.
+// Joints behind the nodes stand where a chain's last bone ends, or were made up.
 std::string node_name(const GltfScene& scene, const BakedMesh& mesh, int rig_joint) {
     auto joint = size_t(rig_joint);
-    if (joint >= mesh.nodes.size()) return "end of " + node_name(scene, mesh, mesh.rig[joint].parent);
+    if (joint >= mesh.nodes.size()) {
+        int above = mesh.rig[joint].parent;
+        return above == k_not_found ? "" : "end of " + node_name(scene, mesh, above);
+    }
     auto node = size_t(mesh.nodes[joint]);
     const std::string& name = scene.nodes[node].name;
     return name.empty() ? "node " + std::to_string(node) : name;

@@ -200,6 +200,7 @@ Result<Bytes> resolve(const std::string& uri, const std::string& folder, size_t 
     }
     if (uri.find("://") != std::string::npos) return Error{"lies at " + uri + "; nothing is downloaded"};
     std::filesystem::path file = decoded_uri(uri);
+    if (file.is_absolute()) return Error{"is in " + file.string() + "; only files beside it are read"};
     auto bytes = read_bytes((std::filesystem::path(folder) / file).string(), most);
     if (!bytes) return Error{"is in the file " + file.string() + ", which " + bytes.error().message};
     return bytes;
@@ -228,8 +229,9 @@ Result<std::vector<Bytes>> read_buffers(const Json& gltf, std::span<const uint8_
         if (!bytes.empty() && bytes.size() < length)
             return Error{what + " is " + std::to_string(bytes.size()) + " bytes long and not " +
                          std::to_string(length) + ", as it says; export it again"};
-        bytes.resize(std::min(bytes.size(), length));
         room -= bytes.size();
+        bytes.resize(std::min(bytes.size(), length));
+        bytes.shrink_to_fit();
         buffers.push_back(std::move(bytes));
     }
     return buffers;
@@ -285,9 +287,10 @@ void trim(Json& gltf) {
 
 Result<Bytes> read_bytes(const std::string& path, size_t most) {
     std::error_code error;
-    bool regular = std::filesystem::is_regular_file(path, error);
+    Error unopened{"cannot be opened as a file; check the path and its permissions"};
+    if (!std::filesystem::is_regular_file(path, error)) return unopened;  // to open a pipe would wait
     std::ifstream file(path, std::ios::binary);
-    if (!regular || !file) return Error{"cannot be opened as a file; check the path and its permissions"};
+    if (!file) return unopened;
     uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > most)
         return Error{"is larger than the 128 MB that a character may take; simplify it"};

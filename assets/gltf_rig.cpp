@@ -103,6 +103,7 @@ template <class T, class Length>
 void keep_longest(std::vector<T>& all, size_t most, Length&& length_of) {
     if (all.size() <= most) return;
     std::vector<float> lengths;
+    lengths.reserve(all.size());
     for (const T& one : all) lengths.push_back(length_of(one));
     std::nth_element(lengths.begin(), lengths.begin() + std::ptrdiff_t(most), lengths.end(),
                      std::greater<>());

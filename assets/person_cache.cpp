@@ -2,12 +2,12 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <bit>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <type_traits>
 
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t k_generator = FLANEUR_PERSON_GENERATOR;  // a hash of its sources
+constexpr size_t k_most_bytes = 16 << 20;                   // of one person
+constexpr uint64_t k_generator = FLANEUR_PERSON_GENERATOR;  // a hash of what it is made of
 
 struct Head {
     char magic[8] = {'f', 'l', 'a', 'n', 'p', 'p', 'l', '1'};
@@ -94,22 +95,30 @@ bool read(std::span<const char> bytes, Character& c) {
     std::array<uint64_t, 1> lods;
     bool whole = take<char>(bytes, c.name) && take<Body>(bytes, body) && take<Vec3>(bytes, c.bind_joints) &&
                  take<Quat>(bytes, c.bind_to_canonical) && take<CharacterVertex>(bytes, c.vertices) &&
-                 take<uint64_t>(bytes, lods) && lods[0] <= 8;
+                 take<uint64_t>(bytes, lods) && lods[0] >= 1 && lods[0] <= 8;
     if (!whole) return false;
     c.body = body[0];
     c.lods.resize(lods[0]);
     for (auto& lod : c.lods) {
-        if (!take<uint32_t>(bytes, lod)) return false;
+        if (!take<uint32_t>(bytes, lod) || lod.size() % 3 != 0) return false;
         for (uint32_t v : lod)
             if (v >= c.vertices.size()) return false;
+    }
+    for (const CharacterVertex& v : c.vertices) {
+        if (static_cast<int>(v.tint) >= k_tint_count) return false;
+        for (uint8_t joint : v.joints)
+            if (joint >= k_joint_count) return false;
     }
     return bytes.empty();
 }
 
 bool load(const fs::path& path, uint64_t key, Character& c) {
+    std::error_code failed;
+    uintmax_t size = fs::is_regular_file(path, failed) ? fs::file_size(path, failed) : 0;
+    if (failed || size > k_most_bytes) return false;
+    std::string bytes(size, '\0');
     std::ifstream file(path, std::ios::binary);
-    if (!file) return false;
-    std::string bytes(std::istreambuf_iterator<char>(file), {});
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) return false;
     Head head, sound;
     if (bytes.size() < sizeof head) return false;
     std::memcpy(&head, bytes.data(), sizeof head);
@@ -119,13 +128,14 @@ bool load(const fs::path& path, uint64_t key, Character& c) {
            read(rest, c);
 }
 
-// Written beside its place and renamed, so that nobody reads half of one.
+// Written beside its place, under a name of this thread's own, and renamed, so that nobody reads half of one.
 void keep(const fs::path& path, uint64_t key, const Character& c) {
     std::error_code failed;
     fs::create_directories(path.parent_path(), failed);
     fs::path part = path;
     part += ".";
-    part += std::to_string(getpid());
+    static std::atomic<int> number{0};
+    part += std::to_string(getpid()) + "-" + std::to_string(number++);
     part += ".part";
     std::string bytes = written(c);
     Head head;

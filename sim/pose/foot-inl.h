@@ -192,16 +192,6 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     return out;
 }
 
-// Turns a foot toes down by twice `half`, in the lanes of `turns`: over its ball on the ground.
-template <class M, class T>
-HWY_INLINE void turn_over_ball(Foot<T>& foot, const FootSizes<T>& size, M turns, SineCosine<T> half) {
-    SineCosine<T> turned = plus(foot.half, half), tilt = doubled(turned);
-    foot.half = {select(turns, turned.sine, foot.half.sine), select(turns, turned.cosine, foot.half.cosine)};
-    foot.ankle_up = select(turns, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
-    foot.ankle_ahead =
-        select(turns, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
-}
-
 // Shins tilt over a foot only so far: beyond the first angle ever less, to the second at most (sines of 26
 // and 36 degrees). Half the turn, toes down, by which `shin`, a unit vector up along it, is tilted farther,
 // in the lanes that become `tilted`.

@@ -98,12 +98,16 @@ HWY_INLINE Q4<L> twist_at_most(Q4<L> turn, SineCosine<L> half) {
 HWY_INLINE Q4<L> within(Q4<L> q, const JointRange& range, float outward) {
     Swing s = swing_of(q, range, outward);
     L x = clamped(s.along.x, L(range.side_low), L(range.side_high));
-    auto low = s.low_bend<L(0.0f), high = s.high_bend> L(0.0f);
+    // Behind the joint a bend lies beyond both ends: the nearer one counts.
+    L nearer_high = s.along.z * L(range.bend_high.sine - range.bend_low.sine) -
+                    s.along.y * L(range.bend_high.cosine - range.bend_low.cosine);
+    LaneMask high = (s.high_bend > L(0.0f)) & ((s.low_bend >= L(0.0f)) | (nearer_high > L(0.0f)));
+    LaneMask low = s.low_bend < L(0.0f);
     L length2 = s.along.z * s.along.z + s.along.y * s.along.y;
     L is = L(1.0f) / root(larger(length2, L(1e-12f))), wanted = root(L(1.0f) - x * x);
-    L sine = select(low, L(range.bend_low.sine), select(high, L(range.bend_high.sine), s.along.z * is));
+    L sine = select(high, L(range.bend_high.sine), select(low, L(range.bend_low.sine), s.along.z * is));
     L cosine =
-        select(low, L(range.bend_low.cosine), select(high, L(range.bend_high.cosine), -s.along.y * is));
+        select(high, L(range.bend_high.cosine), select(low, L(range.bend_low.cosine), -s.along.y * is));
     V3<L> from{s.along.x * L(outward), s.along.y, s.along.z},
         to{x * L(outward), -cosine * wanted, sine * wanted};
     Q4<L> turned = arc(from, to) * q;

@@ -158,5 +158,22 @@ TEST(GltfBroken, ChangedAnywhereIsLoadedOrRefused) {
     EXPECT_LT(fine, 1450u);
 }
 
+TEST(GltfBroken, LimbsInPiecesAreLoadedOrRefused) {
+    size_t nodes = tiny_man().gltf["nodes"].size();
+    for (size_t cut = 0; cut < nodes; ++cut) {
+        for (size_t moved = 0; moved < nodes; ++moved) {
+            TinyMan man = tiny_man();
+            man.gltf["nodes"][cut].erase("children");
+            man.gltf["nodes"][moved]["translation"] = {0.0, -0.0425, 0.1326};
+            auto character = loaded(as_glb(man));
+            if (!character) {
+                EXPECT_GT(character.error().message.size(), 25u);
+                continue;
+            }
+            for (const std::string& name : character->found.nodes) EXPECT_LT(name.size(), 64u);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -15,7 +15,8 @@ Result<void> run(const Options& options) {
                  (options.command == Command::people && !options.people.sheet.empty());
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip, people "
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip, "
+            "people "
             "without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
 #endif
