@@ -136,10 +136,16 @@ void expect_sound(const Watched& seen) {
     EXPECT_LT(seen.bone_error, 1e-4f);
 }
 
+#ifdef FLANEUR_SANITIZED  // a tenth of the speed, and the same code
+constexpr float k_heights[] = {1.72f};
+#else
+constexpr float k_heights[] = {1.15f, 1.72f, 1.95f};
+#endif
+
 TEST(Gait, FeetDoNotSlideOrSinkOnFlatGround) {
     City city = flat_city();
     for (float speed : {0.4f, 0.8f, 1.3f, 1.7f}) {
-        for (float height : {1.15f, 1.72f, 1.95f}) {
+        for (float height : k_heights) {
             Watched seen = watch(
                 city, 14,
                 [&](float t) {

@@ -172,11 +172,17 @@ TEST(Layer, IdlesComeAfterASecondOfStanding) {
     EXPECT_EQ(layer.wanted[1], k_no_clip);
 }
 
+#ifdef FLANEUR_SANITIZED  // a tenth of the speed, and the same code
+constexpr uint32_t k_crowd = 40;
+#else
+constexpr uint32_t k_crowd = 150;
+#endif
+
 // The same crowd with and without: whoever stands long plays, and nothing below the spine knows of it.
 TEST(Layer, CrowdsStandAsBefore) {
     auto crowd = [](std::vector<Clip> idles, int threads) {
         WorldOptions options;
-        options.walkers = 150;
+        options.walkers = k_crowd;
         options.threads = threads;
         options.idles = std::move(idles);
         return std::move(make_world(square(40), options)).value();
