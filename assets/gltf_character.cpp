@@ -171,12 +171,13 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map, float& scale) {
     return c;
 }
 
-// Joints behind the nodes stand where a chain's last bone ends, or were made up.
+// Joints behind the nodes stand where a chain's last bone ends; behind those, they were made up.
 std::string node_name(const GltfScene& scene, const BakedMesh& mesh, int rig_joint) {
     auto joint = size_t(rig_joint);
+    if (rig_joint < 0 || joint >= mesh.rig.size()) return "";
     if (joint >= mesh.nodes.size()) {
-        int above = mesh.rig[joint].parent;
-        return above == k_not_found ? "" : "end of " + node_name(scene, mesh, above);
+        std::string above = node_name(scene, mesh, mesh.rig[joint].parent);
+        return above.empty() ? "" : "end of " + above;
     }
     auto node = size_t(mesh.nodes[joint]);
     const std::string& name = scene.nodes[node].name;
@@ -190,6 +191,9 @@ Result<MappedCharacter> map_character(const GltfScene& scene) {
     if (!mesh) return mesh.error();
     auto map = map_rig(mesh->rig, mesh->low, mesh->high);
     if (!map) return map.error();
+    for (int joint : map->joints)
+        if (joint < k_not_found || joint >= int(mesh->rig.size()))
+            return Error{"its limbs could not be told apart; check the parents of its joints"};
     MappedCharacter out;
     out.map = *map;
     out.nodes = mesh->nodes;
