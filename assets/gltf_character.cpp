@@ -191,9 +191,6 @@ Result<MappedCharacter> map_character(const GltfScene& scene) {
     if (!mesh) return mesh.error();
     auto map = map_rig(mesh->rig, mesh->low, mesh->high);
     if (!map) return map.error();
-    for (int joint : map->joints)
-        if (joint < k_not_found || joint >= int(mesh->rig.size()))
-            return Error{"its limbs could not be told apart; check the parents of its joints"};
     MappedCharacter out;
     out.map = *map;
     out.nodes = mesh->nodes;

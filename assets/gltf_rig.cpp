@@ -23,7 +23,7 @@ struct Rig {
     int root() const { return int(joints.size()); }
     Vec3 place(int j) const { return joints[size_t(j)].place; }
     bool below(int j, int ancestor) const {
-        for (; j >= 0; j = joints[size_t(j)].parent)
+        for (; j >= 0 && j != root(); j = joints[size_t(j)].parent)
             if (j == ancestor) return true;
         return ancestor == root();
     }
@@ -274,7 +274,8 @@ std::vector<int> leg_path(const Rig& rig, const Frame& frame, const Pair& legs, 
 // The chain of joints from just above `from` to `to`, `to` included.
 std::vector<int> path_up(const Rig& rig, int from, int to) {
     std::vector<int> path;
-    for (int j = to; j >= 0 && j != from; j = rig.joints[size_t(j)].parent) path.push_back(j);
+    for (int j = to; j >= 0 && j != from && j != rig.root(); j = rig.joints[size_t(j)].parent)
+        path.push_back(j);
     std::reverse(path.begin(), path.end());
     return path;
 }
