@@ -171,14 +171,10 @@ Result<Character> assemble(BakedMesh mesh, const RigMap& map, float& scale) {
     return c;
 }
 
-// Joints behind the nodes stand where a chain's last bone ends; behind those, they were made up.
+// Joints behind the nodes stand where a chain's last bone ends.
 std::string node_name(const GltfScene& scene, const BakedMesh& mesh, int rig_joint) {
     auto joint = size_t(rig_joint);
-    if (rig_joint < 0 || joint >= mesh.rig.size()) return "";
-    if (joint >= mesh.nodes.size()) {
-        std::string above = node_name(scene, mesh, mesh.rig[joint].parent);
-        return above.empty() ? "" : "end of " + above;
-    }
+    if (joint >= mesh.nodes.size()) return "end of " + node_name(scene, mesh, mesh.rig[joint].parent);
     auto node = size_t(mesh.nodes[joint]);
     const std::string& name = scene.nodes[node].name;
     return name.empty() ? "node " + std::to_string(node) : name;

@@ -10,6 +10,7 @@ namespace flaneur {
 
 inline constexpr float k_pi = 3.14159265358979f;
 inline constexpr float k_radians = k_pi / 180;  // one degree
+inline constexpr float k_gravity = 9.81f;       // m/s2
 
 struct SinCos {
     float sine, cosine;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/vec.h"
+#include "sim/base/math.h"
 
 namespace flaneur {
 
@@ -20,6 +20,6 @@ float usual_speed(float age, bool woman, float leg) {
     return speed * std::sqrt(clamp(leg / k_grown_leg, 0.1f, 1));
 }
 
-float fastest_walk(float leg) { return std::min(std::sqrt(0.45f * 9.81f * leg), 1.9f); }
+float fastest_walk(float leg) { return std::min(std::sqrt(0.45f * k_gravity * leg), 1.9f); }
 
 }  // namespace flaneur

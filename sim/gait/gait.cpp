@@ -88,7 +88,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
         g.frequency[lane] = 1;
         Stepper stepper = stepper_at(gait, i, city, at, heading);
         for (Side side : {k_left, k_right}) {
-            g.feet[side].phase[lane] = 0.16f;
+            g.feet[side].phase[lane] = k_rest;
             if (real) {
                 replant(stepper, side);
             } else {

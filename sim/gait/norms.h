@@ -49,7 +49,6 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
 // Timing of a walk at a given speed. Step length over leg length L: 1.16 L (v / sqrt(g L))^0.5, of which the
 // neutral person's are a little short; stance as a share of the cycle: 62.5, 60.3, 59.1 % at 0.94, 1.24, 1.50
 // m/s.
-inline constexpr float k_gravity = 9.81f;
 inline constexpr float k_step_factor = 1.114f;
 
 }  // namespace flaneur

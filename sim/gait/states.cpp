@@ -18,7 +18,6 @@ static constexpr float k_longest_stride = 1.58f;  // legs; a faster walk takes q
 static constexpr float k_hasty = 1.5f;            // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;    // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;             // legs; one farther than this is set down anew
-static constexpr float k_rest = 0.16f;            // phase of a foot that stands
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
