@@ -181,6 +181,8 @@ void add_prop(PropMesh& mesh, const Prop& prop) {
             add_post(mesh, prop.position, prop.position + Vec3{0, prop.height, 0}, 0.07f, 0.06f, 8,
                      PropPart::metal, true);
             break;
+        default:
+            break;
     }
 }
 

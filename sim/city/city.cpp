@@ -194,6 +194,28 @@ std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius
     return found;
 }
 
+Vec2 half_footprint(const Prop& prop) {
+    switch (prop.kind) {
+        case PropKind::tree:
+        case PropKind::statue:
+            return {0.2f, 0.2f};
+        case PropKind::bench:
+            return {0.8f, 0.3f};
+        case PropKind::bin:
+            return {0.25f, 0.25f};
+        case PropKind::car:
+            return {0.9f, 2.15f};
+        case PropKind::fountain:
+            return {prop.radius, prop.radius};
+        case PropKind::planter:
+            return {0.6f, 0.6f};
+        case PropKind::shelter:
+            return {1.8f, 0.7f};
+        default:
+            return {0.12f, 0.12f};
+    }
+}
+
 uint64_t hash_city(const City& city) {
     uint64_t h = hash_bytes(0, city.name.data(), city.name.size());
     auto add = [&h](const void* data, size_t size) { h = hash_bytes(h, data, size); };
@@ -226,6 +248,15 @@ uint64_t hash_city(const City& city) {
         add(sizes, sizeof sizes);
         h = mix(h ^ (uint64_t{p.seed} << 8 | static_cast<uint64_t>(p.kind)));
     }
+    for (const Destination& p : city.destinations) {
+        add(&p.position, sizeof p.position);
+        float rest[] = {p.facing.x, p.facing.z, p.weight};
+        add(rest, sizeof rest);
+        h = mix(h ^ static_cast<uint64_t>(p.kind));
+    }
+    for (const Scenery::Vertex& v : city.scenery.vertices) add(&v.position, sizeof v.position);
+    add_array(city.scenery.indices);
+    add_array(city.scenery.solid);
     return h;
 }
 

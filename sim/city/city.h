@@ -36,15 +36,61 @@ struct Building {
     uint32_t seed = 0;        // for everything that varies without meaning
 };
 
-enum class PropKind : uint8_t { tree, lamp, bench, bollard };
+enum class PropKind : uint8_t {
+    tree,
+    lamp,
+    bench,
+    bollard,
+    bin,
+    car,
+    fountain,
+    statue,
+    planter,
+    signal,
+    shelter
+};
+inline constexpr int k_prop_count = 11;
 
 struct Prop {
     PropKind kind = PropKind::tree;
     Vec3 position;     // on the ground
     float yaw = 0;     // about +y from +z, radians
     float height = 0;  // metres
-    float radius = 0;  // crown of a tree, metres
+    float radius = 0;  // crown of a tree, basin of a fountain, metres
     uint32_t seed = 0;
+};
+
+// Half of what a prop takes of the ground: x to its side, z along its yaw. A trunk's, not a crown's.
+Vec2 half_footprint(const Prop& prop);
+
+// Where people come from and go to.
+enum class DestinationKind : uint8_t { door, shop, bench, stop, edge, square };
+inline constexpr int k_destination_count = 6;
+
+struct Destination {
+    DestinationKind kind = DestinationKind::door;
+    Vec3 position;     // on the ground, where one stands
+    Vec2 facing;       // unit, the way one looks there: at the door, off the bench, out of the map
+    float weight = 1;  // of its kind: how often it is chosen against others
+};
+
+// Triangles of any slope that are drawn as they are, with pictures: what a glTF city is made of.
+struct Scenery {
+    struct Vertex {
+        Vec3 position, normal;
+        Vec2 uv;
+        uint32_t colour = ~0u;  // sRGB with alpha, R in the lowest byte; times the picture's
+    };
+    struct Picture {
+        int width = 0, height = 0;
+        std::vector<uint8_t> rgba;  // sRGB, rows from the top
+    };
+    std::vector<Vertex> vertices;
+    std::vector<uint32_t> indices;   // three a triangle, counter-clockwise from outside
+    std::vector<uint32_t> pictures;  // one a triangle: index into `images`, or ~0u
+    std::vector<uint8_t> solid;      // one a triangle, 1: stops walkers and can be touched
+    std::vector<Picture> images;
+    bool holds_ground = false;  // the ground is among these triangles and need not be drawn again
 };
 
 // A uniform grid over the ground plane: cell (i, j) holds items[first[c] .. first[c + 1]) with c = j * width
@@ -84,6 +130,8 @@ struct City {
     std::vector<uint32_t> roof_buildings;  // one a triangle: index into buildings
 
     std::vector<Prop> props;
+    std::vector<Destination> destinations;
+    Scenery scenery;
 
     // Filled by index_city.
     Grid triangle_grid, wall_grid;             // ground triangles; facades and garden walls

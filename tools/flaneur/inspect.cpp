@@ -20,7 +20,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, k_surface_count> k_surface_names = {
     "road", "sidewalk", "crossing", "plaza", "path", "steps", "grass", "water"};
-constexpr std::array<const char*, 4> k_prop_names = {"trees", "lamps", "benches", "bollards"};
+constexpr std::array<const char*, size_t{k_prop_count}> k_prop_names = {
+    "trees",     "lamps",   "benches",  "bollards",       "bins",    "cars",
+    "fountains", "statues", "planters", "traffic_lights", "shelters"};
+constexpr std::array<const char*, size_t{k_destination_count}> k_destination_names = {
+    "doors", "shops", "benches", "stops", "edges", "squares"};
 
 // Four digits of it.
 double rounded(float value) {
@@ -75,6 +79,8 @@ Json facts_of(const City& city) {
     }
     std::array<size_t, k_prop_names.size()> props{};
     for (const Prop& prop : city.props) ++props[static_cast<size_t>(prop.kind)];
+    std::array<size_t, k_destination_names.size()> destinations{};
+    for (const Destination& place : city.destinations) ++destinations[static_cast<size_t>(place.kind)];
     float highest = 0;
     for (const Building& building : city.buildings) highest = std::max(highest, building.top - building.base);
 
@@ -87,6 +93,8 @@ Json facts_of(const City& city) {
     for (size_t kind = 0; kind < areas.size(); ++kind)
         facts["ground_m2"][k_surface_names[kind]] = std::lround(areas[kind]);
     for (size_t kind = 0; kind < props.size(); ++kind) facts["props"][k_prop_names[kind]] = props[kind];
+    for (size_t kind = 0; kind < destinations.size(); ++kind)
+        facts["destinations"][k_destination_names[kind]] = destinations[kind];
     facts["notes"] = city.notes;
     return facts;
 }
