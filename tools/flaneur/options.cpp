@@ -22,7 +22,7 @@ constexpr const char* k_footer = R"(Examples:
 
 constexpr const char* k_people_footer =
     R"(Prints who they are: age, height and triangles of each. The files are skinned on 22 joints with VRM's names.
-A cell of a sheet shows one person twice: as it was bound, and in the middle of a step; --close shows its face.
+A cell of a sheet shows one person twice: with its arms held out, and in the middle of a step; --close shows its face.
 Examples:
   flaneur people --count 24 --seed 1 --sheet out/people.png    pictures of 24 of the built-in people
   flaneur people --count 24 --seed 1 --out out/people          the same people as out/people/person_01.glb, ...

@@ -57,11 +57,23 @@ CityMesh backdrop() {
     return mesh;
 }
 
-// As the mesh was bound.
-Joints bound(const Character& character) {
+// As the mesh was bound but for the arms, which are held straight out: a T.
+Joints tee(const Character& character) {
     Joints joints;
     for (size_t j = 0; j < joints.size(); ++j)
         joints[j] = {character.bind_joints[j], conjugate(character.bind_to_canonical[j])};
+    for (size_t shoulder : {left_upper_arm, right_upper_arm}) {
+        Vec3 out{shoulder == left_upper_arm ? 1.0f : -1.0f, 0, 0};
+        // Shoulder, elbow and hand follow one another.
+        for (size_t bent = shoulder; bent < shoulder + 2; ++bent) {
+            Vec3 pivot = joints[bent].position;
+            Quat turn = rotation_between(normalize_or(joints[bent + 1].position - pivot, out), out);
+            for (size_t j = bent; j < shoulder + 3; ++j) {
+                joints[j].position = pivot + rotate(turn, joints[j].position - pivot);
+                joints[j].rotation = turn * joints[j].rotation;
+            }
+        }
+    }
     return joints;
 }
 
@@ -127,16 +139,16 @@ Reach reach_of(const Character& character, const Joints& joints) {
 
 // Both poses of one sitter side by side about the middle of its picture.
 struct Pair {
-    Joints bound, stepping;
+    Joints tee, stepping;
     float width = 0, tall = 0;
 };
 
 Pair pair_of(const Character& character, const Moments& moments) {
-    Pair pair{bound(character), placed(moments.stepping, k_turned, 0)};
-    Reach a = reach_of(character, pair.bound), b = reach_of(character, pair.stepping);
+    Pair pair{tee(character), placed(moments.stepping, k_turned, 0)};
+    Reach a = reach_of(character, pair.tee), b = reach_of(character, pair.stepping);
     pair.width = a.left + a.right + b.left + b.right + 3 * k_gap;
     pair.tall = std::max(a.up, b.up);
-    pair.bound = placed(pair.bound, 0, -0.5f * pair.width + k_gap + a.left);
+    pair.tee = placed(pair.tee, 0, -0.5f * pair.width + k_gap + a.left);
     pair.stepping = placed(pair.stepping, 0, 0.5f * pair.width - k_gap - b.right);
     return pair;
 }
@@ -256,7 +268,7 @@ Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool o
         } else {
             float wide = one_scale ? widest : pairs[i].width, tall = one_scale ? tallest : pairs[i].tall;
             Camera camera = camera_at({0, 0.48f * tall, 0}, 1.5f, wide, 1.16f * tall, picture);
-            std::vector<Figure> both{{i, pairs[i].bound}, {i, pairs[i].stepping}};
+            std::vector<Figure> both{{i, pairs[i].tee}, {i, pairs[i].stepping}};
             drawn = draw_part(sheet, sitters, both, camera, left, top, picture);
         }
         if (!drawn) return drawn;

@@ -21,7 +21,7 @@ struct Sitter {
 // The file for a sheet of so many people. Refuses, at once, what would be too large or cannot be written.
 Result<PartFilePtr> open_sheet(const PeopleOptions& people, size_t count);
 
-// Shows each in a cell: the pose in which the character was bound, from ahead, beside a step of its walk,
+// Shows each in a cell: with its arms held out, from ahead, beside a step of its walk,
 // half from the side; all at one scale, or each as large as fits. Close: two views of the face instead.
 Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, bool one_scale,
                         const Options& options);
