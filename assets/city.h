@@ -18,9 +18,14 @@ struct DistrictOptions {
 // flight of steps up to a terrace, and from two blocks on a sloping street. Indexed, ready for use.
 City generate_district(const DistrictOptions& options);
 
+struct OsmOptions {
+    std::string terrain;  // an elevation file as read_terrain takes it; empty: level ground
+};
+
 // An OpenStreetMap extract (.osm, .osm.pbf), projected to metres about its middle: +x east, +z south, +y up.
-// Refuses an extract with neither buildings nor roads.
-Result<City> load_osm(const std::string& path);
+// With terrain, y = 0 is the sea where the map has sea, and else the lowest ground.
+// Refuses an extract with neither buildings nor roads, and terrain that does not cover the map.
+Result<City> load_osm(const std::string& path, const OsmOptions& options = {});
 
 // sRGB wall colours that Building::style chooses from, R in the lowest byte.
 extern const uint32_t k_wall_colours[];

@@ -46,7 +46,8 @@ struct Cell {
 bool same_ground(const Area& a, const Area& b) {
     return a.rank == b.rank && a.solid == b.solid && a.kind == b.kind && a.axis == b.axis &&
            a.lift.base == b.lift.base && a.lift.low == b.lift.low && a.lift.high == b.lift.high &&
-           a.lift.origin == b.lift.origin && a.lift.slope == b.lift.slope;
+           a.lift.origin == b.lift.origin && a.lift.slope == b.lift.slope &&
+           a.lift.absolute == b.lift.absolute;
 }
 
 // Halves the box along cell borders until one cell is left; large rings are cut on the way, so that no cell
@@ -87,11 +88,9 @@ void distribute(std::vector<Cell>& cells, const Box& box, int64_t cell, std::vec
     }
 }
 
-// The pieces of one cell: each area takes its part of what the ones before have left.
-std::vector<Piece> cut_cell(const Cell& cell, const std::vector<Area>& areas,
-                            const std::vector<uint32_t>& order) {
-    std::vector<Piece> pieces;
-    Rings left{ring_of(cell.box)};
+// The pieces of what is `left` of one cell: each area takes its part of what the ones before have left.
+void cut_cell(const Cell& cell, Rings left, const std::vector<Area>& areas,
+              const std::vector<uint32_t>& order, std::vector<Piece>& pieces) {
     std::vector<const Item*> items;
     for (const Item& item : cell.items) items.push_back(&item);
     std::stable_sort(items.begin(), items.end(),
@@ -109,7 +108,6 @@ std::vector<Piece> cut_cell(const Cell& cell, const std::vector<Area>& areas,
         }
         left = subtract(left, rings);
     }
-    return pieces;
 }
 
 }  // namespace
@@ -135,12 +133,24 @@ std::vector<Piece> cut_pieces(const GroundPlan& plan) {
     }
     for (Item& item : items) item.box = box_of(item.rings);
     std::vector<Cell> cells;
-    distribute(cells, box, std::max<int64_t>(1000, std::llround(plan.cell * 1000.0f)), std::move(items));
+    int64_t cell = cell_of(plan);
+    distribute(cells, box, cell, std::move(items));
 
     std::vector<std::vector<Piece>> cut(cells.size());
     WorkersPtr workers = make_workers(0);
     parallel_for(*workers, cells.size(), 4, [&](size_t begin, size_t end, int) {
-        for (size_t c = begin; c < end; ++c) cut[c] = cut_cell(cells[c], plan.areas, order);
+        for (size_t c = begin; c < end; ++c) {
+            Rings whole{ring_of(cells[c].box)};
+            if (!plan.facets) {
+                cut_cell(cells[c], whole, plan.areas, order, cut[c]);
+                continue;
+            }
+            Point from{cells[c].box.x0, cells[c].box.z0}, to{from.X + cell, from.Y + cell};
+            for (Point third : {Point{to.X, from.Y}, Point{from.X, to.Y}}) {
+                Rings half = intersect(whole, {positive({from, to, third})});
+                cut_cell(cells[c], std::move(half), plan.areas, order, cut[c]);
+            }
+        }
     });
     std::vector<Piece> pieces;
     for (std::vector<Piece>& some : cut) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <tuple>
 
 #include "sim/base/parallel_for.h"
@@ -36,11 +37,58 @@ float lift_at(const Lift& lift, Vec2 p) {
     return clamp(lift.base + dot(p - lift.origin, lift.slope), lift.low, lift.high);
 }
 
+int64_t cell_of(const GroundPlan& plan) { return std::max<int64_t>(1000, std::llround(plan.cell * 1000.0f)); }
+
+float height_of(const GroundPlan& plan, const Area& area, Vec2 p) {
+    return (area.lift.absolute ? 0 : terrain_at(plan, p)) + lift_at(area.lift, p);
+}
+
+void facet_terrain(GroundPlan& plan) {
+    struct Corners {
+        Vec2 low;
+        float cell;
+        size_t columns, rows;
+        std::vector<float> heights;
+    };
+    // Corners lie on whole millimetres, as pieces' do.
+    auto corners = std::make_shared<Corners>();
+    Corners& c = *corners;
+    c.low = to_metres(to_point(plan.low));
+    c.cell = static_cast<float>(cell_of(plan)) * 0.001f;
+    auto count = [&](float from, float to) {
+        return static_cast<size_t>(std::max(0.0f, (to - from) / c.cell)) + 2;
+    };
+    c.columns = count(c.low.x, plan.high.x), c.rows = count(c.low.z, plan.high.z);
+    c.heights.resize(c.columns * c.rows);
+    WorkersPtr workers = make_workers(0);
+    parallel_for(*workers, c.rows, 8, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin * c.columns; i < end * c.columns; ++i) {
+            Vec2 step{static_cast<float>(i % c.columns), static_cast<float>(i / c.columns)};
+            c.heights[i] = terrain_at(plan, c.low + step * c.cell);
+        }
+    });
+    plan.facets = true;
+    plan.terrain = [corners](Vec2 p) {
+        const Corners& grid = *corners;
+        auto place = [&](float v, size_t count_of, float& rest) {
+            v = clamp(v / grid.cell, 0, static_cast<float>(count_of - 1));
+            auto at = std::min(static_cast<size_t>(v), count_of - 2);
+            rest = v - static_cast<float>(at);
+            return at;
+        };
+        float u = 0, v = 0;
+        size_t column = place(p.x - grid.low.x, grid.columns, u), row = place(p.z - grid.low.z, grid.rows, v);
+        const float* here = &grid.heights[row * grid.columns + column];
+        float a = here[0], b = here[1], d = here[grid.columns], e = here[grid.columns + 1];
+        // The diagonal runs from the square's low corner to its high one.
+        return u >= v ? a + u * (b - a) + v * (e - b) : a + v * (d - a) + u * (e - d);
+    };
+}
+
 void lay_ground(const GroundPlan& plan, City& city) {
     std::vector<Piece> pieces = cut_pieces(plan);
     auto height = [&](const Piece& piece, Point p) {
-        Vec2 at = to_metres(p);
-        return (plan.terrain ? plan.terrain(at) : 0) + lift_at(plan.areas[piece.area].lift, at);
+        return height_of(plan, plan.areas[piece.area], to_metres(p));
     };
 
     std::vector<std::vector<uint32_t>> triangles(pieces.size());

@@ -243,6 +243,12 @@ void set_roof(Mass& mass, const OsmTags& tags, float storeys, uint64_t id) {
     }
 }
 
+float lowest_ground(const GroundPlan& plan, const Region& region) {
+    float lowest = terrain_at(plan, to_metres(region.outer[0]));
+    for (Point p : region.outer) lowest = std::min(lowest, terrain_at(plan, to_metres(p)));
+    return lowest;
+}
+
 // Under three decimetres wide: parts and outline drawn not quite alike.
 bool is_sliver(const Region& region) {
     float around = 0;
@@ -286,10 +292,14 @@ void build(OsmImport& in, const Found& f, const Rings& passages, const std::vect
     building.seed = static_cast<uint32_t>(random_bits({id, 0, 0, Purpose::city}));
 
     // What stands on the ground takes the ground away.
+    float foot = lowest_ground(in.plan, f.region);
     auto add = [&](const Mass& m) {
         Building b = building;
-        b.base = m.bottom;
+        b.base = m.bottom + foot;
+        b.top += foot;
         Mass own = m;
+        own.bottom += foot;
+        own.eaves += foot;
         own.building = static_cast<uint32_t>(in.city.buildings.size());
         in.city.buildings.push_back(b);
         add_mass(in.city, own);

@@ -5,6 +5,7 @@
 #include "assets/city.h"
 #include "assets/masses.h"
 #include "assets/osm_map.h"
+#include "assets/terrain.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 
@@ -64,11 +65,29 @@ void write_notes(OsmImport& in) {
          "trees, lamps and benches were left out because they would stand in buildings or on roads.");
 }
 
+// Lays the terrain under the plan.
+Result<void> raise_ground(OsmImport& in, const std::string& path) {
+    const Projection& project = in.project;
+    auto longitude = [&](float x) {
+        return project.longitude + static_cast<double>(x) / project.metres_per_longitude;
+    };
+    auto latitude = [&](float z) {
+        return project.latitude - static_cast<double>(z) / project.metres_per_latitude;
+    };
+    Result<Terrain> terrain = read_terrain(path, {longitude(in.plan.low.x), latitude(in.plan.high.z),
+                                                  longitude(in.plan.high.x), latitude(in.plan.low.z)});
+    if (!terrain) return terrain.error();
+    in.plan.terrain = [&](Vec2 p) { return height_at(*terrain, longitude(p.x), latitude(p.z)); };
+    in.plan.cell = 16;
+    facet_terrain(in.plan);
+    return {};
+}
+
 }  // namespace
 
 void add_osm_props(OsmImport& in) {
     auto place = [&](PropKind kind, Vec2 p, uint64_t id, float height, float radius) {
-        std::optional<GroundHit> hit = ground(in.city, at_height(p, 0), 3, 3);
+        std::optional<GroundHit> hit = ground(in.city, at_height(p, terrain_at(in.plan, p)), 3, 3);
         bool off = !hit || hit->kind == Surface::road || hit->kind == Surface::crossing ||
                    hit->kind == Surface::water;
         if (p.x < in.plan.low.x || p.z < in.plan.low.z || p.x > in.plan.high.x || p.z > in.plan.high.z)
@@ -113,7 +132,7 @@ void add_osm_props(OsmImport& in) {
     }
 }
 
-Result<City> load_osm(const std::string& path) {
+Result<City> load_osm(const std::string& path, const OsmOptions& options) {
     Result<OsmMap> map = read_osm(path);
     if (!map) return map.error();
     std::optional<std::array<double, 4>> extent = extent_of(*map);
@@ -135,6 +154,10 @@ Result<City> load_osm(const std::string& path) {
     in.plan.high = in.project(corner) + Vec2{6, 6};
     in.plan.low = -in.plan.high;
     in.plan.cell = 32;
+    if (!options.terrain.empty()) {
+        Result<void> raised = raise_ground(in, options.terrain);
+        if (!raised) return raised.error();
+    }
 
     add_osm_buildings(in);
     add_osm_streets(in);

@@ -149,6 +149,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     scene.name = name;
     Reader reader{json, {}, {}};
     reader.text("city", scene.city);
+    reader.text("terrain", scene.terrain);
     read_people(reader, scene.people);
     reader.texts("idles", scene.idles);
     reader.number("walkers", 0, k_max_walkers, scene.walkers);
@@ -190,6 +191,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     scene->name = path.stem().string();
     auto beside = [&](std::string& other) { other = (path.parent_path() / other).string(); };
     if (!scene->city.empty()) beside(scene->city);
+    if (!scene->terrain.empty()) beside(scene->terrain);
     for (PeopleShare& people : scene->people) {
         if (!people.character.empty()) beside(people.character);
     }

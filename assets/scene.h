@@ -21,6 +21,7 @@ inline constexpr float k_least_share = 0.001f, k_most_share = 1000;
 struct Scene {
     std::string name = "district";
     std::string city;                 // an OpenStreetMap file; empty: the built-in district
+    std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
     std::vector<PeopleShare> people;  // empty: the built-in people
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..100,000

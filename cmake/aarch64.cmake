@@ -12,3 +12,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_LIBDIR} ${FLANEUR_ARM64_ROOT}/usr/lib/aarch64-linux-gnu/pkgconfig)
 set(ENV{PKG_CONFIG_SYSROOT_DIR} ${FLANEUR_ARM64_ROOT})
+# Where libraries that libraries need are looked for.
+set(CMAKE_EXE_LINKER_FLAGS_INIT -Wl,-rpath-link,${FLANEUR_ARM64_ROOT}/usr/lib/aarch64-linux-gnu)

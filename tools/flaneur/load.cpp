@@ -89,7 +89,7 @@ int district_blocks(const Scene& scene) {
 
 Result<City> load_city(const Scene& scene) {
     show_progress("making the city");
-    if (!scene.city.empty()) return load_osm(scene.city);
+    if (!scene.city.empty()) return load_osm(scene.city, {scene.terrain});
     return generate_district({scene.seed, district_blocks(scene)});
 }
 

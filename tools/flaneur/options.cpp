@@ -86,7 +86,7 @@ Examples:
 // What the command line says about the scene, on top of the one it names.
 struct SceneWords {
     std::string scene = "district";
-    std::optional<std::string> city, camera;
+    std::optional<std::string> city, terrain, camera;
     std::vector<PeopleShare> people;
     std::vector<std::string> idles;
     std::optional<int> walkers;
@@ -150,6 +150,10 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         ->capture_default_str()
         ->group("Scene");
     app.add_option("--city", words.city, "An OpenStreetMap extract: .osm or .osm.pbf")
+        ->type_name("FILE")
+        ->group("Scene");
+    app.add_option("--terrain", words.terrain,
+                   "Heights of the ground under it: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF (.tif)")
         ->type_name("FILE")
         ->group("Scene");
     add_characters(
@@ -356,6 +360,10 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!scene) return scene.error();
     options.scene = *scene;
     if (words.city) options.scene.city = *words.city;
+    if (words.terrain) options.scene.terrain = *words.terrain;
+    if (!options.scene.terrain.empty() && options.scene.city.empty())
+        return Error{"--terrain " + options.scene.terrain +
+                     " lies under an OpenStreetMap city only; give one with --city."};
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;

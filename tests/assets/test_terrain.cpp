@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+#include <tiffio.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "assets/ground_plan.h"
+#include "assets/terrain.h"
+#include "city_checks.h"
+
+namespace flaneur {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr LonLatBox k_box{7.41, 43.73, 7.42, 43.74};
+
+// A folder that goes when the test ends.
+struct Folder {
+    fs::path path = fs::temp_directory_path() /
+                    ("flaneur_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+using HeightOf = std::function<int(int column, int row)>;
+
+void write_hgt(const std::string& path, int side, const HeightOf& height) {
+    std::ofstream file(path, std::ios::binary);
+    for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+            int h = height(column, row);
+            file.put(static_cast<char>(h >> 8)).put(static_cast<char>(h));
+        }
+    }
+}
+
+struct TiffKind {
+    bool floats = false, tiled = false, point = true;
+    uint16_t model = 2, compression = COMPRESSION_NONE;
+};
+
+// 1/1200 of a degree a sample, the first one at 7.40, 43.75.
+void write_tiff(const std::string& path, uint32_t columns, uint32_t rows, const TiffKind& kind,
+                const HeightOf& height) {
+    static const TIFFFieldInfo k_fields[] = {
+        {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")},
+        {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTiepoint")},
+        {34735, -1, -1, TIFF_SHORT, FIELD_CUSTOM, 1, 1, const_cast<char*>("GeoKeyDirectory")},
+    };
+    TIFF* tiff = TIFFOpen(path.c_str(), "w");
+    ASSERT_TRUE(tiff);
+    TIFFMergeFieldInfo(tiff, k_fields, 3);
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, columns);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, rows);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, kind.floats ? 32 : 16);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, kind.floats ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_INT);
+    TIFFSetField(tiff, TIFFTAG_COMPRESSION, kind.compression);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+    double half = kind.point ? 0 : 0.5;
+    double scale[3] = {1.0 / 1200, 1.0 / 1200, 0}, tie[6] = {half, half, 0, 7.40, 43.75, 0};
+    uint16_t raster = kind.point ? 2 : 1;
+    uint16_t keys[] = {1, 1, 0, 3, 1024, 0, 1, kind.model, 1025, 0, 1, raster, 3072, 0, 1, 32632};
+    TIFFSetField(tiff, 33550, 3, scale);
+    TIFFSetField(tiff, 33922, 6, tie);
+    TIFFSetField(tiff, 34735, 16, keys);
+    uint32_t block = kind.tiled ? 32 : columns, high = kind.tiled ? 32 : 1;
+    if (kind.tiled) {
+        TIFFSetField(tiff, TIFFTAG_TILEWIDTH, block);
+        TIFFSetField(tiff, TIFFTAG_TILELENGTH, high);
+    } else {
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 7);
+    }
+    for (uint32_t y = 0; y < rows; y += high) {
+        for (uint32_t x = 0; x < columns; x += block) {
+            std::vector<float> floats;
+            std::vector<int16_t> whole;
+            for (uint32_t i = 0; i < block * high; ++i) {
+                int h = height(static_cast<int>(x + i % block), static_cast<int>(y + i / block));
+                floats.push_back(static_cast<float>(h));
+                whole.push_back(static_cast<int16_t>(h));
+            }
+            void* data = kind.floats ? static_cast<void*>(floats.data()) : whole.data();
+            if (kind.tiled) {
+                ASSERT_GE(TIFFWriteTile(tiff, data, x, y, 0, 0), 0);
+            } else {
+                ASSERT_GE(TIFFWriteScanline(tiff, data, y, 0), 0);
+            }
+        }
+    }
+    TIFFClose(tiff);
+}
+
+// A slope that a spline keeps as it is: 1000 metres a degree to the east, 600 to the north.
+int slope_from(double west, double north, int column, int row, int steps) {
+    return static_cast<int>(
+        std::lround((west + double(column) / steps) * 1200 + (north - double(row) / steps) * 600 - 30000));
+}
+
+TEST(Terrain, TilesSayHowHighTheGroundIs) {
+    Folder folder;
+    std::string path = folder / "N43E007.hgt";
+    write_hgt(path, 1201, [](int column, int row) { return slope_from(7, 44, column, row, 1200); });
+    Result<Terrain> terrain = read_terrain(path, k_box);
+    ASSERT_TRUE(terrain) << terrain.error().message;
+    EXPECT_LT(terrain->heights.size(), 1000u) << "the window only";
+    EXPECT_NEAR(height_at(*terrain, 7.415, 43.735), 7.415 * 1200 + 43.735 * 600 - 30000, 0.6);
+}
+
+TEST(Terrain, GeoTiffsOfAllKindsAgree) {
+    Folder folder;
+    for (bool floats : {false, true}) {
+        for (bool tiled : {false, true}) {
+            for (uint16_t compression : {uint16_t{COMPRESSION_NONE}, uint16_t{COMPRESSION_ADOBE_DEFLATE}}) {
+                std::string path = folder / "slope.tif";
+                write_tiff(path, 61, 50, {floats, tiled, floats, 2, compression},
+                           [](int column, int row) { return slope_from(7.4, 43.75, column, row, 1200); });
+                Result<Terrain> terrain = read_terrain(path, k_box);
+                ASSERT_TRUE(terrain) << terrain.error().message;
+                EXPECT_NEAR(height_at(*terrain, 7.415, 43.735), 7.415 * 1200 + 43.735 * 600 - 30000, 0.6);
+            }
+        }
+    }
+}
+
+TEST(Terrain, HolesAreFilledAndTheFarSeaIsLevel) {
+    Folder folder;
+    std::string path = folder / "N43E007.hgt";
+    write_hgt(path, 1201, [](int column, int) {
+        return column > 496 ? -32768 : column == 490 ? -32768 : 40;
+    });
+    Result<Terrain> terrain = read_terrain(path, k_box);
+    ASSERT_TRUE(terrain);
+    EXPECT_FLOAT_EQ(height_at(*terrain, 7 + 490 / 1200.0, 43.735), 40);
+    EXPECT_FLOAT_EQ(height_at(*terrain, 7 + 507.9 / 1200.0, 43.735), 0);
+    for (float h : terrain->heights) EXPECT_TRUE(h == 40 || h == 0);
+}
+
+TEST(Terrain, WhatCannotBeUsedIsRefusedByName) {
+    Folder folder;
+    auto refused = [&](const std::string& name, const std::string& why) {
+        Result<Terrain> terrain = read_terrain(folder / name, k_box);
+        ASSERT_FALSE(terrain) << name;
+        EXPECT_NE(terrain.error().message.find(name), std::string::npos) << terrain.error().message;
+        EXPECT_NE(terrain.error().message.find(why), std::string::npos) << terrain.error().message;
+    };
+    auto flat = [](int, int) { return 3; };
+    refused("nowhere.tif", "no file");
+    write_hgt(folder / "N40E000.hgt", 1201, flat);
+    refused("N40E000.hgt", "N43E007");
+    write_hgt(folder / "monaco.hgt", 1201, flat);
+    refused("monaco.hgt", "south-west corner");
+    write_hgt(folder / "N43E007.hgt", 77, flat);
+    refused("N43E007.hgt", "cut short");
+    write_tiff(folder / "small.tif", 8, 8, {}, flat);
+    refused("small.tif", "does not cover");
+    write_tiff(folder / "utm.tif", 61, 50, {true, false, true, 1}, flat);
+    refused("utm.tif", "EPSG:32632");
+    for (const char* name : {"noise.tif", "noise.hgt.zip", "noise.asc"})
+        std::ofstream(folder / name) << "neither a picture nor an archive";
+    refused("noise.tif", "no TIFF");
+    refused("noise.hgt.zip", "no zip");
+    refused("noise.asc", "GeoTIFF");
+}
+
+TEST(Terrain, SpoiltFilesDoNotCrash) {
+    Folder folder;
+    write_tiff(folder / "whole.tif", 61, 50, {true, true, true, 2, COMPRESSION_ADOBE_DEFLATE},
+               [](int column, int row) { return column + row; });
+    std::ifstream in(folder / "whole.tif", std::ios::binary);
+    std::string whole{std::istreambuf_iterator<char>(in), {}};
+    int refused = 0;
+    for (uint64_t seed = 0; seed < 300; ++seed) {
+        std::string spoilt = whole;
+        for (uint32_t i = 0; i < 6; ++i) {
+            uint64_t r = random_bits({seed, 0, 0, Purpose::spawn}, i);
+            spoilt[r % spoilt.size()] = static_cast<char>(r >> 56);
+        }
+        if (seed % 3 == 0) spoilt.resize(spoilt.size() * (seed + 1) / 302);
+        std::ofstream(folder / "spoilt.tif", std::ios::binary) << spoilt;
+        Result<Terrain> terrain = read_terrain(folder / "spoilt.tif", k_box);
+        refused += !terrain;
+        if (!terrain) continue;
+        for (float h : terrain->heights) ASSERT_TRUE(std::isfinite(h));
+    }
+    EXPECT_GT(refused, 50);
+}
+
+TEST(Terrain, BothFilesOfMonacoAgree) {
+    fs::path maps = fs::path(FLANEUR_SHARED_DIR) / "corpus" / "osm";
+    if (!fs::exists(maps)) GTEST_SKIP() << "There is no " << maps << ".";
+    Result<Terrain> tile = read_terrain((maps / "N43E007_srtm3_monaco.hgt.zip").string(), k_box);
+    Result<Terrain> tiff = read_terrain((maps / "monaco_srtm.tif").string(), k_box);
+    ASSERT_TRUE(tile) << tile.error().message;
+    ASSERT_TRUE(tiff) << tiff.error().message;
+    // The GeoTIFF was cropped from the tile by nearest samples, half a sample off.
+    float highest = 0;
+    for (double u = 0.1; u < 1; u += 0.1) {
+        for (double v = 0.1; v < 1; v += 0.1) {
+            double longitude = k_box.west + 0.01 * u, latitude = k_box.south + 0.01 * v;
+            float h = height_at(*tiff, longitude, latitude);
+            EXPECT_NEAR(h, height_at(*tile, longitude + 0.5 / 1200, latitude - 0.5 / 1200), 0.05f);
+            highest = std::max(highest, h);
+        }
+    }
+    EXPECT_GT(highest, 100);
+    LonLatBox portland{-122.69, 45.50, -122.66, 45.53};
+    Result<Terrain> ned = read_terrain((maps / "portland_ned_float32.tif").string(), portland);
+    ASSERT_TRUE(ned) << ned.error().message;
+    EXPECT_NEAR(height_at(*ned, -122.675, 45.515), 15, 12);
+}
+
+// However the areas are cut, every piece of ground lies in the plane of its half square, and neighbours meet.
+TEST(Terrain, GroundLiesInPlanesAndHasNoGaps) {
+    GroundPlan plan;
+    plan.low = {-50, -40}, plan.high = {55, 47};
+    plan.cell = 16;
+    auto hill = [](Vec2 p) { return 12 / (1 + 0.0004f * dot(p, p)) + 0.1f * p.x; };
+    plan.terrain = hill;
+    facet_terrain(plan);
+    Area road, rest;
+    road.rank = 1;
+    road.kind = Surface::road;
+    add_strip(road.rings, {{-60, -31}, {3, 7.7f}, {60, 22}}, 4, 4, true);
+    rest.rank = 2;
+    rest.kind = Surface::grass;
+    rest.rings = {rectangle(to_point(plan.low), to_point(plan.high))};
+    plan.areas = {road, rest};
+    City city;
+    lay_ground(plan, city);
+    index_city(city);
+    EXPECT_TRUE(city.faces.empty()) << "both areas lie on the terrain";
+    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
+        if (map_area(city, t) > 0.01) {
+            EXPECT_GT(triangle_normal(city, t).y, 0.93f);
+        }
+    }
+    for (uint64_t i = 0; i < 2000; ++i) {
+        RandomKey key{i, 0, 0, Purpose::spawn};
+        Vec2 p{random_between(key, -49.9f, 54.9f), random_between(key, -39.9f, 46.9f, 1)};
+        std::optional<GroundHit> hit = ground(city, at_height(p, terrain_at(plan, p)), 1, 1);
+        ASSERT_TRUE(hit);
+        EXPECT_NEAR(hit->height, terrain_at(plan, p), 2e-3f);
+        EXPECT_NEAR(hit->height, hill(p), 0.6f);
+    }
+}
+
+}  // namespace
+}  // namespace flaneur
