@@ -29,9 +29,24 @@ enum GroundRank : int {
     k_rank_rest,
 };
 
-// gable and hip need four corners, pyramid a convex outline, all three no holes; mansard an outline that can
-// be inset. What does not fit becomes flat; flat roofs get a parapet where the outline can be inset.
-enum class RoofKind : uint8_t { flat, gable, hip, pyramid, mansard };
+// A ridge runs along the outline's longer side where Mass says nothing else. Gable, gambrel and round roofs
+// take outlines that about fill a rectangle; pyramid, dome and onion those whose corners are all seen from
+// the middle (a pyramid over others is a hip roof); hip and mansard any. What does not fit becomes flat; flat
+// roofs get a parapet where the outline can be inset.
+enum class RoofKind : uint8_t {
+    flat,
+    gable,
+    half_hip,
+    hip,
+    pyramid,
+    skillion,
+    gambrel,
+    round,
+    mansard,
+    dome,
+    onion
+};
+inline constexpr int k_roof_count = 11;
 
 struct Mass {
     Region footprint;
@@ -41,12 +56,14 @@ struct Mass {
     float overhang = 0;         // of a gable or hip roof, metres
     float cornice = 0;          // how far the cornice stands out, metres; only along `street_edges`
     bool underside = false;     // closed from below: a part that others or nothing carry
-    bool gable_across = false;  // the ridge runs from edge 0 to edge 2 instead of from 1 to 3
+    bool gable_across = false;  // over four corners, the ridge runs from edge 0 to edge 2, not from 1 to 3
+    Vec2 ridge;                 // along the ridge, its high side to the left of a skillion's; none: see above
     FaceKind kind = FaceKind::facade;
     uint32_t building = ~0u;
     std::vector<uint32_t> street_edges;  // edges of the outer ring, by their first corner
 };
-void add_mass(City& city, const Mass& mass);
+// Returns the roof that it has got.
+RoofKind add_mass(City& city, const Mass& mass);
 
 // An upright box about `centre` (its bottom's), `half` metres along `along` and square to it, in roof
 // triangles.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "assets/masses.h"
+#include "assets/osm_house.h"
 #include "assets/osm_map.h"
 #include "sim/base/rng.h"
 
@@ -9,16 +10,20 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_storey = 3.2f;
 constexpr float k_passage = 3.8f, k_out_of_passage = 0.8f;  // height; beyond either end, metres
+constexpr float k_near = 250;                               // neighbours that a building is like, metres
+constexpr float k_least_room = 2.6f;  // from the highest ground at a building to its eaves
 
 struct Found {
     int64_t id;
     const OsmTags* tags;
     Region region;
+    Point low, high;  // its box
     bool part = false;
+    const Found* whole = nullptr;                   // of a part: what it is a part of
+    float foot = 0, peak = 0;                       // lowest and highest ground along it
     Rings parts;                                    // of an outline: what its building:parts cover
-    float lowest_part = 0;                          // top of the lowest of them, metres
+    float lowest_part = 0;                          // top of the lowest of them, above the foot, metres
     std::vector<std::pair<Rings, float>> floating;  // parts that start above the ground, and where
 };
 
@@ -26,63 +31,25 @@ bool is_one_of(std::string_view value, std::initializer_list<std::string_view> v
     return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-bool is_house(std::string_view type) {
-    return is_one_of(
-        type, {"house", "detached", "semidetached_house", "terrace", "bungalow", "farm", "cabin", "villa"});
+bool apart(const Found& a, Point low, Point high) {
+    return a.high.X < low.X || high.X < a.low.X || a.high.Y < low.Y || high.Y < a.low.Y;
 }
 
-bool is_shed(std::string_view type) {
-    return is_one_of(type, {"garage", "garages", "shed", "hut", "kiosk", "carport", "roof", "service",
-                            "toilets", "greenhouse", "transformer_tower", "container", "guardhouse"});
-}
-
-// Storeys by what is usual for the kind of building where the map is silent. `usual` are those of the
-// surroundings.
-float default_storeys(const OsmTags& tags, double square_metres, float usual, uint64_t id) {
-    std::string_view type = tags["building"];
-    if (type.empty() || type == "yes") type = tags["building:part"];
-    float vary = std::floor(random_unit({id, 0, 0, Purpose::city}, 7) * 3) - 1;
-    if (is_shed(type) || square_metres < 30) return 1;
-    if (is_house(type)) return type == "bungalow" ? 1 : 2;
-    if (is_one_of(type, {"church", "cathedral", "chapel", "mosque", "synagogue", "temple"})) return 4;
-    if (is_one_of(type, {"warehouse", "industrial", "supermarket", "hangar", "stadium", "grandstand",
-                         "train_station"}))
-        return 2.5f;
-    if (is_one_of(type, {"school", "kindergarten", "public", "civic", "hospital"})) return 3;
-    if (is_one_of(type, {"office", "hotel", "skyscraper", "tower"})) return std::max(usual + 2, 6.0f);
-    if (square_metres < 80) return std::min(usual, 2.0f);
-    return std::max(2.0f, usual + vary);
-}
-
-std::optional<float> storeys_of(const OsmTags& tags) {
-    std::optional<float> levels = parse_number(tags["building:levels"]);
-    return levels && *levels >= 0.5f && *levels < 200 ? levels : std::nullopt;
-}
-
-std::optional<float> height_of(const OsmTags& tags) {
-    std::optional<float> height = parse_metres(tags["height"]);
-    if (!height) height = parse_metres(tags["building:height"]);
-    return height && *height >= 1 && *height < 900 ? height : std::nullopt;
-}
-
-float bottom_of(const OsmTags& tags) {
-    std::optional<float> height = parse_metres(tags["min_height"]);
-    return height ? *height : parse_number(tags["building:min_level"]).value_or(0) * k_storey;
-}
-
-// The median of the storeys that the map states, for those that it does not.
-float usual_storeys(const std::vector<Found>& all) {
-    std::vector<float> known;
-    for (const Found& f : all) {
-        std::optional<float> levels = storeys_of(*f.tags), height = height_of(*f.tags);
-        if (is_shed((*f.tags)["building"]) || area(rings_of(f.region)) < 60) continue;
-        if (levels) known.push_back(*levels);
-        if (!levels && height) known.push_back(*height / k_storey);
+void measure(const GroundPlan& plan, Found& f) {
+    f.low = f.high = f.region.outer[0];
+    f.foot = f.peak = terrain_at(plan, to_metres(f.low));
+    for (size_t i = 0; i < f.region.outer.size(); ++i) {
+        Point p = f.region.outer[i], q = f.region.outer[(i + 1) % f.region.outer.size()];
+        f.low = {std::min(f.low.X, p.X), std::min(f.low.Y, p.Y)};
+        f.high = {std::max(f.high.X, p.X), std::max(f.high.Y, p.Y)};
+        int steps =
+            plan.terrain ? std::min(64, 1 + static_cast<int>(length(to_metres(q) - to_metres(p)) / 4)) : 0;
+        for (int s = 0; s < steps; ++s) {
+            float y = terrain_at(
+                plan, lerp(to_metres(p), to_metres(q), static_cast<float>(s) / static_cast<float>(steps)));
+            f.foot = std::min(f.foot, y), f.peak = std::max(f.peak, y);
+        }
     }
-    if (known.size() < 8) return 4;
-    std::nth_element(known.begin(), known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2),
-                     known.end());
-    return clamp(std::floor(known[known.size() / 2] + 0.5f), 2, 12);
 }
 
 std::vector<Found> find_buildings(OsmImport& in) {
@@ -106,7 +73,9 @@ std::vector<Found> find_buildings(OsmImport& in) {
             }
             outer = without_collinear(outer, 40);
             for (Ring& hole : region.holes) hole = without_collinear(hole, 40);
-            all.push_back({id, &tags, std::move(region), is_part, {}, 0, {}});
+            Found found{id, &tags, std::move(region), {}, {}, is_part, nullptr, 0, 0, {}, 0, {}};
+            measure(in.plan, found);
+            all.push_back(std::move(found));
         }
     };
     for (const OsmWay& way : in.map.ways) {
@@ -118,27 +87,139 @@ std::vector<Found> find_buildings(OsmImport& in) {
     for (const OsmRelation& relation : in.map.relations) {
         consider(relation.id, relation.tags, [&] { return regions_of_relation(in, relation); });
     }
-    // Parts stand in the place of their outline; what they leave of it is built to the height of the lowest
-    // of them.
-    for (Found& outline : all) {
-        if (outline.part) continue;
-        Rings rings = rings_of(outline.region);
-        for (const Found& part : all) {
-            if (!part.part || !contains(rings, part.region.outer[0])) continue;
-            Rings whole = rings_of(part.region), covered = intersect(rings, whole);
-            if (area(covered) < 1) continue;
-            float top = height_of(*part.tags).value_or(storeys_of(*part.tags).value_or(1) * k_storey);
-            outline.lowest_part = outline.parts.empty() ? top : std::min(outline.lowest_part, top);
-            outline.parts.insert(outline.parts.end(), whole.begin(), whole.end());
-            if (bottom_of(*part.tags) > 0.5f) outline.floating.push_back({covered, bottom_of(*part.tags)});
-        }
-    }
     return all;
 }
 
-// Ways through buildings at street level.
-Rings find_passages(OsmImport& in) {
-    Rings passages;
+// Parts stand in the place of their outline; what they leave of it is built to the height of the lowest of
+// them.
+void assign_parts(std::vector<Found>& all) {
+    std::vector<Found*> parts;
+    for (Found& f : all) {
+        if (f.part) parts.push_back(&f);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Found* a, const Found* b) { return a->low.X < b->low.X; });
+    for (Found& outline : all) {
+        if (outline.part) continue;
+        Rings rings = rings_of(outline.region);
+        auto first = std::lower_bound(parts.begin(), parts.end(), outline.low.X - 1000,
+                                      [](const Found* part, int64_t x) { return part->low.X < x; });
+        for (auto at = first; at != parts.end() && (*at)->low.X < outline.high.X; ++at) {
+            Found& part = **at;
+            if (part.whole || apart(part, outline.low, outline.high)) continue;
+            std::optional<Vec2> middle = middle_of(part.region.outer);
+            if (!contains(rings, part.region.outer[0]) && !(middle && contains(rings, to_point(*middle))))
+                continue;
+            Rings whole = rings_of(part.region), covered = intersect(rings, whole);
+            if (area(covered) < 0.5 * area(whole)) continue;
+            part.whole = &outline;
+            part.foot = outline.foot, part.peak = outline.peak;
+            OsmHouse house =
+                house_of(*part.tags, *outline.tags, part.region, {}, static_cast<uint64_t>(part.id));
+            float top = house.top - house.roof_height;
+            outline.lowest_part = outline.parts.empty() ? top : std::min(outline.lowest_part, top);
+            outline.parts.insert(outline.parts.end(), whole.begin(), whole.end());
+            if (house.bottom > 0.5f) outline.floating.push_back({covered, house.bottom});
+        }
+    }
+}
+
+// What stands around buildings, for what their tags leave open.
+struct Neighbourhood {
+    struct Known {
+        Vec2 place;
+        float storeys;
+    };
+    std::vector<Known> known;  // sorted by x
+    float usual = 4;           // of the whole map
+    bool pitched = false, tiles = false;
+    std::vector<std::pair<int, int>>
+        traffic;                // squares of k_square metres with streets for cars in them; sorted
+    std::vector<Point> shared;  // corners of two buildings; sorted
+
+    static constexpr float k_square = 12;
+    static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
+};
+
+bool point_less(Point a, Point b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
+
+float median(std::vector<float>& values) {
+    auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+Neighbourhood look_around(OsmImport& in, const std::vector<Found>& all) {
+    Neighbourhood around;
+    // In Europe small houses have pitched roofs, south of the Alps of terracotta; elsewhere who knows.
+    double west = in.project.longitude, north = in.project.latitude;
+    around.pitched = north > 35 && north < 72 && west > -11 && west < 42;
+    around.tiles = around.pitched && north < 45.6;
+    std::vector<float> storeys;
+    std::vector<Point> corners;
+    for (const Found& f : all) {
+        if (!f.part) corners.insert(corners.end(), f.region.outer.begin(), f.region.outer.end());
+        std::optional<float> levels = known_storeys(*f.tags);
+        if (!levels || is_outbuilding(*f.tags) || area(rings_of(f.region)) < 60) continue;
+        storeys.push_back(*levels);
+        around.known.push_back({to_metres(f.region.outer[0]), *levels});
+    }
+    if (storeys.size() >= 8) around.usual = clamp(std::floor(median(storeys) + 0.5f), 2, 12);
+    std::stable_sort(around.known.begin(), around.known.end(),
+                     [](const auto& a, const auto& b) { return a.place.x < b.place.x; });
+    std::sort(corners.begin(), corners.end(), point_less);
+    for (size_t i = 0; i + 1 < corners.size(); ++i) {
+        bool again = !around.shared.empty() && around.shared.back() == corners[i];
+        if (corners[i] == corners[i + 1] && !again) around.shared.push_back(corners[i]);
+    }
+    for (const OsmWay& way : in.map.ways) {
+        std::optional<OsmHighway> highway = highway_of(way.tags);
+        if (!highway || !highway->drives || way.tags.is("highway", "living_street")) continue;
+        for (int64_t id : way.nodes) {
+            const OsmNode* node = in.map.node(id);
+            if (!node) continue;
+            Vec2 p = in.project(*node);
+            around.traffic.push_back({Neighbourhood::square(p.x), Neighbourhood::square(p.z)});
+        }
+    }
+    std::sort(around.traffic.begin(), around.traffic.end());
+    return around;
+}
+
+OsmSurroundings surroundings_of(const Neighbourhood& around, const Found& f) {
+    OsmSurroundings s{around.usual, around.pitched, around.tiles, false};
+    Vec2 here = lerp(to_metres(f.low), to_metres(f.high), 0.5f);
+    std::vector<float> near;
+    auto at = std::lower_bound(around.known.begin(), around.known.end(), here.x - k_near,
+                               [](const auto& known, float x) { return known.place.x < x; });
+    for (; at != around.known.end() && at->place.x < here.x + k_near && near.size() < 1000; ++at) {
+        if (length(at->place - here) < k_near) near.push_back(at->storeys);
+    }
+    if (near.size() >= 6) s.storeys = clamp(std::floor(median(near) + 0.5f), 2, 12);
+
+    int neighbours = 0;
+    for (Point p : f.region.outer)
+        neighbours += std::binary_search(around.shared.begin(), around.shared.end(), p, point_less);
+    bool cars = false;
+    for (int x = Neighbourhood::square(to_metres(f.low).x) - 1;
+         x <= Neighbourhood::square(to_metres(f.high).x) + 1; ++x) {
+        std::pair<int, int> from{x, Neighbourhood::square(to_metres(f.low).z) - 1};
+        auto first = std::lower_bound(around.traffic.begin(), around.traffic.end(), from);
+        cars |= first != around.traffic.end() && first->first == x &&
+                first->second <= Neighbourhood::square(to_metres(f.high).z) + 1;
+    }
+    s.old = around.pitched && neighbours >= 3 && !cars;
+    return s;
+}
+
+// A way through buildings at street level, with its box.
+struct Passage {
+    Rings rings;
+    Point low, high;
+};
+
+std::vector<Passage> find_passages(OsmImport& in) {
+    std::vector<Passage> passages;
     for (const OsmWay& way : in.map.ways) {
         bool through = way.tags.is("tunnel", "building_passage") ||
                        is_one_of(way.tags["covered"], {"yes", "arcade", "colonnade"});
@@ -150,12 +231,19 @@ Rings find_passages(OsmImport& in) {
             line.front() += normalize_or(line[0] - line[1], {}) * k_out_of_passage;
             size_t last = line.size() - 1;
             line.back() += normalize_or(line[last] - line[last - 1], {}) * k_out_of_passage;
-            Rings strip;
-            add_strip(strip, line, half, half, false);
-            passages.insert(passages.end(), strip.begin(), strip.end());
+            Passage passage;
+            add_strip(passage.rings, line, half, half, false);
+            passage.rings = unite(passage.rings);
+            if (passage.rings.empty()) continue;
+            passage.low = passage.high = passage.rings[0][0];
+            for (Point p : passage.rings[0]) {
+                passage.low = {std::min(passage.low.X, p.X), std::min(passage.low.Y, p.Y)};
+                passage.high = {std::max(passage.high.X, p.X), std::max(passage.high.Y, p.Y)};
+            }
+            passages.push_back(std::move(passage));
         }
     }
-    return unite(passages);
+    return passages;
 }
 
 // Nodes that stand for a shop or a restaurant at the street.
@@ -169,84 +257,19 @@ std::vector<Point> find_shops(const OsmImport& in) {
             shops.push_back(to_point(in.project(node)));
         }
     }
-    std::sort(shops.begin(), shops.end(),
-              [](Point a, Point b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; });
+    std::sort(shops.begin(), shops.end(), point_less);
     return shops;
 }
 
 bool has_shop(const Found& f, const std::vector<Point>& shops) {
     std::string_view type = (*f.tags)["building"];
     if (f.tags->has("shop") || is_one_of(type, {"retail", "commercial", "supermarket", "kiosk"})) return true;
-    auto [west, east] = std::minmax_element(f.region.outer.begin(), f.region.outer.end(),
-                                            [](Point a, Point b) { return a.X < b.X; });
     auto at =
-        std::lower_bound(shops.begin(), shops.end(), west->X, [](Point p, int64_t x) { return p.X < x; });
-    for (; at != shops.end() && at->X <= east->X; ++at) {
+        std::lower_bound(shops.begin(), shops.end(), f.low.X, [](Point p, int64_t x) { return p.X < x; });
+    for (; at != shops.end() && at->X <= f.high.X; ++at) {
         if (contains({f.region.outer}, *at)) return true;
     }
     return false;
-}
-
-uint8_t style_of(const OsmTags& tags, uint64_t id) {
-    std::string_view material = tags["building:material"];
-    if (material == "brick") return 3;
-    if (material == "concrete" || material == "glass" || material == "metal") return 4;
-    if (material == "limestone" || material == "stone" || material == "sandstone") return 0;
-    constexpr uint8_t styles[] = {0, 1, 1, 1, 2, 3, 4, 5, 5, 6, 6, 7, 8, 9};
-    return styles[static_cast<size_t>(random_unit({id, 0, 0, Purpose::city}, 3) * 14)];
-}
-
-void set_roof(Mass& mass, const OsmTags& tags, float storeys, uint64_t id) {
-    std::string_view shape = tags["roof:shape"], type = tags["building"];
-    Ring simple = without_collinear(mass.footprint.outer, 250);
-    bool quad = mass.footprint.holes.empty() && simple.size() == 4 && is_convex(simple);
-    float u = random_unit({id, 0, 0, Purpose::city}, 5);
-    if (is_one_of(shape, {"gabled", "saltbox", "gambrel", "half-hipped", "round"})) {
-        mass.roof = quad ? RoofKind::gable : RoofKind::mansard;
-    } else if (is_one_of(shape, {"hipped", "side_hipped"})) {
-        mass.roof = quad ? RoofKind::hip : RoofKind::mansard;
-    } else if (is_one_of(shape, {"pyramidal", "cone", "dome", "onion"})) {
-        mass.roof = RoofKind::pyramid;
-    } else if (shape == "mansard") {
-        mass.roof = RoofKind::mansard;
-    } else if (shape.empty() && is_house(type)) {
-        mass.roof = quad ? RoofKind::gable : RoofKind::mansard;
-    } else if (shape.empty() && storeys <= 6 && (type == "apartments" || type == "residential")) {
-        mass.roof = u < 0.6f ? RoofKind::mansard : RoofKind::flat;
-    }
-    std::optional<float> height = parse_metres(tags["roof:height"]);
-    float least = 1e9f;
-    if (quad) {
-        for (size_t i = 0; i < 4; ++i)
-            least = std::min(least, length(to_metres(simple[i]) - to_metres(simple[(i + 1) % 4])));
-    }
-    switch (mass.roof) {
-        case RoofKind::flat:
-            mass.roof_height = mass.eaves - mass.bottom > 6 ? 0.7f : 0.2f;
-            break;
-        case RoofKind::mansard:
-            mass.roof_height = 2.2f;
-            break;
-        case RoofKind::pyramid:
-            mass.roof_height = height.value_or(4);
-            break;
-        default:
-            mass.roof_height = height.value_or(clamp(least * 0.35f, 1.5f, 5));
-            break;
-    }
-    mass.roof_height = clamp(mass.roof_height, 0, 30);
-    if (mass.roof == RoofKind::gable || mass.roof == RoofKind::hip) {
-        mass.footprint.outer = simple;
-        float first = length(to_metres(simple[1]) - to_metres(simple[0])),
-              second = length(to_metres(simple[2]) - to_metres(simple[1]));
-        mass.gable_across = (second > first) != tags.is("roof:orientation", "across");
-    }
-}
-
-float lowest_ground(const GroundPlan& plan, const Region& region) {
-    float lowest = terrain_at(plan, to_metres(region.outer[0]));
-    for (Point p : region.outer) lowest = std::min(lowest, terrain_at(plan, to_metres(p)));
-    return lowest;
 }
 
 // Under three decimetres wide: parts and outline drawn not quite alike.
@@ -258,62 +281,92 @@ bool is_sliver(const Region& region) {
     return area(rings_of(region)) < 0.15 * static_cast<double>(around);
 }
 
-void build(OsmImport& in, const Found& f, const Rings& passages, const std::vector<Point>& shops,
-           float usual) {
-    const OsmTags& tags = *f.tags;
+// The ground below the storeys over a passage, where no way is drawn.
+void pave(OsmImport& in, const Rings& rings) {
+    Area paved;
+    paved.rank = k_rank_apron;
+    paved.kind = Surface::path;
+    paved.lift = flat(k_kerb);
+    paved.rings = rings;
+    in.plan.areas.push_back(std::move(paved));
+}
+
+struct Context {
+    Neighbourhood around;
+    std::vector<Passage> passages;
+    std::vector<Point> shops;
+};
+
+void build(OsmImport& in, const Found& f, const Context& context) {
     auto id = static_cast<uint64_t>(f.id);
-    double square_metres = area(rings_of(f.region));
-    std::optional<float> height = height_of(tags), levels = storeys_of(tags);
-    if (!height && !levels) ++in.counts.default_heights;
-    float storeys =
-        levels.value_or(height ? *height / k_storey : default_storeys(tags, square_metres, usual, id));
-    float bottom = bottom_of(tags);
-    bool canopy = tags.is("building", "roof") || tags.is("building", "carport");
+    OsmSurroundings around = surroundings_of(context.around, f);
+    OsmHouse house = house_of(*f.tags, f.whole ? *f.whole->tags : *f.tags, f.region, around, id);
+    OsmCounts& counts = in.counts;
+    ++(f.part ? counts.parts : counts.buildings);
+    if (!f.part && house.default_height) ++counts.default_heights;
 
     Mass mass;
     mass.footprint = f.region;
-    float top = height.value_or(storeys * k_storey + 0.8f);
-    if (canopy) bottom = std::max(top, 3.6f) - 0.5f, top = bottom + 0.5f;
-    bottom = clamp(bottom, 0, std::max(0.0f, top - 0.5f));
-    mass.bottom = bottom;
-    mass.eaves = std::max(top, bottom + 0.5f);
-    if (!canopy) set_roof(mass, tags, storeys, id);
-    // `height` counts to the ridge.
-    bool pitched = mass.roof != RoofKind::flat;
-    if (height && pitched && mass.eaves - mass.roof_height > bottom + 2.2f) mass.eaves -= mass.roof_height;
-    mass.underside = bottom > 1;
+    mass.roof = house.roof;
+    mass.roof_height = house.roof_height;
+    mass.ridge = house.ridge;
+    mass.bottom = f.foot + house.bottom;
+    bool pitched = house.roof != RoofKind::flat;
+    mass.eaves = f.foot + house.top - (pitched ? house.roof_height : 0);
+    // On a slope a usual height counts from the middle of the ground.
+    if (house.default_height) mass.eaves += 0.5f * (f.peak - f.foot);
+    if (house.bottom < 0.5f && !is_outbuilding(*f.tags))
+        mass.eaves = std::max(mass.eaves, f.peak + k_least_room);
+    if (house.canopy) {
+        // It stays above everyone's head, up the slope too.
+        float raise = std::max(0.0f, f.peak + 2.5f - mass.bottom);
+        mass.bottom += raise, mass.eaves += raise;
+    }
+    mass.eaves = std::max(mass.eaves, mass.bottom + 0.3f);
+    mass.underside = house.bottom > 1;
+    bool on_ground = house.bottom < 0.5f;
+    if (mass.footprint.holes.empty() && (pitched || house.roof_height > 0)) {
+        Ring simple = without_collinear(mass.footprint.outer, 250);
+        if (simple.size() == 4 && pitched) mass.footprint.outer = simple;
+    }
 
     Building building;
-    building.base = bottom;
     building.top = mass.eaves;
-    building.storey = clamp(levels && *levels >= 1 ? (mass.eaves - bottom) / *levels : k_storey, 2.6f, 4.5f);
-    building.style = style_of(tags, id);
-    building.has_shop = bottom < 0.5f && has_shop(f, shops);
-    building.seed = static_cast<uint32_t>(random_bits({id, 0, 0, Purpose::city}));
+    building.storey = house.storey;
+    building.style = house.style;
+    building.wall_colour = house.wall_colour;
+    building.roof_colour = house.roof_colour;
+    building.has_shop = on_ground && has_shop(f, context.shops);
+    building.seed = static_cast<uint32_t>(
+        random_bits({f.whole ? static_cast<uint64_t>(f.whole->id) : id, 0, 0, Purpose::city}));
 
     // What stands on the ground takes the ground away.
-    float foot = lowest_ground(in.plan, f.region);
     auto add = [&](const Mass& m) {
         Building b = building;
-        b.base = m.bottom + foot;
-        b.top += foot;
+        b.base = m.bottom;
+        b.top = m.eaves;
         Mass own = m;
-        own.bottom += foot;
-        own.eaves += foot;
         own.building = static_cast<uint32_t>(in.city.buildings.size());
         in.city.buildings.push_back(b);
-        add_mass(in.city, own);
-        if (m.bottom >= 0.5f) return;
+        RoofKind got = add_mass(in.city, own);
+        if (m.bottom > f.foot + 0.5f) return got;
         Area solid;
         solid.rank = k_rank_solid;
         solid.solid = true;
         solid.rings = rings_of(m.footprint);
         in.plan.areas.push_back(std::move(solid));
+        return got;
     };
-    Rings footprint = rings_of(mass.footprint);
-    Rings passage = bottom < 0.5f ? intersect(footprint, passages) : Rings{};
+    Rings footprint = rings_of(mass.footprint), passages;
+    for (const Passage& p : context.passages) {
+        if (on_ground && !apart(f, p.low, p.high))
+            passages.insert(passages.end(), p.rings.begin(), p.rings.end());
+    }
+    Rings passage = intersect(footprint, passages);
     if (area(passage) <= 1 && f.parts.empty()) {
-        add(mass);
+        RoofKind got = add(mass);
+        ++counts.roofs[static_cast<size_t>(got)];
+        counts.flattened += got != mass.roof;
         return;
     }
     auto add_flat = [&](const Rings& rings, float low, float high) {
@@ -325,30 +378,38 @@ void build(OsmImport& in, const Found& f, const Rings& passages, const std::vect
             piece.roof_height = 0;
             piece.bottom = low;
             piece.eaves = std::max(high, low + 0.3f);
-            piece.underside = low > 1;
+            piece.underside = low > f.foot + 1;
             add(piece);
         }
     };
     // In pieces: what its parts leave, the storeys over passages, and what carries parts that start above it.
     Rings parts = unite(f.parts);
-    float top_of_own = parts.empty() ? mass.eaves : std::min(mass.eaves, f.lowest_part);
+    float top_of_own = parts.empty() ? mass.eaves : std::min(mass.eaves, f.foot + f.lowest_part);
     Rings beside = area(passage) > 1 ? subtract(footprint, passages) : footprint;
-    add_flat(subtract(beside, parts), bottom, top_of_own);
-    if (mass.eaves > k_passage + 1.5f) add_flat(subtract(passage, parts), k_passage, mass.eaves);
+    add_flat(subtract(beside, parts), mass.bottom, top_of_own);
+    if (area(passage) > 1) {
+        counts.passages += 1;
+        pave(in, passage);
+        float highest = f.foot;
+        for (const Ring& ring : passage) {
+            for (Point p : ring) highest = std::max(highest, terrain_at(in.plan, to_metres(p)));
+        }
+        float ceiling = highest + k_passage;
+        if (mass.eaves > ceiling + 0.6f) add_flat(subtract(passage, parts), ceiling, mass.eaves);
+    }
     Rings grounded = parts;
     for (const auto& [rings, low] : f.floating) grounded = subtract(grounded, rings);
     for (const auto& [rings, low] : f.floating)
-        add_flat(subtract(subtract(rings, grounded), passages), 0, low);
+        add_flat(subtract(subtract(rings, grounded), passages), f.foot, f.foot + low);
 }
 
 }  // namespace
 
 void add_osm_buildings(OsmImport& in) {
     std::vector<Found> all = find_buildings(in);
-    Rings passages = find_passages(in);
-    std::vector<Point> shops = find_shops(in);
-    float usual = usual_storeys(all);
-    for (const Found& f : all) build(in, f, passages, shops, usual);
+    assign_parts(all);
+    Context context{look_around(in, all), find_passages(in), find_shops(in)};
+    for (const Found& f : all) build(in, f, context);
 }
 
 }  // namespace flaneur

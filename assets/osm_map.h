@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assets/ground_plan.h"
+#include "assets/masses.h"
 #include "sim/base/result.h"
 #include "sim/city/city.h"
 
@@ -82,6 +83,9 @@ struct OsmCounts {
     int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0,
         default_heights = 0;
     int outside = 0, props_off_ground = 0;
+    int buildings = 0, parts = 0, passages = 0;
+    int roofs[k_roof_count] = {};  // of buildings and parts, by RoofKind
+    int flattened = 0;             // roofs that their outlines do not allow for
 };
 
 // What the steps read and add to.

@@ -153,6 +153,28 @@ std::optional<Ring> inset(const Ring& ring, int64_t distance) {
     return moved;
 }
 
+Rings inset_rings(const Rings& rings, float distance) {
+    ClipperLib::ClipperOffset offset(3.0);
+    offset.AddPaths(rings, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+    Rings result;
+    offset.Execute(result, -static_cast<double>(distance) * 1000);
+    return result;
+}
+
+std::optional<Vec2> middle_of(const Ring& ring) {
+    int64_t twice = twice_area(ring);
+    if (twice == 0) return std::nullopt;
+    double x = 0, z = 0;
+    Point o = ring[0];
+    for (size_t i = 1; i + 1 < ring.size(); ++i) {
+        Point a{ring[i].X - o.X, ring[i].Y - o.Y}, b{ring[i + 1].X - o.X, ring[i + 1].Y - o.Y};
+        auto part = static_cast<double>(a.X * b.Y - a.Y * b.X) / static_cast<double>(twice);
+        x += part * static_cast<double>(a.X + b.X) / 3;
+        z += part * static_cast<double>(a.Y + b.Y) / 3;
+    }
+    return to_metres(o) + Vec2{static_cast<float>(x / 1000), static_cast<float>(z / 1000)};
+}
+
 Ring without_collinear(const Ring& ring, int64_t tolerance) {
     Ring kept = ring;
     for (bool changed = true; changed && kept.size() > 3;) {

@@ -48,6 +48,11 @@ Rings rings_of(const Region& region);
 // negative); keeps the number of corners. None where an edge would vanish or the ring would cross itself.
 std::optional<Ring> inset(const Ring& ring, int64_t distance);
 
+// All rings moved inwards by so many metres, corners kept sharp; what is too narrow vanishes.
+Rings inset_rings(const Rings& rings, float distance);
+// The centre of a ring's area. None for a ring that encloses nothing.
+std::optional<Vec2> middle_of(const Ring& ring);
+
 // The corner points of a ring less those that stray under `tolerance` mm from the line between their
 // neighbours, and repeated ones.
 Ring without_collinear(const Ring& ring, int64_t tolerance);

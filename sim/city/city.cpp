@@ -238,6 +238,7 @@ uint64_t hash_city(const City& city) {
         float sizes[] = {b.base, b.top, b.storey};
         add(sizes, sizeof sizes);
         h = mix(h ^ (uint64_t{b.seed} << 16 | uint64_t{b.style} << 8 | b.has_shop));
+        h = mix(h ^ (uint64_t{b.wall_colour} << 32 | b.roof_colour));
     }
     add_array(city.roof_vertices);
     add_array(city.roof_indices);

@@ -34,6 +34,8 @@ struct Building {
     uint8_t style = 0;        // index of a wall colour, see k_wall_colours in assets
     uint8_t has_shop = 0;     // 1: a shop front at street level
     uint32_t seed = 0;        // for everything that varies without meaning
+    // sRGB, R in the lowest byte; 0: what the style and the seed make of it.
+    uint32_t wall_colour = 0, roof_colour = 0;
 };
 
 enum class PropKind : uint8_t {

@@ -79,7 +79,8 @@ void add_faces(CityMesh& mesh, const City& city) {
             if (f.building < city.buildings.size()) {
                 const Building& b = city.buildings[f.building];
                 float tone = 0.94f + 0.12f * random_unit({b.seed, 0, 0, Purpose::colour});
-                colour = shaded(k_wall_colours[b.style % k_wall_colour_count], tone);
+                colour = shaded(b.wall_colour ? b.wall_colour : k_wall_colours[b.style % k_wall_colour_count],
+                                tone);
                 extra = static_cast<uint16_t>(std::lround(clamp(b.storey, 1, 20) * 100));
                 if (b.has_shop) extra = static_cast<uint16_t>(extra | 0x8000u);
             } else {
@@ -112,6 +113,8 @@ void add_roofs(CityMesh& mesh, const City& city) {
         RandomKey key{seed, 1, 0, Purpose::colour};
         bool slate = random_unit(key) < 0.4f;
         uint32_t colour = normal.y > 0.95f ? k_flat_roof : slate ? k_slate_roof : k_tile_roof;
+        if (building < city.buildings.size() && city.buildings[building].roof_colour)
+            colour = city.buildings[building].roof_colour;
         if (normal.y < 0.3f) colour = k_cornice;
         if (building >= is_house.size() || !is_house[building]) colour = k_garden_wall;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
