@@ -53,6 +53,7 @@ bool same_ground(const Area& a, const Area& b) {
 // Halves the box along cell borders until one cell is left; large rings are cut on the way, so that no cell
 // pays for the whole of them.
 void distribute(std::vector<Cell>& cells, const Box& box, int64_t cell, std::vector<Item> items) {
+    if (items.empty()) return;
     int64_t columns = (box.x1 - box.x0 + cell - 1) / cell, rows = (box.z1 - box.z0 + cell - 1) / cell;
     if (columns <= 1 && rows <= 1) {
         cells.push_back({box, std::move(items)});

@@ -31,6 +31,25 @@ void add_edges(std::vector<Edge>& edges, const Ring& ring, uint32_t piece) {
     }
 }
 
+// Between the edge p-q of a piece whose interior lies to its left and the other piece there, whose heights at
+// p and q are given.
+void add_face(City& city, Vec3 p, Vec3 q, float other_p, float other_q, bool steps) {
+    float most = std::max(std::fabs(p.y - other_p), std::fabs(q.y - other_q));
+    if (most < 1e-3f) return;
+    // The free side of the higher piece's edge is to its right.
+    Face face;
+    face.a = {q.x, std::min(q.y, other_q), q.z};
+    face.b = {p.x, std::min(p.y, other_p), p.z};
+    face.a_top = std::max(q.y, other_q);
+    face.b_top = std::max(p.y, other_p);
+    if (p.y + q.y <= other_p + other_q) {
+        std::swap(face.a, face.b);
+        std::swap(face.a_top, face.b_top);
+    }
+    face.kind = most > k_highest_step ? FaceKind::garden_wall : steps ? FaceKind::riser : FaceKind::kerb;
+    city.faces.push_back(face);
+}
+
 }  // namespace
 
 float lift_at(const Lift& lift, Vec2 p) {
@@ -123,23 +142,18 @@ void lay_ground(const GroundPlan& plan, City& city) {
                     &backward = pieces[e.forward ? f.piece : e.piece];
         float fl = height(forward, e.low), fh = height(forward, e.high);
         float bl = height(backward, e.low), bh = height(backward, e.high);
-        float most = std::max(std::fabs(fl - bl), std::fabs(fh - bh));
-        if (most < 1e-3f) continue;
-        bool forward_above = fl + fh > bl + bh;
-        // The free side of the higher piece's edge is to its right.
-        Face face;
-        face.a = at_height(to_metres(e.high), std::min(fh, bh));
-        face.b = at_height(to_metres(e.low), std::min(fl, bl));
-        face.a_top = std::max(fh, bh);
-        face.b_top = std::max(fl, bl);
-        if (!forward_above) {
-            std::swap(face.a, face.b);
-            std::swap(face.a_top, face.b_top);
-        }
         bool steps = plan.areas[forward.area].kind == Surface::steps ||
                      plan.areas[backward.area].kind == Surface::steps;
-        face.kind = most > k_highest_step ? FaceKind::garden_wall : steps ? FaceKind::riser : FaceKind::kerb;
-        city.faces.push_back(face);
+        Vec3 low_f = at_height(to_metres(e.low), fl), high_f = at_height(to_metres(e.high), fh);
+        if ((fl - bl) * (fh - bh) >= 0) {
+            add_face(city, low_f, high_f, bl, bh, steps);
+            continue;
+        }
+        // The two change places on the way: a wedge to either side.
+        float t = (fl - bl) / ((fl - bl) - (fh - bh));
+        Vec3 middle = lerp(low_f, high_f, t);
+        add_face(city, low_f, middle, bl, middle.y, steps);
+        add_face(city, middle, high_f, middle.y, bh, steps);
     }
 }
 

@@ -6,8 +6,6 @@
 #include "assets/masses.h"
 #include "assets/osm_map.h"
 #include "assets/terrain.h"
-#include "sim/base/math.h"
-#include "sim/base/rng.h"
 
 namespace flaneur {
 
@@ -85,53 +83,6 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
 
 }  // namespace
 
-void add_osm_props(OsmImport& in) {
-    auto place = [&](PropKind kind, Vec2 p, uint64_t id, float height, float radius) {
-        std::optional<GroundHit> hit = ground(in.city, at_height(p, terrain_at(in.plan, p)), 3, 3);
-        bool off = !hit || hit->kind == Surface::road || hit->kind == Surface::crossing ||
-                   hit->kind == Surface::water;
-        if (p.x < in.plan.low.x || p.z < in.plan.low.z || p.x > in.plan.high.x || p.z > in.plan.high.z)
-            return;
-        if (off) {
-            ++in.counts.props_off_ground;
-            return;
-        }
-        RandomKey key{id, 0, 0, Purpose::tree};
-        in.city.props.push_back({kind, at_height(p, hit->height), random_between(key, -k_pi, k_pi), height,
-                                 radius, static_cast<uint32_t>(random_bits(key, 9))});
-    };
-    auto tree = [&](Vec2 p, uint64_t id, const OsmTags& tags) {
-        RandomKey key{id, 0, 0, Purpose::tree};
-        float height = parse_metres(tags["height"]).value_or(random_between(key, 6, 10, 1));
-        height = clamp(height, 2.5f, 28);
-        float crown =
-            parse_metres(tags["diameter_crown"]).value_or(height * random_between(key, 0.5f, 0.65f, 2));
-        place(PropKind::tree, p, id, height, clamp(crown * 0.5f, 0.8f, 7));
-    };
-    for (const OsmNode& node : in.map.nodes) {
-        if (node.tags.items.empty() || is_hidden(node.tags)) continue;
-        Vec2 p = in.project(node);
-        auto id = static_cast<uint64_t>(node.id);
-        if (node.tags.is("natural", "tree")) tree(p, id, node.tags);
-        if (node.tags.is("highway", "street_lamp")) place(PropKind::lamp, p, id, 5.5f, 0);
-        if (node.tags.is("amenity", "bench")) place(PropKind::bench, p, id, 0.8f, 0);
-        if (node.tags.is("barrier", "bollard")) place(PropKind::bollard, p, id, 0.9f, 0);
-    }
-    for (const OsmWay& way : in.map.ways) {
-        if (!way.tags.is("natural", "tree_row")) continue;
-        uint64_t id = static_cast<uint64_t>(way.id) << 16;
-        for (const std::vector<Vec2>& line : lines_of(in, way)) {
-            for (size_t i = 0; i + 1 < line.size(); ++i) {
-                int trees = std::min(500, std::max(1, static_cast<int>(length(line[i + 1] - line[i]) / 8)));
-                for (int t = 0; t < trees; ++t) {
-                    tree(lerp(line[i], line[i + 1], static_cast<float>(t) / static_cast<float>(trees)), id++,
-                         way.tags);
-                }
-            }
-        }
-    }
-}
-
 Result<City> load_osm(const std::string& path, const OsmOptions& options) {
     Result<OsmMap> map = read_osm(path);
     if (!map) return map.error();
@@ -171,6 +122,7 @@ Result<City> load_osm(const std::string& path, const OsmOptions& options) {
     lay_ground(in.plan, in.city);
     index_city(in.city);
     add_osm_props(in);
+    add_osm_destinations(in);
     write_notes(in);
     return std::move(in.city);
 }

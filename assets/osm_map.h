@@ -11,6 +11,7 @@
 
 #include "assets/ground_plan.h"
 #include "assets/masses.h"
+#include "assets/osm_lines.h"
 #include "sim/base/result.h"
 #include "sim/city/city.h"
 
@@ -88,6 +89,24 @@ struct OsmCounts {
     int flattened = 0;             // roofs that their outlines do not allow for
 };
 
+struct OsmHighway {
+    float width = 0;     // metres
+    float sidewalk = 0;  // width of a sidewalk where tags do not say; 0: none without a tag
+    bool drives =
+        false;  // a carriageway with kerbs; service roads are level with the sidewalks that they cross
+    Surface kind = Surface::path;
+    int level = 0;  // 0 on the ground, more above it: `layer`, and 1 for bridges that say no layer
+};
+// None for what is not built, below ground, indoors or not for streets and ways.
+std::optional<OsmHighway> highway_of(const OsmTags& tags);
+
+// A street or way of the map. Lines of its known points, as `lines_of` gives them.
+struct OsmStreet {
+    const OsmWay* way = nullptr;
+    OsmHighway highway;
+    std::vector<std::vector<Vec2>> lines;
+};
+
 // What the steps read and add to.
 struct OsmImport {
     const OsmMap& map;
@@ -95,6 +114,10 @@ struct OsmImport {
     GroundPlan plan;
     City city;
     OsmCounts counts;
+    // Filled by add_osm_streets: centre lines on the ground, by index of their way, with half the breadth of
+    // carriageway and sidewalks (0: none), and what lies above the ground or leads up there by steps.
+    SegmentIndex streets{};
+    std::vector<OsmStreet> raised{};
 };
 
 // The known points of a way; missing ones split it. Lines of fewer than two points are left out.
@@ -104,21 +127,14 @@ std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way);
 std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way);
 std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relation);
 
-struct OsmHighway {
-    float width = 0;     // metres
-    float sidewalk = 0;  // width of a sidewalk where tags do not say; 0: none without a tag
-    bool drives =
-        false;  // a carriageway with kerbs; service roads are level with the sidewalks that they cross
-    Surface kind = Surface::path;
-};
-// None for what is not built, not on the ground or not for streets and ways.
-std::optional<OsmHighway> highway_of(const OsmTags& tags);
-
 void add_osm_streets(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares, the sea
 // Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
 void add_osm_sea(OsmImport& in);
 void add_osm_buildings(OsmImport& in);
-void add_osm_props(OsmImport& in);  // after the ground is laid
+// Trees and street furniture, where there is room for them. After the ground is laid.
+void add_osm_props(OsmImport& in);
+// Doors, shops, benches, stops, squares and where streets leave the map. After the props.
+void add_osm_destinations(OsmImport& in);
 
 }  // namespace flaneur

@@ -11,48 +11,6 @@ namespace {
 
 constexpr float k_apron = 5;  // paved beyond a sidewalk, metres
 
-struct Segment {
-    Vec2 a, b;
-};
-
-// Segments by squares of 16 m, for asking what runs alongside.
-struct SegmentIndex {
-    static constexpr float k_square = 16;
-    std::vector<Segment> segments;
-    std::vector<std::pair<std::pair<int, int>, uint32_t>> by_square;
-
-    static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
-
-    void add(Vec2 a, Vec2 b) {
-        auto index = static_cast<uint32_t>(segments.size());
-        segments.push_back({a, b});
-        for (int x = square(std::min(a.x, b.x)); x <= square(std::max(a.x, b.x)); ++x) {
-            for (int z = square(std::min(a.z, b.z)); z <= square(std::max(a.z, b.z)); ++z) {
-                by_square.push_back({{x, z}, index});
-            }
-        }
-    }
-    void sort() { std::sort(by_square.begin(), by_square.end()); }
-
-    template <class Visit>
-    void near(Vec2 p, float radius, Visit visit) const {
-        for (int x = square(p.x - radius); x <= square(p.x + radius); ++x) {
-            for (int z = square(p.z - radius); z <= square(p.z + radius); ++z) {
-                auto at = std::lower_bound(by_square.begin(), by_square.end(),
-                                           std::make_pair(std::make_pair(x, z), 0u));
-                for (; at != by_square.end() && at->first == std::make_pair(x, z); ++at)
-                    visit(segments[at->second]);
-            }
-        }
-    }
-};
-
-// A carriageway of the map.
-struct Road {
-    const OsmWay* way;
-    OsmHighway highway;
-};
-
 // What tags say about one side's sidewalk.
 enum class SideTag { unknown, none, own, separate };
 
@@ -108,7 +66,7 @@ std::optional<float> alongside(const SegmentIndex& footways, const std::vector<V
 
 // The width of a sidewalk that belongs to the road itself, so that what both schemas map is laid once: where
 // the sidewalk is a way of its own, the pavement reaches from the kerb to that way.
-float sidewalk_width(const Road& road, const SegmentIndex& footways, const std::vector<Vec2>& line,
+float sidewalk_width(const OsmStreet& road, const SegmentIndex& footways, const std::vector<Vec2>& line,
                      bool left) {
     const OsmTags& tags = road.way->tags;
     SideTag tag = side_tag(tags, left);
@@ -124,18 +82,50 @@ float sidewalk_width(const Road& road, const SegmentIndex& footways, const std::
     return road.highway.sidewalk;
 }
 
-void add_way(OsmImport& in, const OsmWay& way, const OsmHighway& highway) {
-    for (const std::vector<Vec2>& line : lines_of(in, way)) {
+void add_way(OsmImport& in, const OsmStreet& way) {
+    const OsmHighway& highway = way.highway;
+    for (const std::vector<Vec2>& line : way.lines) {
         Area area;
         area.rank = highway.kind == Surface::sidewalk ? k_rank_sidewalk
                     : highway.kind == Surface::plaza  ? k_rank_plaza
                                                       : k_rank_path;
         area.kind = highway.kind;
         area.lift = flat(k_kerb);
-        if (highway.kind == Surface::steps) area.axis = normalize_or(line.back() - line.front(), {1, 0});
-        add_strip(area.rings, line, highway.width * 0.5f, highway.width * 0.5f,
-                  highway.kind != Surface::steps);
+        add_strip(area.rings, line, highway.width * 0.5f, highway.width * 0.5f, true);
         in.plan.areas.push_back(std::move(area));
+    }
+}
+
+// Steps begin and end beside the streets that they come from, where there is no kerb to be drawn.
+void add_steps(OsmImport& in, const OsmStreet& steps) {
+    auto on_street = [&](Vec2 p) {
+        bool found = false;
+        in.streets.near(
+            p, 12, [&](const Segment& s) { found |= length(lerp(s.a, s.b, closest_on(s, p)) - p) < s.half; });
+        return found;
+    };
+    auto height = [&](Vec2 p) { return terrain_at(in.plan, p) + k_kerb; };
+    for (const std::vector<Vec2>& line : steps.lines) {
+        constexpr float k_stride = 0.25f;
+        float whole = length_of(line), from = 0, to = whole;
+        if (whole < 0.5f) continue;
+        while (from < 0.4f * whole && on_street(part_of(line, from, whole).front())) from += k_stride;
+        while (to > 0.6f * whole && on_street(part_of(line, 0, to).back())) to -= k_stride;
+        Flight flight;
+        flight.line = part_of(line, from, to);
+        flight.width = steps.highway.width;
+        flight.from = height(flight.line.front());
+        flight.to = height(flight.line.back());
+        flight.risers = static_cast<int>(parse_number(steps.way->tags["step_count"]).value_or(0));
+        if (riser_count(flight.to - flight.from, flight.risers) > 0) add_flight(in.plan, flight);
+        // Before and after it, or where it does not rise.
+        Area rest;
+        rest.rank = k_rank_path;
+        rest.kind = Surface::steps;
+        rest.lift = flat(k_kerb);
+        rest.axis = normalize_or(line.back() - line.front(), {1, 0});
+        add_strip(rest.rings, line, flight.width * 0.5f, flight.width * 0.5f, false);
+        in.plan.areas.push_back(std::move(rest));
     }
 }
 
@@ -164,7 +154,7 @@ std::optional<Vec2> direction_from(const OsmImport& in, const OsmWay& way, size_
     return normalize_or(last - start, {1, 0});
 }
 
-void add_junctions_and_crossings(OsmImport& in, const std::vector<Road>& roads) {
+void add_junctions_and_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
     std::vector<Meeting> meetings;
     for (uint32_t r = 0; r < roads.size(); ++r) {
         for (uint32_t i = 0; i < roads[r].way->nodes.size(); ++i)
@@ -189,7 +179,7 @@ void add_junctions_and_crossings(OsmImport& in, const std::vector<Road>& roads) 
         const OsmNode* node = in.map.node(meetings[i].node);
         std::vector<Arm> arms;
         for (size_t m = i; node && m < end; ++m) {
-            const Road& road = roads[meetings[m].road];
+            const OsmStreet& road = roads[meetings[m].road];
             for (int step : {-1, 1}) {
                 std::optional<Vec2> d = direction_from(in, *road.way, meetings[m].place, step);
                 if (d) arms.push_back({*d, road.highway.width * 0.5f});
@@ -225,7 +215,7 @@ void add_junctions_and_crossings(OsmImport& in, const std::vector<Road>& roads) 
 }
 
 // Where a street goes on as a narrower one, its end is square: a round one would bulge into the other.
-bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const Road& road, int64_t node) {
+bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const OsmStreet& road, int64_t node) {
     auto first = std::lower_bound(ends.begin(), ends.end(), std::pair(node, 0.0f));
     auto last = std::upper_bound(first, ends.end(), std::pair(node, 1e9f));
     return last - first == 2 && first->second < road.highway.width;
@@ -234,7 +224,8 @@ bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const Road&
 }  // namespace
 
 void add_osm_streets(OsmImport& in) {
-    std::vector<Road> roads;
+    std::vector<OsmStreet> roads, ways, steps;
+    std::vector<int64_t> raised_nodes;
     SegmentIndex footways;
     for (const OsmWay& way : in.map.ways) {
         if (!way.tags.has("highway")) continue;
@@ -242,20 +233,28 @@ void add_osm_streets(OsmImport& in) {
         std::optional<OsmHighway> highway = highway_of(way.tags);
         bool is_area = way.tags.is("area", "yes") || (way.closed() && way.tags.has("area:highway"));
         if (!highway || is_area || way.nodes.size() < 2) continue;
-        if (way.tags.has("bridge") && !way.tags.is("bridge", "no")) ++in.counts.bridges;
-        if (highway->drives) {
-            roads.push_back({&way, *highway});
+        OsmStreet street{&way, *highway, lines_of(in, way)};
+        if (highway->level > 0) {
+            raised_nodes.insert(raised_nodes.end(), way.nodes.begin(), way.nodes.end());
+            in.raised.push_back(std::move(street));
             continue;
         }
-        add_way(in, way, *highway);
-        if (!way.tags.is("footway", "sidewalk")) continue;
-        for (const std::vector<Vec2>& line : lines_of(in, way)) {
-            for (size_t i = 0; i + 1 < line.size(); ++i) footways.add(line[i], line[i + 1]);
+        if (way.tags.is("footway", "sidewalk")) {
+            for (const std::vector<Vec2>& line : street.lines) footways.add(line, 0, 0);
         }
+        (highway->drives                   ? roads
+         : highway->kind == Surface::steps ? steps
+                                           : ways)
+            .push_back(std::move(street));
     }
     footways.sort();
+    std::sort(raised_nodes.begin(), raised_nodes.end());
+    auto is_raised = [&](int64_t node) {
+        return std::binary_search(raised_nodes.begin(), raised_nodes.end(), node);
+    };
+
     std::vector<std::pair<int64_t, float>> ends;
-    for (const Road& road : roads) {
+    for (const OsmStreet& road : roads) {
         for (int64_t id : {road.way->nodes.front(), road.way->nodes.back()}) {
             ends.push_back({id, road.highway.width});
         }
@@ -265,8 +264,11 @@ void add_osm_streets(OsmImport& in) {
     apron.rank = k_rank_apron;
     apron.kind = Surface::sidewalk;
     apron.lift = flat(k_kerb);
-    for (const Road& road : roads) {
-        for (const std::vector<Vec2>& line : lines_of(in, *road.way)) {
+    auto index_of = [&](const OsmStreet& street) {
+        return static_cast<uint32_t>(street.way - in.map.ways.data());
+    };
+    for (const OsmStreet& road : roads) {
+        for (const std::vector<Vec2>& line : road.lines) {
             Street street;
             street.line = line;
             street.width = road.highway.width;
@@ -275,6 +277,7 @@ void add_osm_streets(OsmImport& in) {
             street.round_start = !ends_square(ends, road, road.way->nodes.front());
             street.round_end = !ends_square(ends, road, road.way->nodes.back());
             add_street(in.plan, street);
+            in.streets.add(line, index_of(road), street.width * 0.5f + std::max(street.left, street.right));
             // What lies between the sidewalk and the houses is paved too, unless the map says otherwise.
             auto reach = [&](float sidewalk) {
                 return sidewalk > 0 ? road.highway.width * 0.5f + sidewalk + k_apron : 0;
@@ -284,6 +287,18 @@ void add_osm_streets(OsmImport& in) {
         }
     }
     in.plan.areas.push_back(std::move(apron));
+    for (const OsmStreet& way : ways) {
+        add_way(in, way);
+        for (const std::vector<Vec2>& line : way.lines) in.streets.add(line, index_of(way), 0);
+    }
+    in.streets.sort();
+    for (OsmStreet& flight : steps) {
+        if (is_raised(flight.way->nodes.front()) || is_raised(flight.way->nodes.back())) {
+            in.raised.push_back(std::move(flight));
+        } else {
+            add_steps(in, flight);
+        }
+    }
     add_junctions_and_crossings(in, roads);
 }
 

@@ -104,4 +104,54 @@ void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float 
     }
 }
 
+int riser_count(float rise, int stated) {
+    float high = std::fabs(rise);
+    float least = std::ceil(high / 0.25f), most = std::floor(high / 0.1f);
+    if (most < 1) return 0;
+    float wanted = stated > 0 ? static_cast<float>(stated) : std::floor(high / 0.16f + 0.5f);
+    return static_cast<int>(clamp(wanted, std::max(least, 1.0f), most));
+}
+
+void add_flight(GroundPlan& plan, const Flight& flight) {
+    int risers = riser_count(flight.to - flight.from, flight.risers);
+    float whole = length_of(flight.line), run = whole / static_cast<float>(std::max(risers, 1));
+    for (int i = 0; i <= risers; ++i) {
+        float share = risers > 0 ? static_cast<float>(i) / static_cast<float>(risers) : 0;
+        float from = i == 0 ? 0 : (static_cast<float>(i) - 0.5f) * run;
+        float to = i == risers ? whole : (static_cast<float>(i) + 0.5f) * run;
+        std::vector<Vec2> part = part_of(flight.line, from, to);
+        Area tread;
+        tread.rank = k_rank_steps;
+        tread.kind = Surface::steps;
+        tread.lift = level(lerp(flight.from, flight.to, share));
+        tread.axis = normalize_or(part.back() - part.front(), {1, 0});
+        if (flight.to < flight.from) tread.axis = -tread.axis;
+        add_strip(tread.rings, part, flight.width * 0.5f, flight.width * 0.5f, false);
+        plan.areas.push_back(std::move(tread));
+    }
+}
+
+float length_of(const std::vector<Vec2>& line) {
+    float sum = 0;
+    for (size_t i = 0; i + 1 < line.size(); ++i) sum += length(line[i + 1] - line[i]);
+    return sum;
+}
+
+std::vector<Vec2> part_of(const std::vector<Vec2>& line, float from, float to) {
+    std::vector<Vec2> part;
+    float at = 0;
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+        float piece = length(line[i + 1] - line[i]), end = at + piece;
+        bool last = i + 2 == line.size();
+        if (piece > 0 && end >= from && at <= to) {
+            if (part.empty()) part.push_back(lerp(line[i], line[i + 1], clamp((from - at) / piece, 0, 1)));
+            part.push_back(lerp(line[i], line[i + 1], clamp((to - at) / piece, 0, 1)));
+        }
+        if (end >= to && !last) break;
+        at = end;
+    }
+    if (part.empty()) part = {line.front(), line.back()};
+    return part;
+}
+
 }  // namespace flaneur

@@ -31,4 +31,20 @@ std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vecto
 void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
                   bool marked);
 
+// A flight of steps along a line of at least two points.
+struct Flight {
+    std::vector<Vec2> line;
+    float width = 2.6f;
+    float from = 0, to = 0;  // heights of its ends, metres (not above the terrain)
+    int risers = 0;          // 0: as many as make them about 0.16 m high
+};
+// Flat treads between risers that are equally far apart; the first half tread and the last are level with the
+// ends. Risers are at least 0.1 m, so that there are none where the ends are about level, and at most 0.25 m.
+void add_flight(GroundPlan& plan, const Flight& flight);
+int riser_count(float rise, int stated);
+
+float length_of(const std::vector<Vec2>& line);
+// The part of a line from `from` to `to` metres along it; at least two points for from < to.
+std::vector<Vec2> part_of(const std::vector<Vec2>& line, float from, float to);
+
 }  // namespace flaneur

@@ -1,0 +1,73 @@
+// Straight pieces of mapped lines, sorted by squares of the ground plane, for asking what runs nearby.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+struct Segment {
+    Vec2 a, b;
+    uint32_t owner = 0;  // whatever the caller calls it by
+    float half = 0;      // width to either side, metres
+};
+
+// The place on a segment that is closest to `p`, 0 at its start and 1 at its end.
+inline float closest_on(const Segment& s, Vec2 p) {
+    Vec2 d = s.b - s.a;
+    return clamp(dot(p - s.a, d) / std::max(length_squared(d), 1e-9f), 0, 1);
+}
+
+struct SegmentIndex {
+    static constexpr float k_square = 16;  // metres
+    std::vector<Segment> segments;
+    std::vector<std::pair<std::pair<int, int>, uint32_t>> by_square;
+
+    static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
+
+    void add(Vec2 a, Vec2 b, uint32_t owner, float half) {
+        auto index = static_cast<uint32_t>(segments.size());
+        segments.push_back({a, b, owner, half});
+        for (int x = square(std::min(a.x, b.x)); x <= square(std::max(a.x, b.x)); ++x) {
+            for (int z = square(std::min(a.z, b.z)); z <= square(std::max(a.z, b.z)); ++z) {
+                by_square.push_back({{x, z}, index});
+            }
+        }
+    }
+    void add(const std::vector<Vec2>& line, uint32_t owner, float half) {
+        for (size_t i = 0; i + 1 < line.size(); ++i) add(line[i], line[i + 1], owner, half);
+    }
+    // To be called once, before the first question.
+    void sort() { std::sort(by_square.begin(), by_square.end()); }
+
+    // Visits the segments of the squares within `radius`, some of them more than once, and some farther away.
+    template <class Visit>
+    void near(Vec2 p, float radius, Visit visit) const {
+        for (int x = square(p.x - radius); x <= square(p.x + radius); ++x) {
+            auto at = std::lower_bound(by_square.begin(), by_square.end(),
+                                       std::make_pair(std::make_pair(x, square(p.z - radius)), 0u));
+            auto last = std::make_pair(x, square(p.z + radius));
+            for (; at != by_square.end() && at->first <= last; ++at) visit(segments[at->second]);
+        }
+    }
+
+    // The segment closest to `p` within `radius`, the first added among equals; null where there is none.
+    const Segment* nearest(Vec2 p, float radius) const {
+        const Segment* best = nullptr;
+        float least = radius * radius;
+        near(p, radius, [&](const Segment& s) {
+            float d = length_squared(lerp(s.a, s.b, closest_on(s, p)) - p);
+            if (d > least || (best && d == least && &s >= best)) return;
+            best = &s;
+            least = d;
+        });
+        return best;
+    }
+};
+
+}  // namespace flaneur
