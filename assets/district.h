@@ -1,79 +1,99 @@
-// The parts of the built-in district: what its streets leave free is filled block by block.
+// The parts of the built-in district: streets are laid, then what they leave free is filled block by block.
 #pragma once
 
-#include <array>
+#include <optional>
 
+#include "assets/district_plan.h"
 #include "assets/ground_plan.h"
 #include "assets/masses.h"
-#include "sim/base/rng.h"
 
 namespace flaneur {
-
-// Random numbers in a row, for work whose order is fixed: never two draws in one expression, or the compiler
-// chooses which comes first (braces keep their order).
-struct Dice {
-    RandomKey key;
-    uint32_t next = 0;
-
-    float unit() { return random_unit(key, next++); }
-    float between(float low, float high) { return random_between(key, low, high, next++); }
-    int pick(int count) { return static_cast<int>(unit() * static_cast<float>(count)); }
-    bool chance(float p) { return unit() < p; }
-    uint32_t bits() { return static_cast<uint32_t>(random_bits(key, next++)); }
-};
-
-using Quad = std::array<Vec2, 4>;  // wound positively: north-west, north-east, south-east, south-west
-
-// A block between sidewalks. Side k runs from corner k to corner k + 1: north, east, south, west.
-struct Block {
-    Quad corners;
-    std::array<bool, 4> busy{};  // sides on a broad street or the square: shops, higher houses
-    Dice dice;
-};
 
 struct District {
     City city;
     GroundPlan plan;
+    StreetPlan streets;
+    uint32_t trims = 0;  // the first of the buildings that lend their colour to things of a Trim
 };
+
+// Things on facades and roofs that have a colour of their own, in the order of the last wall colours.
+enum class Trim : uint32_t { coping, metal, wood, stone, burgundy, bottle_green, mustard, canvas };
+inline constexpr uint32_t k_trim_count = 8;
+inline uint32_t trim(const District& d, Trim t) { return d.trims + static_cast<uint32_t>(t); }
 
 // Wall colours by kind of house, indices of k_wall_colours.
 uint8_t plaster_style(Dice& dice);
 uint8_t stone_style(Dice& dice);
+uint8_t trim_style(Trim t);
 
 float terrain_at(const District& d, Vec2 p);
-// Where lines p-q and r-s meet; they must not be parallel.
-Vec2 meeting(Vec2 p, Vec2 q, Vec2 r, Vec2 s);
-// Side k moved inwards by distance[k].
-Quad inset_quad(const Quad& quad, const std::array<float, 4>& distance);
-Ring ring_of(const Quad& quad);
 void add_area(District& d, int rank, Surface kind, Lift lift, Rings rings, Vec2 axis = {1, 0});
+// A paved strip along a line.
+void add_path(District& d, const std::vector<Vec2>& line, float width, Surface kind = Surface::path);
+// The ring moved inwards by so many metres, its largest part; none where nothing is left.
+std::optional<Ring> shrunk(const Ring& ring, float distance);
+Ring circle(Vec2 centre, float radius, int corners);
+
+// A street front: the straight side of a block, its block to the right of a-b on a map.
+struct Front {
+    Vec2 a, b;
+    uint32_t way = ~0u;  // of the street plan
+    bool busy = false;   // shops, higher houses
+    bool arcade = false;
+};
+
+struct Block {
+    Ring outline;               // positively wound
+    Ring ring;                  // the same with fewer corners, for lots
+    std::vector<Front> fronts;  // one an edge of the ring, in order
+    Dice dice;
+};
 
 struct House {
     Ring footprint;  // positively wound
     std::vector<uint32_t> street_edges;
-    float eaves = 12;  // above the lowest ground, metres
+    std::optional<uint32_t> door_edge;
+    float eaves = 12;  // above the ground at the door, metres
+    float storey = 3.2f;
     RoofKind roof = RoofKind::flat;
     float roof_height = 0.8f;
     float overhang = 0, cornice = 0.3f;
     bool gable_across = false;
     uint8_t style = 0;
     bool shop = false;
-    float lift = 0;  // of the ground it stands on, above the terrain
+    float lift = k_kerb;  // of the ground it stands on, above the terrain
+    float sunk = 0;       // how far below its lowest ground the walls begin
 };
-// Adds the building and takes its ground away; returns its index.
+// Adds the building, with what hangs on its front, and takes its ground away; returns its index.
 uint32_t add_house(District& d, Dice& dice, const House& house);
+// An upper part that stands on others: from `bottom` metres above the ground.
+uint32_t add_upper(District& d, Dice& dice, const House& house, float bottom);
 void add_prop(District& d, Dice& dice, PropKind kind, Vec2 at, float yaw, float height, float radius = 0);
 void add_tree(District& d, Dice& dice, Vec2 at, float size = 1);
+// With a place to sit.
+void add_bench(District& d, Dice& dice, Vec2 at, Vec2 facing);
+void add_destination(District& d, DestinationKind kind, Vec2 at, Vec2 facing, float weight);
+// A wall that follows the ground, in lengths of a few metres; it stands to the right of a-b on a map.
+void add_long_wall(District& d, Vec2 a, Vec2 b, float thickness, float height);
+// A square pillar from the ground to `top`.
+void add_pillar(District& d, Vec2 at, Vec2 along, float half, float top);
 
-// Houses shoulder to shoulder along side `from`-`to` of `depth`, given the strip's outer and inner lines.
-// `corner_start`, `corner_end`: the strip's ends stand at street corners.
-void fill_strip(District& d, Block& block, const Quad& strip, int side, bool corner_start, bool corner_end,
-                int storeys, bool gateway);
+// Chimneys and dormers, or a stair head, on the roof of a house whose front is a-b.
+void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, Vec2 a, Vec2 b, float depth);
+// Balconies and awnings on the front a-b, whose ground floor begins at `foot`.
+void dress_front(District& d, Dice& dice, const House& house, float foot, Vec2 a, Vec2 b);
 
-void fill_perimeter(District& d, Block& block);
+// Houses shoulder to shoulder along the block's fronts, with lots `depth` metres deep. False where the block
+// is too small for them.
+bool fill_row(District& d, Block& block, float depth, int storeys, bool closed);
+
+void lay_streets(District& d, uint64_t seed);
+void fill_houses(District& d, Block& block);
 void fill_villas(District& d, Block& block);
 void fill_park(District& d, Block& block);
 void fill_slabs(District& d, Block& block);
 void fill_square(District& d, Block& block);
+// Beyond the outermost street `way`, whose blocks lie to its right.
+void fill_belt(District& d, uint32_t way, uint64_t seed);
 
 }  // namespace flaneur

@@ -1,3 +1,4 @@
+// What fills blocks other than the square.
 #include <algorithm>
 #include <cmath>
 
@@ -8,189 +9,334 @@ namespace flaneur {
 
 namespace {
 
-Vec2 middle_of(const Quad& q) { return (q[0] + q[1] + q[2] + q[3]) * 0.25f; }
-
-// A point of the quad by its share from north to south and from west to east.
-Vec2 within(const Quad& q, float east, float south) {
-    return lerp(lerp(q[0], q[1], east), lerp(q[3], q[2], east), south);
-}
-
-Ring circle(Vec2 centre, float radius, int corners) {
-    Ring ring;
-    for (int i = 0; i < corners; ++i) {
-        Vec2 n = heading_direction(2 * k_pi * static_cast<float>(i) / static_cast<float>(corners));
-        ring.push_back(to_point(centre + n * radius));
+Vec2 middle_of(const Ring& ring) {
+    // Of the area, not of the corners.
+    double x = 0, z = 0, twice = 0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+        Vec2 a = to_metres(ring[i]) - to_metres(ring[0]),
+             b = to_metres(ring[(i + 1) % ring.size()]) - to_metres(ring[0]);
+        auto c = static_cast<double>(cross(a, b));
+        x += c * static_cast<double>(a.x + b.x);
+        z += c * static_cast<double>(a.z + b.z);
+        twice += c;
     }
-    return positive(ring);
+    if (twice <= 0) return to_metres(ring[0]);
+    return to_metres(ring[0]) +
+           Vec2{static_cast<float>(x / (3 * twice)), static_cast<float>(z / (3 * twice))};
 }
 
-void add_path(District& d, const std::vector<Vec2>& line, float width) {
-    Rings rings;
-    add_strip(rings, line, width * 0.5f, width * 0.5f, false);
-    add_area(d, k_rank_path, Surface::path, flat(k_kerb), std::move(rings));
+bool is_inside(const Ring& ring, Vec2 p) { return contains({ring}, to_point(p)); }
+
+// A place in the ring, at least `margin` metres from its edge where that can be had.
+Vec2 place_in(Dice& dice, const Ring& ring, float margin) {
+    Point low = ring[0], high = ring[0];
+    for (Point p : ring) {
+        low = {std::min(low.X, p.X), std::min(low.Y, p.Y)};
+        high = {std::max(high.X, p.X), std::max(high.Y, p.Y)};
+    }
+    std::optional<Ring> within = shrunk(ring, margin);
+    Vec2 a = to_metres(low), b = to_metres(high), at = middle_of(ring);
+    for (int i = 0; i < 20; ++i) {
+        Vec2 tried{dice.between(a.x, b.x), dice.between(a.z, b.z)};
+        if (is_inside(within ? *within : ring, tried)) return tried;
+    }
+    return at;
 }
 
-void add_bench(District& d, Dice& dice, Vec2 at, Vec2 facing) {
-    add_prop(d, dice, PropKind::bench, at, heading_of(facing), 0.8f);
+bool is_level(const District& d, Vec2 at, float radius) {
+    float y = terrain_at(d, at);
+    for (Vec2 n : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
+        if (std::fabs(terrain_at(d, at + n * radius) - y) > 0.02f) return false;
+    }
+    return true;
+}
+
+// A curve from a to b that leans over to `bend`.
+std::vector<Vec2> curve(Vec2 a, Vec2 bend, Vec2 b) {
+    std::vector<Vec2> line;
+    for (int i = 0; i <= 8; ++i) {
+        float t = static_cast<float>(i) / 8;
+        line.push_back(lerp(lerp(a, bend, t), lerp(bend, b, t), t));
+    }
+    return line;
+}
+
+// A detached house with its front towards the street a-b, which lies on its left as one walks from a to b.
+void build_villa(District& d, Block& block, Vec2 p, Vec2 r, float room) {
+    Dice& dice = block.dice;
+    Vec2 along = normalize_or(r - p, {1, 0}), in{-along.z, along.x};
+    float width = std::min(length(r - p) - 5, dice.between(9.5f, 13)), depth = dice.between(8.5f, 11);
+    float back = dice.between(4.5f, 6.5f);
+    depth = std::min(depth, room - back - 2);
+    Vec2 corner = lerp(p, r, 0.5f) - along * (width * 0.5f) + in * back;
+    House house;
+    house.footprint = {to_point(corner), to_point(corner + along * width),
+                       to_point(corner + along * width + in * depth), to_point(corner + in * depth)};
+    bool fits = width > 6 && depth > 5 && area(subtract({house.footprint}, {block.ring})) < 0.1;
+    Vec2 gate = lerp(p, r, 0.5f);
+    if (fits) {
+        int floors = 2 + dice.pick(2);
+        house.eaves = static_cast<float>(floors) * 3.2f + 0.4f;
+        house.roof = dice.chance(0.5f) ? RoofKind::hip : RoofKind::gable;
+        house.roof_height = dice.between(2.8f, 3.8f);
+        house.overhang = 0.45f;
+        house.cornice = 0;
+        house.gable_across = house.roof == RoofKind::gable && dice.chance(0.4f);
+        house.style = plaster_style(dice);
+        house.door_edge = 0;
+        uint32_t index = add_house(d, dice, house);
+        dress_roof(d, dice, house, index, corner, corner + along * width, depth);
+        float bays = std::max(1.0f, std::floor(width / 2.7f + 0.5f));
+        gate = corner + along * (width * (std::floor(bays * 0.5f) + 0.5f) / bays) - in * back;
+        add_path(d, {gate - in * 0.2f, gate + in * (back + 1)}, 1.6f);
+    }
+    add_long_wall(d, p + in * 0.05f, gate - along * 0.9f + in * 0.05f, 0.3f, 0.95f);
+    add_long_wall(d, gate + along * 0.9f + in * 0.05f, r + in * 0.05f, 0.3f, 0.95f);
+    float front_share = dice.between(0.1f, 0.25f), front_depth = dice.between(2.2f, 3.4f);
+    add_tree(d, dice, lerp(p, r, front_share) + in * front_depth, 0.65f);
+    float back_share = dice.between(0.2f, 0.8f), behind = back + depth + dice.between(2.5f, 5);
+    Vec2 tree = lerp(p, r, back_share) + in * behind;
+    if (behind < room && is_inside(block.ring, tree)) add_tree(d, dice, tree, dice.between(0.8f, 1.1f));
 }
 
 }  // namespace
 
-void fill_perimeter(District& d, Block& block) {
+void fill_houses(District& d, Block& block) {
     Dice& dice = block.dice;
-    const Quad& q = block.corners;
-    float depth = dice.between(11.5f, 13.5f);
-    Quad inner = inset_quad(q, {depth, depth, depth, depth});
-    // The north and south rows take the corners, the others stand between them.
-    Vec2 north_west = meeting(inner[0], inner[1], q[3], q[0]),
-         north_east = meeting(inner[0], inner[1], q[1], q[2]);
-    Vec2 south_west = meeting(inner[3], inner[2], q[3], q[0]),
-         south_east = meeting(inner[3], inner[2], q[1], q[2]);
-    int storeys = 4 + dice.pick(2), gate = dice.pick(2) * 2 + 1;
-    auto floors = [&](size_t side) { return storeys + (block.busy[side] ? 1 : 0); };
-    fill_strip(d, block, {q[0], q[1], north_east, north_west}, 0, true, true, floors(0), false);
-    fill_strip(d, block, {north_east, south_east, inner[2], inner[1]}, 1, false, false, floors(1), gate == 1);
-    fill_strip(d, block, {q[2], q[3], south_west, south_east}, 2, true, true, floors(2), false);
-    fill_strip(d, block, {south_west, north_west, inner[0], inner[3]}, 3, false, false, floors(3), gate == 3);
-
-    add_area(d, k_rank_rest, Surface::path, flat(k_kerb), {ring_of(q)});
-    Quad lawn = inset_quad(inner, {4, 4.5f, 4, 4.5f});
-    add_area(d, k_rank_grass, Surface::grass, flat(k_kerb), {ring_of(lawn)});
-    add_path(d, {within(lawn, -0.1f, 0.5f), within(lawn, 1.1f, 0.5f)}, 2.4f);
-    for (int i = 0; i < 5; ++i) {
-        float south = (i % 2 == 0 ? dice.between(0.08f, 0.36f) : dice.between(0.64f, 0.92f));
-        float east = (static_cast<float>(i) + dice.between(0.2f, 0.8f)) / 5;
-        add_tree(d, dice, within(lawn, east, south), dice.between(0.8f, 1.15f));
+    int storeys = 4 + dice.pick(2);
+    float depth = dice.between(11, 12.5f);
+    bool built = fill_row(d, block, depth, storeys, true);
+    add_area(d, k_rank_rest, Surface::sidewalk, flat(k_kerb), {block.outline});
+    std::optional<Ring> yard = shrunk(block.ring, built ? depth * 0.8f : 2.5f);
+    std::optional<Ring> lawn = shrunk(block.ring, depth + 4);
+    if (yard && built) add_area(d, k_rank_path, Surface::path, flat(k_kerb), {*yard});
+    if (!built) lawn = yard;
+    if (!lawn) return;
+    add_area(d, k_rank_terrace, Surface::grass, flat(k_kerb), {*lawn});
+    int trees = std::clamp(static_cast<int>(area({*lawn}) / 130), 2, 14);
+    for (int i = 0; i < trees; ++i) {
+        Vec2 at = place_in(dice, *lawn, 1.5f);
+        add_tree(d, dice, at, dice.between(0.8f, 1.15f));
     }
-    for (float east : {0.3f, 0.7f}) add_bench(d, dice, within(lawn, east, 0.5f) + Vec2{0, 1.7f}, {0, -1});
+    for (size_t k = 0; k < lawn->size(); k += 2) {
+        Vec2 a = to_metres((*lawn)[k]), b = to_metres((*lawn)[(k + 1) % lawn->size()]);
+        if (length(b - a) < 6) continue;
+        Vec2 along = normalize_or(b - a, {1, 0}), out{along.z, -along.x};
+        add_bench(d, dice, lerp(a, b, 0.5f) + out * 0.6f, out);
+    }
 }
 
 void fill_villas(District& d, Block& block) {
     Dice& dice = block.dice;
-    const Quad& q = block.corners;
-    add_area(d, k_rank_rest, Surface::grass, flat(k_kerb), {ring_of(q)});
-    // Two rows back to back; each house faces the street to its north or south.
-    for (bool south : {false, true}) {
-        Vec2 a = south ? q[2] : q[0], b = south ? q[3] : q[1], a_back = south ? q[1] : q[3],
-             b_back = south ? q[0] : q[2];
-        int lots = std::max(2, static_cast<int>(length(b - a) / 21 + 0.5f));
+    add_area(d, k_rank_rest, Surface::grass, flat(k_kerb), {block.outline});
+    Vec2 middle = middle_of(block.ring);
+    for (const Front& front : block.fronts) {
+        float width = length(front.b - front.a);
+        Vec2 along = normalize_or(front.b - front.a, {1, 0}), in{-along.z, along.x};
+        // Lots keep out of each other's way at corners.
+        float room = dot(middle - front.a, in) * 0.92f, margin = 0.5f;
+        int lots = static_cast<int>(width / dice.between(17, 22) + 0.4f);
+        if (room < 15) lots = 0;
+        if (front.way == ~0u) continue;
+        if (lots == 0) {
+            add_long_wall(d, front.a + in * 0.05f, front.b + in * 0.05f, 0.3f, 0.95f);
+            continue;
+        }
         for (int i = 0; i < lots; ++i) {
             float s = static_cast<float>(i) / static_cast<float>(lots),
                   t = static_cast<float>(i + 1) / static_cast<float>(lots);
-            Vec2 p = lerp(a, b, s), r = lerp(a, b, t), along = normalize_or(r - p, {1, 0}),
-                 in{-along.z, along.x};
-            float room = length(lerp(a_back, b_back, (s + t) * 0.5f) - lerp(a, b, (s + t) * 0.5f)) * 0.5f;
-            float width = std::min(length(r - p) - 6, dice.between(10, 13)),
-                  depth = std::min(dice.between(9, 11), room - 12);
-            Vec2 corner = lerp(p, r, 0.5f) - along * (width * 0.5f) + in * dice.between(5, 7);
-            Quad lot{corner, corner + along * width, corner + along * width + in * depth,
-                     corner + in * depth};
-            House house;
-            house.footprint = ring_of(lot);
-            int floors = 2 + dice.pick(2);
-            house.eaves = static_cast<float>(floors) * 3.2f + 0.4f;
-            house.roof = dice.chance(0.5f) ? RoofKind::hip : RoofKind::gable;
-            house.roof_height = dice.between(2.8f, 3.8f);
-            house.overhang = 0.45f;
-            house.cornice = 0;
-            house.gable_across = house.roof == RoofKind::gable && dice.chance(0.4f);
-            house.style = plaster_style(dice);
-            uint32_t index = add_house(d, dice, house);
-            add_box(d.city,
-                    at_height(middle_of(lot) + along * 1.5f,
-                              d.city.buildings[index].top + house.roof_height - 1.4f),
-                    along, {0.4f, 0.4f}, 2.2f, index);
-
-            Vec2 door = lerp(p, r, 0.5f);
-            add_path(d, {door - in * 0.2f, door + in * (length(corner - door) + 1)}, 1.6f);
-            for (float side : {-1.0f, 1.0f}) {
-                Vec2 from = door + along * (side * 0.9f) + in * 0.15f;
-                Vec2 to = (side < 0 ? p : r) + in * 0.15f;
-                if (side > 0) std::swap(from, to);
-                float foot = std::min(terrain_at(d, from), terrain_at(d, to));
-                add_garden_wall(d.city, d.plan, to, from, 0.3f, foot, terrain_at(d, to) + k_kerb + 0.95f,
-                                terrain_at(d, from) + k_kerb + 0.95f, index);
+            Vec2 p = lerp(front.a + along * margin, front.b - along * margin, s),
+                 r = lerp(front.a + along * margin, front.b - along * margin, t);
+            // Each house must lie nearer to its own front than to the others.
+            Vec2 back = lerp(p, r, 0.5f) + in * 11.0f;
+            bool own = true;
+            for (const Front& other : block.fronts) {
+                Vec2 u = normalize_or(other.b - other.a, {1, 0});
+                float s_other = dot(back - other.a, u);
+                bool beside = s_other > -6 && s_other < length(other.b - other.a) + 6;
+                own &= &other == &front || !beside || dot(back - other.a, Vec2{-u.z, u.x}) > 10.9f;
             }
-            float front_share = dice.between(0.1f, 0.25f), front_depth = dice.between(2.5f, 4);
-            add_tree(d, dice, lerp(p, r, front_share) + in * front_depth, 0.7f);
-            float back_share = dice.between(0.2f, 0.8f), back_depth = room - dice.between(2, 5);
-            add_tree(d, dice, lerp(p, r, back_share) + in * back_depth, dice.between(0.8f, 1.1f));
+            build_villa(d, block, p, r, own ? std::min(room, 26.0f) : 6);
         }
     }
 }
 
 void fill_park(District& d, Block& block) {
     Dice& dice = block.dice;
-    const Quad& q = block.corners;
-    add_area(d, k_rank_grass, Surface::grass, flat(k_kerb), {ring_of(q)});
-    Vec2 middle = middle_of(q);
-    for (size_t k = 0; k < 4; ++k) {
-        // From each corner in a soft bend to the round place, and on to the middle of a side.
-        Vec2 to = middle + (q[k] - middle) * 0.12f,
-             bend = lerp(q[k], middle, 0.5f) + Vec2{dice.between(-5, 5), dice.between(-5, 5)};
-        std::vector<Vec2> line;
-        for (int i = 0; i <= 8; ++i) {
-            float t = static_cast<float>(i) / 8;
-            line.push_back(lerp(lerp(q[k], bend, t), lerp(bend, to, t), t));
-        }
+    const Ring& ring = block.ring;
+    add_area(d, k_rank_grass, Surface::grass, flat(k_kerb), {block.outline});
+    Vec2 middle = middle_of(ring);
+    size_t n = block.fronts.size();
+    // Gates at the corners and, on long sides, in the middle: gaps in the wall around.
+    std::vector<Vec2> gates;
+    for (size_t k = 0; k < n; ++k) {
+        const Front &before = block.fronts[(k + n - 1) % n], &front = block.fronts[k];
+        Vec2 u = normalize_or(before.b - before.a, {1, 0}), v = normalize_or(front.b - front.a, {1, 0});
+        bool is_corner = cross(u, v) > 0.5f;
+        if (is_corner) gates.push_back(front.a);
+        if (length(front.b - front.a) > 45) gates.push_back(lerp(front.a, front.b, 0.5f));
+    }
+    for (Vec2 gate : gates) {
+        Vec2 to = middle + normalize_or(gate - middle, {1, 0}) * 7.0f, way = to - gate;
+        Vec2 bend = lerp(gate, to, 0.5f) + Vec2{-way.z, way.x} * dice.between(-0.2f, 0.2f);
+        std::vector<Vec2> line = curve(gate, bend, to);
         add_path(d, line, 2.8f);
-        add_path(d, {lerp(q[k], q[(k + 1) % 4], 0.5f), middle}, 2.2f);
+        for (float s : {0.35f, 0.7f}) {
+            Station seat = station(line, length_of(line) * s);
+            Vec2 right{-seat.along.z, seat.along.x};
+            float side = dice.chance(0.5f) ? 1.0f : -1.0f;
+            if (dice.chance(0.75f)) add_bench(d, dice, seat.at + right * (side * 1.9f), right * -side);
+            add_prop(d, dice, PropKind::lamp, seat.at - right * (side * 1.8f), heading_of(right * side),
+                     4.2f);
+        }
     }
-    add_area(d, k_rank_plaza, Surface::plaza, flat(k_kerb), {circle(middle, 9, 32)});
-    add_area(d, k_rank_basin, Surface::water, flat(k_kerb + 0.38f), {circle(middle, 3.2f, 20)});
-    for (int i = 0; i < 8; ++i) {
-        Vec2 n = heading_direction(2 * k_pi * (static_cast<float>(i) + 0.5f) / 8);
-        add_bench(d, dice, middle + n * 8.2f, -n);
+    for (const Front& front : block.fronts) {
+        Vec2 along = normalize_or(front.b - front.a, {1, 0}), in{-along.z, along.x};
+        float width = length(front.b - front.a);
+        // Pieces of wall between the gates on this side.
+        std::vector<std::pair<float, float>> gaps;
+        for (Vec2 gate : gates) {
+            float s = dot(gate - front.a, along), away = std::fabs(dot(gate - front.a, in));
+            if (away < 3 && s > -4 && s < width + 4) gaps.push_back({s - 2.6f, s + 2.6f});
+        }
+        std::sort(gaps.begin(), gaps.end());
+        gaps.push_back({width, width});
+        float from = 0;
+        for (auto [start, end] : gaps) {
+            if (start - from > 1.5f)
+                add_long_wall(d, front.a + along * from + in * 0.05f, front.a + along * start + in * 0.05f,
+                              0.32f, 0.9f);
+            from = std::max(from, end);
+        }
     }
-    for (int i = 0; i < 34; ++i) {
-        float east = dice.between(0.05f, 0.95f), south = dice.between(0.05f, 0.95f);
-        Vec2 at = within(q, east, south);
-        if (length(at - middle) > 13) add_tree(d, dice, at, dice.between(0.9f, 1.4f));
+    add_area(d, k_rank_plaza, Surface::plaza, flat(k_kerb), {circle(middle, 8, 32)});
+    add_prop(d, dice, PropKind::statue, middle, heading_of(to_metres(ring[0]) - middle), 4.2f);
+    add_destination(d, DestinationKind::square, middle + Vec2{0, 3}, {0, -1}, 1);
+    for (int i = 0; i < 6; ++i) {
+        Vec2 out = heading_direction(2 * k_pi * (static_cast<float>(i) + 0.5f) / 6);
+        add_bench(d, dice, middle + out * 7.2f, -out);
+    }
+    // A pond between two paths, where the ground is level.
+    std::optional<Vec2> pond;
+    float pond_radius = 7.5f;
+    for (int i = 0; i < 24 && !pond; ++i) {
+        Vec2 at = place_in(dice, ring, pond_radius + 4);
+        if (length(at - middle) > pond_radius + 12 && is_level(d, at, pond_radius + 2)) pond = at;
+    }
+    if (pond) {
+        Ring water, rim;
+        float turn = dice.between(0, 2 * k_pi);
+        for (int i = 0; i < 28; ++i) {
+            float angle = 2 * k_pi * static_cast<float>(i) / 28;
+            SinCos twice = sin_cos(2 * angle + turn), thrice = sin_cos(3 * angle - turn);
+            float radius = pond_radius * (0.85f + 0.12f * twice.sine + 0.06f * thrice.cosine);
+            water.push_back(to_point(*pond + heading_direction(angle) * radius));
+            rim.push_back(to_point(*pond + heading_direction(angle) * (radius + 0.5f)));
+        }
+        add_area(d, k_rank_solid + 1, Surface::water, flat(-0.1f), {positive(water)});
+        add_area(d, k_rank_solid + 1, Surface::path, flat(k_kerb), {positive(rim)});
+    }
+    int trees = std::clamp(static_cast<int>(area({ring}) / 110), 8, 60);
+    for (int i = 0; i < trees; ++i) {
+        Vec2 at = place_in(dice, ring, 2.5f);
+        bool is_free = length(at - middle) > 12 && (!pond || length(at - *pond) > pond_radius + 2.5f);
+        float size = dice.between(0.95f, 1.45f);
+        if (is_free) add_tree(d, dice, at, size);
     }
 }
 
 void fill_slabs(District& d, Block& block) {
     Dice& dice = block.dice;
-    const Quad& q = block.corners;
-    add_area(d, k_rank_rest, Surface::plaza, flat(k_kerb), {ring_of(q)});
-    Vec2 east = normalize_or((q[1] - q[0]) + (q[2] - q[3]), {1, 0}), south{-east.z, east.x};
-    bool tower_west = dice.chance(0.5f);
-    auto slab = [&](Vec2 corner, float width, float depth, int floors) {
+    const Ring& ring = block.ring;
+    add_area(d, k_rank_rest, Surface::plaza, flat(k_kerb), {block.outline});
+    Vec2 middle = middle_of(ring), south = dice.chance(0.5f) ? Vec2{0, 1} : Vec2{0, -1};
+    // Along the longest front.
+    float longest = 0;
+    for (const Front& f : block.fronts) {
+        if (length(f.b - f.a) <= longest) continue;
+        longest = length(f.b - f.a);
+        Vec2 along = (f.b - f.a) / longest;
+        south = {-along.z, along.x};
+    }
+    Vec2 east{south.z, -south.x};
+    auto slab = [&](Vec2 centre, float width, float depth, int floors, bool shops) {
         House house;
-        house.footprint = ring_of(
-            {corner, corner + east * width, corner + east * width + south * depth, corner + south * depth});
+        Vec2 u = east * (width * 0.5f), v = south * (depth * 0.5f);
+        house.footprint = positive({to_point(centre - u - v), to_point(centre + u - v),
+                                    to_point(centre + u + v), to_point(centre - u + v)});
+        if (area(subtract({house.footprint}, {ring})) > 0.1) return;
         house.street_edges = {};
+        house.door_edge = 0;
         house.cornice = 0;
         house.eaves = static_cast<float>(floors) * 3.2f + 1;
         house.roof_height = 1;
         house.style = dice.chance(0.6f) ? 4 : stone_style(dice);
-        house.shop = true;
+        house.shop = shops;
         uint32_t index = add_house(d, dice, house);
-        add_box(
-            d.city,
-            at_height(corner + east * (width * 0.4f) + south * (depth * 0.5f), d.city.buildings[index].top),
-            east, {width * 0.2f, depth * 0.25f}, 2.8f, index);
+        add_box(d.city, at_height(centre, d.city.buildings[index].top), east, {width * 0.2f, depth * 0.25f},
+                2.8f, index);
     };
-    float width = std::min(length(q[1] - q[0]), length(q[2] - q[3])),
-          depth = std::min(length(q[3] - q[0]), length(q[2] - q[1]));
-    Vec2 tower = within(q, tower_west ? 0.12f : 0.88f, 0.14f) - east * (tower_west ? 0.0f : 17.0f);
-    slab(tower, 17, 17, 9 + dice.pick(3));
-    Vec2 bar = within(q, 0.1f, 0.95f) - south * 14.0f;
-    slab(bar, width * 0.8f, 13, 5 + dice.pick(2));
-    Rings lawn{
-        ring_of({within(q, tower_west ? 0.5f : 0.1f, 0.14f), within(q, tower_west ? 0.9f : 0.5f, 0.14f),
-                 within(q, tower_west ? 0.9f : 0.5f, 0.5f), within(q, tower_west ? 0.5f : 0.1f, 0.5f)})};
-    add_area(d, k_rank_grass - 3, Surface::grass, flat(k_kerb), lawn);
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 2; ++j) {
-            float s = (tower_west ? 0.56f : 0.16f) + 0.14f * static_cast<float>(i),
-                  t = 0.22f + 0.2f * static_cast<float>(j);
-            add_tree(d, dice, within(q, s, t), 1.0f);
+    slab(middle - east * 18.0f - south * 12.0f, 17, 17, 9 + dice.pick(3), true);
+    slab(middle + south * 16.0f, 46, 12.5f, 5 + dice.pick(2), false);
+    slab(middle + east * 17.0f - south * 14.0f, 22, 13, 3 + dice.pick(2), true);
+    {
+        Vec2 u = east * 30.0f, v = south * 5.0f;
+        add_area(d, k_rank_plaza - 1, Surface::grass, flat(k_kerb),
+                 {positive({to_point(middle - u - v), to_point(middle + u - v), to_point(middle + u + v),
+                            to_point(middle - u + v)})});
+        for (int i = 0; i < 6; ++i) {
+            Vec2 at = middle + east * (9.5f * (static_cast<float>(i) - 2.5f)) + south * dice.between(-3, 3);
+            add_tree(d, dice, at, dice.between(0.9f, 1.2f));
         }
+        for (float s : {-14.0f, 0.0f, 14.0f}) add_bench(d, dice, middle + east * s + south * 6.0f, south);
     }
-    for (int i = 0; i < 3; ++i)
-        add_bench(d, dice, within(q, 0.3f + 0.2f * static_cast<float>(i), 0.56f),
-                  {0, depth > 0 ? 1.0f : -1.0f});
+}
+
+void fill_belt(District& d, uint32_t way_index, uint64_t seed) {
+    const StreetPlan& plan = d.streets;
+    const Way& way = plan.ways[way_index];
+    Block block;
+    block.dice = {{seed, way_index, 5, Purpose::city}};
+    constexpr float k_deep = 32;
+    // Which side is out: away from the middle.
+    std::vector<Vec2> line = way.line;
+    Vec2 centre = (plan.low + plan.high) * 0.5f, along = line.back() - line.front();
+    if (cross(along, lerp(line.front(), line.back(), 0.5f) - centre) < 0)
+        std::reverse(line.begin(), line.end());
+    Rings land, streets;
+    add_strip(land, line, 0, way.half() + k_deep, false);
+    std::vector<uint32_t> near{way_index};
+    for (uint32_t node : {way.from, way.to})
+        near.insert(near.end(), plan.ways_at[node].begin(), plan.ways_at[node].end());
+    for (uint32_t w : near)
+        add_strip(streets, plan.ways[w].line, plan.ways[w].half(), plan.ways[w].half(), true);
+    double largest = 100;
+    for (const Region& region : regions_of(subtract(unite(land), streets))) {
+        double size = area({region.outer});
+        if (size <= largest || !region.holes.empty()) continue;
+        largest = size;
+        block.outline = region.outer;
+        block.ring = simple_outline(region.outer);
+    }
+    if (block.ring.empty()) return;
+    for (size_t k = 0; k < block.ring.size(); ++k) {
+        Front front{to_metres(block.ring[k]), to_metres(block.ring[(k + 1) % block.ring.size()])};
+        Vec2 at = lerp(front.a, front.b, 0.5f);
+        for (uint32_t w : near) {
+            const std::vector<Vec2>& l = plan.ways[w].line;
+            for (size_t i = 0; i + 1 < l.size(); ++i) {
+                Vec2 u = normalize_or(l[i + 1] - l[i], {1, 0});
+                float s = dot(at - l[i], u), away = std::fabs(cross(u, at - l[i])) - plan.ways[w].half();
+                if (away < 0.3f && s > -1 && s < length(l[i + 1] - l[i]) + 1) front.way = w;
+            }
+        }
+        block.fronts.push_back(front);
+    }
+    fill_row(d, block, 11.5f, way.kind == WayKind::avenue ? 5 : 4, false);
+    for (int i = 0; i < 9; ++i) {
+        Vec2 at = place_in(block.dice, block.ring, 3);
+        add_tree(d, block.dice, at, block.dice.between(0.8f, 1.3f));
+    }
 }
 
 }  // namespace flaneur

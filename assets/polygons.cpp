@@ -138,7 +138,7 @@ std::optional<Ring> inset(const Ring& ring, int64_t distance) {
         if (la < 1 || lb < 1) return std::nullopt;
         double nx = -ay / la - by / lb, ny = ax / la + bx / lb;
         double square = (nx * nx + ny * ny) * 0.5;  // 1 + the cosine of the turn
-        if (square < 0.25) return std::nullopt;
+        if (square < 0.12) return std::nullopt;
         double scale = static_cast<double>(distance) / square;
         moved[i] = {here.X + static_cast<int64_t>(std::floor(nx * scale + 0.5)),
                     here.Y + static_cast<int64_t>(std::floor(ny * scale + 0.5))};

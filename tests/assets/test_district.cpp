@@ -61,11 +61,16 @@ TEST(District, HasWhatItPromises) {
                          Surface::steps, Surface::grass, Surface::water}) {
         EXPECT_GT(areas[static_cast<size_t>(kind)], 10) << static_cast<int>(kind);
     }
-    std::array<int, 4> props{};
+    std::array<int, k_prop_count> props{};
     for (const Prop& p : city.props) ++props[static_cast<size_t>(p.kind)];
     EXPECT_GT(props[static_cast<size_t>(PropKind::tree)], 100);
     EXPECT_GT(props[static_cast<size_t>(PropKind::lamp)], 30);
     EXPECT_GT(props[static_cast<size_t>(PropKind::bench)], 5);
+    for (int kind = 0; kind < k_prop_count; ++kind) EXPECT_GT(props[static_cast<size_t>(kind)], 0) << kind;
+    std::array<int, k_destination_count> places{};
+    for (const Destination& p : city.destinations) ++places[static_cast<size_t>(p.kind)];
+    for (int kind = 0; kind < k_destination_count; ++kind)
+        EXPECT_GT(places[static_cast<size_t>(kind)], 0) << kind;
 }
 
 // Real steps: treads a step apart in height, with risers of 0.15 to 0.16 m between them.
@@ -79,13 +84,30 @@ TEST(District, FlightHasRealRisers) {
         EXPECT_NEAR(f.b_top - f.b.y, 0.155f, 0.005f);
     }
     EXPECT_GE(risers, 14);
+    // On the square and on the stair street: level treads, each a whole number of risers above the lowest.
     std::vector<float> heights;
     for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        if (city.ground_kinds[t] == Surface::steps)
-            heights.push_back(city.ground_vertices[city.ground_indices[t * 3]].y);
+        if (city.ground_kinds[t] != Surface::steps) continue;
+        EXPECT_GT(triangle_normal(city, t).y, 0.9999f);
+        heights.push_back(city.ground_vertices[city.ground_indices[t * 3]].y);
     }
     std::sort(heights.begin(), heights.end());
-    EXPECT_NEAR(heights.back() - heights.front(), 12 * 0.155f, 0.01f);
+    EXPECT_GT(heights.back() - heights.front(), 20 * 0.155f);
+}
+
+// One stands on the ground wherever one goes to, clear of walls, and looks somewhere.
+TEST(District, DestinationsCanBeStoodOn) {
+    for (uint64_t seed : {1u, 2u, 3u}) {
+        City city = generate_district({seed, 3});
+        for (const Destination& place : city.destinations) {
+            std::optional<GroundHit> hit = ground(city, place.position, 0.1f, 0.1f);
+            ASSERT_TRUE(hit);
+            EXPECT_NE(hit->kind, Surface::water);
+            EXPECT_FALSE(closest_wall(city, place.position + Vec3{0, 1, 0}, 0.2f));
+            EXPECT_NEAR(length(place.facing), 1, 1e-3f);
+            EXPECT_GT(place.weight, 0);
+        }
+    }
 }
 
 // A street climbs: somewhere on a carriageway the ground falls by 4 to 9 in a hundred.
