@@ -18,14 +18,19 @@ struct DistrictOptions {
 // flight of steps up to a terrace, and from two blocks on a sloping street. Indexed, ready for use.
 City generate_district(const DistrictOptions& options);
 
-struct OsmOptions {
-    std::string terrain;  // an elevation file as read_terrain takes it; empty: level ground
+struct CityOptions {
+    std::string terrain;  // under a map: an elevation file as read_terrain takes it; empty: level ground
+    float scale = 1;      // of a glTF scene: metres to a unit
 };
 
 // An OpenStreetMap extract (.osm, .osm.pbf), projected to metres about its middle: +x east, +z south, +y up.
 // With terrain, y = 0 is the sea where the map has sea, and else the lowest ground.
 // Refuses an extract with neither buildings nor roads, and terrain that does not cover the map.
-Result<City> load_osm(const std::string& path, const OsmOptions& options = {});
+Result<City> load_osm(const std::string& path, const CityOptions& options = {});
+
+// A city from a file: a glTF scene (.glb, .gltf, see gltf_city.h) or an OpenStreetMap extract. Refuses
+// terrain under a glTF scene.
+Result<City> load_city(const std::string& path, const CityOptions& options = {});
 
 // sRGB wall colours that Building::style chooses from, R in the lowest byte.
 extern const uint32_t k_wall_colours[];

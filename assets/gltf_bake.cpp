@@ -293,9 +293,9 @@ Result<BakedMesh> bake(const GltfScene& scene) {
         if (node.mesh < 0 || !node.shown || spare[n]) continue;
         int bone = pose.rig_of[n] >= 0 ? int(n) : parent_joint(scene, pose, int(n));
         for (const GltfPrimitive& p : scene.meshes[size_t(node.mesh)]) {
-            if (mesh.vertices.size() + p.positions.size() > k_most_vertices ||
-                mesh.indices.size() + p.indices.size() > k_most_corners)
-                return Error{k_too_much};
+            if (mesh.vertices.size() + p.positions.size() > k_character_use.most_vertices ||
+                mesh.indices.size() + p.indices.size() > k_character_use.most_corners)
+                return too_much(k_character_use);
             if (node.skin >= 0 && p.influences_per_vertex > 0 &&
                 !scene.skins[size_t(node.skin)].joints.empty()) {
                 auto done = add_skinned(pose, p, scene.skins[size_t(node.skin)], mesh);

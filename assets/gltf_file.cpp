@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "assets/gltf_draco.h"
 #include "assets/gltf_json.h"
 #include "assets/gltf_meshopt.h"
 
@@ -16,7 +17,7 @@ namespace {
 // What a parser makes of a value takes some hundred bytes, and of an element of these arrays up to a
 // thousand.
 constexpr size_t k_most_values = 1'000'000, k_most_depth = 64;
-constexpr size_t k_most_views = 131'072, k_most_skins = 512, k_most_others = 8192;
+constexpr size_t k_most_views = 131'072, k_most_nodes = 65'536, k_most_skins = 512, k_most_others = 8192;
 
 struct Parts {
     std::string_view json;
@@ -102,11 +103,12 @@ Result<void> check_outline(const Json& gltf) {
             return Error{"has " + std::string(name) + " that are no list; export it again"};
         std::string_view view = name;
         size_t most = view == "accessors" || view == "bufferViews" ? k_most_views
+                      : view == "nodes" || view == "meshes"        ? k_most_nodes
                       : view == "skins"                            ? k_most_skins
                                                                    : k_most_others;
         if (array.size() > most)
             return Error{"has " + std::to_string(array.size()) + " " + name +
-                         ", more than a character needs; " + "simplify it"};
+                         ", more than can be taken in; simplify it"};
         for (size_t i = 0; i < array.size(); ++i)
             if (!array[i].is_object())
                 return Error{std::string(name) + "[" + std::to_string(i) + "] is no object; export it again"};
@@ -114,12 +116,13 @@ Result<void> check_outline(const Json& gltf) {
     return {};
 }
 
-constexpr const char* k_no_draco =
-    ", which is not supported; export it without compression, or with meshopt's (gltfpack -c)";
-
 Result<void> check_extensions(const Json& gltf) {
-    static constexpr std::string_view k_understood[] = {"EXT_meshopt_compression", "KHR_mesh_quantization",
-                                                        "KHR_texture_transform", "VRM", "VRMC_vrm"};
+    static constexpr std::string_view k_understood[] = {"EXT_meshopt_compression",
+                                                        "KHR_draco_mesh_compression",
+                                                        "KHR_mesh_quantization",
+                                                        "KHR_texture_transform",
+                                                        "VRM",
+                                                        "VRMC_vrm"};
     for (const Json& entry : member(gltf, "extensionsRequired")) {
         std::string name = entry.is_string() ? entry.get<std::string>() : "?";
         bool fine =
@@ -127,23 +130,8 @@ Result<void> check_extensions(const Json& gltf) {
             name.starts_with("KHR_materials_") || name.starts_with("KHR_lights_") ||
             name.starts_with("EXT_texture_") || name.starts_with("VRMC_") || name == "KHR_texture_basisu";
         if (fine) continue;
-        bool draco = name == "KHR_draco_mesh_compression";
-        return Error{"requires the extension " + name +
-                     (draco ? k_no_draco : ", which is not supported; export it without it")};
+        return Error{"requires the extension " + name + ", which is not supported; export it without it"};
     }
-    return {};
-}
-
-// Draco's, where there is no other copy of the vertices.
-Result<void> check_draco(const Json& gltf) {
-    for (const Json& mesh : member(gltf, "meshes"))
-        for (const Json& primitive : member(mesh, "primitives")) {
-            if (!member(member(primitive, "extensions"), "KHR_draco_mesh_compression").is_object()) continue;
-            size_t position = whole_number(member(primitive, "attributes"), "POSITION");
-            const Json& accessor = element(member(gltf, "accessors"), position);
-            if (member(accessor, "bufferView").is_null())
-                return Error{"is compressed by KHR_draco_mesh_compression" + std::string(k_no_draco)};
-        }
     return {};
 }
 
@@ -237,7 +225,7 @@ Result<std::vector<Bytes>> read_buffers(const Json& gltf, std::span<const uint8_
     return buffers;
 }
 
-// A character without its texture is still a character: what cannot be had stays empty.
+// What lacks its texture is still of use: what cannot be had stays empty.
 std::vector<Bytes> read_images(const Json& gltf, const std::vector<Bytes>& buffers,
                                const std::string& folder) {
     std::vector<Bytes> images;
@@ -262,7 +250,7 @@ std::vector<Bytes> read_images(const Json& gltf, const std::vector<Bytes>& buffe
     return images;
 }
 
-// Leaves what a character is made of: what else is in the file need not be sound.
+// Leaves what characters and cities are made of: what else is in the file need not be sound.
 void trim(Json& gltf) {
     static constexpr std::string_view k_kept[] = {
         "accessors", "animations", "asset", "bufferViews", "extensions", "extensionsUsed", "materials",
@@ -292,8 +280,7 @@ Result<Bytes> read_bytes(const std::string& path, size_t most) {
     std::ifstream file(path, std::ios::binary);
     if (!file) return unopened;
     uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || size > most)
-        return Error{"is larger than the 128 MB that a character may take; simplify it"};
+    if (error || size > most) return Error{"is larger than the 128 MB that can be taken in; simplify it"};
     Bytes bytes(size);
     file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
     if (file.gcount() != std::streamsize(size)) return Error{"cannot be read to its end; check the disk"};
@@ -309,13 +296,13 @@ Result<GltfFile> open_gltf(std::span<const uint8_t> bytes, const std::string& fo
         return Error{"is no glTF file: it is neither .glb nor sound JSON; export it again as .glb"};
     if (auto done = check_outline(gltf); !done) return done.error();
     if (auto done = check_extensions(gltf); !done) return done.error();
-    if (auto done = check_draco(gltf); !done) return done.error();
     GltfFile out;
     auto buffers = read_buffers(gltf, parts->binary, folder);
     if (!buffers) return buffers.error();
     out.buffers = std::move(*buffers);
     out.images = read_images(gltf, out.buffers, folder);
     if (auto done = decode_meshopt(gltf, out.buffers); !done) return done.error();
+    if (auto done = decode_draco(gltf, out.buffers); !done) return done.error();
     trim(gltf);
     out.json = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
     return out;

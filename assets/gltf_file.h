@@ -14,12 +14,12 @@ namespace flaneur {
 using Bytes = std::vector<uint8_t>;
 
 struct GltfFile {
-    std::string json;            // all that makes a character; buffers and images are taken out of it
+    std::string json;  // all that makes a character or a city; buffers and images are taken out of it
     std::vector<Bytes> buffers;  // as many as the file says and those of compressed views
     std::vector<Bytes> images;   // encoded; empty where there is none to be had
 };
 
-// No character needs more. Together they keep the loader under a gigabyte.
+// Together these keep the loader under a gigabyte.
 inline constexpr size_t k_most_gltf_bytes = size_t{128} << 20;  // of the file, all buffers, all images
 
 // From the bytes of a .gltf, .glb or .vrm file. Other files that it names are looked for in `folder`.

@@ -17,8 +17,7 @@ namespace {
 
 constexpr int k_most_edge = 1024;          // texels of what is kept: nobody in a crowd shows more
 constexpr int k_most_pixels = 32'000'000;  // of one image
-constexpr size_t k_most_textures = 64;
-constexpr int k_opaque = 0;  // cuts nothing away
+constexpr int k_opaque = 0;                // cuts nothing away
 
 // What is told of a material, by whichever way it is told.
 struct Look {
@@ -132,7 +131,7 @@ uint16_t texture_of(const tinygltf::Model& model, int index, int cut, GltfScene&
     std::string why = "is not to be had";
     if (image >= 0 && size_t(image) < model.images.size())
         why = decode(model.images[size_t(image)].image, known.pixels_left, texture);
-    if (why.empty() && scene.textures.size() >= k_most_textures) why = "is one too many";
+    if (why.empty() && scene.textures.size() >= known.most) why = "is one too many";
     if (!why.empty()) {
         scene.notes.push_back("Image " + std::to_string(image) + " " + why + "; its surfaces go plain.");
         return k_none;

@@ -22,6 +22,7 @@ struct KnownTextures {
     std::map<std::pair<int, int>, uint16_t>
         slots;                     // by image and by the alpha, 0..255, below which it is cut away
     int pixels_left = 64'000'000;  // to decode
+    size_t most = 64;
 };
 
 // Decodes the texture, at its first use, into scene.textures; says in scene.notes what cannot be shown.

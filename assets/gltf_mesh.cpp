@@ -87,7 +87,8 @@ Result<void> read_colours(const tinygltf::Model& model, const tinygltf::Primitiv
 }
 
 Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                                     const std::string& what, const GltfSurface& surface) {
+                                     const std::string& what, const GltfSurface& surface,
+                                     size_t most_vertices) {
     GltfPrimitive out;
     out.material = source.material;
     out.two_sided = surface.two_sided;
@@ -97,7 +98,7 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
         if (found == source.attributes.end()) return AccessorData{};
         bool first = count == 0;
         auto data = read_accessor(model, found->second, std::string(name) + " of " + what,
-                                  first ? k_most_vertices : count);
+                                  first ? most_vertices : count);
         if (data && data->components != components)
             return Error{std::string(name) + " of " + what + " has a wrong type; export it again"};
         if (data && !first && data->count != count)
@@ -148,9 +149,11 @@ Result<GltfPrimitive> read_primitive(const tinygltf::Model& model, const tinyglt
 
 }  // namespace
 
-Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, GltfScene& scene) {
+Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, const GltfUse& use,
+                                                            GltfScene& scene) {
     std::vector<std::vector<GltfPrimitive>> meshes(model.meshes.size());
     KnownTextures known;
+    known.most = use.most_textures;
     size_t vertices = 0, corners = 0, morphed = 0;
     for (size_t m = 0; m < model.meshes.size(); ++m)
         for (size_t p = 0; p < model.meshes[m].primitives.size(); ++p) {
@@ -161,14 +164,14 @@ Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Mode
             std::string what = "mesh " + std::to_string(m) + ", primitive " + std::to_string(p);
             GltfSurface surface = surface_of(model, source.material, scene, known);
             if (!surface.visible) continue;
-            auto primitive = read_primitive(model, source, what, surface);
+            auto primitive = read_primitive(model, source, what, surface, use.most_vertices);
             if (!primitive) return primitive.error();
             if (primitive->positions.empty()) continue;
-            add_backs(*primitive);
+            if (use.adds_backs) add_backs(*primitive);
             morphed += !source.targets.empty();
             vertices += primitive->positions.size();
             corners += primitive->indices.size();
-            if (vertices > k_most_vertices || corners > k_most_corners) return Error{k_too_much};
+            if (vertices > use.most_vertices || corners > use.most_corners) return too_much(use);
             meshes[m].push_back(std::move(*primitive));
         }
     if (morphed > 0)

@@ -13,6 +13,7 @@ namespace flaneur {
 
 // Every mesh's triangle primitives; points and lines are left out. Adds the textures in use, and notes, to
 // `scene`.
-Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, GltfScene& scene);
+Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Model& model, const GltfUse& use,
+                                                            GltfScene& scene);
 
 }  // namespace flaneur

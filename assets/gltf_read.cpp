@@ -195,7 +195,13 @@ Result<tinygltf::Model> parse_gltf(std::span<const uint8_t> bytes, const std::st
     return model;
 }
 
-Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path) {
+Error too_much(const GltfUse& use) {
+    return Error{"has more than " + std::to_string(use.most_vertices / 1'000'000) + " million vertices or " +
+                 std::to_string(use.most_corners / 3'000'000) +
+                 " million triangles; simplify it (with Blender's Decimate or gltfpack -si)"};
+}
+
+Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path, const GltfUse& use) {
     auto refuse = [&](const Error& e) { return Error{path + ": " + e.message}; };
     GltfScene scene;
     try {
@@ -207,7 +213,7 @@ Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& pa
             const std::string& name = model.animations[a].name;
             scene.clips.push_back(name.empty() ? "animation " + std::to_string(a) : name);
         }
-        auto meshes = read_meshes(model, scene);
+        auto meshes = read_meshes(model, use, scene);
         if (!meshes) return refuse(meshes.error());
         scene.meshes = std::move(*meshes);
     } catch (const std::bad_alloc&) {

@@ -1,4 +1,4 @@
-// A glTF 2.0 file as plain, validated data: what load_character needs of it and nothing else.
+// A glTF 2.0 file as plain, validated data: what characters and cities need of it and nothing else.
 #pragma once
 
 #include <span>
@@ -53,12 +53,16 @@ struct GltfScene {
     std::vector<std::string> notes;
 };
 
-// More than these would be no character.
-inline constexpr size_t k_most_vertices = 1'000'000, k_most_corners = 8'000'000;
-inline constexpr const char* k_too_much =
-    "has more than a million vertices or two and a half million triangles; simplify it (with Blender's "
-    "Decimate "
-    "or gltfpack -si)";
+// How much is taken in, and what is made of it.
+struct GltfUse {
+    size_t most_vertices, most_corners, most_textures;
+    bool adds_backs;  // sheets that are seen from both sides become two
+};
+inline constexpr GltfUse k_character_use = {1'000'000, 8'000'000, 64, true};
+inline constexpr GltfUse k_city_use = {4'000'000, 24'000'000, 256, false};
+
+// What to say of more vertices or triangles than that.
+Error too_much(const GltfUse& use);
 
 // The file as tinygltf reads it, unchecked but for its size; images are encoded still. Refuses, in a sentence
 // that begins with `path`, what cannot be read.
@@ -68,6 +72,7 @@ Result<tinygltf::Model> parse_gltf(std::span<const uint8_t> bytes, const std::st
                                    const std::string& path);
 
 // Refuses, in a sentence that begins with `path`, what breaks the format where it matters.
-Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path);
+Result<GltfScene> read_scene(const tinygltf::Model& model, const std::string& path,
+                             const GltfUse& use = k_character_use);
 
 }  // namespace flaneur

@@ -1,13 +1,9 @@
 #include "assets/gltf_write.h"
 
-#include <tiny_gltf.h>
-
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
-#include <span>
-#include <sstream>
+
+#include "assets/gltf_glb.h"
 
 namespace flaneur {
 
@@ -22,40 +18,6 @@ std::string vrm_name(std::string_view joint) {
         raised = c == '_';
     }
     return name;
-}
-
-// An sRGB channel of 8 bits as light.
-float light_of(uint32_t colour, int shift) {
-    float c = static_cast<float>(colour >> shift & 0xffu) / 255;
-    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
-}
-
-std::vector<double> numbers(Vec3 v) {
-    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-// Appends an accessor over bytes of its own, four of them aligned; gives its number. `target` 0: no vertices.
-template <class T>
-int add_accessor(tinygltf::Model& model, std::span<const T> values, int type, int component, int target) {
-    std::vector<uint8_t>& bytes = model.buffers[0].data;
-    tinygltf::BufferView view;
-    view.buffer = 0;
-    view.byteOffset = bytes.size();
-    view.byteLength = values.size_bytes();
-    view.target = target;
-    bytes.resize(bytes.size() + (values.size_bytes() + 3) / 4 * 4);
-    std::memcpy(bytes.data() + view.byteOffset, values.data(), values.size_bytes());
-
-    tinygltf::Accessor accessor;
-    accessor.bufferView = static_cast<int>(model.bufferViews.size());
-    accessor.type = type;
-    accessor.componentType = component;
-    size_t size = static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(component)) *
-                                      tinygltf::GetNumComponentsInType(static_cast<uint32_t>(type)));
-    accessor.count = values.size_bytes() / size;
-    model.bufferViews.push_back(view);
-    model.accessors.push_back(accessor);
-    return static_cast<int>(model.accessors.size()) - 1;
 }
 
 // Nodes 0 .. 21 are the joints in the pose of the bind.
@@ -74,8 +36,8 @@ void add_skeleton(tinygltf::Model& model, const Character& c) {
         skin.joints.push_back(static_cast<int>(j));
     }
     skin.skeleton = hips;
-    skin.inverseBindMatrices = add_accessor<std::array<float, 16>>(model, inverse_binds, TINYGLTF_TYPE_MAT4,
-                                                                   TINYGLTF_COMPONENT_TYPE_FLOAT, 0);
+    skin.inverseBindMatrices =
+        add_accessor(model, inverse_binds, TINYGLTF_TYPE_MAT4, TINYGLTF_COMPONENT_TYPE_FLOAT, 0);
     model.skins.push_back(skin);
 }
 
@@ -84,13 +46,9 @@ tinygltf::Primitive add_surface(tinygltf::Model& model, const Character& c,
     std::vector<Vec3> places, normals;
     std::vector<std::array<uint16_t, 4>> colours;
     std::vector<std::array<uint8_t, 4>> joints, weights;
-    Vec3 low = c.vertices[0].position, high = low;
     for (const CharacterVertex& v : c.vertices) {
         places.push_back(v.position);
         normals.push_back(normalize_or(v.normal, {0, 1, 0}));
-        low = {std::min(low.x, v.position.x), std::min(low.y, v.position.y), std::min(low.z, v.position.z)};
-        high = {std::max(high.x, v.position.x), std::max(high.y, v.position.y),
-                std::max(high.z, v.position.z)};
         std::array<uint16_t, 4> colour;
         colour.fill(0xffff);
         for (int i = 0; i < 3; ++i) {
@@ -105,28 +63,22 @@ tinygltf::Primitive add_surface(tinygltf::Model& model, const Character& c,
             own_joints[i] = v.weights[i] > 0 ? v.joints[i] : uint8_t{0};  // as the format wants it
         }
     }
-    constexpr int k_floats = TINYGLTF_COMPONENT_TYPE_FLOAT, k_bytes = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
-    constexpr int k_vertices = TINYGLTF_TARGET_ARRAY_BUFFER;
-    auto add = [&]<class T>(const std::vector<T>& values, int type, int component) {
-        return add_accessor<T>(model, values, type, component, k_vertices);
-    };
-    auto accessor = [&](int n) -> tinygltf::Accessor& { return model.accessors[static_cast<size_t>(n)]; };
+    constexpr int k_bytes = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+    constexpr int k_shorts = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                  k_vertices = TINYGLTF_TARGET_ARRAY_BUFFER;
     tinygltf::Primitive surface;
     surface.mode = TINYGLTF_MODE_TRIANGLES;
     surface.material = 0;
     auto& attributes = surface.attributes;
-    attributes["POSITION"] = add(places, TINYGLTF_TYPE_VEC3, k_floats);
-    accessor(attributes["POSITION"]).minValues = numbers(low);
-    accessor(attributes["POSITION"]).maxValues = numbers(high);
-    attributes["NORMAL"] = add(normals, TINYGLTF_TYPE_VEC3, k_floats);
-    attributes["COLOR_0"] = add(colours, TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
-    accessor(attributes["COLOR_0"]).normalized = true;
-    attributes["JOINTS_0"] = add(joints, TINYGLTF_TYPE_VEC4, k_bytes);
-    attributes["WEIGHTS_0"] = add(weights, TINYGLTF_TYPE_VEC4, k_bytes);
-    accessor(attributes["WEIGHTS_0"]).normalized = true;
+    attributes["POSITION"] = add_positions(model, places);
+    attributes["NORMAL"] =
+        add_accessor(model, normals, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT, k_vertices);
+    attributes["COLOR_0"] = add_accessor(model, colours, TINYGLTF_TYPE_VEC4, k_shorts, k_vertices, true);
+    attributes["JOINTS_0"] = add_accessor(model, joints, TINYGLTF_TYPE_VEC4, k_bytes, k_vertices);
+    attributes["WEIGHTS_0"] = add_accessor(model, weights, TINYGLTF_TYPE_VEC4, k_bytes, k_vertices, true);
     surface.indices =
-        add_accessor<uint32_t>(model, c.lods[0], TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                               TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        add_accessor(model, c.lods[0], TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                     TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     return surface;
 }
 
@@ -134,10 +86,7 @@ tinygltf::Primitive add_surface(tinygltf::Model& model, const Character& c,
 
 std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints) {
     assert(c.textures.empty() && !c.vertices.empty());
-    tinygltf::Model model;
-    model.asset.version = "2.0";
-    model.asset.generator = "flaneur";
-    model.buffers.emplace_back();
+    tinygltf::Model model = begin_glb();
     add_skeleton(model, c);
 
     tinygltf::Material material;
@@ -160,9 +109,7 @@ std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_
     model.scenes.push_back(scene);
     model.defaultScene = 0;
 
-    std::ostringstream bytes;
-    tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, bytes, false, true);
-    return std::move(bytes).str();
+    return finish_glb(model);
 }
 
 }  // namespace flaneur

@@ -83,7 +83,7 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
 
 }  // namespace
 
-Result<City> load_osm(const std::string& path, const OsmOptions& options) {
+Result<City> load_osm(const std::string& path, const CityOptions& options) {
     Result<OsmMap> map = read_osm(path);
     if (!map) return map.error();
     std::optional<std::array<double, 4>> extent = extent_of(*map);

@@ -150,6 +150,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     Reader reader{json, {}, {}};
     reader.text("city", scene.city);
     reader.text("terrain", scene.terrain);
+    reader.number("scale", k_least_scale, k_most_scale, scene.scale);
     read_people(reader, scene.people);
     reader.texts("idles", scene.idles);
     reader.number("walkers", 0, k_max_walkers, scene.walkers);

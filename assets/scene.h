@@ -16,12 +16,14 @@ struct PeopleShare {
     float share = 1;        // of all walkers, against the others' shares: 0.001..1000
     bool operator==(const PeopleShare&) const = default;
 };
+inline constexpr float k_least_scale = 0.0001f, k_most_scale = 10'000;
 inline constexpr float k_least_share = 0.001f, k_most_share = 1000;
 
 struct Scene {
     std::string name = "district";
-    std::string city;                 // an OpenStreetMap file; empty: the built-in district
+    std::string city;                 // an OpenStreetMap or glTF file; empty: the built-in district
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
+    float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
     std::vector<PeopleShare> people;  // empty: the built-in people
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..100,000

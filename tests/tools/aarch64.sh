@@ -14,7 +14,7 @@ done
 # apt with arm64 as its own and only architecture, and a state of its own.
 apt=$folder/apt arm64=$folder/root
 libraries=$arm64/usr/lib/aarch64-linux-gnu
-packages=(libboost1.74-dev libbz2-1.0 libbz2-dev libcli11-dev libexpat1 libexpat1-dev libhwy1 libhwy-dev liblz4-dev
+packages=(libboost1.74-dev libbz2-1.0 libbz2-dev libcli11-dev libdraco7 libdraco-dev libexpat1 libexpat1-dev libhwy1 libhwy-dev liblz4-dev
           libmeshoptimizer2d libmeshoptimizer-dev libosmium2-dev libpolyclipping22 libpolyclipping-dev libprotozero-dev
           librecast1 librecast-dev libstb0 libstb-dev libtinygltf2d libtinygltf-dev nlohmann-json3-dev zlib1g zlib1g-dev
           libtiff6 libtiff-dev libdeflate0 libjbig0 libjpeg62-turbo liblerc4 liblzma5 libwebp7 libzstd1

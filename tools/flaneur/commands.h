@@ -11,6 +11,7 @@ Result<void> run_render(const Options& options);
 Result<void> run_sim(const Options& options);
 Result<void> run_gait(const Options& options);
 Result<void> run_inspect(const Options& options);
+Result<void> run_city(const Options& options);
 Result<void> run_people(const Options& options);
 Result<void> run_bench(const Options& options);
 

@@ -87,12 +87,6 @@ int district_blocks(const Scene& scene) {
     return blocks;
 }
 
-Result<City> load_city(const Scene& scene) {
-    show_progress("making the city");
-    if (!scene.city.empty()) return load_osm(scene.city, {scene.terrain});
-    return generate_district({scene.seed, district_blocks(scene)});
-}
-
 }  // namespace
 
 void show_progress(const std::string& line) {
@@ -100,6 +94,14 @@ void show_progress(const std::string& line) {
 }
 
 void clear_progress() { show_progress(""); }
+
+Result<City> read_city(const Scene& scene) {
+    show_progress("making the city");
+    Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
+                                           : load_city(scene.city, {scene.terrain, scene.scale});
+    if (city) print_notes(city->name, city->notes);
+    return city;
+}
 
 Result<Character> read_character(const std::string& path) {
     show_progress("reading " + path);
@@ -122,9 +124,8 @@ std::vector<Character> make_people(const std::vector<PersonOptions>& options, in
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
     Loaded loaded;
-    Result<City> city = load_city(scene);
+    Result<City> city = read_city(scene);
     if (!city) return city.error();
-    print_notes(city->name, city->notes);
 
     WorldOptions world;
     Result<void> peopled = add_people(options, loaded.characters, world.kinds);

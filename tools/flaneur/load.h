@@ -19,6 +19,9 @@ struct Loaded {
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
+// The city of a scene, as load() makes it, without anybody in it.
+Result<City> read_city(const Scene& scene);
+
 // Refuses in a sentence; says on stderr what was repaired.
 Result<Character> read_character(const std::string& path);
 

@@ -12,12 +12,13 @@ Result<void> run(const Options& options) {
     bool draws = options.command == Command::view || options.command == Command::render ||
                  (options.command == Command::bench && options.load == BenchLoad::frame) ||
                  (options.command == Command::gait && !options.gait.strip.empty()) ||
-                 (options.command == Command::people && !options.people.sheet.empty());
+                 (options.command == Command::people && !options.people.sheet.empty()) ||
+                 (options.command == Command::city && !options.out.empty());
     if (draws) {
         return Error{
             "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip, "
-            "people "
-            "without --sheet and inspect. One that draws is made by ./tools/build release."};
+            "people without --sheet, inspect and city without --out. One that draws is made by ./tools/build "
+            "release."};
     }
 #endif
     switch (options.command) {
@@ -33,6 +34,8 @@ Result<void> run(const Options& options) {
             return run_gait(options);
         case Command::inspect:
             return run_inspect(options);
+        case Command::city:
+            return run_city(options);
         case Command::people:
             return run_people(options);
         default:

@@ -18,6 +18,7 @@ constexpr const char* k_footer = R"(Examples:
   flaneur bench frame --walkers 2000                       where the time of a frame goes
   flaneur people --count 24 --sheet out/people.png         who lives there
   flaneur inspect me.glb                                   what is found in a character
+  flaneur city --city berlin.osm --out out/berlin.glb      a city, to open elsewhere
 `flaneur render --help` and so on tell more.)";
 
 constexpr const char* k_people_footer =
@@ -35,6 +36,14 @@ repaired. Of a map: its extent, ground and houses, and what was skipped. Refuses
 Examples:
   flaneur inspect me.glb
   flaneur inspect berlin.osm.pbf --json out/berlin.json)";
+
+constexpr const char* k_city_footer =
+    R"(Writes what is drawn of a city, but for what shaders add, in metres, +y up: grouped into ground, facades, roofs
+and props, with materials named road, sidewalk, facade and so on. Names and slopes are all that it takes to read it
+back as --city FILE.glb.
+Examples:
+  flaneur city --out out/district.glb
+  flaneur city --city berlin.osm.pbf --out out/berlin.glb)";
 
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
@@ -89,6 +98,7 @@ struct SceneWords {
     std::optional<std::string> city, terrain, camera;
     std::vector<PeopleShare> people;
     std::vector<std::string> idles;
+    std::optional<float> scale;
     std::optional<int> walkers;
     std::optional<uint64_t> seed;
 };
@@ -142,20 +152,32 @@ CLI::Option* add_characters(CLI::App& app, SceneWords& words, const char* descri
         ->take_all();
 }
 
-void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
+void add_place_options(CLI::App& app, SceneWords& words) {
     std::string names;
     for (const std::string& name : scene_names()) names += (names.empty() ? "" : ", ") + name;
     app.add_option("--scene", words.scene, "A built-in scene (" + names + ") or a .json file")
         ->type_name("NAME|FILE")
         ->capture_default_str()
         ->group("Scene");
-    app.add_option("--city", words.city, "An OpenStreetMap extract: .osm or .osm.pbf")
+    app.add_option("--city", words.city,
+                   "An OpenStreetMap extract, .osm or .osm.pbf, or a glTF scene, .glb or .gltf")
         ->type_name("FILE")
         ->group("Scene");
     app.add_option("--terrain", words.terrain,
                    "Heights of the ground under it: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF (.tif)")
         ->type_name("FILE")
         ->group("Scene");
+    app.add_option("--scale", words.scale, "Metres to a unit of a glTF city; without it, 1")
+        ->type_name("M")
+        ->check(CLI::Range(k_least_scale, k_most_scale).description(""))
+        ->group("Scene");
+    add_parsed(app, "--seed", parse_seed, words.seed,
+               "Another seed makes other people, ways and, built in, another city", "S", "")
+        ->group("Scene");
+}
+
+void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
+    add_place_options(app, words);
     add_characters(
         app, words,
         "A skinned humanoid, .glb, .gltf or .vrm, or builtin for the built-in people, and its share "
@@ -173,9 +195,6 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
     app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
         ->type_name("N")
         ->check(CLI::Range(0, k_max_walkers).description(""))
-        ->group("Scene");
-    add_parsed(app, "--seed", parse_seed, words.seed,
-               "Another seed makes other people, ways and, built in, another city", "S", "")
         ->group("Scene");
     app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
         ->type_name("N")
@@ -355,6 +374,13 @@ void add_inspect(CLI::App& app, Options& options) {
     command->add_option("--json", options.json, "Write it to a file too")->type_name("FILE");
 }
 
+void add_city(CLI::App& app, SceneWords& words, Options& options) {
+    CLI::App* city = app.add_subcommand("city", "Write a city to a file")->footer(k_city_footer);
+    city->callback([&] { options.command = Command::city; });
+    add_place_options(*city, words);
+    city->add_option("--out", options.out, "Write what is drawn, a .glb")->type_name("FILE")->required();
+}
+
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene) return scene.error();
@@ -364,6 +390,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!options.scene.terrain.empty() && options.scene.city.empty())
         return Error{"--terrain " + options.scene.terrain +
                      " lies under an OpenStreetMap city only; give one with --city."};
+    if (words.scale) options.scene.scale = *words.scale;
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
@@ -379,6 +406,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
+    if (options.command == Command::city && !options.out.ends_with(".glb"))
+        return Error{"city --out " + options.out + " is no .glb, which is what a city is written as."};
     if (words.camera) options.scene.camera = *words.camera;
     Result<CameraChoice> camera = parse_camera(options.scene.camera);
     if (!camera) return camera.error();
@@ -411,6 +440,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_gait(app, options);
     add_people(app, words, options);
     add_inspect(app, options);
+    add_city(app, words, options);
 
     try {
         app.parse(argc, argv);
@@ -424,7 +454,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
         if (dynamic_cast<const CLI::ExtrasError*>(&error)) {
             what = who + " has no option or word " + app.remaining(true).front() + ".";
         } else if (app.get_subcommands().empty()) {
-            what = "say what to do: view, render, sim, bench, gait, people or inspect.";
+            what = "say what to do: view, render, sim, bench, gait, people, inspect or city.";
         }
         if (!what.ends_with('.')) what += ".";
         return Error{what + " `" + who + " --help` explains."};

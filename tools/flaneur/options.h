@@ -11,7 +11,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect };
+enum class Command { view, render, sim, bench, gait, people, inspect, city };
 enum class BenchLoad { frame, crowd, pose };
 
 struct Size {
@@ -78,7 +78,8 @@ struct Options {
 
     // render
     TickRange ticks;
-    std::string out;
+
+    std::string out;  // where render and city write
 
     // sim
     double seconds = 10;

@@ -1,0 +1,14 @@
+// A city as it is drawn, to be opened elsewhere.
+#pragma once
+
+#include "assets/gltf_still.h"
+#include "sim/city/city.h"
+
+namespace flaneur {
+
+// The triangles that the renderer draws, in meshes "ground", "facades", "roofs", "props" and "scenery". What
+// shaders add, such as windows and the stripes of crossings, is not in it. Materials are named by what they
+// are: road, sidewalk, facade, ...
+StillModel city_model(const City& city);
+
+}  // namespace flaneur
