@@ -140,7 +140,6 @@ Result<Gathered> gather(const tinygltf::Model& model, const GltfScene& scene, fl
         if (!done) return;
         bool named = p.material >= 0 && size_t(p.material) < model.materials.size();
         Hint hint = hint_of(scene, named ? model.materials[size_t(p.material)].name : "", n);
-        hint.two_sided = p.two_sided;
         done = add_primitive(scene, scene.nodes[size_t(n)], p, scale, hint, out);
     });
     if (!done) return done.error();

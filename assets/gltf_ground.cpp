@@ -359,10 +359,7 @@ Result<void> find_ground(City& city, const std::vector<Hint>& hints) {
         Corners c = corners_of(s, t);
         Vec3 n = normal_of(c);
         float least = k_steepest * length(n);
-        bool is_under = hints[t].two_sided && -n.y >= least;
-        if (!hints[t].is_bare || !(n.y >= least || is_under) || !has_headroom(*columns, hints, c)) continue;
-        if (is_under) std::swap(s.indices[3 * t + 1], s.indices[3 * t + 2]);
-        field.is_ground[t] = 1;
+        field.is_ground[t] = hints[t].is_bare && n.y >= least && has_headroom(*columns, hints, c);
     }
     find_places(s, field);
     double area = keep_reachable(*columns, field);

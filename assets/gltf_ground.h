@@ -15,7 +15,6 @@ struct Hint {
     Surface kind = Surface::plaza;
     bool is_bare = true;   // may be walked on
     bool is_solid = true;  // stops walkers, unless it is ground
-    bool two_sided = false;
 };
 
 // By words in the name of a material or a node, such as "road", "Sidewalk_01" or "stoneStairs". `hint` is
@@ -23,9 +22,8 @@ struct Hint {
 bool read_hint(const std::string& name, Hint& hint);
 
 // Fills the city's ground from its scenery, and Scenery::solid; where the map ends there are destinations.
-// `hints` has one a triangle. Triangles that
-// are seen from both sides and face down where ground is are turned over. Refuses, in a sentence, scenery
-// without ground.
+// `hints` has one a triangle. Refuses, in a
+// sentence, scenery without ground.
 Result<void> find_ground(City& city, const std::vector<Hint>& hints);
 
 }  // namespace flaneur

@@ -167,7 +167,7 @@ Result<std::vector<std::vector<GltfPrimitive>>> read_meshes(const tinygltf::Mode
             auto primitive = read_primitive(model, source, what, surface, use.most_vertices);
             if (!primitive) return primitive.error();
             if (primitive->positions.empty()) continue;
-            if (use.adds_backs) add_backs(*primitive);
+            add_backs(*primitive);
             morphed += !source.targets.empty();
             vertices += primitive->positions.size();
             corners += primitive->indices.size();

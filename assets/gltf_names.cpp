@@ -14,9 +14,8 @@ struct Word {
     Hint hint;
 };
 
-constexpr Hint ground_of(Surface kind) { return {kind, true, true, false}; }
-constexpr Hint k_wall = {Surface::plaza, false, true, false},
-               k_leaves = {Surface::plaza, false, false, false};
+constexpr Hint ground_of(Surface kind) { return {kind, true, true}; }
+constexpr Hint k_wall = {Surface::plaza, false, true}, k_leaves = {Surface::plaza, false, false};
 
 // Earlier words go before later ones: a "street lamp" is a lamp.
 constexpr Word k_words[] = {

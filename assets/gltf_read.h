@@ -53,13 +53,12 @@ struct GltfScene {
     std::vector<std::string> notes;
 };
 
-// How much is taken in, and what is made of it.
+// How much is taken in.
 struct GltfUse {
     size_t most_vertices, most_corners, most_textures;
-    bool adds_backs;  // sheets that are seen from both sides become two
 };
-inline constexpr GltfUse k_character_use = {1'000'000, 8'000'000, 64, true};
-inline constexpr GltfUse k_city_use = {4'000'000, 24'000'000, 256, false};
+inline constexpr GltfUse k_character_use = {1'000'000, 8'000'000, 64};
+inline constexpr GltfUse k_city_use = {4'000'000, 24'000'000, 256};
 
 // What to say of more vertices or triangles than that.
 Error too_much(const GltfUse& use);

@@ -83,7 +83,6 @@ void add_material(tinygltf::Model& model, const StillMaterial& m) {
     pbr.metallicFactor = static_cast<double>(m.metallic);
     pbr.baseColorTexture.index = m.picture;
     if (m.is_cut) out.alphaMode = "MASK";
-    out.doubleSided = m.two_sided;
     model.materials.push_back(out);
 }
 

@@ -15,7 +15,6 @@ struct StillMaterial {
     float roughness = 0.9f, metallic = 0;
     int picture = -1;     // index into StillModel::pictures, or none
     bool is_cut = false;  // where the picture's alpha is below a half nothing is seen
-    bool two_sided = false;
 };
 
 // Triangles of one material, wound counter-clockwise from outside; one normal and colour a vertex.

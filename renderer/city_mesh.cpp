@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "renderer/check.h"
+
 namespace flaneur {
 namespace {
 
@@ -108,8 +110,16 @@ void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
 
 CityClass city_class(uint32_t material) {
     if (material == k_material_facade) return CityClass::facade;
+    if (material == k_material_scenery) return CityClass::scenery;
     return material < k_material_facade && material != k_material_steps ? CityClass::ground
                                                                         : CityClass::detail;
+}
+
+Result<void> check_texture(const RgbaImage& texture, const std::string& whose) {
+    if (texture.width == 0 || texture.height == 0 ||
+        texture.rgba.size() != size_t{4} * texture.width * texture.height)
+        return Error{whose + " has a texture whose size does not agree with its texels."};
+    return {};
 }
 
 Result<PreparedCity> prepare_city(const CityMesh& mesh) {
@@ -124,6 +134,11 @@ Result<PreparedCity> prepare_city(const CityMesh& mesh) {
         if (!(std::isfinite(vertex.position.x) && std::isfinite(vertex.position.y) &&
               std::isfinite(vertex.position.z)))
             return Error{"The city's mesh has a vertex whose place is not a number."};
+    for (const CityVertex& vertex : mesh.vertices)
+        if (vertex.material == k_material_scenery && vertex.extra > mesh.textures.size())
+            return Error{"The city's mesh refers to texture " + std::to_string(vertex.extra - 1) +
+                         " but has only " + std::to_string(mesh.textures.size()) + "."};
+    for (const RgbaImage& texture : mesh.textures) FLANEUR_TRY(check_texture(texture, "The city's mesh"));
     PreparedCity city;
     city.vertices = mesh.vertices;
     city.indices = mesh.indices;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "renderer/passes/cull.h"
 #include "renderer/scene.h"
@@ -11,8 +12,8 @@
 namespace flaneur {
 
 // What is drawn by one pipeline.
-enum class CityClass { ground, facade, detail };
-inline constexpr int k_city_classes = 3;
+enum class CityClass { ground, facade, detail, scenery };
+inline constexpr int k_city_classes = 4;
 CityClass city_class(uint32_t material);
 
 struct PreparedCity {
@@ -27,7 +28,10 @@ struct PreparedCity {
 inline constexpr float k_bay =
     2.7f;  // width of a wall's part with one window, metres; facade.frag knows it too
 
-// Refuses triangles that refer to vertices that are not there.
+// Refuses a texture whose size and texels disagree; `whose` names it.
+Result<void> check_texture(const RgbaImage& texture, const std::string& whose);
+
+// Refuses triangles that refer to vertices or textures that are not there.
 Result<PreparedCity> prepare_city(const CityMesh& mesh);
 
 }  // namespace flaneur

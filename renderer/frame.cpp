@@ -31,7 +31,8 @@ void update_descriptors(const Renderer& renderer, const FrameSlot& slot) {
         {renderer.pipelines.shadow_sampler, renderer.shadows.map.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.scene.textures.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout},
-        {renderer.pipelines.atlas_sampler, renderer.scene.impostors.atlas.view, k_sampled.layout}};
+        {renderer.pipelines.atlas_sampler, renderer.scene.impostors.atlas.view, k_sampled.layout},
+        {renderer.pipelines.texture_sampler, renderer.scene.scenery.view, k_sampled.layout}};
     VkWriteDescriptorSet writes[k_bindings] = {};
     for (uint32_t i = 0; i < k_bindings; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -239,7 +240,8 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
-    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.near_city, plan.far_city})
+    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.scenery, plan.near_city,
+                            plan.far_city, plan.near_scenery, plan.far_scenery})
         for (uint32_t i = 0; i < range.count; ++i)
             stats.triangles += plan.draws[range.first + i].index_count / 3;
 }

@@ -81,11 +81,22 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
         count += cull_chunk_casters(chunks(CityClass::detail), box, plan.draws);
         return DrawRange{first, count};
     };
+    auto scenery_casting = [&](const ShadowBox& box) {
+        const uint32_t first = begin();
+        return DrawRange{first, cull_chunk_casters(chunks(CityClass::scenery), box, plan.draws)};
+    };
     plan.facades = visible(CityClass::facade);
     plan.surfaces[0] = visible(CityClass::detail);
     plan.surfaces[1] = visible(CityClass::ground);
-    if (plan.refresh_near) plan.near_city = casting(plan.near_box);
-    if (plan.refresh_far) plan.far_city = casting(plan.far_box);
+    plan.scenery = visible(CityClass::scenery);
+    if (plan.refresh_near) {
+        plan.near_city = casting(plan.near_box);
+        plan.near_scenery = scenery_casting(plan.near_box);
+    }
+    if (plan.refresh_far) {
+        plan.far_city = casting(plan.far_box);
+        plan.far_scenery = scenery_casting(plan.far_box);
+    }
 }
 
 FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {

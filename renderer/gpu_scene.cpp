@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <span>
 
 #define STB_IMAGE_RESIZE_STATIC
 #define STB_IMAGE_RESIZE_IMPLEMENTATION
@@ -44,10 +45,7 @@ Result<void> check_person(const PersonMesh& mesh, size_t number) {
         return Error{name + " has " + std::to_string(mesh.strides.size()) +
                      " transforms to bake impostors from; " +
                      std::to_string(k_stride_poses * k_palette_joints) + " or none are needed."};
-    for (const RgbaImage& texture : mesh.textures)
-        if (texture.width == 0 || texture.height == 0 ||
-            texture.rgba.size() != size_t{4} * texture.width * texture.height)
-            return Error{name + " has a texture whose size does not agree with its texels."};
+    for (const RgbaImage& texture : mesh.textures) FLANEUR_TRY(check_texture(texture, name));
     return {};
 }
 
@@ -66,34 +64,30 @@ glm::vec3 find_sole(const PersonMesh& mesh, int foot) {
     return count > 0 ? glm::vec3(sum.x / count, low, sum.z / count) : glm::vec3(0);
 }
 
-// All textures at one size, after a white layer.
-Result<void> upload_textures(const Device& device, const SceneMeshes& meshes, GpuScene& scene) {
-    uint32_t layers = 1, edge = 1;
-    for (const PersonMesh& mesh : meshes.people)
-        for (const RgbaImage& texture : mesh.textures) {
-            ++layers;
-            edge = std::max({edge, texture.width, texture.height});
-        }
-    if (layers > device.properties.limits.maxImageArrayLayers)
-        return Error{"The people have " + std::to_string(layers - 1) + " textures; the device takes " +
-                     std::to_string(device.properties.limits.maxImageArrayLayers - 1) +
-                     ". Load fewer characters."};
+// All at one size, after a white layer. `whose` names them in sentences.
+Result<void> upload_textures(const Device& device, std::span<const RgbaImage* const> textures,
+                             const std::string& whose, GpuImage& image) {
+    uint32_t edge = 1;
+    const auto layers = static_cast<uint32_t>(textures.size()) + 1;
+    for (const RgbaImage* texture : textures) edge = std::max({edge, texture->width, texture->height});
+    const uint32_t most = device.properties.limits.maxImageArrayLayers;
+    if (layers > most)
+        return Error{whose + " " + std::to_string(layers - 1) + " textures; the device takes " +
+                     std::to_string(most - 1) + "."};
     edge = std::min(std::bit_ceil(edge), k_largest_texture);
     while (edge > 64 && uint64_t{edge} * edge * 4 * layers > k_texture_memory) edge /= 2;
-    scene.is_textured = layers > 1;
 
     const size_t layer_bytes = size_t{edge} * edge * 4;
     std::vector<std::byte> texels(layer_bytes * layers, std::byte{255});
     size_t at = layer_bytes;
-    for (const PersonMesh& mesh : meshes.people)
-        for (const RgbaImage& texture : mesh.textures) {
-            auto* out = reinterpret_cast<unsigned char*>(texels.data() + at);
-            const int size = static_cast<int>(edge);
-            if (!stbir_resize_uint8_srgb(texture.rgba.data(), static_cast<int>(texture.width),
-                                         static_cast<int>(texture.height), 0, out, size, size, 0, 4, 3, 0))
-                return Error{"There is not enough memory to resize a texture."};
-            at += layer_bytes;
-        }
+    for (const RgbaImage* texture : textures) {
+        auto* out = reinterpret_cast<unsigned char*>(texels.data() + at);
+        const int size = static_cast<int>(edge);
+        if (!stbir_resize_uint8_srgb(texture->rgba.data(), static_cast<int>(texture->width),
+                                     static_cast<int>(texture->height), 0, out, size, size, 0, 4, 3, 0))
+            return Error{"There is not enough memory to resize a texture."};
+        at += layer_bytes;
+    }
     ImageShape shape;
     shape.format = VK_FORMAT_R8G8B8A8_SRGB;
     shape.width = shape.height = edge;
@@ -102,8 +96,8 @@ Result<void> upload_textures(const Device& device, const SceneMeshes& meshes, Gp
     shape.usage =
         VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     shape.is_array = true;
-    FLANEUR_TRY(make_image(device, shape, scene.textures));
-    return upload_layers(device, texels, scene.textures);
+    FLANEUR_TRY(make_image(device, shape, image));
+    return upload_layers(device, texels, image);
 }
 
 }  // namespace
@@ -146,7 +140,13 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
                               scene.person_vertices));
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                               scene.indices));
-    FLANEUR_TRY(upload_textures(device, meshes, scene));
+    std::vector<const RgbaImage*> people, scenery;
+    for (const PersonMesh& mesh : meshes.people)
+        for (const RgbaImage& texture : mesh.textures) people.push_back(&texture);
+    for (const RgbaImage& texture : meshes.city.textures) scenery.push_back(&texture);
+    scene.is_textured = !people.empty();
+    FLANEUR_TRY(upload_textures(device, people, "The people have", scene.textures));
+    FLANEUR_TRY(upload_textures(device, scenery, "The city has", scene.scenery));
     return bake_impostors(device, pipelines, meshes, scene);
 }
 
@@ -155,6 +155,7 @@ void destroy_scene(const Device& device, GpuScene& scene) {
     destroy_buffer(device, scene.person_vertices);
     destroy_buffer(device, scene.indices);
     destroy_image(device, scene.textures);
+    destroy_image(device, scene.scenery);
     destroy_impostors(device, scene.impostors);
     scene = {};
 }

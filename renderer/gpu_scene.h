@@ -8,7 +8,7 @@ namespace flaneur {
 
 struct GpuScene {
     Buffer city_vertices, person_vertices, indices;
-    GpuImage textures;  // an array; layer 0 is white
+    GpuImage textures, scenery;  // arrays, of people and of the city; layer 0 is white
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
     std::vector<PersonRanges> people;
     Impostors impostors;

@@ -20,10 +20,14 @@
 #include "spirv/impostor.vert.h"
 #include "spirv/impostor_bake.frag.h"
 #include "spirv/impostor_bake.vert.h"
+#include "spirv/scenery.frag.h"
+#include "spirv/scenery.vert.h"
 #include "spirv/shadow_city.vert.h"
 #include "spirv/shadow_crowd.vert.h"
 #include "spirv/shadow_impostor.frag.h"
 #include "spirv/shadow_impostor.vert.h"
+#include "spirv/shadow_scenery.frag.h"
+#include "spirv/shadow_scenery.vert.h"
 #include "spirv/sky.frag.h"
 #include "spirv/sky.vert.h"
 
@@ -178,6 +182,7 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     bind(k_binding_textures, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_picture, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_atlas, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_scenery, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     set_info.bindingCount = static_cast<uint32_t>(bindings.size());
     set_info.pBindings = bindings.data();
@@ -224,7 +229,15 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
                          .depth = k_shadow_format,
                          .is_shadow = true};
     FLANEUR_TRY(make(shadow, p.shadow_city));
+    shadow.vertex = k_spirv_shadow_scenery_vert;
+    shadow.fragment = k_spirv_shadow_scenery_frag;
+    shadow.attributes = {city_attributes()[0], city_attributes()[2], city_attributes()[4]};
+    // Outlines drawn as hulls turned inside out must not shade what they outline.
+    shadow.cull = VK_CULL_MODE_BACK_BIT;
+    FLANEUR_TRY(make(shadow, p.shadow_scenery));
+    shadow.cull = VK_CULL_MODE_NONE;
     const Attributes person = person_attributes();
+    shadow.fragment = {};
     shadow.vertex = k_spirv_shadow_crowd_vert;
     shadow.attributes = {person[0], person[4]};
     shadow.stride = sizeof(PersonVertex);
@@ -244,6 +257,10 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     FLANEUR_TRY(make(city, p.city_surface));
     city.fragment = k_spirv_city_facade_frag;
     FLANEUR_TRY(make(city, p.city_facade));
+    PipelineShape scenery = city;
+    scenery.vertex = k_spirv_scenery_vert;
+    scenery.fragment = k_spirv_scenery_frag;
+    FLANEUR_TRY(make(scenery, p.city_scenery));
 
     PipelineShape crowd = city;
     crowd.vertex = k_spirv_crowd_vert;
@@ -302,9 +319,9 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
     for (VkPipeline pipeline :
-         {p.shadow_city, p.shadow_crowd, p.shadow_impostor, p.city_surface, p.city_facade, p.crowd_smooth[0],
-          p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1], p.impostor, p.impostor_bake, p.contact,
-          p.sky, p.fxaa_image, p.fxaa_window})
+         {p.shadow_city, p.shadow_crowd, p.shadow_impostor, p.shadow_scenery, p.city_surface, p.city_facade,
+          p.city_scenery, p.crowd_smooth[0], p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1],
+          p.impostor, p.impostor_bake, p.contact, p.sky, p.fxaa_image, p.fxaa_window})
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);
     if (p.atlas_sampler) vkDestroySampler(device.handle, p.atlas_sampler, nullptr);

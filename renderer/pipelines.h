@@ -16,8 +16,8 @@ struct Pipelines {
     VkDescriptorSetLayout set_layout = {};
     VkPipelineLayout layout = {};
     VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {};
-    VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {};
-    VkPipeline city_surface = {}, city_facade = {};
+    VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {}, shadow_scenery = {};
+    VkPipeline city_surface = {}, city_facade = {}, city_scenery = {};
     VkPipeline impostor = {}, impostor_bake = {};
     VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
     VkPipeline contact = {}, sky = {};

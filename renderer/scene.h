@@ -16,16 +16,13 @@ struct CityVertex {
     uint32_t colour;     // sRGB, R in the lowest byte
     // Metres. Facade: u along the wall from its left end, v above its foot; windows are fitted to the extent
     // that vertices joined by triangles span. Crossing: u along the way people cross. Other ground: the
-    // ground plane.
+    // ground plane. Scenery: of its texture, which repeats.
     glm::vec2 uv;
     int8_t normal[4];   // unit vector * 127; [3] unused
     uint16_t material;  // k_material_*
-    uint16_t extra;     // facades: storey height in centimetres, top bit set where there is a shop front
-};
-
-struct CityMesh {
-    std::vector<CityVertex> vertices;
-    std::vector<uint32_t> indices;
+    // Facades: storey height in centimetres, top bit set where there is a shop front. Scenery: 1 + index into
+    // CityMesh::textures, or 0.
+    uint16_t extra;
 };
 
 struct PersonVertex {
@@ -41,6 +38,12 @@ struct PersonVertex {
 struct RgbaImage {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgba;  // sRGB, rows from the top
+};
+
+struct CityMesh {
+    std::vector<CityVertex> vertices;
+    std::vector<uint32_t> indices;
+    std::vector<RgbaImage> textures;  // of scenery; nothing is seen where alpha is below a half
 };
 
 struct PersonMesh {

@@ -64,6 +64,7 @@ FLANEUR_CONST uint k_material_roof = 10;
 FLANEUR_CONST uint k_material_leaves = 11;
 FLANEUR_CONST uint k_material_trunk = 12;
 FLANEUR_CONST uint k_material_metal = 13;   // lamps, bollards, benches
+FLANEUR_CONST uint k_material_scenery = 14; // u, v of a picture; extra: its layer, 0 for none
 
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
@@ -75,7 +76,8 @@ FLANEUR_CONST int k_binding_shadow = 5;     // two layers: near (city and crowd)
 FLANEUR_CONST int k_binding_textures = 6;   // base colours of people, layer 0 white
 FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing, luma in alpha
 FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
-FLANEUR_CONST int k_bindings = 9;           // up to k_binding_cells buffers, then images
+FLANEUR_CONST int k_binding_scenery = 9;    // pictures of the city's scenery, layer 0 white
+FLANEUR_CONST int k_bindings = 10;          // up to k_binding_cells buffers, then images
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4

@@ -23,13 +23,19 @@ void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box
                        sizeof(mat4), &box.map_from_world);
 }
 
-void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox& box, DrawRange range) {
+void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox& box, DrawRange range,
+                    DrawRange scenery) {
     begin_map(record, view, box, true);
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       record.renderer.pipelines.shadow_city);
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
     draw_indirect(record, range);
+    if (scenery.count > 0) {
+        vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                          record.renderer.pipelines.shadow_scenery);
+        draw_indirect(record, scenery);
+    }
     vkCmdEndRendering(record.commands);
 }
 
@@ -56,12 +62,13 @@ void draw_shadows(const FrameRecord& record) {
         begin_stage(record, "city shadows");
         if (plan.refresh_near) {
             barrier(maps.still, discarded(k_copied_from), k_depth_target);
-            draw_city_into(record, maps.still.view, plan.near_box, plan.near_city);
+            draw_city_into(record, maps.still.view, plan.near_box, plan.near_city, plan.near_scenery);
             barrier(maps.still, k_depth_target, k_copied_from);
         }
         if (plan.refresh_far) {
             barrier(maps.map, discarded(k_sampled), k_depth_target, far_layer);
-            draw_city_into(record, maps.layer_views[k_far_layer], plan.far_box, plan.far_city);
+            draw_city_into(record, maps.layer_views[k_far_layer], plan.far_box, plan.far_city,
+                           plan.far_scenery);
             barrier(maps.map, k_depth_target, k_sampled, far_layer);
         }
         end_stage(record);

@@ -57,6 +57,7 @@ void add_drawn(const CityMesh& drawn, StillModel& model) {
     std::array<StillSurface, k_kinds.size()> surfaces;
     for (uint32_t i : drawn.indices) {
         const CityVertex& v = drawn.vertices[i];
+        if (v.material == k_material_scenery) continue;  // is taken from the city, with its pictures
         Vec3 normal{static_cast<float>(v.normal[0]), static_cast<float>(v.normal[1]),
                     static_cast<float>(v.normal[2])};
         add_corner(surfaces[std::min<size_t>(v.material, k_material_metal)], from_glm(v.position), normal,
@@ -85,7 +86,6 @@ void add_scenery(const Scenery& scenery, StillModel& model) {
     for (size_t s = 0; s < surfaces.size(); ++s) {
         if (surfaces[s].indices.empty()) continue;
         StillMaterial material{"scenery " + std::to_string(s + 1), brightest(surfaces[s].colours)};
-        material.two_sided = true;
         if (s < scenery.images.size()) {
             material.picture = static_cast<int>(s);
             material.is_cut = true;

@@ -12,6 +12,9 @@ namespace flaneur {
 // What is uploaded once: the city's surfaces, facades, roofs and props, and the characters' meshes. World
 // walkers whose body is i are drawn as characters[i].
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
+// Appends scenery to a mesh, with its pictures.
+void add_scenery(const Scenery& scenery, CityMesh& mesh);
+
 PersonMesh extract_character(const Character& character);
 
 // The palette, k_palette_joints long, that draws a character at `scale` times its size with these places and

@@ -164,10 +164,11 @@ void add_props(CityMesh& mesh, const City& city) {
 
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters) {
     SceneMeshes scene;
-    add_ground(scene.city, city);
+    if (!city.scenery.holds_ground) add_ground(scene.city, city);
     add_faces(scene.city, city);
     add_roofs(scene.city, city);
     add_props(scene.city, city);
+    add_scenery(city.scenery, scene.city);
     for (const Character& c : characters) scene.people.push_back(extract_character(c));
     return scene;
 }
