@@ -3,27 +3,12 @@
 #include <cmath>
 
 #include "assets/district.h"
+#include "assets/streets.h"
 #include "sim/base/math.h"
 
 namespace flaneur {
 
 namespace {
-
-Vec2 middle_of(const Ring& ring) {
-    // Of the area, not of the corners.
-    double x = 0, z = 0, twice = 0;
-    for (size_t i = 0; i < ring.size(); ++i) {
-        Vec2 a = to_metres(ring[i]) - to_metres(ring[0]),
-             b = to_metres(ring[(i + 1) % ring.size()]) - to_metres(ring[0]);
-        auto c = static_cast<double>(cross(a, b));
-        x += c * static_cast<double>(a.x + b.x);
-        z += c * static_cast<double>(a.z + b.z);
-        twice += c;
-    }
-    if (twice <= 0) return to_metres(ring[0]);
-    return to_metres(ring[0]) +
-           Vec2{static_cast<float>(x / (3 * twice)), static_cast<float>(z / (3 * twice))};
-}
 
 bool is_inside(const Ring& ring, Vec2 p) { return contains({ring}, to_point(p)); }
 
@@ -35,7 +20,7 @@ Vec2 place_in(Dice& dice, const Ring& ring, float margin) {
         high = {std::max(high.X, p.X), std::max(high.Y, p.Y)};
     }
     std::optional<Ring> within = shrunk(ring, margin);
-    Vec2 a = to_metres(low), b = to_metres(high), at = middle_of(ring);
+    Vec2 a = to_metres(low), b = to_metres(high), at = middle_of(ring).value_or(to_metres(ring[0]));
     for (int i = 0; i < 20; ++i) {
         Vec2 tried{dice.between(a.x, b.x), dice.between(a.z, b.z)};
         if (is_inside(within ? *within : ring, tried)) return tried;
@@ -129,7 +114,7 @@ void fill_houses(District& d, Block& block) {
 void fill_villas(District& d, Block& block) {
     Dice& dice = block.dice;
     add_area(d, k_rank_rest, Surface::grass, flat(k_kerb), {block.outline});
-    Vec2 middle = middle_of(block.ring);
+    Vec2 middle = middle_of(block.ring).value_or(to_metres(block.ring[0]));
     for (const Front& front : block.fronts) {
         float width = length(front.b - front.a);
         Vec2 along = normalize_or(front.b - front.a, {1, 0}), in{-along.z, along.x};
@@ -165,7 +150,7 @@ void fill_park(District& d, Block& block) {
     Dice& dice = block.dice;
     const Ring& ring = block.ring;
     add_area(d, k_rank_grass, Surface::grass, flat(k_kerb), {block.outline});
-    Vec2 middle = middle_of(ring);
+    Vec2 middle = middle_of(ring).value_or(to_metres(ring[0]));
     size_t n = block.fronts.size();
     // Gates at the corners and, on long sides, in the middle: gaps in the wall around.
     std::vector<Vec2> gates;
@@ -249,7 +234,8 @@ void fill_slabs(District& d, Block& block) {
     Dice& dice = block.dice;
     const Ring& ring = block.ring;
     add_area(d, k_rank_rest, Surface::plaza, flat(k_kerb), {block.outline});
-    Vec2 middle = middle_of(ring), south = dice.chance(0.5f) ? Vec2{0, 1} : Vec2{0, -1};
+    Vec2 middle = middle_of(ring).value_or(to_metres(ring[0])),
+         south = dice.chance(0.5f) ? Vec2{0, 1} : Vec2{0, -1};
     // Along the longest front.
     float longest = 0;
     for (const Front& f : block.fronts) {

@@ -46,7 +46,7 @@ uint8_t trim_style(Trim t) {
                                 static_cast<uint32_t>(t));
 }
 
-float terrain_at(const District& d, Vec2 p) { return d.streets.terrain.height(p); }
+float terrain_at(const District& d, Vec2 p) { return d.streets.relief.height(p); }
 
 void add_area(District& d, int rank, Surface kind, Lift lift, Rings rings, Vec2 axis) {
     Area area;

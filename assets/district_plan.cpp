@@ -375,7 +375,7 @@ float rise_at(float at, const std::vector<float>& lines, const std::vector<float
 
 void shape_terrain(Lattice& l, int c) {
     StreetPlan& plan = l.plan;
-    Terrain& t = plan.terrain;
+    Relief& t = plan.relief;
     // The square, the stairs and the park by the square lie level.
     auto heights = [&](int axis) {
         std::vector<float> h;
@@ -413,7 +413,7 @@ void shape_terrain(Lattice& l, int c) {
 
 }  // namespace
 
-float Terrain::height(Vec2 p) const {
+float Relief::height(Vec2 p) const {
     auto along = [this](const std::vector<float>& samples, float at) {
         float s = clamp(at / cell, 0, static_cast<float>(samples.size()) - 1.001f), k = std::floor(s);
         auto i = static_cast<size_t>(k);
@@ -439,12 +439,6 @@ Ring simple_outline(const Ring& outline) {
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(least));
     }
     return ring;
-}
-
-float length_of(const std::vector<Vec2>& line) {
-    float sum = 0;
-    for (size_t i = 0; i + 1 < line.size(); ++i) sum += length(line[i + 1] - line[i]);
-    return sum;
 }
 
 Station station(const std::vector<Vec2>& line, float s) {
@@ -485,7 +479,7 @@ StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell) {
     }
     plan.low += {-belt, -belt};
     plan.high += {belt, belt};
-    plan.terrain.cell = cell;
+    plan.relief.cell = cell;
     shape_terrain(l, c);
     find_blocks(l, c);
     lay_ways_out(l, c, belt);

@@ -54,7 +54,7 @@ struct BlockPlan {
 // A hill to the north that streets climb between the first two rows, evenly in its middle part, and gentle
 // rises elsewhere: the sum of a profile from west to east and one from north to south, straight within each
 // cell of the ground plan, so that pieces of one cell lie in one plane.
-struct Terrain {
+struct Relief {
     Vec2 origin;
     float cell = 12;
     std::vector<float> east, south;  // heights at the borders of cells
@@ -72,7 +72,7 @@ struct StreetPlan {
     std::vector<Way> ways;
     std::vector<BlockPlan> plots;
     std::vector<uint32_t> outer;  // ways that run round all blocks, these to their right
-    Terrain terrain;
+    Relief relief;
 
     // The ways that meet at a node.
     std::vector<std::vector<uint32_t>> ways_at;
@@ -87,8 +87,7 @@ StreetPlan plan_streets(uint64_t seed, int blocks, float belt, float cell);
 // side.
 Ring simple_outline(const Ring& outline);
 
-// Along a line: its length, the point `s` metres from its start, and the direction there.
-float length_of(const std::vector<Vec2>& line);
+// The point `s` metres from the start of a line, and the direction there.
 struct Station {
     Vec2 at, along;
 };

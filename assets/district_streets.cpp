@@ -76,7 +76,7 @@ void lay_carriageway(District& d, const Way& way) {
 
 // A flight down the hill where it is one plane, broken by landings: level treads on sloping ground.
 void lay_stairs(District& d, Dice& dice, const Way& way) {
-    const Terrain& t = d.streets.terrain;
+    const Relief& t = d.streets.relief;
     constexpr float k_rise = 0.155f, k_tread = 0.36f, k_landing = 4.2f;
     constexpr int k_flight = 8;
     Vec2 down = normalize_or(way.line.back() - way.line.front(), {0, 1}), right{-down.z, down.x};

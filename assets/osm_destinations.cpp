@@ -126,12 +126,6 @@ void add_shop(OsmImport& in, Vec2 p, float weight, size_t doors) {
         add(in, DestinationKind::shop, *at, -out, weight);
 }
 
-Vec2 middle_of(const Ring& ring) {
-    Vec2 sum{};
-    for (Point p : ring) sum += to_metres(p);
-    return sum / static_cast<float>(ring.size());
-}
-
 bool is_stop(const OsmTags& tags) {
     return tags.is("highway", "bus_stop") || tags.is("railway", "tram_stop") ||
            tags.is("railway", "subway_entrance") || tags.is("railway", "train_station_entrance");
@@ -142,7 +136,7 @@ bool is_square(const OsmTags& tags) { return tags.is("place", "square") || tags.
 void add_square(OsmImport& in, const Region& region) {
     float size = static_cast<float>(area(rings_of(region)));
     if (size < 150) return;
-    Vec2 middle = middle_of(region.outer);
+    Vec2 middle = middle_of(region.outer).value_or(to_metres(region.outer[0]));
     std::optional<Vec3> at = standing_near(in, middle, 6);
     if (at && contains(rings_of(region), to_point(on_ground(*at))))
         add(in, DestinationKind::square, *at, {0, 1}, clamp(size / 500, 0.5f, 10));
@@ -197,7 +191,8 @@ void add_osm_destinations(OsmImport& in) {
         for (const Region& region : regions_of_way(in, way)) {
             if (square) add_square(in, region);
             if (is_business(way.tags))
-                add_shop(in, middle_of(region.outer), business_weight(way.tags), doors);
+                add_shop(in, middle_of(region.outer).value_or(to_metres(region.outer[0])),
+                         business_weight(way.tags), doors);
         }
     }
     for (const OsmRelation& relation : in.map.relations) {
