@@ -4,6 +4,7 @@
 
 #include "assets/city.h"
 #include "assets/masses.h"
+#include "assets/osm_decks.h"
 #include "assets/osm_map.h"
 #include "assets/terrain.h"
 
@@ -113,6 +114,8 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
     add_osm_buildings(in);
     add_osm_streets(in);
     add_osm_areas(in);
+    std::vector<DeckPiece> decks = solve_decks(in);
+    clear_ground_below(in, decks);
     Area rest;
     rest.rank = k_rank_rest;
     rest.kind = Surface::grass;
@@ -120,7 +123,7 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
     rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
     in.plan.areas.push_back(std::move(rest));
     lay_ground(in.plan, in.city);
-    index_city(in.city);
+    lay_decks(in, decks);
     add_osm_props(in);
     add_osm_destinations(in);
     write_notes(in);

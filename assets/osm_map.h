@@ -118,6 +118,7 @@ struct OsmImport {
     // carriageway and sidewalks (0: none), and what lies above the ground or leads up there by steps.
     SegmentIndex streets{};
     std::vector<OsmStreet> raised{};
+    size_t building_areas = 0;  // the plan's first areas are what buildings take
 };
 
 // The known points of a way; missing ones split it. Lines of fewer than two points are left out.
@@ -126,6 +127,9 @@ std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way);
 // stay open.
 std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way);
 std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relation);
+
+// What tags alone say of the width of a street's own sidewalk on one side, or what is usual; 0: none.
+float tagged_sidewalk(const OsmStreet& street, bool left);
 
 void add_osm_streets(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares, the sea

@@ -68,18 +68,12 @@ std::optional<float> alongside(const SegmentIndex& footways, const std::vector<V
 // the sidewalk is a way of its own, the pavement reaches from the kerb to that way.
 float sidewalk_width(const OsmStreet& road, const SegmentIndex& footways, const std::vector<Vec2>& line,
                      bool left) {
-    const OsmTags& tags = road.way->tags;
-    SideTag tag = side_tag(tags, left);
-    if (tag == SideTag::none) return 0;
+    if (side_tag(road.way->tags, left) == SideTag::none) return 0;
     float half = road.highway.width * 0.5f;
     if (std::optional<float> separate = alongside(footways, line, half, left)) {
         return clamp(*separate - half + 1.1f, 1.5f, 7);
     }
-    std::optional<float> width = parse_metres(tags[left ? "sidewalk:left:width" : "sidewalk:right:width"]);
-    if (!width) width = parse_metres(tags["sidewalk:both:width"]);
-    if (!width) width = parse_metres(tags["sidewalk:width"]);
-    if (tag != SideTag::unknown) return width && *width < 20 ? *width : std::max(road.highway.sidewalk, 2.2f);
-    return road.highway.sidewalk;
+    return tagged_sidewalk(road, left);
 }
 
 void add_way(OsmImport& in, const OsmStreet& way) {
@@ -223,7 +217,20 @@ bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const OsmSt
 
 }  // namespace
 
+float tagged_sidewalk(const OsmStreet& street, bool left) {
+    const OsmTags& tags = street.way->tags;
+    SideTag tag = side_tag(tags, left);
+    if (tag == SideTag::none) return 0;
+    std::optional<float> width = parse_metres(tags[left ? "sidewalk:left:width" : "sidewalk:right:width"]);
+    if (!width) width = parse_metres(tags["sidewalk:both:width"]);
+    if (!width) width = parse_metres(tags["sidewalk:width"]);
+    if (tag != SideTag::unknown)
+        return width && *width < 20 ? *width : std::max(street.highway.sidewalk, 2.2f);
+    return street.highway.sidewalk;
+}
+
 void add_osm_streets(OsmImport& in) {
+    in.building_areas = in.plan.areas.size();
     std::vector<OsmStreet> roads, ways, steps;
     std::vector<int64_t> raised_nodes;
     SegmentIndex footways;

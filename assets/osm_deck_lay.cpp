@@ -1,0 +1,294 @@
+// Building the decks of raised ways.
+#include <algorithm>
+#include <cmath>
+
+#include "assets/masses.h"
+#include "assets/osm_decks.h"
+#include "assets/streets.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_railing = 1.05f, k_railing_width = 0.18f;  // metres
+constexpr float k_flush = 0.3f;   // what is no farther below or above goes on as one surface, metres
+constexpr float k_buried = 0.7f;  // abutments reach this far below the ground, metres
+
+int level_of(const OsmStreet& street) { return std::max(1, street.highway.level); }
+
+struct Halves {
+    float left, right;
+};
+
+// From the centre line to the edges of the deck.
+Halves halves_of(const OsmStreet& street) {
+    float half = street.highway.width * 0.5f;
+    if (!street.highway.drives) return {half, half};
+    return {half + tagged_sidewalk(street, true), half + tagged_sidewalk(street, false)};
+}
+
+// The decks of one level as a terrain that runs through the air, along the nearest piece.
+struct Field {
+    SegmentIndex index;
+    const std::vector<DeckPiece>* pieces = nullptr;
+
+    float operator()(Vec2 p) const {
+        const Segment* s = nullptr;
+        for (float reach : {6.0f, 30.0f}) {
+            if (!s) s = index.nearest(p, reach);
+        }
+        if (!s) return 0;
+        const DeckPiece& piece = (*pieces)[s->owner];
+        return lerp(piece.a_height, piece.b_height, closest_on(*s, p));
+    }
+};
+
+// Adds the streets of one level to its plan.
+void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<DeckPiece>& decks, int level) {
+    for (size_t first = 0; first < decks.size();) {
+        size_t end = first + 1;
+        while (end < decks.size() && decks[end].street == decks[first].street &&
+               decks[end].line == decks[first].line)
+            ++end;
+        const DeckPiece &head = decks[first], &tail = decks[end - 1];
+        const OsmStreet& street = in.raised[head.street];
+        const std::vector<Vec2>& line = street.lines[head.line];
+        first = end;
+        if (level_of(street) != level) continue;
+        bool round_start = !head.starts_on_ground, round_end = !tail.ends_on_ground;
+        if (street.highway.kind == Surface::steps) {
+            Flight flight;
+            flight.line = line;
+            flight.width = street.highway.width;
+            flight.from = head.a_height + k_kerb;
+            flight.to = tail.b_height + k_kerb;
+            flight.risers = static_cast<int>(parse_number(street.way->tags["step_count"]).value_or(0));
+            add_flight(plan, flight);
+        } else if (street.highway.drives) {
+            Halves halves = halves_of(street);
+            float half = street.highway.width * 0.5f;
+            add_street(plan, {line, street.highway.width, halves.left - half, halves.right - half,
+                              round_start, round_end});
+        } else {
+            Area area;
+            area.kind = street.highway.kind == Surface::path ? Surface::sidewalk : street.highway.kind;
+            area.rank = area.kind == Surface::plaza ? k_rank_plaza : k_rank_sidewalk;
+            area.lift = flat(k_kerb);
+            add_strip(area.rings, line, street.highway.width * 0.5f, street.highway.width * 0.5f, round_start,
+                      round_end);
+            plan.areas.push_back(std::move(area));
+        }
+    }
+}
+
+// Buildings that are taller than the deck take their part of it.
+void add_building_solids(GroundPlan& plan, const OsmImport& in, const Field& field) {
+    std::vector<std::pair<Point, float>> tops;
+    for (const Face& f : in.city.faces) {
+        if (f.kind == FaceKind::facade) tops.push_back({to_point(on_ground(f.a)), f.a_top});
+    }
+    auto less = [](const auto& a, const auto& b) {
+        return a.first.X != b.first.X ? a.first.X < b.first.X : a.first.Y < b.first.Y;
+    };
+    std::sort(tops.begin(), tops.end(), less);
+    for (size_t i = 0; i < in.building_areas; ++i) {
+        const Area& area = in.plan.areas[i];
+        if (!area.solid || area.rings.empty() || area.rings[0].empty()) continue;
+        Vec2 low = to_metres(area.rings[0][0]), high = low;
+        for (Point p : area.rings[0]) {
+            Vec2 q = to_metres(p);
+            low = {std::min(low.x, q.x), std::min(low.z, q.z)};
+            high = {std::max(high.x, q.x), std::max(high.z, q.z)};
+        }
+        Vec2 middle = (low + high) * 0.5f;
+        const Segment* near = field.index.nearest(middle, length(high - low) * 0.5f + 8);
+        if (!near) continue;
+        float top = 1e9f;
+        for (Point p : area.rings[0]) {
+            auto [from, to] = std::equal_range(tops.begin(), tops.end(), std::pair(p, 0.0f), less);
+            for (auto t = from; t != to; ++t) top = top > 1e8f ? t->second : std::max(top, t->second);
+        }
+        if (top < field(middle) + 0.1f) continue;
+        plan.areas.push_back(area);
+    }
+}
+
+struct Edge {
+    Vec3 a, b;  // the deck lies to their left as seen from above with x to the right and z up
+};
+
+// Edges of the triangles from `first` on that no other of them shares.
+std::vector<Edge> free_edges(const City& city, size_t first) {
+    struct Half {
+        Point low, high;
+        Edge edge;
+    };
+    std::vector<Half> halves;
+    for (size_t t = first; t < city.ground_kinds.size(); ++t) {
+        for (size_t k = 0; k < 3; ++k) {
+            Vec3 a = city.ground_vertices[city.ground_indices[t * 3 + k]];
+            Vec3 b = city.ground_vertices[city.ground_indices[t * 3 + (k + 1) % 3]];
+            Point p = to_point(on_ground(a)), q = to_point(on_ground(b));
+            bool forward = p.X != q.X ? p.X < q.X : p.Y < q.Y;
+            halves.push_back({forward ? p : q, forward ? q : p, {a, b}});
+        }
+    }
+    auto key = [](const Half& h) { return std::tuple(h.low.X, h.low.Y, h.high.X, h.high.Y); };
+    std::stable_sort(halves.begin(), halves.end(),
+                     [&](const Half& a, const Half& b) { return key(a) < key(b); });
+    std::vector<Edge> edges;
+    for (size_t i = 0; i < halves.size();) {
+        size_t end = i + 1;
+        while (end < halves.size() && key(halves[end]) == key(halves[i])) ++end;
+        if (end == i + 1) edges.push_back(halves[i].edge);
+        i = end;
+    }
+    return edges;
+}
+
+void add_triangle(City& city, Vec3 a, Vec3 b, Vec3 c, uint32_t building) {
+    for (Vec3 p : {a, b, c}) {
+        city.roof_indices.push_back(static_cast<uint32_t>(city.roof_vertices.size()));
+        city.roof_vertices.push_back(p);
+    }
+    city.roof_buildings.push_back(building);
+}
+
+// What ends a deck along a short edge: a railing, the flank of the slab or of the abutment, a kerb, or
+// nothing, where another surface or a house goes on.
+void finish_edge(OsmImport& in, const Field& field, Vec3 a, Vec3 b, uint32_t building) {
+    City& city = in.city;
+    Vec2 along = on_ground(b) - on_ground(a);
+    if (length(along) < 0.004f) return;
+    Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
+    Vec3 middle = (a + b) * 0.5f;
+    Vec2 outside = on_ground(middle) + out * 0.12f;
+    if (std::optional<GroundHit> beyond = ground(city, at_height(outside, middle.y), k_flush, k_flush)) {
+        float down = middle.y - beyond->height;
+        if (down > 0.01f) {
+            city.faces.push_back(
+                {{a.x, a.y - down, a.z}, {b.x, b.y - down, b.z}, a.y, b.y, FaceKind::riser, ~0u});
+        }
+        return;
+    }
+    std::optional<WallPoint> wall = closest_wall(city, middle + Vec3{0, 1, 0}, 0.25f);
+    bool at_house = wall && city.faces[wall->face].kind == FaceKind::facade;
+    auto clearance = [&](Vec3 p) { return p.y - terrain_at(in.plan, on_ground(p)); };
+    bool in_air = std::min(clearance(a), clearance(b)) > k_headroom;
+    auto bottom = [&](Vec3 p) {
+        return in_air ? p.y - k_deck : terrain_at(in.plan, on_ground(p)) - k_buried;
+    };
+    float rail = at_house ? 0 : k_railing;
+    Vec3 shift = at_height(out * (at_house ? 0 : k_railing_width), 0), outer_a = a + shift,
+         outer_b = b + shift;
+    float top_a = at_house ? a.y : field(on_ground(a)) + k_kerb + rail,
+          top_b = at_house ? b.y : field(on_ground(b)) + k_kerb + rail;
+    Vec3 foot_a{outer_a.x, std::min(bottom(a), a.y), outer_a.z},
+        foot_b{outer_b.x, std::min(bottom(b), b.y), outer_b.z};
+    city.faces.push_back({foot_a, foot_b, top_a, top_b, FaceKind::garden_wall, building});
+    if (at_house) return;
+    city.faces.push_back({b, a, std::max(top_b, b.y), std::max(top_a, a.y), FaceKind::garden_wall, building});
+    Vec3 ia{a.x, top_a, a.z}, ib{b.x, top_b, b.z}, oa{outer_a.x, top_a, outer_a.z},
+        ob{outer_b.x, top_b, outer_b.z};
+    add_triangle(city, ia, ob, ib, building);
+    add_triangle(city, ia, oa, ob, building);
+}
+
+// The deck as seen from below.
+void add_undersides(OsmImport& in, size_t first, uint32_t building) {
+    City& city = in.city;
+    for (size_t t = first; t < city.ground_kinds.size(); ++t) {
+        Vec3 p[3];
+        bool in_air = true;
+        for (size_t k = 0; k < 3; ++k) {
+            p[k] = city.ground_vertices[city.ground_indices[t * 3 + k]];
+            in_air &= p[k].y - terrain_at(in.plan, on_ground(p[k])) > k_headroom;
+            p[k].y -= k_deck;
+        }
+        if (in_air) add_triangle(city, p[0], p[2], p[1], building);
+    }
+}
+
+}  // namespace
+
+void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
+    Area solid;
+    solid.rank = k_rank_solid;
+    solid.solid = true;
+    for (const DeckPiece& piece : decks) {
+        float a = piece.a_height - terrain_at(in.plan, piece.a),
+              b = piece.b_height - terrain_at(in.plan, piece.b);
+        if (std::min(a, b) >= k_headroom) continue;
+        Vec2 along = normalize_or(piece.b - piece.a, {1, 0});
+        Halves halves = halves_of(in.raised[piece.street]);
+        // The surfaces overlap by a hair where they meet.
+        constexpr float k_hair = 0.01f;
+        Vec2 from = piece.a + along * (piece.starts_on_ground ? k_hair : 0),
+             to = piece.b - along * (piece.ends_on_ground ? k_hair : 0);
+        float rail = std::max(a, b) > k_flush ? k_railing_width : 0;
+        add_strip(solid.rings, {from, to}, halves.left + rail, halves.right + rail, false);
+        // The face of the abutment, where one can walk on below.
+        Vec2 side{along.z, -along.x};
+        auto close = [&](Vec2 at, float height, bool forward) {
+            Vec2 left = at + side * halves.left, right = at - side * halves.right;
+            if (!forward) std::swap(left, right);
+            float foot = terrain_at(in.plan, at) - k_buried;
+            in.city.faces.push_back(
+                {at_height(left, foot), at_height(right, foot), height, height, FaceKind::garden_wall, ~0u});
+        };
+        if (a >= k_headroom) close(piece.a, piece.a_height - k_deck, false);
+        if (b >= k_headroom) close(piece.b, piece.b_height - k_deck, true);
+    }
+    if (!solid.rings.empty()) in.plan.areas.push_back(std::move(solid));
+}
+
+void lay_decks(OsmImport& in, const std::vector<DeckPiece>& decks) {
+    City& city = in.city;
+    struct Laid {
+        Field field;
+        size_t first;
+        std::vector<Edge> edges;
+    };
+    std::vector<Laid> laid;
+    for (int level = 1; level <= 5; ++level) {
+        Field field;
+        field.pieces = &decks;
+        for (uint32_t i = 0; i < decks.size(); ++i) {
+            if (level_of(in.raised[decks[i].street]) == level) field.index.add(decks[i].a, decks[i].b, i, 0);
+        }
+        if (field.index.segments.empty()) continue;
+        field.index.sort();
+        GroundPlan plan;
+        plan.low = in.plan.low;
+        plan.high = in.plan.high;
+        plan.cell = in.plan.cell;
+        plan.terrain = [&field](Vec2 p) { return field(p); };
+        add_building_solids(plan, in, field);
+        add_deck_streets(plan, in, decks, level);
+        size_t first = city.ground_kinds.size();
+        lay_ground(plan, city);
+        laid.push_back({field, first, free_edges(city, first)});
+    }
+    index_city(city);
+    if (laid.empty()) return;
+    auto building = static_cast<uint32_t>(city.buildings.size());
+    Building rails;
+    rails.top = 1;
+    city.buildings.push_back(rails);
+    constexpr float k_piece = 2;  // metres
+    for (size_t l = 0; l < laid.size(); ++l) {
+        for (const Edge& edge : laid[l].edges) {
+            int parts = std::max(1, static_cast<int>(std::ceil(length(edge.b - edge.a) / k_piece)));
+            for (int i = 0; i < parts; ++i) {
+                auto at = [&](int k) {
+                    return lerp(edge.a, edge.b, static_cast<float>(k) / static_cast<float>(parts));
+                };
+                finish_edge(in, laid[l].field, at(i), at(i + 1), building);
+            }
+        }
+    }
+    add_undersides(in, laid.front().first, building);
+    index_city(city);
+}
+
+}  // namespace flaneur
