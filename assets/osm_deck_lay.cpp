@@ -27,7 +27,7 @@ Halves halves_of(const OsmStreet& street) {
     return {half + tagged_sidewalk(street, true), half + tagged_sidewalk(street, false)};
 }
 
-// The decks of one level as a terrain that runs through the air, along the nearest piece.
+// The heights of the decks of one level, along the nearest piece.
 struct Field {
     SegmentIndex index;
     const std::vector<DeckPiece>* pieces = nullptr;
@@ -43,6 +43,19 @@ struct Field {
     }
 };
 
+// The plane of a piece, `above` metres higher.
+Lift lift_of(const DeckPiece& piece, float above) {
+    Vec2 along = piece.b - piece.a;
+    Lift lift;
+    lift.base = piece.a_height + above;
+    lift.low = -1e6f;
+    lift.high = 1e6f;
+    lift.origin = piece.a;
+    lift.slope = along * ((piece.b_height - piece.a_height) / std::max(length_squared(along), 1e-6f));
+    lift.absolute = true;
+    return lift;
+}
+
 // Adds the streets of one level to its plan.
 void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<DeckPiece>& decks, int level) {
     for (size_t first = 0; first < decks.size();) {
@@ -53,9 +66,9 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
         const DeckPiece &head = decks[first], &tail = decks[end - 1];
         const OsmStreet& street = in.raised[head.street];
         const std::vector<Vec2>& line = street.lines[head.line];
+        size_t begin = first;
         first = end;
         if (level_of(street) != level) continue;
-        bool round_start = !head.starts_on_ground, round_end = !tail.ends_on_ground;
         if (street.highway.kind == Surface::steps) {
             Flight flight;
             flight.line = line;
@@ -64,19 +77,27 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
             flight.to = tail.b_height + k_kerb;
             flight.risers = static_cast<int>(parse_number(street.way->tags["step_count"]).value_or(0));
             add_flight(plan, flight);
-        } else if (street.highway.drives) {
-            Halves halves = halves_of(street);
-            float half = street.highway.width * 0.5f;
-            add_street(plan, {line, street.highway.width, halves.left - half, halves.right - half,
-                              round_start, round_end});
-        } else {
-            Area area;
-            area.kind = street.highway.kind == Surface::path ? Surface::sidewalk : street.highway.kind;
-            area.rank = area.kind == Surface::plaza ? k_rank_plaza : k_rank_sidewalk;
-            area.lift = flat(k_kerb);
-            add_strip(area.rings, line, street.highway.width * 0.5f, street.highway.width * 0.5f, round_start,
-                      round_end);
-            plan.areas.push_back(std::move(area));
+            continue;
+        }
+        bool drives = street.highway.drives;
+        Surface foot = street.highway.kind == Surface::path ? Surface::sidewalk : street.highway.kind;
+        Halves halves = halves_of(street);
+        float half = street.highway.width * 0.5f;
+        for (size_t i = begin; i < end; ++i) {
+            bool round_start = i > begin || !decks[i].starts_on_ground;
+            bool round_end = i + 1 < end || !decks[i].ends_on_ground;
+            auto add = [&](int rank, Surface kind, float lift, float left, float right) {
+                Area area;
+                area.rank = rank;
+                area.kind = kind;
+                area.lift = lift_of(decks[i], lift);
+                add_strip(area.rings, {decks[i].a, decks[i].b}, left, right, round_start, round_end);
+                plan.areas.push_back(std::move(area));
+            };
+            if (drives) add(k_rank_road, Surface::road, 0, half, half);
+            if (!drives || halves.left + halves.right > 2 * half) {
+                add(k_rank_sidewalk, drives ? Surface::sidewalk : foot, k_kerb, halves.left, halves.right);
+            }
         }
     }
 }
@@ -178,16 +199,18 @@ void finish_edge(OsmImport& in, const Field& field, Vec3 a, Vec3 b, uint32_t bui
     auto bottom = [&](Vec3 p) {
         return in_air ? p.y - k_deck : terrain_at(in.plan, on_ground(p)) - k_buried;
     };
-    float rail = at_house ? 0 : k_railing;
     Vec3 shift = at_height(out * (at_house ? 0 : k_railing_width), 0), outer_a = a + shift,
          outer_b = b + shift;
-    float top_a = at_house ? a.y : field(on_ground(a)) + k_kerb + rail,
-          top_b = at_house ? b.y : field(on_ground(b)) + k_kerb + rail;
+    // Along steps the railing follows their slope.
+    auto top = [&](Vec3 p) {
+        return at_house ? p.y : clamp(field(on_ground(p)) + k_kerb, p.y - 0.15f, p.y + 0.15f) + k_railing;
+    };
+    float top_a = top(a), top_b = top(b);
     Vec3 foot_a{outer_a.x, std::min(bottom(a), a.y), outer_a.z},
         foot_b{outer_b.x, std::min(bottom(b), b.y), outer_b.z};
     city.faces.push_back({foot_a, foot_b, top_a, top_b, FaceKind::garden_wall, building});
     if (at_house) return;
-    city.faces.push_back({b, a, std::max(top_b, b.y), std::max(top_a, a.y), FaceKind::garden_wall, building});
+    city.faces.push_back({b, a, top_b, top_a, FaceKind::garden_wall, building});
     Vec3 ia{a.x, top_a, a.z}, ib{b.x, top_b, b.z}, oa{outer_a.x, top_a, outer_a.z},
         ob{outer_b.x, top_b, outer_b.z};
     add_triangle(city, ia, ob, ib, building);
@@ -211,10 +234,24 @@ void add_undersides(OsmImport& in, size_t first, uint32_t building) {
 
 }  // namespace
 
+uint32_t wall_building(OsmImport& in) {
+    if (in.walls == ~0u) {
+        in.walls = static_cast<uint32_t>(in.city.buildings.size());
+        Building walls;
+        walls.top = 1;
+        in.city.buildings.push_back(walls);
+    }
+    return in.walls;
+}
+
 void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
     Area solid;
     solid.rank = k_rank_solid;
     solid.solid = true;
+    Rings water;
+    for (const Area& area : in.plan.areas) {
+        if (area.kind == Surface::water) water.insert(water.end(), area.rings.begin(), area.rings.end());
+    }
     for (const DeckPiece& piece : decks) {
         float a = piece.a_height - terrain_at(in.plan, piece.a),
               b = piece.b_height - terrain_at(in.plan, piece.b);
@@ -223,18 +260,29 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
         Halves halves = halves_of(in.raised[piece.street]);
         // The surfaces overlap by a hair where they meet.
         constexpr float k_hair = 0.01f;
+        bool round_start = !piece.starts_on_ground && a < k_headroom,
+             round_end = !piece.ends_on_ground && b < k_headroom;
         Vec2 from = piece.a + along * (piece.starts_on_ground ? k_hair : 0),
              to = piece.b - along * (piece.ends_on_ground ? k_hair : 0);
-        float rail = std::max(a, b) > k_flush ? k_railing_width : 0;
-        add_strip(solid.rings, {from, to}, halves.left + rail, halves.right + rail, false);
+        auto add = [&](Rings& rings, float start, float end, float more) {
+            add_strip(rings, {lerp(from, to, start), lerp(from, to, end)}, halves.left + more,
+                      halves.right + more, round_start && start <= 0, round_end && end >= 1);
+        };
+        // Railings stand outside the deck; where there is none it ends flush with the ground.
+        float level = clamp((k_flush - a) / (std::fabs(b - a) > 1e-3f ? b - a : 1e-3f), 0, 1);
+        add(solid.rings, 0, level, a > k_flush ? k_railing_width : 0);
+        add(solid.rings, level, 1, b > k_flush ? k_railing_width : 0);
+        Rings wide;
+        add(wide, 0, 1, k_railing_width);
+        for (Ring& ring : intersect(wide, water)) solid.rings.push_back(std::move(ring));
         // The face of the abutment, where one can walk on below.
         Vec2 side{along.z, -along.x};
         auto close = [&](Vec2 at, float height, bool forward) {
             Vec2 left = at + side * halves.left, right = at - side * halves.right;
             if (!forward) std::swap(left, right);
             float foot = terrain_at(in.plan, at) - k_buried;
-            in.city.faces.push_back(
-                {at_height(left, foot), at_height(right, foot), height, height, FaceKind::garden_wall, ~0u});
+            in.city.faces.push_back({at_height(left, foot), at_height(right, foot), height, height,
+                                     FaceKind::garden_wall, wall_building(in)});
         };
         if (a >= k_headroom) close(piece.a, piece.a_height - k_deck, false);
         if (b >= k_headroom) close(piece.b, piece.b_height - k_deck, true);
@@ -262,7 +310,6 @@ void lay_decks(OsmImport& in, const std::vector<DeckPiece>& decks) {
         plan.low = in.plan.low;
         plan.high = in.plan.high;
         plan.cell = in.plan.cell;
-        plan.terrain = [&field](Vec2 p) { return field(p); };
         add_building_solids(plan, in, field);
         add_deck_streets(plan, in, decks, level);
         size_t first = city.ground_kinds.size();
@@ -271,10 +318,7 @@ void lay_decks(OsmImport& in, const std::vector<DeckPiece>& decks) {
     }
     index_city(city);
     if (laid.empty()) return;
-    auto building = static_cast<uint32_t>(city.buildings.size());
-    Building rails;
-    rails.top = 1;
-    city.buildings.push_back(rails);
+    uint32_t building = wall_building(in);
     constexpr float k_piece = 2;  // metres
     for (size_t l = 0; l < laid.size(); ++l) {
         for (const Edge& edge : laid[l].edges) {

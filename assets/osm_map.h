@@ -118,6 +118,7 @@ struct OsmImport {
     // carriageway and sidewalks (0: none), and what lies above the ground or leads up there by steps.
     SegmentIndex streets{};
     std::vector<OsmStreet> raised{};
+    uint32_t walls = ~0u;       // see wall_building
     size_t building_areas = 0;  // the plan's first areas are what buildings take
 };
 
@@ -128,6 +129,8 @@ std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way);
 std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way);
 std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relation);
 
+// The building that all walls and railings of the map belong to, which has no facade.
+uint32_t wall_building(OsmImport& in);
 // What tags alone say of the width of a street's own sidewalk on one side, or what is usual; 0: none.
 float tagged_sidewalk(const OsmStreet& street, bool left);
 
