@@ -113,6 +113,7 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
 
     add_osm_buildings(in);
     add_osm_streets(in);
+    add_osm_barriers(in);
     add_osm_areas(in);
     std::vector<DeckPiece> decks = solve_decks(in);
     clear_ground_below(in, decks);

@@ -135,6 +135,8 @@ uint32_t wall_building(OsmImport& in);
 float tagged_sidewalk(const OsmStreet& street, bool left);
 
 void add_osm_streets(OsmImport& in);
+// Walls, fences and hedges, with gaps where streets and ways pass. After the streets.
+void add_osm_barriers(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares, the sea
 // Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
 void add_osm_sea(OsmImport& in);

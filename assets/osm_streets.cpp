@@ -90,6 +90,30 @@ void add_way(OsmImport& in, const OsmStreet& way) {
     }
 }
 
+// Steps follow the hill in flights of some 10 m with landings between, always up or always down.
+void line_flights(GroundPlan& plan, const std::vector<Vec2>& line, const OsmStreet& steps) {
+    constexpr float k_flight = 10;
+    float whole = length_of(line);
+    int flights = std::max(1, static_cast<int>(whole / k_flight));
+    auto height = [&](Vec2 p) { return terrain_at(plan, p) + k_kerb; };
+    float from = height(line.front()), last = height(line.back()), rise = last - from;
+    float stated = clamp(parse_number(steps.way->tags["step_count"]).value_or(0), 0, 1000);
+    for (int i = 0; i < flights; ++i) {
+        auto place = [&](int k) { return whole * static_cast<float>(k) / static_cast<float>(flights); };
+        Flight flight;
+        flight.line = part_of(line, place(i), place(i + 1));
+        flight.width = steps.highway.width;
+        float to = i + 1 == flights ? last : height(flight.line.back());
+        to = rise > 0 ? clamp(to, from, last) : clamp(to, last, from);
+        flight.from = from;
+        flight.to = to;
+        if (rise != 0) flight.risers = static_cast<int>(std::floor(stated * (to - from) / rise + 0.5f));
+        if (riser_count(to - from, flight.risers) == 0 && i + 1 < flights) flight.to = from;
+        if (riser_count(rise, 0) > 0) add_flight(plan, flight);
+        from = flight.to;
+    }
+}
+
 // Steps begin and end beside the streets that they come from, where there is no kerb to be drawn.
 void add_steps(OsmImport& in, const OsmStreet& steps) {
     auto on_street = [&](Vec2 p) {
@@ -98,27 +122,20 @@ void add_steps(OsmImport& in, const OsmStreet& steps) {
             p, 12, [&](const Segment& s) { found |= length(lerp(s.a, s.b, closest_on(s, p)) - p) < s.half; });
         return found;
     };
-    auto height = [&](Vec2 p) { return terrain_at(in.plan, p) + k_kerb; };
     for (const std::vector<Vec2>& line : steps.lines) {
         constexpr float k_stride = 0.25f;
         float whole = length_of(line), from = 0, to = whole;
         if (whole < 0.5f) continue;
         while (from < 0.4f * whole && on_street(part_of(line, from, whole).front())) from += k_stride;
         while (to > 0.6f * whole && on_street(part_of(line, 0, to).back())) to -= k_stride;
-        Flight flight;
-        flight.line = part_of(line, from, to);
-        flight.width = steps.highway.width;
-        flight.from = height(flight.line.front());
-        flight.to = height(flight.line.back());
-        flight.risers = static_cast<int>(parse_number(steps.way->tags["step_count"]).value_or(0));
-        if (riser_count(flight.to - flight.from, flight.risers) > 0) add_flight(in.plan, flight);
+        line_flights(in.plan, part_of(line, from, to), steps);
         // Before and after it, or where it does not rise.
         Area rest;
         rest.rank = k_rank_path;
         rest.kind = Surface::steps;
         rest.lift = flat(k_kerb);
         rest.axis = normalize_or(line.back() - line.front(), {1, 0});
-        add_strip(rest.rings, line, flight.width * 0.5f, flight.width * 0.5f, false);
+        add_strip(rest.rings, line, steps.highway.width * 0.5f, steps.highway.width * 0.5f, false);
         in.plan.areas.push_back(std::move(rest));
     }
 }
