@@ -28,21 +28,34 @@ const BarrierKind* barrier_of(const OsmTags& tags) {
     return found == std::end(k_barriers) || unbuilt ? nullptr : found;
 }
 
-// What walls leave open: the ways of the map with room for their walkers, and gates.
-struct Openings {
-    const OsmImport& in;
-    std::vector<Vec2> gates;
-
-    bool is_open(Vec2 p) const {
-        bool found =
-            std::any_of(gates.begin(), gates.end(), [&](Vec2 g) { return length_squared(g - p) < 1; });
-        in.streets.near(p, 12, [&](const Segment& s) {
-            float half = s.half > 0 ? s.half : 1.5f;
-            found = found || length_squared(lerp(s.a, s.b, closest_on(s, p)) - p) < half * half;
-        });
-        return found;
-    }
+// A place where a wall leaves room.
+struct Gap {
+    Vec2 at;
+    float radius;  // metres
 };
+
+// Gates, and where ways cross the straight wall from a to b.
+std::vector<Gap> gaps_of(const OsmImport& in, const std::vector<Gap>& gates, Vec2 a, Vec2 b) {
+    std::vector<Gap> gaps;
+    for (const Gap& gate : gates) {
+        if (length(lerp(a, b, closest_on({a, b}, gate.at)) - gate.at) < 1) gaps.push_back(gate);
+    }
+    in.streets.near((a + b) * 0.5f, length(b - a) * 0.5f, [&](const Segment& s) {
+        if (std::optional<float> share = crossing_on(a, b, s.a, s.b))
+            gaps.push_back({lerp(a, b, *share), std::max(s.half, 1.4f)});
+    });
+    return gaps;
+}
+
+// Whether a wall would stand on a carriageway or in the middle of a way.
+bool is_on_street(const OsmImport& in, Vec2 p) {
+    bool found = false;
+    in.streets.near(p, 12, [&](const Segment& s) {
+        float half = std::max(s.half - 1.5f, 0.5f);
+        found = found || length_squared(lerp(s.a, s.b, closest_on(s, p)) - p) < half * half;
+    });
+    return found;
+}
 
 // One straight stretch of wall.
 void add_stretch(OsmImport& in, Vec2 a, Vec2 b, const BarrierKind& kind, float height) {
@@ -57,12 +70,12 @@ void add_stretch(OsmImport& in, Vec2 a, Vec2 b, const BarrierKind& kind, float h
 
 void add_osm_barriers(OsmImport& in) {
     constexpr float k_step = 0.5f, k_shortest = 0.8f, k_longest = 8;  // metres
-    Openings openings{in, {}};
+    std::vector<Gap> gates;
     for (const OsmNode& node : in.map.nodes) {
         std::string_view barrier = node.tags["barrier"];
         bool opens = barrier == "gate" || barrier == "entrance" || barrier == "lift_gate" ||
                      barrier == "swing_gate" || barrier == "kissing_gate" || node.tags.has("entrance");
-        if (opens) openings.gates.push_back(in.project(node));
+        if (opens) gates.push_back({in.project(node), 0.9f});
     }
     for (const OsmWay& way : in.map.ways) {
         const BarrierKind* kind = barrier_of(way.tags);
@@ -76,16 +89,21 @@ void add_osm_barriers(OsmImport& in) {
                 auto at = [&](int k) {
                     return lerp(a, b, static_cast<float>(k) / static_cast<float>(steps));
                 };
+                std::vector<Gap> gaps = gaps_of(in, gates, a, b);
+                auto is_open = [&](int k) {
+                    Vec2 p = at(k);
+                    return std::any_of(gaps.begin(), gaps.end(),
+                                       [&](const Gap& g) { return length(g.at - p) < g.radius; }) ||
+                           is_on_street(in, p);
+                };
                 // Runs of places that nothing needs to pass.
                 for (int from = 0; from < steps;) {
-                    if (openings.is_open(at(from)) || openings.is_open(at(from + 1))) {
+                    if (is_open(from) || is_open(from + 1)) {
                         ++from;
                         continue;
                     }
                     int to = from + 1;
-                    while (to < steps && !openings.is_open(at(to + 1)) &&
-                           length(at(to + 1) - at(from)) < k_longest)
-                        ++to;
+                    while (to < steps && !is_open(to + 1) && length(at(to + 1) - at(from)) < k_longest) ++to;
                     bool end = from > 0 || to < steps;
                     if (!end || length(at(to) - at(from)) > k_shortest || steps == 1)
                         add_stretch(in, at(from), at(to), *kind, height);

@@ -37,12 +37,6 @@ float steepest(const OsmHighway& highway) {
     return highway.kind == Surface::steps ? 0.65f : highway.drives ? 0.09f : 0.14f;
 }
 
-bool cross_each_other(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    float s0 = cross(b - a, c - a), s1 = cross(b - a, d - a), s2 = cross(d - c, a - c),
-          s3 = cross(d - c, b - c);
-    return ((s0 > 0) != (s1 > 0)) && ((s2 > 0) != (s3 > 0));
-}
-
 bool share_a_node(const OsmWay& a, const OsmWay& b) {
     return std::any_of(a.nodes.begin(), a.nodes.end(), [&](int64_t id) {
         return std::find(b.nodes.begin(), b.nodes.end(), id) != b.nodes.end();
@@ -165,7 +159,7 @@ void find_wants(const OsmImport& in, Net& net) {
             want(net.links[i].b, level);
         }
         auto crossed = [&](Vec2 a, Vec2 b, const OsmWay& below, float half) {
-            if (!cross_each_other(piece.a, piece.b, a, b) || share_a_node(*street.way, below)) return;
+            if (!crossing_on(piece.a, piece.b, a, b) || share_a_node(*street.way, below)) return;
             Vec2 middle = (piece.a + piece.b) * 0.5f;
             float reach = half + 3;
             pieces.near(middle, reach, [&](const Segment& s) {

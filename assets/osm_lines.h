@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct Segment {
 inline float closest_on(const Segment& s, Vec2 p) {
     Vec2 d = s.b - s.a;
     return clamp(dot(p - s.a, d) / std::max(length_squared(d), 1e-9f), 0, 1);
+}
+
+// Where c-d crosses a-b, as a share of a-b; none where they do not or are parallel.
+inline std::optional<float> crossing_on(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    float s0 = cross(b - a, c - a), s1 = cross(b - a, d - a), s2 = cross(d - c, a - c),
+          s3 = cross(d - c, b - c);
+    if ((s0 > 0) == (s1 > 0) || (s2 > 0) == (s3 > 0)) return std::nullopt;
+    return s2 / (s2 - s3);
 }
 
 struct SegmentIndex {
