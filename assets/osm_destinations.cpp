@@ -142,8 +142,13 @@ void add_square(OsmImport& in, const Region& region) {
         add(in, DestinationKind::square, *at, {0, 1}, clamp(size / 500, 0.5f, 10));
 }
 
-// Where a street crosses the border of the map, on its pavement.
-void add_edges(OsmImport& in) {
+void add_edge(OsmImport& in, Vec2 p, Vec2 out, const OsmHighway& highway) {
+    std::optional<Vec3> at = standing_near(in, p - out, highway.width * 0.5f + 4);
+    if (at) add(in, DestinationKind::edge, *at, out, highway.drives ? highway.width * 0.4f : 1);
+}
+
+// Where streets cross the border of the map, on their pavement.
+void add_border_edges(OsmImport& in) {
     Vec2 low = in.plan.low, high = in.plan.high;
     constexpr float k_inside = 3;  // metres
     auto inside = [&](Vec2 p) {
@@ -153,21 +158,47 @@ void add_edges(OsmImport& in) {
     for (const Segment& s : in.streets.segments) {
         bool a = inside(s.a), b = inside(s.b);
         if (a == b) continue;
-        Vec2 in_point = a ? s.a : s.b, out_point = a ? s.b : s.a;
+        Vec2 here = a ? s.a : s.b, there = a ? s.b : s.a, out = normalize_or(there - here, {1, 0});
         for (int i = 0; i < 24; ++i) {
-            Vec2 middle = lerp(in_point, out_point, 0.5f);
-            (inside(middle) ? in_point : out_point) = middle;
+            Vec2 middle = lerp(here, there, 0.5f);
+            (inside(middle) ? here : there) = middle;
         }
-        Vec2 out = normalize_or(a ? s.b - s.a : s.a - s.b, {1, 0});
-        const OsmHighway highway = *highway_of(in.map.ways[s.owner].tags);
-        std::optional<Vec3> at = standing_near(in, in_point - out, highway.width * 0.5f + 4);
-        if (at) add(in, DestinationKind::edge, *at, out, highway.drives ? highway.width * 0.4f : 1);
+        add_edge(in, here, out, *highway_of(in.map.ways[s.owner].tags));
+    }
+}
+
+// Extracts without stated bounds end where their streets do: carriageways that lead nowhere, with no house
+// ahead.
+void add_loose_ends(OsmImport& in) {
+    std::vector<int64_t> nodes;
+    std::vector<uint32_t> roads;
+    for (const Segment& s : in.streets.segments) {
+        if (s.half > 0 && (roads.empty() || roads.back() != s.owner)) roads.push_back(s.owner);
+    }
+    std::sort(roads.begin(), roads.end());
+    roads.erase(std::unique(roads.begin(), roads.end()), roads.end());
+    for (uint32_t road : roads)
+        nodes.insert(nodes.end(), in.map.ways[road].nodes.begin(), in.map.ways[road].nodes.end());
+    std::sort(nodes.begin(), nodes.end());
+    for (uint32_t road : roads) {
+        const OsmWay& way = in.map.ways[road];
+        if (way.tags.is("noexit", "yes")) continue;
+        size_t last = way.nodes.size() - 1;
+        for (auto [end, before] : {std::pair<size_t, size_t>{0, 1}, {last, last - 1}}) {
+            auto shared = std::equal_range(nodes.begin(), nodes.end(), way.nodes[end]);
+            const OsmNode *a = in.map.node(way.nodes[end]), *b = in.map.node(way.nodes[before]);
+            if (shared.second - shared.first != 1 || !a || !b) continue;
+            Vec2 p = in.project(*a), out = normalize_or(p - in.project(*b), {1, 0});
+            Vec3 eye = at_height(p, terrain_at(in.plan, p) + 2);
+            if (!raycast(in.city, eye, at_height(out, 0), 80)) add_edge(in, p, out, *highway_of(way.tags));
+        }
     }
 }
 
 }  // namespace
 
 void add_osm_destinations(OsmImport& in) {
+    OsmCounts counts = in.counts;  // what is read once more is not counted again
     std::vector<uint8_t> has_door(in.city.buildings.size(), 0);
     add_entrances(in, has_door);
     add_doors(in, has_door);
@@ -205,7 +236,8 @@ void add_osm_destinations(OsmImport& in) {
         if (std::optional<Vec3> at = standing(in, on_ground(prop.position) + ahead * 0.7f))
             add(in, DestinationKind::bench, *at, ahead, 1);
     }
-    add_edges(in);
+    in.map.box ? add_border_edges(in) : add_loose_ends(in);
+    in.counts = counts;
 }
 
 }  // namespace flaneur

@@ -1,0 +1,285 @@
+// Streets, steps, bridges, walls and places of mapped cities.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "assets/city.h"
+#include "assets/masses.h"
+#include "assets/osm_decks.h"
+#include "assets/osm_map.h"
+#include "assets/streets.h"
+#include "city_checks.h"
+#include "sim/city/navmesh.h"
+
+namespace flaneur {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A map drawn in metres about the equator: +x east, +z south, as the city will have them.
+struct Drawing {
+    std::string nodes, ways;
+    int next = 1;
+
+    int node(float x, float z, const std::string& tags = "") {
+        // The map below is square to a tenth of a per cent.
+        char place[80];
+        std::snprintf(place, sizeof place, "lon=\"%.9f\" lat=\"%.9f\"", static_cast<double>(x) / 111319.5,
+                      static_cast<double>(-z) / 110574.3);
+        nodes += "<node id=\"" + std::to_string(next) + "\" " + place + ">" + tags + "</node>";
+        return next++;
+    }
+    void way(const std::vector<int>& refs, const std::string& tags) {
+        ways += "<way id=\"" + std::to_string(next++) + "\">";
+        for (int ref : refs) ways += "<nd ref=\"" + std::to_string(ref) + "\"/>";
+        ways += tags + "</way>";
+    }
+    void way(const std::vector<Vec2>& points, const std::string& tags) {
+        std::vector<int> refs;
+        for (Vec2 p : points) refs.push_back(node(p.x, p.z));
+        way(refs, tags);
+    }
+};
+
+std::string tag(const std::string& key, const std::string& value) {
+    return "<tag k=\"" + key + "\" v=\"" + value + "\"/>";
+}
+
+// The streets of a drawing on a terrain, which is about (0, 0) if the drawing is. A frame keeps it so.
+City build(Drawing drawing, const std::function<float(Vec2)>& terrain = {}) {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    fs::path path = fs::temp_directory_path() / ("flaneur_streets_" + std::string(test->name()) + ".osm");
+    std::ofstream(path) << "<osm version=\"0.6\">" << drawing.nodes << drawing.ways << "</osm>";
+    Result<OsmMap> map = read_osm(path.string());
+    fs::remove(path);
+    EXPECT_TRUE(map) << map.error().message;
+    OsmImport in{*map, projection_about(0, 0), {}, {}, {}};
+    in.plan.low = {-60, -60};
+    in.plan.high = {60, 60};
+    in.plan.cell = 16;
+    in.plan.terrain = terrain;
+    add_osm_streets(in);
+    add_osm_barriers(in);
+    add_osm_areas(in);
+    std::vector<DeckPiece> decks = solve_decks(in);
+    clear_ground_below(in, decks);
+    Area rest;
+    rest.rank = k_rank_rest;
+    rest.kind = Surface::grass;
+    rest.lift = flat(k_kerb);
+    rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
+    in.plan.areas.push_back(std::move(rest));
+    lay_ground(in.plan, in.city);
+    lay_decks(in, decks);
+    add_osm_props(in);
+    add_osm_destinations(in);
+    return std::move(in.city);
+}
+
+float height(const City& city, Vec2 p, float about) {
+    std::optional<GroundHit> hit = ground(city, at_height(p, about), 1, 1);
+    EXPECT_TRUE(hit) << p.x << ", " << p.z << " about " << about;
+    return hit ? hit->height : -99;
+}
+
+// How far from `to` the way from `from` ends.
+float path_ends_short(const Navmesh& mesh, Vec3 from, Vec3 to) {
+    std::optional<NavPoint> a = nearest(mesh, 0, from, {1, 0.6f, 1}), b = nearest(mesh, 0, to, {1, 0.6f, 1});
+    EXPECT_TRUE(a && b);
+    if (!a || !b) return 99;
+    Vec3 corners[256];
+    int count = find_path(mesh, 0, *a, *b, corners, 256);
+    return count > 0 ? length(corners[count - 1] - b->position) : 99;
+}
+
+NavmeshPtr mesh_of(const City& city) {
+    Result<NavmeshPtr> mesh = build_navmesh(city, {}, 1);
+    EXPECT_TRUE(mesh) << mesh.error().message;
+    return mesh ? std::move(*mesh) : nullptr;
+}
+
+TEST(OsmStreets, RisersAreWalkable) {
+    EXPECT_EQ(riser_count(0.05f, 0), 0);
+    EXPECT_EQ(riser_count(3.2f, 0), 20);
+    EXPECT_EQ(riser_count(-3.2f, 0), 20);
+    EXPECT_EQ(riser_count(3.2f, 18), 18);
+    EXPECT_EQ(riser_count(3.2f, 5), 13) << "none is higher than a quarter of a metre";
+    EXPECT_EQ(riser_count(1, 400), 10) << "none is lower than a decimetre";
+}
+
+TEST(OsmStreets, StepsClimbTheHill) {
+    // A slope of 3 in 10 to the north, with a stair straight up it between two footways.
+    Drawing d;
+    int a = d.node(0, 40), b = d.node(0, 12), c = d.node(0, -12), e = d.node(0, -40);
+    d.way({a, b}, tag("highway", "footway"));
+    d.way({b, c}, tag("highway", "steps") + tag("width", "3"));
+    d.way({c, e}, tag("highway", "footway"));
+    City city = build(d, [](Vec2 p) { return 12 - 0.3f * p.z; });
+    // Up along the middle: levels, and between them risers of one size.
+    int risers = 0;
+    float before = height(city, {0, 11.98f}, 8.5f), lowest = before;
+    for (float z = 11.98f; z > -11.98f; z -= 0.02f) {
+        float now = height(city, {0.4f, z}, before);
+        if (std::fabs(now - before) > 1e-4f) {
+            ++risers;
+            EXPECT_GT(now - before, 0.12f) << z;
+            EXPECT_LT(now - before, 0.2f) << z;
+        }
+        before = now;
+    }
+    EXPECT_NEAR(before - lowest, 24 * 0.3f, 0.02f);
+    EXPECT_NEAR(static_cast<float>(risers), 7.2f / 0.16f, 3);
+    EXPECT_NEAR(lowest, 12 - 0.3f * 12 + 0.12f, 0.02f);
+    int drawn = 0;
+    for (const Face& f : city.faces) {
+        Vec2 middle = lerp(on_ground(f.a), on_ground(f.b), 0.5f);
+        bool across =
+            std::fabs(f.b.z - f.a.z) < 0.01f && std::fabs(middle.x) < 1.6f && std::fabs(middle.z) < 11.9f;
+        drawn += f.kind == FaceKind::riser && across && length(on_ground(f.b) - on_ground(f.a)) > 0.2f;
+    }
+    EXPECT_GE(drawn, risers);
+    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
+        if (city.ground_kinds[t] == Surface::steps) {
+            EXPECT_LT(city.ground_axes[t].z, -0.99f) << "the way up is north";
+        }
+    }
+    NavmeshPtr mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    Vec3 foot{0, 12 - 6 + 0.12f, 20}, top{0, 12 + 6 + 0.12f, -20};
+    EXPECT_LT(path_ends_short(*mesh, foot, top), 0.1f);
+    EXPECT_LT(path_ends_short(*mesh, top, foot), 0.1f);
+}
+
+TEST(OsmStreets, StepsOnLevelGroundStayLevel) {
+    Drawing d;
+    d.way({{0, 20}, {0, -20}}, tag("highway", "steps") + tag("step_count", "12"));
+    City city = build(d);
+    for (float z = -19; z < 19; z += 0.37f) EXPECT_FLOAT_EQ(height(city, {0, z}, 0), k_kerb);
+}
+
+TEST(OsmStreets, BridgeIsWalkedOverAndUnder) {
+    // A walkway over a street, with steps up to it on either side.
+    Drawing d;
+    d.way({{0, 50}, {0, -50}}, tag("highway", "residential") + tag("width", "7"));
+    int a = d.node(-40, 0), b = d.node(-28, 0), c = d.node(-16, 0), e = d.node(16, 0), f = d.node(28, 0),
+        g = d.node(40, 0);
+    d.way({a, b}, tag("highway", "footway"));
+    d.way({b, c}, tag("highway", "steps"));
+    d.way({c, e}, tag("highway", "footway") + tag("bridge", "yes") + tag("layer", "1") + tag("width", "3"));
+    d.way({e, f}, tag("highway", "steps"));
+    d.way({f, g}, tag("highway", "footway"));
+    City city = build(d);
+    float deck = height(city, {0, 0}, k_level_height);
+    EXPECT_NEAR(deck, k_level_height + k_kerb, 0.02f);
+    EXPECT_FLOAT_EQ(height(city, {0, 0}, 0), 0) << "the street goes on below";
+    NavmeshPtr mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    EXPECT_LT(path_ends_short(*mesh, {-36, k_kerb, 0}, {0, deck, 0}), 0.1f);
+    EXPECT_LT(path_ends_short(*mesh, {36, k_kerb, 0}, {0, deck, 0}), 0.1f);
+    EXPECT_LT(path_ends_short(*mesh, {5, k_kerb, 20}, {5, k_kerb, -20}), 0.1f);
+    // Railings on both sides of the deck stop walkers; nothing stops them along it.
+    for (float x = -14; x < 14; x += 1.7f) {
+        for (float side : {-1.0f, 1.0f}) {
+            std::optional<RayHit> rail = raycast(city, {x, deck + 0.6f, 0}, {0, 0, side}, 3);
+            ASSERT_TRUE(rail) << x;
+            EXPECT_NEAR(rail->distance, 1.5f, 0.3f);
+        }
+    }
+    EXPECT_FALSE(raycast(city, {-14, deck + 0.6f, 0}, {1, 0, 0}, 28));
+    // Steps go up without a gap.
+    float before = k_kerb;
+    for (float x = -30; x < -14; x += 0.05f) {
+        std::optional<GroundHit> hit = ground(city, {x, before, 0.3f}, 0.3f, 0.3f);
+        ASSERT_TRUE(hit) << x;
+        before = hit->height;
+    }
+    EXPECT_NEAR(before, deck, 0.02f);
+}
+
+TEST(OsmStreets, BridgeOverWaterStaysOnTheGround) {
+    Drawing d;
+    std::vector<int> shore{d.node(-8, -50), d.node(8, -50), d.node(8, 50), d.node(-8, 50)};
+    shore.push_back(shore[0]);
+    d.way(shore, tag("natural", "water"));
+    int a = d.node(-40, 0), b = d.node(-10, 0), c = d.node(10, 0), e = d.node(40, 0);
+    d.way({a, b}, tag("highway", "footway"));
+    d.way({b, c}, tag("highway", "footway") + tag("bridge", "yes") + tag("width", "4"));
+    d.way({c, e}, tag("highway", "footway"));
+    City city = build(d);
+    for (float x = -38; x < 38; x += 0.21f) EXPECT_NEAR(height(city, {x, 0}, 0), k_kerb, 1e-3f) << x;
+    EXPECT_LT(height(city, {0, 6}, 0), 0) << "water beside it";
+    NavmeshPtr mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    EXPECT_LT(path_ends_short(*mesh, {-30, k_kerb, 0}, {30, k_kerb, 0}), 0.1f);
+    EXPECT_TRUE(raycast(city, {0, 0.6f, 0}, {0, 0, 1}, 3)) << "a railing";
+}
+
+TEST(OsmStreets, DoubledSidewalkIsLaidOnce) {
+    // One side is tagged on the road and drawn as a way of its own, 6 m from the centre.
+    auto pavement = [](const std::string& sidewalk, bool drawn) {
+        Drawing d;
+        d.way({{-50, 0}, {50, 0}}, tag("highway", "residential") + tag("width", "8") + sidewalk);
+        if (drawn)
+            d.way({{-50, -6}, {50, -6}},
+                  tag("highway", "footway") + tag("footway", "sidewalk") + tag("width", "2.2"));
+        City city = build(d);
+        double width = 0;
+        int levels = 0;
+        for (float z = -20; z < 0; z += 0.05f) {
+            std::optional<GroundHit> hit = ground(city, {3, 0, z}, 1, 1);
+            width += hit && hit->kind == Surface::sidewalk ? 0.05 : 0;
+            levels = std::max(levels, triangles_at(city, {3.01f, z}));
+        }
+        EXPECT_EQ(levels, 1);
+        return width;
+    };
+    // To the way's outer edge, and the paved strip beyond.
+    double separate = pavement(tag("sidewalk", "separate"), true);
+    EXPECT_NEAR(separate, 3.1 + 5, 0.2);
+    EXPECT_NEAR(pavement(tag("sidewalk", "both"), true), separate, 0.01);
+    EXPECT_NEAR(pavement("", true), separate, 0.01);
+    EXPECT_NEAR(pavement(tag("sidewalk", "both"), false), 3 + 5, 0.2);
+}
+
+TEST(OsmStreets, WallsLeaveGapsForWays) {
+    Drawing d;
+    d.way({{-40, 10}, {40, 10}}, tag("barrier", "wall") + tag("height", "2"));
+    d.way({{0, -30}, {0, 40}}, tag("highway", "footway"));
+    d.node(20, 10, tag("barrier", "gate"));
+    City city = build(d);
+    auto blocked = [&](float x) { return raycast(city, {x, 1, 0}, {0, 0, 1}, 20).has_value(); };
+    EXPECT_TRUE(blocked(-30));
+    EXPECT_TRUE(blocked(10));
+    EXPECT_TRUE(blocked(30));
+    EXPECT_FALSE(blocked(0)) << "a footway passes";
+    EXPECT_FALSE(blocked(0.9f));
+    EXPECT_FALSE(blocked(20)) << "a gate";
+    NavmeshPtr mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    EXPECT_LT(path_ends_short(*mesh, {0, k_kerb, -20}, {0, k_kerb, 30}), 0.1f);
+}
+
+TEST(OsmStreets, PlacesLieOnTheGround) {
+    fs::path corpus = fs::path(FLANEUR_SHARED_DIR) / "corpus" / "osm";
+    if (!fs::exists(corpus)) GTEST_SKIP() << "There is no " << corpus << ": tests on real maps are left out.";
+    Result<City> city = load_osm((corpus / "berlin_neukolln_2024.osm").string());
+    ASSERT_TRUE(city);
+    int counts[k_destination_count] = {};
+    for (const Destination& place : city->destinations) {
+        ++counts[static_cast<size_t>(place.kind)];
+        std::optional<GroundHit> hit = ground(*city, place.position, 0.05f, 0.05f);
+        ASSERT_TRUE(hit);
+        EXPECT_NE(hit->kind, Surface::water);
+        EXPECT_NE(hit->kind, Surface::road);
+        EXPECT_NEAR(length(place.facing), 1, 1e-3f);
+        EXPECT_GT(place.weight, 0);
+    }
+    for (DestinationKind kind :
+         {DestinationKind::door, DestinationKind::shop, DestinationKind::bench, DestinationKind::edge})
+        EXPECT_GT(counts[static_cast<size_t>(kind)], 3) << static_cast<int>(kind);
+}
+
+}  // namespace
+}  // namespace flaneur
