@@ -302,8 +302,8 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     OsmSurroundings around = surroundings_of(context.around, f);
     OsmHouse house = house_of(*f.tags, f.whole ? *f.whole->tags : *f.tags, f.region, around, id);
     OsmCounts& counts = in.counts;
-    ++(f.part ? counts.parts : counts.buildings);
-    if (!f.part && house.default_height) ++counts.default_heights;
+    count_built(counts, f.part ? OsmSort::part : OsmSort::building);
+    if (!f.part && house.default_height) count_built(counts, OsmSort::without_height);
 
     Mass mass;
     mass.footprint = f.region;
@@ -365,8 +365,9 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     Rings passage = intersect(footprint, passages);
     if (area(passage) <= 1 && f.parts.empty()) {
         RoofKind got = add(mass);
-        ++counts.roofs[static_cast<size_t>(got)];
-        counts.flattened += got != mass.roof;
+        count_built(counts,
+                    static_cast<OsmSort>(static_cast<int>(OsmSort::roof_flat) + static_cast<int>(got)));
+        counts.flat_instead += got != mass.roof;
         return;
     }
     auto add_flat = [&](const Rings& rings, float low, float high) {
@@ -388,7 +389,7 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     Rings beside = area(passage) > 1 ? subtract(footprint, passages) : footprint;
     add_flat(subtract(beside, parts), mass.bottom, top_of_own);
     if (area(passage) > 1) {
-        counts.passages += 1;
+        count_built(counts, OsmSort::passage);
         pave(in, passage);
         float highest = f.foot;
         for (const Ring& ring : passage) {

@@ -46,8 +46,11 @@ void write_notes(OsmImport& in) {
     auto note = [&](int count, const char* one, const char* many) {
         if (count > 0) notes.push_back(counted(count, one, many));
     };
-    note(c.default_heights, "building says neither its height nor its storeys; a usual height was taken.",
+    note(std::max(0, c.built[static_cast<size_t>(OsmSort::without_height)]),
+         "building says neither its height nor its storeys; a usual height was taken.",
          "buildings say neither their height nor their storeys; usual heights were taken.");
+    note(c.flat_instead, "roof became flat because its outline does not allow for its shape.",
+         "roofs became flat because their outlines do not allow for their shapes.");
     note(c.open_buildings, "building was left out because its outline is not closed.",
          "buildings were left out because their outlines are not closed.");
     note(c.broken_relations, "multipolygon was left out because its rings are incomplete.",
@@ -127,6 +130,7 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
     lay_decks(in, decks);
     add_osm_props(in);
     add_osm_destinations(in);
+    tell_counts(in);
     write_notes(in);
     return std::move(in.city);
 }

@@ -79,15 +79,49 @@ struct Projection {
 };
 Projection projection_about(double longitude, double latitude);
 
-// How often something was met, for City::notes.
-struct OsmCounts {
-    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0,
-        default_heights = 0;
-    int outside = 0, props_off_ground = 0;
-    int buildings = 0, parts = 0, passages = 0;
-    int roofs[k_roof_count] = {};  // of buildings and parts, by RoofKind
-    int flattened = 0;             // roofs that their outlines do not allow for
+// What City::tallies tells of. Roofs stand as in RoofKind.
+enum class OsmSort : uint8_t {
+    building,
+    without_height,
+    part,
+    roof_flat,
+    roof_last = static_cast<uint8_t>(roof_flat) + k_roof_count - 1,
+    passage,
+    road,
+    sidewalk_tag,
+    sidewalk_way,
+    footway,
+    crossing_node,
+    crossing_way,
+    kerb,
+    steps,
+    step_count,
+    pedestrian_area,
+    bridge,
+    layer,
+    green,
+    water,
+    tree,
+    lamp,
+    bench,
+    bollard,
+    bin,
+    traffic_light,
+    bus_stop,
+    barrier
 };
+inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::barrier) + 1;
+
+// How often something was met, for City::notes and City::tallies.
+struct OsmCounts {
+    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0;
+    int outside = 0, props_off_ground = 0;
+    int flat_instead = 0;  // roofs whose outlines do not allow for their shape
+    std::array<int, k_osm_sort_count> built;
+    OsmCounts() { built.fill(-1); }
+};
+// Once more, or so often more, that something of a sort was built.
+void count_built(OsmCounts& counts, OsmSort sort, int more = 1);
 
 struct OsmHighway {
     float width = 0;     // metres
@@ -145,5 +179,8 @@ void add_osm_buildings(OsmImport& in);
 void add_osm_props(OsmImport& in);
 // Doors, shops, benches, stops, squares and where streets leave the map. After the props.
 void add_osm_destinations(OsmImport& in);
+
+// Fills City::tallies.
+void tell_counts(OsmImport& in);
 
 }  // namespace flaneur

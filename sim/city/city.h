@@ -139,6 +139,12 @@ struct City {
     Grid triangle_grid, wall_grid;             // ground triangles; facades and garden walls
     std::vector<GridTriangle> grid_triangles;  // one for each item of triangle_grid, side by side in memory
 
+    // How much of each sort of thing an import found, and how much of it it built (-1: nobody counted).
+    struct Tally {
+        std::string what;
+        int found = 0, built = 0;
+    };
+    std::vector<Tally> tallies;
     std::vector<std::string> notes;  // what an import skipped or repaired, a counted sentence each
 };
 
@@ -176,7 +182,7 @@ struct WallPoint {
 // The closest point of any facade or garden wall within `radius` of `point`, at a height that the wall has.
 std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius);
 
-// The hash of everything above, notes and grids excepted.
+// The hash of everything above; tallies, notes and grids excepted.
 uint64_t hash_city(const City& city);
 
 }  // namespace flaneur

@@ -95,6 +95,9 @@ Json facts_of(const City& city) {
     for (size_t kind = 0; kind < props.size(); ++kind) facts["props"][k_prop_names[kind]] = props[kind];
     for (size_t kind = 0; kind < destinations.size(); ++kind)
         facts["destinations"][k_destination_names[kind]] = destinations[kind];
+    for (const City::Tally& tally : city.tallies) {
+        facts["found_and_built"][tally.what] = {tally.found, tally.built < 0 ? Json() : Json(tally.built)};
+    }
     facts["notes"] = city.notes;
     return facts;
 }
@@ -109,6 +112,12 @@ std::string heading(std::string key) {
 }
 
 std::string plain(const Json& value) {
+    if (value.is_array() && value.size() == 2) {  // found and built
+        char pair[40];
+        std::snprintf(pair, sizeof pair, "%7d %7s", value[0].get<int>(),
+                      value[1].is_null() ? "-" : value[1].dump().c_str());
+        return pair;
+    }
     if (value.is_null()) return "-, made up by proportion";
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -118,7 +127,7 @@ void print_facts(const Json& facts) {
         if (value.is_object()) {
             std::printf("%s\n", heading(key).c_str());
             for (const auto& [inner, of] : value.items())
-                std::printf("  %-16s %s\n", heading(inner).c_str(), plain(of).c_str());
+                std::printf("  %-24s %s\n", heading(inner).c_str(), plain(of).c_str());
         } else if (key == "notes") {
             for (const Json& note : value) std::printf("%s\n", plain(note).c_str());
         } else if (value.is_array()) {
