@@ -149,6 +149,7 @@ void add_osm_areas(OsmImport& in) {
             area.rank = kind->rank;
             area.kind = kind->kind;
             area.lift = flat(kind->lift);
+            if (kind->rank == k_rank_water) area.lift = level(lowest_ground(in.plan, region) + kind->lift);
             area.rings = rings_of(region);
             in.plan.areas.push_back(std::move(area));
         }
@@ -160,7 +161,6 @@ void add_osm_areas(OsmImport& in) {
     for (const OsmRelation& relation : in.map.relations) {
         if (area_kind(relation.tags)) add(relation.tags, regions_of_relation(in, relation));
     }
-    add_osm_sea(in);
 }
 
 }  // namespace flaneur

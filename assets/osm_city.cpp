@@ -6,7 +6,6 @@
 #include "assets/masses.h"
 #include "assets/osm_decks.h"
 #include "assets/osm_map.h"
-#include "assets/terrain.h"
 
 namespace flaneur {
 
@@ -67,24 +66,6 @@ void write_notes(OsmImport& in) {
          "trees, lamps and benches were left out because they would stand in buildings or on roads.");
 }
 
-// Lays the terrain under the plan.
-Result<void> raise_ground(OsmImport& in, const std::string& path) {
-    const Projection& project = in.project;
-    auto longitude = [&](float x) {
-        return project.longitude + static_cast<double>(x) / project.metres_per_longitude;
-    };
-    auto latitude = [&](float z) {
-        return project.latitude - static_cast<double>(z) / project.metres_per_latitude;
-    };
-    Result<Terrain> terrain = read_terrain(path, {longitude(in.plan.low.x), latitude(in.plan.high.z),
-                                                  longitude(in.plan.high.x), latitude(in.plan.low.z)});
-    if (!terrain) return terrain.error();
-    in.plan.terrain = [&](Vec2 p) { return height_at(*terrain, longitude(p.x), latitude(p.z)); };
-    in.plan.cell = 16;
-    facet_terrain(in.plan);
-    return {};
-}
-
 }  // namespace
 
 Result<City> load_osm(const std::string& path, const CityOptions& options) {
@@ -109,6 +90,7 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
     in.plan.high = in.project(corner) + Vec2{6, 6};
     in.plan.low = -in.plan.high;
     in.plan.cell = 32;
+    add_osm_sea(in);
     if (!options.terrain.empty()) {
         Result<void> raised = raise_ground(in, options.terrain);
         if (!raised) return raised.error();

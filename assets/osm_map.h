@@ -171,9 +171,14 @@ float tagged_sidewalk(const OsmStreet& street, bool left);
 void add_osm_streets(OsmImport& in);
 // Walls, fences and hedges, with gaps where streets and ways pass. After the streets.
 void add_osm_barriers(OsmImport& in);
-void add_osm_areas(OsmImport& in);  // parks, water, squares, the sea
+void add_osm_areas(OsmImport& in);  // parks, water, squares
 // Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
 void add_osm_sea(OsmImport& in);
+// Lays the terrain of an elevation file under the plan, level with the sea where there is sea: after
+// add_osm_sea, before all else.
+Result<void> raise_ground(OsmImport& in, const std::string& path);
+// At the corners of the region's outline, metres.
+float lowest_ground(const GroundPlan& plan, const Region& region);
 void add_osm_buildings(OsmImport& in);
 // Trees and street furniture, where there is room for them. After the ground is laid.
 void add_osm_props(OsmImport& in);

@@ -149,7 +149,7 @@ void add_osm_sea(OsmImport& in) {
         Area water;
         water.rank = k_rank_water;
         water.kind = Surface::water;
-        water.lift = flat(-0.6f);
+        water.lift = level(-0.6f);
         water.rings = rings_of(region);
         in.plan.areas.push_back(std::move(water));
     }

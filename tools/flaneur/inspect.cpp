@@ -140,10 +140,10 @@ void print_facts(const Json& facts) {
     }
 }
 
-Result<Json> inspect(const std::string& path) {
+Result<Json> inspect(const std::string& path, const std::string& terrain) {
     show_progress("reading " + path);
     if (path.ends_with(".osm") || path.ends_with(".pbf")) {
-        Result<City> city = load_osm(path);
+        Result<City> city = load_osm(path, {terrain});
         if (!city) return city.error();
         return facts_of(*city);
     }
@@ -161,7 +161,7 @@ Result<void> run_inspect(const Options& options) {
         if (!opened) return opened.error();
         file = std::move(*opened);
     }
-    Result<Json> facts = inspect(options.file);
+    Result<Json> facts = inspect(options.file, options.scene.terrain);
     clear_progress();
     if (!facts) return facts.error();
     print_facts(*facts);

@@ -32,10 +32,12 @@ Examples:
 
 constexpr const char* k_inspect_footer =
     R"(Of a character: which node of the file each joint was taken from, size, facing, triangles, animations and what was
-repaired. Of a map: its extent, ground and houses, and what was skipped. Refuses, in a sentence, what cannot be used.
+repaired. Of a map: its extent, ground and houses, what it has beside what was built of it, and what was skipped.
+Refuses, in a sentence, what cannot be used.
 Examples:
   flaneur inspect me.glb
-  flaneur inspect berlin.osm.pbf --json out/berlin.json)";
+  flaneur inspect berlin.osm.pbf --json out/berlin.json
+  flaneur inspect monaco.osm.pbf --terrain N43E007.hgt.zip)";
 
 constexpr const char* k_city_footer =
     R"(Writes what is drawn of a city, but for what shaders add, in metres, +y up: grouped into ground, facades, roofs
@@ -61,6 +63,7 @@ Examples:
   flaneur render --frames 0:600:2 --size 1920x1080 --out out/city.mp4     ten seconds at 30 pictures a second
   flaneur render --frames 0:59 --out out/%05d.png                         a picture for each tick
   flaneur render --city berlin.osm --camera overview --out out/berlin.png
+  flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
   flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png)";
 
 constexpr const char* k_sim_footer =
@@ -364,13 +367,15 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
         ->capture_default_str();
 }
 
-void add_inspect(CLI::App& app, Options& options) {
+void add_inspect(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* command =
         app.add_subcommand("inspect", "Say what is found in a character or a map")->footer(k_inspect_footer);
     command->callback([&] { options.command = Command::inspect; });
     command->add_option("file", options.file, "A character (.glb, .gltf, .vrm) or a map (.osm, .osm.pbf)")
         ->type_name("FILE")
         ->required();
+    command->add_option("--terrain", words.terrain, "Heights of the ground under a map, as render takes them")
+        ->type_name("FILE");
     command->add_option("--json", options.json, "Write it to a file too")->type_name("FILE");
 }
 
@@ -387,7 +392,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     options.scene = *scene;
     if (words.city) options.scene.city = *words.city;
     if (words.terrain) options.scene.terrain = *words.terrain;
-    if (!options.scene.terrain.empty() && options.scene.city.empty())
+    bool no_map = options.scene.city.empty() && options.command != Command::inspect;
+    if (!options.scene.terrain.empty() && no_map)
         return Error{"--terrain " + options.scene.terrain +
                      " lies under an OpenStreetMap city only; give one with --city."};
     if (words.scale) options.scene.scale = *words.scale;
@@ -439,7 +445,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_bench(app, words, options);
     add_gait(app, options);
     add_people(app, words, options);
-    add_inspect(app, options);
+    add_inspect(app, words, options);
     add_city(app, words, options);
 
     try {
