@@ -12,6 +12,9 @@ namespace flaneur {
 namespace {
 
 constexpr double k_widest_degrees = 0.25;  // of latitude; about 28 km
+// Sides of the squares that the ground is cut along, metres: on level ground, on terrain. Wide maps take
+// wider ones, to be no more than so many.
+constexpr float k_level_square = 32, k_terrain_square = 16, k_most_squares = 100'000;
 
 // The box that the file states, or else that of its buildings and streets: west, south, east, north. None
 // where there are neither.
@@ -71,7 +74,11 @@ void write_notes(OsmImport& in) {
 Result<City> load_osm(const std::string& path, const CityOptions& options) {
     Result<OsmMap> map = read_osm(path);
     if (!map) return map.error();
-    std::optional<std::array<double, 4>> extent = extent_of(*map);
+    return city_of(*map, path, options);
+}
+
+Result<City> city_of(const OsmMap& map, const std::string& path, const OsmOptions& options) {
+    std::optional<std::array<double, 4>> extent = extent_of(map);
     if (!extent) {
         return Error{
             "The map " + path +
@@ -84,12 +91,14 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
                      " is more than 28 km wide or reaches a pole; cut out a part of a few kilometres (osmium "
                      "extract does)."};
     }
-    OsmImport in{*map, projection_about((west + east) * 0.5, (south + north) * 0.5), {}, {}, {}};
+    OsmImport in{map, projection_about((west + east) * 0.5, (south + north) * 0.5), {}, {}, {}};
     in.city.name = std::filesystem::path(path).stem().string();
     OsmNode corner{0, east, south, {}};
     in.plan.high = in.project(corner) + Vec2{6, 6};
     in.plan.low = -in.plan.high;
-    in.plan.cell = 32;
+    Vec2 size = in.plan.high - in.plan.low;
+    in.plan.cell = std::max(options.terrain.empty() ? k_level_square : k_terrain_square,
+                            std::ceil(std::sqrt(size.x * size.z / k_most_squares)));
     add_osm_sea(in);
     if (!options.terrain.empty()) {
         Result<void> raised = raise_ground(in, options.terrain);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "assets/city.h"
 #include "assets/ground_plan.h"
 #include "assets/masses.h"
 #include "assets/osm_lines.h"
@@ -63,6 +64,10 @@ struct OsmMap {
 
 // Reads .osm and .osm.pbf (also .gz, .bz2), in any order. Refuses what libosmium cannot read to the end.
 Result<OsmMap> read_osm(const std::string& path);
+// The same of bytes in memory; `format` is "osm" or "pbf".
+Result<OsmMap> parse_osm(std::string_view bytes, const std::string& format);
+// A city of a map that was read; see load_osm. `path` names it.
+Result<City> city_of(const OsmMap& map, const std::string& path, const OsmOptions& options);
 
 // A length in metres: "12", "12.5 m", "1,5", "40 ft", "12'6\"". None for anything else.
 std::optional<float> parse_metres(std::string_view text);

@@ -82,14 +82,10 @@ struct Collector : osmium::handler::Handler {
 
 }  // namespace
 
-Result<OsmMap> read_osm(const std::string& path) {
-    std::error_code no_file;
-    if (!std::filesystem::is_regular_file(path, no_file)) {
-        return Error{"There is no file " + path + " to read a map from; check the path."};
-    }
+static Result<OsmMap> read_from(const osmium::io::File& file, const std::string& name) {
     OsmMap map;
     try {
-        osmium::io::Reader reader{path, osmium::osm_entity_bits::nwr};
+        osmium::io::Reader reader{file, osmium::osm_entity_bits::nwr};
         Collector collector{map};
         osmium::apply(reader, collector);
         osmium::Box box = reader.header().joined_boxes();
@@ -99,13 +95,24 @@ Result<OsmMap> read_osm(const std::string& path) {
                        box.top_right().lat()};
         }
     } catch (const std::exception& e) {
-        return Error{"The map " + path + " cannot be read (" + e.what() +
+        return Error{"The map " + name + " cannot be read (" + e.what() +
                      "); it may be cut short or be no .osm or .osm.pbf file. Download or export it again."};
     }
     sort_by_id(map.nodes);
     sort_by_id(map.ways);
     sort_by_id(map.relations);
     return map;
+}
+
+Result<OsmMap> read_osm(const std::string& path) {
+    std::error_code no_file;
+    if (!std::filesystem::is_regular_file(path, no_file))
+        return Error{"There is no file " + path + " to read a map from; check the path."};
+    return read_from(osmium::io::File{path}, path);
+}
+
+Result<OsmMap> parse_osm(std::string_view bytes, const std::string& format) {
+    return read_from(osmium::io::File{bytes.data(), bytes.size(), format}, "in memory");
 }
 
 }  // namespace flaneur

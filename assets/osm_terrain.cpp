@@ -10,7 +10,6 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_square = 16;  // the ground's planes, metres
 // Elevation files are too coarse for shores: the land rises from a quay's height over so many metres.
 constexpr float k_quay = 1.2f, k_shore = 60;
 
@@ -26,7 +25,7 @@ Heights distance_to_sea(const GroundPlan& plan, const Rings& sea, int columns, i
               std::vector<float>(static_cast<size_t>(columns) * static_cast<size_t>(rows), 1e9f)};
     // Corner by corner along a row, the sea begins and ends where its shore is crossed.
     for (int row = 0; row < rows; ++row) {
-        double z = static_cast<double>(plan.low.z) + row * static_cast<double>(k_square);
+        double z = static_cast<double>(plan.low.z) + row * static_cast<double>(plan.cell);
         std::vector<double> crossings;
         for (const Ring& ring : sea) {
             for (size_t i = 0; i < ring.size(); ++i) {
@@ -41,7 +40,7 @@ Heights distance_to_sea(const GroundPlan& plan, const Rings& sea, int columns, i
         std::sort(crossings.begin(), crossings.end());
         for (size_t i = 0; i + 1 < crossings.size(); i += 2) {
             auto column = [&](double x) {
-                return (x - static_cast<double>(plan.low.x)) / static_cast<double>(k_square);
+                return (x - static_cast<double>(plan.low.x)) / static_cast<double>(plan.cell);
             };
             int from = static_cast<int>(std::ceil(std::max(0.0, column(crossings[i]))));
             int to = static_cast<int>(
@@ -61,7 +60,7 @@ Heights distance_to_sea(const GroundPlan& plan, const Rings& sea, int columns, i
                 auto reach = [&](int dc, int dr, float length_of_step) {
                     int nc = c + dc, nr = r + dr;
                     if (nc < 0 || nr < 0 || nc >= columns || nr >= rows) return;
-                    at(c, r) = std::min(at(c, r), at(nc, nr) + length_of_step * k_square);
+                    at(c, r) = std::min(at(c, r), at(nc, nr) + length_of_step * plan.cell);
                 };
                 reach(-step, 0, 1);
                 reach(0, -step, 1);
@@ -99,6 +98,7 @@ Heights distance_to_sea(const GroundPlan& plan, const Rings& sea, int columns, i
 Result<void> raise_ground(OsmImport& in, const std::string& path) {
     const Projection& project = in.project;
     GroundPlan& plan = in.plan;
+    float side = plan.cell;
     auto longitude = [&](float x) {
         return project.longitude + static_cast<double>(x) / project.metres_per_longitude;
     };
@@ -112,15 +112,14 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
     for (const Area& area : plan.areas) {
         if (area.kind == Surface::water) sea.insert(sea.end(), area.rings.begin(), area.rings.end());
     }
-    plan.cell = k_square;
-    int columns = static_cast<int>((plan.high.x - plan.low.x) / k_square) + 2;
-    int rows = static_cast<int>((plan.high.z - plan.low.z) / k_square) + 2;
+    int columns = static_cast<int>((plan.high.x - plan.low.x) / side) + 2;
+    int rows = static_cast<int>((plan.high.z - plan.low.z) / side) + 2;
     Heights away = distance_to_sea(plan, sea, columns, rows);
     plan.terrain = [&](Vec2 p) {
         float height = height_at(*terrain, longitude(p.x), latitude(p.z));
         if (sea.empty()) return height;
         auto place = [](float v, int count) {
-            return std::clamp(static_cast<int>(v / k_square + 0.5f), 0, count - 1);
+            return std::clamp(static_cast<int>(v / side + 0.5f), 0, count - 1);
         };
         float distance =
             away.values[static_cast<size_t>(place(p.z - plan.low.z, rows)) * static_cast<size_t>(columns) +
@@ -134,7 +133,7 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
     float lowest = 1e9f;
     for (int i = 0; i < columns * rows; ++i) {
         Vec2 step{static_cast<float>(i % columns), static_cast<float>(i / columns)};
-        lowest = std::min(lowest, plan.terrain(plan.low + step * k_square));
+        lowest = std::min(lowest, plan.terrain(plan.low + step * side));
     }
     plan.terrain = [raised = std::move(plan.terrain), lowest](Vec2 p) { return raised(p) - lowest; };
     return {};

@@ -1,19 +1,24 @@
 #!/bin/bash
-# fuzz.sh BUILD DICTIONARY SECONDS SHARED: feeds the glTF reader bytes made by chance for so long. It begins with files
-# of its own and, where they are there, the small odd ones of SHARED. What crashed it, hung it for a minute or took
+# fuzz.sh BUILD NAME DICTIONARY SECONDS SHARED: feeds BUILD/NAME_fuzz bytes made by chance for so long. It begins with
+# files of BUILD/NAME_seeds and, where they are there, small ones of SHARED. What crashed it, hung it for a minute or took
 # more than a gigabyte stays in BUILD as crash-*, timeout-* and oom-*.
 set -euo pipefail
-build=$1 dictionary=$2 seconds=$3 shared=$4
+build=$1 name=$2 dictionary=$3 seconds=$4 shared=$5
+case $name in
+    gltf) found=(corpus/odd -size -64k '(' -name '*.gl*f' -o -name '*.glb' -o -name '*.vrm' ')') length=65536 ;;
+    osm) found=(corpus/osm -size -32k -name '*.osm*') length=16384 ;;
+    *) echo "fuzz.sh: there is no target $name." >&2 && exit 2 ;;
+esac
 seeds=$(mktemp -d)
 trap 'rm -rf "$seeds"' EXIT
-"$build/gltf_seeds" "$seeds/own"
+"$build/${name}_seeds" "$seeds/own"
 mkdir "$seeds/found"
-if [[ -d $shared/corpus/odd ]]; then
+if [[ -d $shared/${found[0]} ]]; then
     number=0
     while IFS= read -r -d '' file; do
         cp "$file" "$seeds/found/$((++number))"
-    done < <(find "$shared/corpus/odd" -type f -size -64k \( -name '*.gl*f' -o -name '*.glb' -o -name '*.vrm' \) -print0 | sort -z)
+    done < <(find "$shared/${found[0]}" -type f "${found[@]:1}" -print0 | sort -z)
 fi
 # Sanitizers take twice the memory and more.
-"$build/gltf_fuzz" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2560 -malloc_limit_mb=700 -max_len=65536 \
+"$build/${name}_fuzz" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2560 -malloc_limit_mb=700 -max_len="$length" \
     -dict="$dictionary" -artifact_prefix="$build/" -print_final_stats=1 "$seeds/found" "$seeds/own"
