@@ -76,7 +76,8 @@ void settle(City& city) {
     std::erase_if(city.props, [&](Prop& prop) {
         std::optional<GroundHit> hit = ground_at(prop.position);
         if (hit) prop.position.y = hit->height;
-        if (!hit || hit->kind == Surface::crossing || hit->kind == Surface::water) return true;
+        if (!hit || hit->kind == Surface::crossing) return true;
+        if ((hit->kind == Surface::water) != (prop.kind == PropKind::fountain)) return true;
         return (hit->kind == Surface::road) != (prop.kind == PropKind::car);
     });
     std::erase_if(city.destinations, [&](Destination& place) {

@@ -182,6 +182,7 @@ void fill_square(District& d, Block& block) {
     Vec2 centre = f.at(0, place_middle + 0.5f);
     float basin = std::min(4.0f, room * 0.18f);
     add_prop(d, dice, PropKind::fountain, centre, 0, 3.2f, basin);
+    add_area(d, k_rank_basin, Surface::water, flat(k_kerb), {circle(centre, basin, 24)});
     for (int i = 0; i < 8; ++i) {
         Vec2 out = heading_direction(2 * k_pi * (static_cast<float>(i) + 0.5f) / 8);
         add_bench(d, dice, centre + out * (basin + 4.2f), -out);

@@ -1,143 +1,12 @@
 #include "assets/props.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
 #include <utility>
 
-#include "sim/base/math.h"
-#include "sim/base/rng.h"
+#include "assets/props_shapes.h"
 
 namespace flaneur {
 
 namespace {
-
-struct Sphere {
-    std::vector<Vec3> points;
-    std::vector<uint32_t> triangles;
-};
-
-// An icosahedron, each triangle split into four and brought to the unit sphere: 42 points, 80 triangles.
-Sphere make_sphere() {
-    constexpr float g = 1.618034f;
-    Sphere s;
-    s.points = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
-                {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-    const uint32_t faces[] = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
-                              4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
-                              6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-    auto middle = [&](uint32_t a, uint32_t b) {
-        auto [place, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(s.points.size()));
-        if (fresh) s.points.push_back((s.points[a] + s.points[b]) * 0.5f);
-        return place->second;
-    };
-    for (size_t t = 0; t < std::size(faces); t += 3) {
-        uint32_t a = faces[t], b = faces[t + 1], c = faces[t + 2];
-        uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-        for (uint32_t i : {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca}) s.triangles.push_back(i);
-    }
-    for (Vec3& p : s.points) p = p / length(p);
-    return s;
-}
-
-// A mass of leaves: a sphere with a bumpy skin. Its normals lean away from the crown's middle, so that the
-// masses of one crown are lit as one.
-void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_size, RandomKey key,
-               uint32_t draw) {
-    static const Sphere sphere = make_sphere();
-    auto first = static_cast<uint32_t>(mesh.vertices.size());
-    for (size_t i = 0; i < sphere.points.size(); ++i) {
-        const Vec3& p = sphere.points[i];
-        float bump = random_between(key, 0.86f, 1.12f, draw + static_cast<uint32_t>(i));
-        Vec3 at = centre + Vec3{p.x * size.x, (p.y < 0 ? p.y * 0.8f : p.y) * size.y, p.z * size.z} * bump;
-        Vec3 out{(at.x - crown.x) / crown_size.x, (at.y - crown.y) / crown_size.y,
-                 (at.z - crown.z) / crown_size.z};
-        float depth = length(out);  // 0 in the middle of the crown .. 1 at its skin
-        float shade = lerp(0.62f, 1.04f, smoothstep(0.25f, 1.0f, depth)) *
-                      lerp(0.80f, 1.06f, smoothstep(-0.8f, 0.6f, out.y));
-        mesh.vertices.push_back({at, normalize_or(p * 0.65f + out, p), PropPart::leaves, shade});
-    }
-    for (uint32_t i : sphere.triangles) mesh.indices.push_back(first + i);
-}
-
-// Five to seven clumps about a larger one.
-void add_crown(PropMesh& mesh, Vec3 centre, float radius, float half_height, RandomKey key) {
-    Vec3 size{radius, half_height, radius};
-    add_clump(mesh, centre + Vec3{0, 0.12f * half_height, 0}, size * 0.72f, centre, size, key, 1000);
-    uint32_t clumps = 5 + static_cast<uint32_t>(random_bits(key, 0) % 3);
-    float turn = random_between(key, 0, 2 * k_pi, 1);
-    for (uint32_t i = 0; i < clumps; ++i) {
-        // Golden-angle steps round the crown, alternately low and high.
-        SinCos around = sin_cos(turn + 2.399963f * static_cast<float>(i));
-        float up = (i % 2 ? 0.35f : -0.35f) + random_between(key, -0.18f, 0.18f, 10 + i);
-        float away = 0.56f * std::sqrt(1 - up * up);
-        Vec3 at = centre +
-                  Vec3{around.sine * away * radius, up * 0.72f * half_height, around.cosine * away * radius};
-        float share = random_between(key, 0.42f, 0.54f, 30 + i);
-        add_clump(mesh, at, size * share, centre, size, key, 2000 + i * 64);
-    }
-}
-
-// A round or square post from `foot` to `top`.
-void add_post(PropMesh& mesh, Vec3 foot, Vec3 top, float foot_radius, float top_radius, uint32_t sides,
-              PropPart part, bool cap) {
-    auto first = static_cast<uint32_t>(mesh.vertices.size());
-    Vec3 axis = normalize_or(top - foot, {0, 1, 0});
-    Quat stand = rotation_between({0, 1, 0}, axis);
-    for (uint32_t i = 0; i < sides; ++i) {
-        SinCos around = sin_cos(2 * k_pi * (static_cast<float>(i) + 0.5f) / static_cast<float>(sides));
-        Vec3 out = rotate(stand, Vec3{around.sine, 0, around.cosine});
-        mesh.vertices.push_back({foot + out * foot_radius, out, part, 0.9f});
-        mesh.vertices.push_back({top + out * top_radius, out, part, 1});
-    }
-    for (uint32_t i = 0; i < sides; ++i) {
-        uint32_t a = first + 2 * i, b = first + 2 * ((i + 1) % sides);
-        for (uint32_t v : {a, b, b + 1, a, b + 1, a + 1}) mesh.indices.push_back(v);
-    }
-    if (!cap) return;
-    auto rim = static_cast<uint32_t>(mesh.vertices.size());
-    for (uint32_t i = 0; i < sides; ++i) {
-        PropMesh::Vertex v = mesh.vertices[first + 2 * i + 1];
-        v.normal = axis;
-        mesh.vertices.push_back(v);
-    }
-    for (uint32_t i = 1; i + 1 < sides; ++i) {
-        for (uint32_t v : {rim, rim + i, rim + i + 1}) mesh.indices.push_back(v);
-    }
-}
-
-// A box of half extents `half` about `centre`, turned by `yaw`.
-void add_box(PropMesh& mesh, Vec3 centre, Vec3 half, float yaw, PropPart part) {
-    Quat turn = rotation_y(yaw);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (float sign : {-1.0f, 1.0f}) {
-            Vec3 n{axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
-            Vec3 u{n.y, n.z, n.x};
-            Vec3 v = cross(n, u);
-            auto first = static_cast<uint32_t>(mesh.vertices.size());
-            for (auto [a, b] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
-                Vec3 corner = n + u * a + v * b;
-                Vec3 scaled{corner.x * half.x, corner.y * half.y, corner.z * half.z};
-                mesh.vertices.push_back({centre + rotate(turn, scaled), rotate(turn, n), part, 1});
-            }
-            for (uint32_t i : {0, 1, 2, 0, 2, 3}) mesh.indices.push_back(first + i);
-        }
-    }
-}
-
-void add_tree(PropMesh& mesh, const Prop& tree) {
-    RandomKey key{tree.seed, 0, 0, Purpose::tree};
-    float fork = tree.height * random_between(key, 0.30f, 0.38f, 100);
-    float thickness = 0.018f * tree.height + 0.04f;
-    Vec3 lean{random_between(key, -0.03f, 0.03f, 101), 1, random_between(key, -0.03f, 0.03f, 102)};
-    Vec3 crown_foot = tree.position + lean * fork;
-    add_post(mesh, tree.position, crown_foot + lean * (0.25f * tree.height), thickness, thickness * 0.6f, 7,
-             PropPart::trunk, false);
-    float half = (tree.height - fork) * 0.52f;
-    add_crown(mesh, crown_foot + lean * half, tree.radius, half, key);
-}
 
 void add_lamp(PropMesh& mesh, const Prop& lamp) {
     Vec3 up{0, lamp.height, 0};
@@ -164,25 +33,101 @@ void add_bench(PropMesh& mesh, const Prop& bench) {
     }
 }
 
+void add_bin(PropMesh& mesh, const Prop& bin) {
+    float h = bin.height;
+    add_turned(mesh, bin.position,
+               {{0.19f, 0},
+                {0.19f, 0.06f},
+                {0.22f, 0.08f},
+                {0.24f, h * 0.8f},
+                {0.25f, h * 0.82f},
+                {0.25f, h * 0.9f},
+                {0.17f, h},
+                {0.1f, h},
+                {0.09f, h * 0.92f},
+                {0, h * 0.9f}},
+               10, PropPart::metal);
+}
+
+void add_planter(PropMesh& mesh, const Prop& planter) {
+    PropFrame f(planter);
+    add_box(mesh, f.at(0, 0.27f, 0), {0.58f, 0.27f, 0.58f}, planter.yaw, PropPart::stone);
+    for (auto [x, z] : {std::pair{0.555f, 0.0f}, {-0.555f, 0.0f}}) {
+        add_box(mesh, f.at(x, 0.545f, z), {0.045f, 0.035f, 0.6f}, planter.yaw, PropPart::stone);
+        add_box(mesh, f.at(z, 0.545f, x), {0.51f, 0.035f, 0.045f}, planter.yaw, PropPart::stone);
+    }
+    RandomKey key{planter.seed, 0, 0, Purpose::tree};
+    Vec3 crown = f.at(0, 0.62f, 0), size{0.6f, planter.height - 0.5f, 0.6f};
+    for (uint32_t i = 0; i < 3; ++i) {
+        SinCos turn = sin_cos(2.1f * static_cast<float>(i) + planter.yaw);
+        add_clump(mesh, crown + Vec3{turn.sine * 0.2f, 0.05f, turn.cosine * 0.2f}, size * 0.55f, crown, size,
+                  key, i * 64);
+    }
+}
+
+void add_signal(PropMesh& mesh, const Prop& signal) {
+    PropFrame f(signal);
+    float h = signal.height;
+    add_post(mesh, f.origin, f.at(0, h, 0), 0.06f, 0.05f, 8, PropPart::metal, true);
+    add_box(mesh, f.at(0, h - 0.5f, 0.14f), {0.15f, 0.45f, 0.1f}, signal.yaw, PropPart::metal);
+    const PropPart lamps[] = {PropPart::red, PropPart::tyre, PropPart::green};
+    for (int i = 0; i < 3; ++i) {
+        float y = h - 0.22f - 0.28f * static_cast<float>(i);
+        PropPart lit = i == 0 ? lamps[0] : PropPart::tyre;
+        add_post(mesh, f.at(0, y, 0.2f), f.at(0, y, 0.255f), 0.1f, 0.09f, 8, lit, true);
+        add_box(mesh, f.at(0, y + 0.11f, 0.3f), {0.1f, 0.012f, 0.07f}, signal.yaw, PropPart::metal);
+    }
+    // For those on foot, across.
+    add_box(mesh, f.at(-0.13f, 2.25f, 0), {0.08f, 0.22f, 0.1f}, signal.yaw, PropPart::metal);
+    add_box(mesh, f.at(-0.22f, 2.15f, 0), {0.015f, 0.07f, 0.07f}, signal.yaw, PropPart::green);
+}
+
+void add_shelter(PropMesh& mesh, const Prop& shelter) {
+    PropFrame f(shelter);
+    float h = shelter.height;
+    auto part = [&](float x, float y, float z, Vec3 half, PropPart what) {
+        add_box(mesh, f.at(x, y, z), half, shelter.yaw, what);
+    };
+    part(0, h - 0.05f, 0.05f, {1.8f, 0.05f, 0.72f}, PropPart::metal);
+    for (float x : {-1.65f, -0.55f, 0.55f, 1.65f})
+        part(x, h * 0.5f, -0.55f, {0.04f, h * 0.5f, 0.04f}, PropPart::metal);
+    for (float y : {0.55f, 1.1f, 2.2f}) part(0, y, -0.55f, {1.65f, 0.025f, 0.02f}, PropPart::metal);
+    part(1.1f, 1.35f, -0.55f, {0.5f, 0.72f, 0.05f}, PropPart::light);
+    part(1.1f, 1.35f, -0.55f, {0.55f, 0.78f, 0.04f}, PropPart::metal);
+    part(-0.55f, 0.45f, -0.3f, {0.95f, 0.025f, 0.17f}, PropPart::wood);
+    for (float x : {-1.3f, 0.2f}) part(x, 0.22f, -0.3f, {0.03f, 0.21f, 0.14f}, PropPart::metal);
+    // The stop's sign on its post.
+    part(-1.7f, h + 0.25f, 0.6f, {0.03f, 0.3f, 0.22f}, PropPart::sign);
+    part(-1.7f, h * 0.5f, 0.6f, {0.035f, h * 0.5f, 0.035f}, PropPart::metal);
+}
+
 }  // namespace
 
 void add_prop(PropMesh& mesh, const Prop& prop) {
     switch (prop.kind) {
         case PropKind::tree:
-            add_tree(mesh, prop);
-            break;
+            return add_tree(mesh, prop);
         case PropKind::lamp:
-            add_lamp(mesh, prop);
-            break;
+            return add_lamp(mesh, prop);
         case PropKind::bench:
-            add_bench(mesh, prop);
-            break;
+            return add_bench(mesh, prop);
         case PropKind::bollard:
-            add_post(mesh, prop.position, prop.position + Vec3{0, prop.height, 0}, 0.07f, 0.06f, 8,
-                     PropPart::metal, true);
-            break;
-        default:
-            break;
+            return add_post(mesh, prop.position, prop.position + Vec3{0, prop.height, 0}, 0.07f, 0.06f, 8,
+                            PropPart::metal, true);
+        case PropKind::bin:
+            return add_bin(mesh, prop);
+        case PropKind::car:
+            return add_car(mesh, prop);
+        case PropKind::fountain:
+            return add_fountain(mesh, prop);
+        case PropKind::statue:
+            return add_statue(mesh, prop);
+        case PropKind::planter:
+            return add_planter(mesh, prop);
+        case PropKind::signal:
+            return add_signal(mesh, prop);
+        case PropKind::shelter:
+            return add_shelter(mesh, prop);
     }
 }
 

@@ -48,7 +48,7 @@ void fit_windows(PreparedCity& city) {
         if (!is_facade(vertex)) continue;
         const Extent& wall = walls[first_of(parent, i)];
         const float width = wall.high_u - wall.low_u, height = wall.high_v;
-        const float storey = std::max(static_cast<float>(vertex.extra & 0x7fff) * 0.01f, 2.0f);
+        const float storey = std::max(static_cast<float>(vertex.extra & 0x1ff) * 0.05f, 2.0f);
         vertex.normal[3] = 0;
         if (!(width >= k_least_wall && height >= storey * 0.8f && width < 1e5f && height < 1e4f)) continue;
         const float bays = std::max(std::round(width / k_bay), 1.0f);

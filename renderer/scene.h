@@ -20,10 +20,20 @@ struct CityVertex {
     glm::vec2 uv;
     int8_t normal[4];   // unit vector * 127; [3] unused
     uint16_t material;  // k_material_*
-    // Facades: storey height in centimetres, top bit set where there is a shop front. Scenery: 1 + index into
-    // CityMesh::textures, or 0.
-    uint16_t extra;
+    uint16_t extra;     // facades: facade_extra. Scenery: 1 + index into CityMesh::textures, or 0.
 };
+
+// How a facade's windows look; at most four kinds.
+enum class WindowKind : uint8_t { sash, shuttered, arched, wide };
+// CityVertex::extra of a facade: the height of its storeys (up to 25 m, to 5 cm), whether it has shop fronts,
+// and which bay the door is in, counted from u = 0 (up to the 15th; -1: none).
+inline uint16_t facade_extra(float storey, bool shop, int door_bay = -1,
+                             WindowKind windows = WindowKind::sash) {
+    auto height = static_cast<uint32_t>(storey * 20 + 0.5f) & 0x1ffu;
+    auto door = static_cast<uint32_t>(door_bay >= 0 && door_bay < 15 ? door_bay + 1 : 0);
+    return static_cast<uint16_t>(height | (shop ? 0x200u : 0u) | door << 10 |
+                                 static_cast<uint32_t>(windows) << 14);
+}
 
 struct PersonVertex {
     glm::vec3 position;  // bind pose, metres

@@ -12,7 +12,7 @@ layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec2 out_uv;
 layout(location = 2) out vec3 out_normal;
 layout(location = 3) flat out vec3 out_colour;
-layout(location = 4) flat out vec4 out_pattern;  // surfaces: see below; facades: storey height, shop, storeys, 0
+layout(location = 4) flat out vec4 out_pattern;  // surfaces: see below; facades: see city_facade.frag
 
 // How a surface's slabs lie: edge in metres, width of the joints, how their lightness varies, and how much of the
 // sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1).
@@ -41,6 +41,7 @@ void main() {
     uint material = min(in_material.x, k_material_metal);
     out_pattern = k_patterns[material];
     if (material == k_material_facade)
-        out_pattern = vec4(float(in_material.y & 0x7fffu) * 0.01, float(in_material.y >> 15), in_normal.w * 127.0, 0);
+        out_pattern = vec4(float(in_material.y & 0x1ffu) * 0.05, float(in_material.y >> 9 & 1u), in_normal.w * 127.0,
+                           float(in_material.y >> 10 & 15u) - 1.0 + float(in_material.y >> 14) * 0.25);
     gl_Position = frame.clip_from_world * vec4(in_place, 1);
 }

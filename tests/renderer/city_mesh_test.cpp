@@ -69,7 +69,7 @@ TEST(CityMesh, NarrowWallsHaveNone) {
         vertex.position = {uv, 0};
         vertex.uv = uv;
         vertex.material = static_cast<uint16_t>(k_material_facade);
-        vertex.extra = 300;
+        vertex.extra = facade_extra(3, false);
         mesh.vertices.push_back(vertex);
     }
     mesh.indices = {0, 1, 2, 0, 2, 3};

@@ -300,7 +300,9 @@ CityMesh synthetic_city() {
             const uint32_t wall = scaled(rgb(walls[hash(key + 77) % 5]), 0.94f + 0.12f * unit(key + 31));
             const glm::vec2 low(side > 0 ? 8.0f : -22.0f, z), high(side > 0 ? 22.0f : -8.0f, z + 15);
             add_block(mesh, low, high, 0.12f, height, k_material_facade, wall,
-                      320u | (hash(key + 5) % 3 ? 0x8000u : 0), key % 3 ? rgb(0x8f979c) : rgb(0xb5694a));
+                      facade_extra(3.2f, hash(key + 5) % 3 != 0, key % 4 == 0 ? 1 : -1,
+                                   static_cast<WindowKind>(key % 4)),
+                      key % 3 ? rgb(0x8f979c) : rgb(0xb5694a));
         }
     add_ground(mesh, {8, 15}, {22, 30}, 0.12f, k_material_plaza, rgb(0xb0a898));
     add_ground(mesh, {11, 19}, {17, 26}, 0.14f, k_material_grass, rgb(0x6f8a4c));

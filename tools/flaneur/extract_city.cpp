@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "assets/city.h"
 #include "assets/colour.h"
 #include "assets/props.h"
+#include "renderer/city_mesh.h"
 #include "sim/base/rng.h"
 #include "tools/flaneur/convert.h"
 #include "tools/flaneur/extract.h"
@@ -64,8 +66,37 @@ void add_ground(CityMesh& mesh, const City& city) {
     }
 }
 
+// Which bay of which facade has the door that a destination stands before; -1: none.
+std::vector<int> find_doors(const City& city) {
+    constexpr float k_before = 1.6f;
+    std::vector<int> doors(city.faces.size(), -1);
+    for (const Destination& place : city.destinations) {
+        if (place.kind != DestinationKind::door && place.kind != DestinationKind::shop) continue;
+        std::optional<WallPoint> wall = closest_wall(city, place.position + Vec3{0, 1.2f, 0}, k_before);
+        if (!wall || city.faces[wall->face].kind != FaceKind::facade) continue;
+        const Face& f = city.faces[wall->face];
+        float width = length(on_ground(f.b - f.a)), u = length(on_ground(wall->point - f.a));
+        float bays = std::max(std::round(width / k_bay), 1.0f);
+        doors[wall->face] = static_cast<int>(clamp(u / width * bays, 0, bays - 1));
+    }
+    return doors;
+}
+
+WindowKind windows_of(const Building& b) {
+    constexpr uint8_t k_brick = 3, k_concrete = 4, k_dark_brick = 8;
+    constexpr float k_hall = 4.5f;  // storeys from here on are those of halls and churches
+    float drawn = random_unit({b.seed, 3, 0, Purpose::look});
+    if (b.storey > k_hall) return WindowKind::arched;
+    if (b.style == k_concrete) return WindowKind::wide;
+    if (b.style == k_brick || b.style == k_dark_brick)
+        return drawn < 0.6f ? WindowKind::arched : WindowKind::sash;
+    return drawn < 0.3f ? WindowKind::shuttered : WindowKind::sash;
+}
+
 void add_faces(CityMesh& mesh, const City& city) {
-    for (const Face& f : city.faces) {
+    std::vector<int> doors = find_doors(city);
+    for (size_t i = 0; i < city.faces.size(); ++i) {
+        const Face& f = city.faces[i];
         Vec3 along = f.b - f.a;
         float width = length(on_ground(along));
         Vec3 normal = normalize_or(cross(Vec3{along.x, 0, along.z}, Vec3{0, 1, 0}), {0, 0, 1});
@@ -74,6 +105,7 @@ void add_faces(CityMesh& mesh, const City& city) {
                                                       : k_garden_wall;
         uint32_t material = k_material_stone;
         uint16_t extra = 0;
+        float foot = std::min(f.a.y, f.b.y);
         if (f.kind == FaceKind::facade) {
             material = k_material_facade;
             if (f.building < city.buildings.size()) {
@@ -81,20 +113,27 @@ void add_faces(CityMesh& mesh, const City& city) {
                 float tone = 0.94f + 0.12f * random_unit({b.seed, 0, 0, Purpose::colour});
                 colour = shaded(b.wall_colour ? b.wall_colour : k_wall_colours[b.style % k_wall_colour_count],
                                 tone);
-                extra = static_cast<uint16_t>(std::lround(clamp(b.storey, 1, 20) * 100));
-                if (b.has_shop) extra = static_cast<uint16_t>(extra | 0x8000u);
+                // A window in the roof is one storey.
+                float high = f.a_top - f.a.y;
+                bool is_dormer = f.a.y > b.top && high < b.storey;
+                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20), b.has_shop != 0, doors[i],
+                                     windows_of(b));
+                // Storeys are counted from the ground at the door; walls go down to the lowest.
+                if (b.base > foot && b.base < foot + 3) foot = b.base;
             } else {
                 colour = k_wall_colours[0];
-                extra = 320;
+                extra = facade_extra(3.2f, false);
             }
         }
-        auto corner = [&](Vec3 at, float y, float u, float foot) {
+        if (f.kind == FaceKind::garden_wall && f.building < city.buildings.size() &&
+            city.buildings[f.building].wall_colour)
+            colour = city.buildings[f.building].wall_colour;
+        auto corner = [&](Vec3 at, float y, float u) {
             return add_vertex(mesh, vertex({at.x, y, at.z}, normal, colour, {u, y - foot}, material, extra));
         };
-        float foot = std::min(f.a.y, f.b.y);
-        uint32_t a = corner(f.a, f.a.y, 0, foot), b = corner(f.b, f.b.y, width, foot);
-        uint32_t c = corner(f.b, f.b_top, width, foot), d = corner(f.a, f.a_top, 0, foot);
-        for (uint32_t i : {a, b, c, a, c, d}) mesh.indices.push_back(i);
+        uint32_t a = corner(f.a, f.a.y, 0), b = corner(f.b, f.b.y, width);
+        uint32_t c = corner(f.b, f.b_top, width), d = corner(f.a, f.a_top, 0);
+        for (uint32_t v : {a, b, c, a, c, d}) mesh.indices.push_back(v);
     }
 }
 
@@ -113,16 +152,65 @@ void add_roofs(CityMesh& mesh, const City& city) {
         RandomKey key{seed, 1, 0, Purpose::colour};
         bool slate = random_unit(key) < 0.4f;
         uint32_t colour = normal.y > 0.95f ? k_flat_roof : slate ? k_slate_roof : k_tile_roof;
-        if (building < city.buildings.size() && city.buildings[building].roof_colour)
-            colour = city.buildings[building].roof_colour;
         if (normal.y < 0.3f) colour = k_cornice;
         if (building >= is_house.size() || !is_house[building]) colour = k_garden_wall;
+        bool is_cornice = building < is_house.size() && is_house[building] && normal.y < 0.3f;
+        if (building < city.buildings.size() && city.buildings[building].roof_colour && !is_cornice)
+            colour = city.buildings[building].roof_colour;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
         for (Vec3 v : p) {
             mesh.indices.push_back(add_vertex(mesh, vertex(v, normal, colour, {v.x, v.z}, k_material_roof)));
         }
     }
 }
+
+struct Look {
+    uint32_t colour, material;
+};
+
+Look look_of(PropPart part) {
+    switch (part) {
+        case PropPart::leaves:
+            return {rgb(0x6f8a4c), k_material_leaves};
+        case PropPart::trunk:
+            return {rgb(0x6b5a48), k_material_trunk};
+        case PropPart::metal:
+            return {rgb(0x3c4044), k_material_metal};
+        case PropPart::wood:
+            return {rgb(0x8a6a48), k_material_trunk};
+        case PropPart::light:
+            return {rgb(0xf2ead8), k_material_metal};
+        case PropPart::paint:
+            return {rgb(0xa9adb0), k_material_metal};
+        case PropPart::glass:
+            return {rgb(0x1c2226), k_material_metal};
+        case PropPart::tyre:
+            return {rgb(0x222325), k_material_trunk};
+        case PropPart::alloy:
+            return {rgb(0x9a9c9e), k_material_metal};
+        case PropPart::stone:
+            return {rgb(0xc3b8a3), k_material_stone};
+        case PropPart::bronze:
+            return {rgb(0x54604f), k_material_metal};
+        case PropPart::water:
+            return {rgb(0x3d5560), k_material_water};
+        case PropPart::foam:
+            return {rgb(0xd5e0e4), k_material_metal};
+        case PropPart::red:
+            return {rgb(0x8e2a24), k_material_metal};
+        case PropPart::green:
+            return {rgb(0x3f8f62), k_material_metal};
+        case PropPart::sign:
+            return {rgb(0xc59a3d), k_material_metal};
+    }
+    return {rgb(0xffffff), k_material_metal};
+}
+
+// White, silver, greys and blacks, and a few quiet colours.
+constexpr uint32_t k_car_colours[] = {rgb(0xd4d3cf), rgb(0xa9adb0), rgb(0x6c7074), rgb(0x2a2c2f),
+                                      rgb(0x8e9498), rgb(0x2f3d57), rgb(0x5f2a30), rgb(0x56614f),
+                                      rgb(0xb3a68c), rgb(0x3b4650)};
+constexpr glm::vec2 k_within{0.45f, 0.45f};  // of a slab, clear of its joints
 
 void add_props(CityMesh& mesh, const City& city) {
     for (const Prop& prop : city.props) {
@@ -135,26 +223,13 @@ void add_props(CityMesh& mesh, const City& city) {
         };
         uint32_t leaves = 0xff000000u | mix_channel(0x5f, 0x87) | mix_channel(0x7d, 0x99) << 8 |
                           mix_channel(0x45, 0x4e) << 16;
+        uint32_t paint = k_car_colours[random_bits(key, 1) % std::size(k_car_colours)];
         auto first = static_cast<uint32_t>(mesh.vertices.size());
         for (const auto& v : made.vertices) {
-            uint32_t colour = leaves, material = k_material_leaves;
-            switch (v.part) {
-                case PropPart::leaves:
-                    break;
-                case PropPart::trunk:
-                    colour = rgb(0x6b5a48), material = k_material_trunk;
-                    break;
-                case PropPart::metal:
-                    colour = rgb(0x3c4044), material = k_material_metal;
-                    break;
-                case PropPart::wood:
-                    colour = rgb(0x8a6a48), material = k_material_trunk;
-                    break;
-                case PropPart::light:
-                    colour = rgb(0xf2ead8), material = k_material_metal;
-                    break;
-            }
-            add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), {0, 0}, material));
+            auto [colour, material] = look_of(v.part);
+            if (v.part == PropPart::leaves) colour = leaves;
+            if (v.part == PropPart::paint) colour = paint;
+            add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), k_within, material));
         }
         for (uint32_t i : made.indices) mesh.indices.push_back(first + i);
     }
