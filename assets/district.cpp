@@ -97,11 +97,7 @@ City generate_district(const DistrictOptions& options) {
     d.plan.low = d.streets.low;
     d.plan.high = d.streets.high;
     d.plan.terrain = [&](Vec2 p) { return terrain_at(d, p); };
-    for (uint32_t t = 0; t < k_trim_count; ++t) {
-        Building lent;
-        lent.style = trim_style(static_cast<Trim>(t));
-        d.city.buildings.push_back(lent);
-    }
+    lend_colours(d);
     lay_streets(d, options.seed);
     fill_blocks(d, options.seed);
     for (uint32_t way : d.streets.outer) fill_belt(d, way, options.seed);

@@ -16,15 +16,15 @@ struct District {
     uint32_t trims = 0;  // the first of the buildings that lend their colour to things of a Trim
 };
 
-// Things on facades and roofs that have a colour of their own, in the order of the last wall colours.
-enum class Trim : uint32_t { coping, metal, wood, stone, burgundy, bottle_green, mustard, canvas };
-inline constexpr uint32_t k_trim_count = 8;
+// What is neither wall nor roof takes its colour from a building that lends it.
+enum class Trim : uint32_t { coping, metal, stone, burgundy, bottle_green, mustard, canvas };
+inline constexpr uint32_t k_trim_count = 7;
+void lend_colours(District& d);
 inline uint32_t trim(const District& d, Trim t) { return d.trims + static_cast<uint32_t>(t); }
 
 // Wall colours by kind of house, indices of k_wall_colours.
 uint8_t plaster_style(Dice& dice);
 uint8_t stone_style(Dice& dice);
-uint8_t trim_style(Trim t);
 
 float terrain_at(const District& d, Vec2 p);
 void add_area(District& d, int rank, Surface kind, Lift lift, Rings rings, Vec2 axis = {1, 0});

@@ -19,15 +19,6 @@ const uint32_t k_wall_colours[] = {
     rgb(0xc9a184),  // old rose plaster
     rgb(0x8c5a47),  // dark brick
     rgb(0xb9bdb2),  // grey-green plaster
-    // Trims: coping, metal, wood, stone; awnings.
-    rgb(0xb5a88f),
-    rgb(0x3c4044),
-    rgb(0x6d5138),
-    rgb(0xc9bda6),
-    rgb(0x6b2b35),
-    rgb(0x2f4a40),
-    rgb(0xb58a3c),
-    rgb(0xd9cfb8),
 };
 const int k_wall_colour_count = static_cast<int>(std::size(k_wall_colours));
 
@@ -41,9 +32,20 @@ uint8_t stone_style(Dice& dice) {
     return styles[dice.pick(static_cast<int>(std::size(styles)))];
 }
 
-uint8_t trim_style(Trim t) {
-    return static_cast<uint8_t>(static_cast<uint32_t>(k_wall_colour_count) - k_trim_count +
-                                static_cast<uint32_t>(t));
+void lend_colours(District& d) {
+    constexpr uint32_t k_colours[k_trim_count] = {
+        rgb(0xb5a88f),  // coping
+        rgb(0x3c4044),  // metal
+        rgb(0xc9bda6),  // stone
+        rgb(0x6b2b35),  // awnings
+        rgb(0x2f4a40), rgb(0xb58a3c), rgb(0xd9cfb8),
+    };
+    d.trims = static_cast<uint32_t>(d.city.buildings.size());
+    for (uint32_t colour : k_colours) {
+        Building lender;
+        lender.wall_colour = lender.roof_colour = colour;
+        d.city.buildings.push_back(lender);
+    }
 }
 
 float terrain_at(const District& d, Vec2 p) { return d.streets.relief.height(p); }
@@ -65,13 +67,9 @@ void add_path(District& d, const std::vector<Vec2>& line, float width, Surface k
 }
 
 std::optional<Ring> shrunk(const Ring& ring, float distance) {
-    ClipperLib::ClipperOffset offset;
-    offset.AddPath(ring, ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
-    Rings rings;
-    offset.Execute(rings, static_cast<double>(-distance) * 1000);
     std::optional<Ring> largest;
     double most = 4;
-    for (const Ring& r : rings) {
+    for (const Ring& r : inset_rings({ring}, distance)) {
         if (area({r}) > most) most = area({r}), largest = r;
     }
     return largest;
