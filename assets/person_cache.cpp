@@ -1,32 +1,21 @@
 #include "assets/person_cache.h"
 
-#include <unistd.h>
-
-#include <atomic>
+#include <array>
 #include <bit>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <optional>
 #include <span>
 #include <type_traits>
 
+#include "assets/cache_file.h"
 #include "sim/base/hash.h"
 
 namespace flaneur {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr size_t k_most_bytes = 16 << 20;                   // of one person
 constexpr uint64_t k_generator = FLANEUR_PERSON_GENERATOR;  // a hash of what it is made of
-
-struct Head {
-    char magic[8] = {'f', 'l', 'a', 'n', 'p', 'p', 'l', '1'};
-    uint64_t key = 0;
-    uint64_t size = 0, hash = 0;  // of the bytes that follow
-};
 
 uint64_t key_of(const PersonOptions& o) {
     const uint64_t fields[] = {k_generator,
@@ -112,63 +101,20 @@ bool read(std::span<const char> bytes, Character& c) {
     return bytes.empty();
 }
 
-bool load(const fs::path& path, uint64_t key, Character& c) {
-    std::error_code failed;
-    uintmax_t size = fs::is_regular_file(path, failed) ? fs::file_size(path, failed) : 0;
-    if (failed || size > k_most_bytes) return false;
-    std::string bytes(size, '\0');
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(size))) return false;
-    Head head, sound;
-    if (bytes.size() < sizeof head) return false;
-    std::memcpy(&head, bytes.data(), sizeof head);
-    std::span<const char> rest = std::span<const char>(bytes).subspan(sizeof head);
-    return std::memcmp(head.magic, sound.magic, sizeof head.magic) == 0 && head.key == key &&
-           head.size == rest.size() && head.hash == hash_bytes(key, rest.data(), rest.size()) &&
-           read(rest, c);
-}
-
-// Written beside its place, under a name of this thread's own, and renamed, so that nobody reads half of one.
-void keep(const fs::path& path, uint64_t key, const Character& c) {
-    std::error_code failed;
-    fs::create_directories(path.parent_path(), failed);
-    fs::path part = path;
-    part += ".";
-    static std::atomic<int> number{0};
-    part += std::to_string(getpid()) + "-" + std::to_string(number++);
-    part += ".part";
-    std::string bytes = written(c);
-    Head head;
-    head.key = key;
-    head.size = bytes.size();
-    head.hash = hash_bytes(key, bytes.data(), bytes.size());
-    {
-        std::ofstream file(part, std::ios::binary);
-        file.write(reinterpret_cast<const char*>(&head), sizeof head);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.flush();
-        if (!file) failed = std::make_error_code(std::errc::io_error);
-    }
-    if (!failed) fs::rename(part, path, failed);
-    std::error_code ignored;
-    if (failed) fs::remove(part, ignored);
-}
-
 }  // namespace
 
 Character cached_person(const PersonOptions& options, const std::string& folder) {
     if (folder.empty()) return generate_person(options);
     uint64_t key = key_of(options);
-    char name[32];
-    std::snprintf(name, sizeof name, "person-%016llx", static_cast<unsigned long long>(key));
-    fs::path path = fs::path(folder) / name;
+    std::string path = kept_path(folder, "person", key);
     Character person;
-    if (load(path, key, person)) {
+    std::optional<std::string> kept = read_kept(path, key, k_most_bytes);
+    if (kept && read(*kept, person)) {
         person.person = options;
         return person;
     }
     person = generate_person(options);
-    keep(path, key, person);
+    keep(path, key, written(person));
     return person;
 }
 

@@ -157,6 +157,13 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     reader.number("seed", uint64_t{0}, std::numeric_limits<uint64_t>::max(), scene.seed);
     reader.number("blocks", 1, 32, scene.blocks);
     reader.text("camera", scene.camera);
+    std::string time;
+    reader.text("time", time);
+    if (!time.empty()) {
+        Result<float> hour = parse_time(time);
+        if (!hour) return refused("\"time\": " + hour.error().message);
+        scene.hour = *hour;
+    }
     reader.number("sun_height", 2.0f, 90.0f, scene.sun_height);
     reader.number("sun_heading", 0.0f, 360.0f, scene.sun_heading);
     refuse_unknown(reader, "a scene");
@@ -165,6 +172,15 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
 }
 
 }  // namespace
+
+Result<float> parse_time(const std::string& text) {
+    auto digit = [&](size_t i) { return text[i] >= '0' && text[i] <= '9' ? text[i] - '0' : 99; };
+    bool shaped = text.size() == 5 && text[2] == ':';
+    int hours = shaped ? digit(0) * 10 + digit(1) : 99, minutes = shaped ? digit(3) * 10 + digit(4) : 99;
+    if (hours > 23 || minutes > 59)
+        return Error{"a time is written as 17:30, from 00:00 to 23:59, not " + text};
+    return static_cast<float>(hours) + static_cast<float>(minutes) / 60;
+}
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;

@@ -30,6 +30,7 @@ struct Scene {
     uint64_t seed = 1;
     int blocks = 4;                 // size of the built-in district
     std::string camera = "street";  // as --camera takes it
+    float hour = 17.5f;             // of the day at the first tick, 0..24
     float sun_height = 25;          // degrees above the horizon
     float sun_heading = 235;        // degrees clockwise from north, where the sun stands
 };
@@ -37,6 +38,9 @@ struct Scene {
 // A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are
 // refused. Relative paths in a file are relative to its folder.
 Result<Scene> load_scene(const std::string& name_or_path);
+
+// "17:30" as an hour of the day: 17.5. Refuses what is not HH:MM from 00:00 to 23:59.
+Result<float> parse_time(const std::string& text);
 
 // Names of the built-in scenes, sorted.
 std::vector<std::string> scene_names();

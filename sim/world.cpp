@@ -10,18 +10,21 @@ namespace flaneur {
 
 Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
                                           const std::function<void(std::string_view, float)>& progress) {
-    auto world = std::make_unique<World>();
-    world->city = std::move(city);
-    world->seed = options.seed;
-    world->workers = make_workers(options.threads);
-    int threads = thread_count(*world->workers);
-
-    auto mesh = build_navmesh(world->city, options.navmesh, threads, [&](float share) {
+    auto mesh = build_navmesh(city, options.navmesh, options.threads, [&](float share) {
         if (progress) progress("building the navigation mesh", share);
     });
     if (!mesh) return mesh.error();
-    world->navmesh = std::move(mesh).value();
-    prepare_queries(*world->navmesh, threads);
+    return make_world(std::move(city), std::move(mesh).value(), options, progress);
+}
+
+Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const WorldOptions& options,
+                                          const std::function<void(std::string_view, float)>& progress) {
+    auto world = std::make_unique<World>();
+    world->city = std::move(city);
+    world->navmesh = std::move(mesh);
+    world->seed = options.seed;
+    world->workers = make_workers(options.threads);
+    prepare_queries(*world->navmesh, thread_count(*world->workers));
 
     if (progress) progress("setting down the walkers", 0);
     std::vector<Folk> folk;
@@ -30,7 +33,8 @@ Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options
         float leg = leg_length(kind.body);
         folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg)});
     }
-    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers, folk, options.seed);
+    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers, folk, options.seed,
+                          options.hour);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
 

@@ -34,6 +34,7 @@ struct WorldOptions {
     std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
     std::vector<Clip> idles;  // of the humanoid, additive; each who stands a while plays one of them
     NavmeshSettings navmesh;
+    float hour = 17.5f;  // of the day, 0..24, at the first tick
 };
 
 // The stages of a tick, in order.
@@ -59,8 +60,10 @@ struct World {
         {};  // wall time of the last tick; measured, never read by the simulation
 };
 
-// Builds the navigation mesh and sets the walkers down. `progress`, if given, is called with what is being
-// done and how much of it, 0..1. Refuses a city that has no room for so many.
+// Sets the walkers down on a city's navigation mesh; without one, builds it. `progress`, if given, is called
+// with what is being done and how much of it, 0..1. Refuses a city that has no room for so many.
+Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const WorldOptions& options,
+                                          const std::function<void(std::string_view, float)>& progress = {});
 Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
                                           const std::function<void(std::string_view, float)>& progress = {});
 

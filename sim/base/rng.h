@@ -19,7 +19,8 @@ enum class Purpose : uint32_t {
     accessory,
     city,
     tree,
-    touch
+    touch,
+    errand
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

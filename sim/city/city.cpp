@@ -7,16 +7,28 @@
 
 namespace flaneur {
 
-static constexpr float k_triangle_cell = 2, k_wall_cell = 4;
-// A point this far outside an edge still stands on the triangle, so that rounding leaves no gap between two.
-// Metres.
-static constexpr float k_edge_slack = 2e-4f;
+static constexpr float k_triangle_cell = 2, k_wall_cell = 4, k_scenery_cell = 2;
 static constexpr float k_least_area = 1e-6f;  // smaller triangles are never hit, square metres
 
 static bool is_wall(const Face& f) { return f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall; }
 
 // Positive on the inner side of a counter-clockwise edge a-b, seen from above.
 static float inside(Vec2 a, Vec2 b, Vec2 p) { return cross(p - a, b - a); }
+
+// The solid triangles of the scenery, upright ones included.
+static void index_scenery(City& city) {
+    const Scenery& s = city.scenery;
+    assert(s.indices.size() == s.solid.size() * 3);
+    Vec2 margin{2 * k_grid_margin, 2 * k_grid_margin};
+    city.scenery_grid = make_grid(city.low - margin, city.high + margin, k_scenery_cell);
+    fill_grid(city.scenery_grid, static_cast<uint32_t>(s.solid.size()), [&](uint32_t i, auto visit) {
+        if (!s.solid[i]) return;
+        Vec2 a = on_ground(scenery_corner(s, i, 0)), b = on_ground(scenery_corner(s, i, 1)),
+             c = on_ground(scenery_corner(s, i, 2));
+        if (inside(a, b, c) < 0) std::swap(b, c);
+        for_cells_of_triangle(city.scenery_grid, a, b, c, visit);
+    });
+}
 
 void index_city(City& city) {
     assert(city.ground_indices.size() == city.ground_kinds.size() * 3);
@@ -28,6 +40,10 @@ void index_city(City& city) {
     };
     for (Vec3 v : city.ground_vertices) include(v);
     for (const Face& f : city.faces) include(f.a), include(f.b);
+    for (uint32_t i = 0; i < city.scenery.solid.size(); ++i) {
+        if (!city.scenery.solid[i]) continue;
+        for (uint32_t k = 0; k < 3; ++k) include(scenery_corner(city.scenery, i, k));
+    }
     if (low.x > high.x) low = high = {0, 0};
     city.low = low;
     city.high = high;
@@ -43,155 +59,24 @@ void index_city(City& city) {
                   for_cells_of_triangle(city.triangle_grid, a, b, c, visit);
               });
     city.grid_triangles.clear();
-    for (uint32_t i : city.triangle_grid.items) {
+    for (size_t i = 0; i < city.ground_kinds.size(); ++i) {
         const uint32_t* index = &city.ground_indices[i * 3];
         city.grid_triangles.push_back({city.ground_vertices[index[0]], city.ground_vertices[index[1]],
-                                       city.ground_vertices[index[2]], i});
+                                       city.ground_vertices[index[2]], city.ground_kinds[i]});
     }
     city.wall_grid = make_grid(low - margin, high + margin, k_wall_cell);
     fill_grid(city.wall_grid, static_cast<uint32_t>(city.faces.size()), [&](uint32_t i, auto visit) {
         const Face& f = city.faces[i];
         if (is_wall(f)) for_cells_of_segment(city.wall_grid, on_ground(f.a), on_ground(f.b), visit);
     });
-}
-
-std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float down) {
-    const Grid& grid = city.triangle_grid;
-    Vec2 p = on_ground(point), cell = (p - grid.origin) / grid.cell;
-    if (!(cell.x >= 0 && cell.z >= 0 && cell.x < static_cast<float>(grid.width) &&
-          cell.z < static_cast<float>(grid.height))) {
-        return std::nullopt;
+    city.grid_walls.clear();
+    for (uint32_t i : city.wall_grid.items) {
+        const Face& f = city.faces[i];
+        Vec2 along = on_ground(f.b) - on_ground(f.a);
+        city.grid_walls.push_back({on_ground(f.a), along, 1 / std::max(length_squared(along), 1e-12f), f.a.y,
+                                   f.b.y - f.a.y, f.a_top, f.b_top - f.a_top});
     }
-    size_t c = static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
-    float highest = point.y + up, best = point.y - down;
-    const GridTriangle* found = nullptr;
-    for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
-        const GridTriangle& t = city.grid_triangles[k];
-        Vec3 a = t.a, b = t.b, d = t.c;
-        Vec2 ap{p.x - a.x, p.z - a.z}, bp{p.x - b.x, p.z - b.z}, dp{p.x - d.x, p.z - d.z};
-        Vec2 ab{b.x - a.x, b.z - a.z}, bd{d.x - b.x, d.z - b.z}, da{a.x - d.x, a.z - d.z};
-        float wd = cross(ap, ab), wa = cross(bp, bd), wb = cross(dp, da);
-        if (wd < -k_edge_slack * (std::fabs(ab.x) + std::fabs(ab.z)) ||
-            wa < -k_edge_slack * (std::fabs(bd.x) + std::fabs(bd.z)) ||
-            wb < -k_edge_slack * (std::fabs(da.x) + std::fabs(da.z))) {
-            continue;
-        }
-        wa = std::max(wa, 0.0f), wb = std::max(wb, 0.0f), wd = std::max(wd, 0.0f);
-        float sum = wa + wb + wd;
-        if (sum <= 0) continue;
-        float y = (wa * a.y + wb * b.y + wd * d.y) / sum;
-        if (y <= highest && y >= best && (y > best || !found)) {
-            best = y;
-            found = &t;
-        }
-    }
-    if (!found) return std::nullopt;
-    Vec3 normal = normalize_or(cross(found->b - found->a, found->c - found->a), {0, 1, 0});
-    return GroundHit{best, normal, city.ground_kinds[found->index]};
-}
-
-// The ray's parameter where it meets a triangle's plane inside the triangle (Moller and Trumbore 1997), or
-// -1.
-static float hit_triangle(Vec3 origin, Vec3 direction, Vec3 a, Vec3 b, Vec3 c) {
-    constexpr float k_slack = 1e-5f;  // of the triangle's size, so that a ray through a shared edge hits
-    Vec3 ab = b - a, ac = c - a, h = cross(direction, ac);
-    float det = dot(ab, h);
-    if (std::fabs(det) < 1e-12f) return -1;
-    Vec3 s = origin - a, q = cross(s, ab);
-    float u = dot(s, h) / det, v = dot(direction, q) / det;
-    if (!(u >= -k_slack && v >= -k_slack && u + v <= 1 + k_slack)) return -1;
-    return dot(ac, q) / det;
-}
-
-// The same for a vertical quad whose ends are vertical and whose bottom and top are straight.
-static float hit_face(Vec3 origin, Vec3 direction, const Face& f) {
-    Vec2 ab = on_ground(f.b) - on_ground(f.a), o = on_ground(f.a) - on_ground(origin),
-         d = on_ground(direction);
-    float det = cross(d, ab);
-    if (std::fabs(det) < 1e-12f) return -1;
-    float t = cross(o, ab) / det, s = cross(o, d) / det;
-    if (!(s >= -1e-5f && s <= 1 + 1e-5f)) return -1;
-    float y = origin.y + direction.y * t;
-    return y >= lerp(f.a.y, f.b.y, s) && y <= lerp(f.a_top, f.b_top, s) ? t : -1;
-}
-
-static Vec3 face_normal(const Face& f) {
-    Vec3 ab = f.b - f.a;
-    return normalize_or(Vec3{-ab.z, 0, ab.x}, {0, 0, 1});
-}
-
-std::optional<RayHit> raycast(const City& city, Vec3 origin, Vec3 direction, float reach) {
-    RayHit best;
-    best.distance = reach;
-    bool any = false;
-    auto take = [&](float t, RayHit::What what, uint32_t index) {
-        if (!(t >= 0 && t <= best.distance) || (any && t == best.distance)) return;
-        best.distance = t;
-        best.what = what;
-        best.index = index;
-        any = true;
-    };
-    const Grid& triangles = city.triangle_grid;
-    for_cells_of_ray(triangles, on_ground(origin), on_ground(direction), reach, [&](size_t cell, float exit) {
-        for (uint32_t k = triangles.first[cell]; k < triangles.first[cell + 1]; ++k) {
-            const GridTriangle& triangle = city.grid_triangles[k];
-            take(hit_triangle(origin, direction, triangle.a, triangle.b, triangle.c), RayHit::What::ground,
-                 triangle.index);
-        }
-        return best.distance > exit;
-    });
-    const Grid& walls = city.wall_grid;
-    for_cells_of_ray(walls, on_ground(origin), on_ground(direction), best.distance,
-                     [&](size_t cell, float exit) {
-                         for (uint32_t k = walls.first[cell]; k < walls.first[cell + 1]; ++k) {
-                             take(hit_face(origin, direction, city.faces[walls.items[k]]), RayHit::What::face,
-                                  walls.items[k]);
-                         }
-                         return best.distance > exit;
-                     });
-    if (!any) return std::nullopt;
-    if (best.what == RayHit::What::face) {
-        best.normal = face_normal(city.faces[best.index]);
-    } else {
-        const uint32_t* index = &city.ground_indices[best.index * 3];
-        Vec3 a = city.ground_vertices[index[0]];
-        best.normal = normalize_or(
-            cross(city.ground_vertices[index[1]] - a, city.ground_vertices[index[2]] - a), {0, 1, 0});
-    }
-    return best;
-}
-
-std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius) {
-    const Grid& grid = city.wall_grid;
-    Vec2 p = on_ground(point), reach{radius, radius};
-    if (grid.items.empty() || !(radius >= 0)) return std::nullopt;
-    CellRange r = cells_of_box(grid, p - reach, p + reach);
-    float best = radius * radius;
-    WallPoint found;
-    bool any = false;
-    for (int z = r.z0; z <= r.z1; ++z) {
-        for (int x = r.x0; x <= r.x1; ++x) {
-            size_t c = static_cast<size_t>(z) * grid.width + x;
-            for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
-                const Face& f = city.faces[grid.items[k]];
-                Vec2 a = on_ground(f.a), ab = on_ground(f.b) - a;
-                float s = clamp(dot(p - a, ab) / std::max(length_squared(ab), 1e-12f), 0, 1);
-                float bottom = lerp(f.a.y, f.b.y, s), top = lerp(f.a_top, f.b_top, s);
-                Vec3 q = at_height(a + ab * s, clamp(point.y, bottom, std::max(bottom, top)));
-                float d = length_squared(q - point);
-                // A wall lies in several cells: the lowest index wins a tie whatever the order of visits.
-                if (d > best || (any && d == best && grid.items[k] >= found.face)) continue;
-                best = d;
-                found.point = q;
-                found.face = grid.items[k];
-                any = true;
-            }
-        }
-    }
-    if (!any) return std::nullopt;
-    found.distance = std::sqrt(best);
-    found.normal = face_normal(city.faces[found.face]);
-    return found;
+    index_scenery(city);
 }
 
 Vec2 half_footprint(const Prop& prop) {

@@ -95,6 +95,10 @@ struct Scenery {
     bool holds_ground = false;  // the ground is among these triangles and need not be drawn again
 };
 
+inline Vec3 scenery_corner(const Scenery& s, uint32_t triangle, uint32_t corner) {
+    return s.vertices[s.indices[triangle * 3 + corner]].position;
+}
+
 // A uniform grid over the ground plane: cell (i, j) holds items[first[c] .. first[c + 1]) with c = j * width
 // + i.
 struct Grid {
@@ -104,10 +108,15 @@ struct Grid {
     std::vector<uint32_t> first, items;
 };
 
-// A ground triangle as `ground` reads it.
+// A ground triangle as `ground` reads it, and a wall as `closest_wall` does.
 struct GridTriangle {
     Vec3 a, b, c;
-    uint32_t index = 0;  // in the city's list
+    Surface kind = Surface::road;
+};
+struct GridWall {
+    Vec2 a, along;  // from end to end on the ground plane
+    float per_length_squared = 0;
+    float foot = 0, foot_rise = 0, top = 0, top_rise = 0;  // heights at a, and by how much b's differ
 };
 
 struct City {
@@ -136,8 +145,10 @@ struct City {
     Scenery scenery;
 
     // Filled by index_city.
-    Grid triangle_grid, wall_grid;             // ground triangles; facades and garden walls
-    std::vector<GridTriangle> grid_triangles;  // one for each item of triangle_grid, side by side in memory
+    Grid triangle_grid, wall_grid,
+        scenery_grid;                          // ground; facades and garden walls; what of scenery is solid
+    std::vector<GridTriangle> grid_triangles;  // one for each ground triangle
+    std::vector<GridWall> grid_walls;          // one for each item of wall_grid, side by side in memory
 
     // How much of each sort of thing an import found, and how much of it it built (-1: nobody counted).
     struct Tally {
@@ -164,22 +175,22 @@ std::optional<GroundHit> ground(const City& city, Vec3 point, float up = 0.5f, f
 struct RayHit {
     float distance = 0;
     Vec3 normal;
-    enum class What : uint8_t { ground, face } what = What::face;
-    uint32_t index = 0;  // of the triangle or the face
+    enum class What : uint8_t { ground, face, scenery } what = What::face;
+    uint32_t index = 0;  // of the ground triangle, the face or the triangle of the scenery
 };
 
-// The first ground triangle, facade or garden wall along origin + t * direction, 0 <= t <= reach.
-// `direction` is a unit vector. Faces and triangles are hit from both sides.
+// The first ground triangle, facade, garden wall or solid scenery along origin + t * direction, 0 <= t <=
+// reach. `direction` is a unit vector. Faces and triangles are hit from both sides.
 std::optional<RayHit> raycast(const City& city, Vec3 origin, Vec3 direction, float reach);
 
 struct WallPoint {
     Vec3 point;
     Vec3 normal;  // out of the wall, horizontal
     float distance = 0;
-    uint32_t face = 0;
 };
 
-// The closest point of any facade or garden wall within `radius` of `point`, at a height that the wall has.
+// The closest point of any facade, garden wall or solid scenery within `radius` of `point`, at a height that
+// the wall has.
 std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius);
 
 // The hash of everything above; tallies, notes and grids excepted.

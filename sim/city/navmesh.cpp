@@ -4,7 +4,7 @@
 #include <recastnavigation/DetourCommon.h>
 
 #include <algorithm>
-#include <cassert>
+#include <cmath>
 
 #include "sim/city/grid.h"
 #include "sim/city/navmesh_data.h"
@@ -15,7 +15,10 @@ std::optional<NavPoint> nearest(const Navmesh& m, int thread, Vec3 point, Vec3 r
     NavPoint found;
     m.queries[thread]->findNearestPoly(floats(point), floats(reach), &m.filter, &found.polygon,
                                        floats(found.position));
-    if (!found.polygon) return std::nullopt;
+    // Detour looks at all polygons whose boxes touch the reach, and takes the closest wherever it is.
+    Vec3 off = found.position - point;
+    bool within = std::fabs(off.x) <= reach.x && std::fabs(off.y) <= reach.y && std::fabs(off.z) <= reach.z;
+    if (!found.polygon || !within) return std::nullopt;
     return found;
 }
 
@@ -27,56 +30,26 @@ static NavPoint inside_place(const Navmesh& m, size_t index, float v, float w) {
     return p;
 }
 
-// The place that holds the square metre number `area`, among [begin, end).
-static size_t place_at(const Navmesh& m, double area, size_t begin, size_t end) {
-    auto first = m.area_before.begin();
-    auto after =
-        std::upper_bound(first + static_cast<ptrdiff_t>(begin), first + static_cast<ptrdiff_t>(end), area);
-    return std::max(static_cast<size_t>(after - first), begin + 1) - 1;
-}
-
 NavPoint random_place(const Navmesh& m, float u, float v, float w) {
-    size_t place = place_at(m, static_cast<double>(u) * m.area_before.back(), 0, m.places.size());
-    return inside_place(m, place, v, w);
-}
-
-static size_t place_row(const Navmesh& m, int z, int x) {
-    return m.place_grid.first[static_cast<size_t>(z) * m.place_grid.width + x];
-}
-
-static CellRange place_cells(const Navmesh& m, Vec2 centre, float radius) {
-    return cells_of_box(m.place_grid, centre - Vec2{radius, radius}, centre + Vec2{radius, radius});
+    size_t last = m.places.size();
+    return inside_place(m, item_at(m.place_grid, static_cast<double>(u) * m.place_grid.before[last], 0, last),
+                        v, w);
 }
 
 double place_area_near(const Navmesh& m, Vec2 centre, float radius) {
-    CellRange r = place_cells(m, centre, radius);
-    double total = 0;
-    for (int z = r.z0; z <= r.z1; ++z) {
-        total += m.area_before[place_row(m, z, r.x1 + 1)] - m.area_before[place_row(m, z, r.x0)];
-    }
-    return total;
+    return weight_near(m.place_grid, centre, radius);
 }
 
 NavPoint random_place_near(const Navmesh& m, Vec2 centre, float radius, float u, float v, float w) {
-    CellRange r = place_cells(m, centre, radius);
-    auto row = [&](int z, int x) { return place_row(m, z, x); };
-    double total = place_area_near(m, centre, radius);
-    if (total <= 0) return random_place(m, u, v, w);
-    double wanted = static_cast<double>(u) * total;
-    size_t begin = 0, end = 0;
-    for (int z = r.z0; z <= r.z1; ++z) {
-        if (row(z, r.x1 + 1) == row(z, r.x0)) continue;
-        begin = row(z, r.x0), end = row(z, r.x1 + 1);
-        double area = m.area_before[end] - m.area_before[begin];
-        if (wanted < area) break;
-        wanted -= area;
-    }
-    return inside_place(m, place_at(m, m.area_before[begin] + wanted, begin, end), v, w);
+    auto place = item_near(m.place_grid, centre, radius, u);
+    return place ? inside_place(m, *place, v, w) : random_place(m, u, v, w);
 }
 
 uint32_t island(const Navmesh& m, uint32_t polygon) {
     return m.mesh->isValidPolyRef(polygon) ? m.islands[polygon_number(m, polygon)] : ~0u;
 }
+
+bool is_worth_walking(const Navmesh& m, uint32_t polygon) { return island(m, polygon) < m.worthy_islands; }
 
 Surface surface_of(const Navmesh& m, uint32_t polygon) {
     const dtMeshTile* tile = nullptr;

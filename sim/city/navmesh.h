@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/result.h"
@@ -41,6 +43,12 @@ struct NavPoint {
 Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
                                  const std::function<void(float)>& progress = {});
 
+// The mesh as bytes, to be kept, and the same mesh made of them again in little time. The bytes must be those
+// of this city and these settings, unharmed: they are trusted but for their length.
+std::string navmesh_bytes(const Navmesh& mesh);
+Result<NavmeshPtr> restore_navmesh(const City& city, const NavmeshSettings& settings, std::string_view bytes,
+                                   int threads);
+
 // Sets up one query object for each of `threads` threads. Functions below that take `thread` may run at the
 // same time if their `thread`s differ, and give the same answer on every thread.
 void prepare_queries(Navmesh& mesh, int threads);
@@ -63,12 +71,15 @@ double place_area_near(const Navmesh& mesh, Vec2 centre, float radius);
 // The number of the connected piece of mesh that a polygon belongs to (pieces are numbered by falling area).
 uint32_t island(const Navmesh& mesh, uint32_t polygon);
 
+// Whether that piece is large enough that people are sent about in it: 300 square metres, or the largest.
+bool is_worth_walking(const Navmesh& mesh, uint32_t polygon);
+
 // The kind of ground that a polygon of the mesh stands for.
 Surface surface_of(const Navmesh& mesh, uint32_t polygon);
 
 // The corners of the cheapest way from `from` (exclusive) to `to` (inclusive), at most `capacity`, written to
-// `corners`; returns how many. Sidewalks, plazas and paths are cheap, crossings a little dearer, grass and
-// roads dear. A way that does not reach goes as near as it can. 0 if `from` is nowhere.
+// `corners`; returns how many. Sidewalks and paths are cheap, crossings and then plazas a little
+// dearer, grass and roads dear. A way that does not reach goes as near as it can. 0 if `from` is nowhere.
 int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity);
 
 // Moves along the mesh from `from` towards `to`, sliding along its borders: never through a wall. The

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <numeric>
 
 #include "sim/base/parallel_for.h"
@@ -72,9 +73,11 @@ static void find_islands(Navmesh& m, std::vector<double>& areas) {
 static void find_places(Navmesh& m, Vec2 low, Vec2 high, const std::vector<double>& island_areas) {
     std::vector<Place> places, others;
     double least = std::min(k_least_island, island_areas.front());
+    while (m.worthy_islands < island_areas.size() && island_areas[m.worthy_islands] >= least)
+        ++m.worthy_islands;
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
         const dtPoly& polygon = tile.polys[p];
-        if (island_areas[m.islands[polygon_number(m, reference)]] < least) return;
+        if (m.islands[polygon_number(m, reference)] >= m.worthy_islands) return;
         Vec3 a = tile_vertex(tile, polygon.verts[0]);
         for (int i = 2; i < polygon.vertCount; ++i) {
             Vec3 b = tile_vertex(tile, polygon.verts[i - 1]), c = tile_vertex(tile, polygon.verts[i]);
@@ -83,20 +86,11 @@ static void find_places(Navmesh& m, Vec2 low, Vec2 high, const std::vector<doubl
     });
     if (places.empty()) places.swap(others);  // a city of roads or grass alone
 
-    m.place_grid = make_grid(low, high, m.settings.tile);
-    fill_grid(m.place_grid, static_cast<uint32_t>(places.size()), [&](uint32_t i, auto visit) {
-        Vec2 centre = on_ground(places[i].a + places[i].b + places[i].c) / 3;
-        CellRange r = cells_of_box(m.place_grid, centre, centre);
-        visit(static_cast<size_t>(r.z0) * m.place_grid.width + r.x0);
-    });
-    double sum = 0;
-    for (uint32_t i : m.place_grid.items) {
-        const Place& place = places[i];
-        m.places.push_back(place);
-        m.area_before.push_back(sum);
-        sum += triangle_area(place.a, place.b, place.c);
-    }
-    m.area_before.push_back(sum);
+    m.place_grid = make_weighted_grid(
+        low, high, m.settings.tile, places.size(),
+        [&](uint32_t i) { return on_ground(places[i].a + places[i].b + places[i].c) / 3; },
+        [&](uint32_t i) { return triangle_area(places[i].a, places[i].b, places[i].c); });
+    for (uint32_t i : m.place_grid.grid.items) m.places.push_back(places[i]);
 }
 
 static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
@@ -123,22 +117,98 @@ static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
     });
 }
 
-Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
-                                 const std::function<void(float)>& progress) {
+// What people rather walk on: sidewalks, then crossings, pedestrian streets, grass, and roads last.
+static void set_costs(dtQueryFilter& filter) {
+    for (int a = 0; a < DT_MAX_AREAS; ++a) filter.setAreaCost(a, 1);
+    filter.setAreaCost(area_of(Surface::crossing), 1.2f);
+    filter.setAreaCost(area_of(Surface::plaza), 1.3f);
+    filter.setAreaCost(area_of(Surface::grass), 3);
+    filter.setAreaCost(area_of(Surface::road), 10);
+}
+
+static float tile_edge(const NavmeshSettings& s) {
+    return std::max(1.0f, std::floor(s.tile / s.cell + 0.5f)) * s.cell;
+}
+
+// Owns what it takes out of `tiles`.
+static Result<NavmeshPtr> join_tiles(const City& city, const NavmeshSettings& settings,
+                                     std::vector<TileData>& tiles, int threads) {
     NavmeshPtr m(new Navmesh);
     m->settings = settings;
-    float cells = std::max(1.0f, std::floor(settings.tile / settings.cell + 0.5f));
-    float tile = cells * settings.cell;
+    int most_polygons = 1, used_tiles = 0;
+    std::string failure;
+    for (size_t t = 0; t < tiles.size(); ++t) {
+        if (tiles[t].bytes) {
+            ++used_tiles;
+            most_polygons =
+                std::max(most_polygons, reinterpret_cast<const dtMeshHeader*>(tiles[t].bytes)->polyCount);
+        }
+        if (tiles[t].failure && failure.empty()) {
+            failure = "tile " + std::to_string(t) + " of the navigation mesh failed: " + tiles[t].failure;
+        }
+    }
+    if (failure.empty() && used_tiles == 0) {
+        failure = "the city '" + city.name + "' has no ground that a walker can stand on";
+    }
+    dtNavMeshParams p{};
+    p.orig[0] = city.low.x;
+    p.orig[2] = city.low.z;
+    p.tileWidth = p.tileHeight = tile_edge(settings);
+    p.maxTiles = used_tiles;
+    p.maxPolys = most_polygons;
+    m->mesh.reset(dtAllocNavMesh());
+    if (failure.empty() && dtStatusFailed(m->mesh->init(&p))) {
+        failure = "the city '" + city.name + "' is too large for one navigation mesh: cut out a smaller area";
+    }
+    for (TileData& t : tiles) {
+        if (!t.bytes) continue;
+        if (!failure.empty() ||
+            dtStatusFailed(m->mesh->addTile(t.bytes, t.size, DT_TILE_FREE_DATA, 0, nullptr))) {
+            dtFree(t.bytes);
+            if (failure.empty()) failure = "a tile of the navigation mesh could not be added";
+        }
+        t.bytes = nullptr;
+    }
+    if (!failure.empty()) return Error{failure};
 
-    // Which triangles and walls each tile needs.
+    uint32_t polygons = 0;
+    for (int t = 0; t < m->mesh->getMaxTiles(); ++t) {
+        m->first_polygon.push_back(polygons);
+        const dtMeshTile* added = static_cast<const dtNavMesh&>(*m->mesh).getTile(t);
+        if (added->header) polygons += static_cast<uint32_t>(added->header->polyCount);
+    }
+    m->islands.resize(polygons);
+    set_costs(m->filter);
+    prepare_queries(*m, threads);
+    std::vector<double> island_areas;
+    find_islands(*m, island_areas);
+    find_places(*m, city.low, city.high, island_areas);
+    find_borders(*m, city.low, city.high);
+    return m;
+}
+
+namespace {
+// The parts of a city by tile.
+struct TileGrids {
+    Grid triangles, walls, solids;
+};
+}  // namespace
+
+static std::span<const uint32_t> items_of(const Grid& grid, size_t cell) {
+    return {grid.items.data() + grid.first[cell], grid.first[cell + 1] - grid.first[cell]};
+}
+
+static TileGrids sort_by_tile(const City& city, const NavmeshSettings& settings) {
+    TileGrids grids;
+    float tile = tile_edge(settings);
     Vec2 rim{tile_rim(settings), tile_rim(settings)}, size = city.high - city.low;
-    Grid triangles;
+    Grid& triangles = grids.triangles;
     triangles.origin = city.low;
     triangles.cell = tile;
     triangles.width = static_cast<int>(size.x / tile) + 1;
     triangles.height = static_cast<int>(size.z / tile) + 1;
     triangles.first.assign(static_cast<size_t>(triangles.width) * triangles.height + 1, 0);
-    Grid walls = triangles;
+    grids.walls = grids.solids = triangles;
     auto cells_of = [&](std::initializer_list<Vec3> corners, auto visit) {
         Vec2 low = on_ground(*corners.begin()), high = low;
         for (Vec3 c : corners) {
@@ -156,80 +226,78 @@ Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settin
             {city.ground_vertices[index[0]], city.ground_vertices[index[1]], city.ground_vertices[index[2]]},
             visit);
     });
-    fill_grid(walls, static_cast<uint32_t>(city.faces.size()), [&](uint32_t i, auto visit) {
+    fill_grid(grids.walls, static_cast<uint32_t>(city.faces.size()), [&](uint32_t i, auto visit) {
         const Face& f = city.faces[i];
         if (f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall) cells_of({f.a, f.b}, visit);
     });
+    const Scenery& s = city.scenery;
+    fill_grid(grids.solids, static_cast<uint32_t>(s.solid.size()), [&](uint32_t i, auto visit) {
+        if (s.solid[i])
+            cells_of({scenery_corner(s, i, 0), scenery_corner(s, i, 1), scenery_corner(s, i, 2)}, visit);
+    });
+    return grids;
+}
 
-    size_t tile_count = static_cast<size_t>(triangles.width) * triangles.height;
+Result<NavmeshPtr> build_navmesh(const City& city, const NavmeshSettings& settings, int threads,
+                                 const std::function<void(float)>& progress) {
+    TileGrids grids = sort_by_tile(city, settings);
+    size_t width = static_cast<size_t>(grids.triangles.width), tile_count = grids.triangles.first.size() - 1;
     std::vector<TileData> tiles(tile_count);
     std::atomic<size_t> done = 0;
     WorkersPtr workers = make_workers(threads);
     parallel_for(*workers, tile_count, 1, [&](size_t begin, size_t end, int thread) {
         for (size_t t = begin; t < end; ++t) {
-            const uint32_t* first_triangle = triangles.items.data() + triangles.first[t];
-            const uint32_t* first_wall = walls.items.data() + walls.first[t];
-            tiles[t] = build_tile(city, settings, static_cast<int>(t % triangles.width),
-                                  static_cast<int>(t / triangles.width), first_triangle,
-                                  triangles.first[t + 1] - triangles.first[t], first_wall,
-                                  walls.first[t + 1] - walls.first[t]);
+            TileParts parts{items_of(grids.triangles, t), items_of(grids.walls, t),
+                            items_of(grids.solids, t)};
+            tiles[t] =
+                build_tile(city, settings, static_cast<int>(t % width), static_cast<int>(t / width), parts);
             size_t so_far = ++done;
             if (progress && thread == 0)
                 progress(static_cast<float>(so_far) / static_cast<float>(tile_count));
         }
     });
-
-    int most_polygons = 1, used_tiles = 0;
-    std::string failure;
-    for (size_t t = 0; t < tile_count; ++t) {
-        most_polygons = std::max(most_polygons, tiles[t].polygons);
-        used_tiles += tiles[t].bytes != nullptr;
-        if (tiles[t].failure && failure.empty()) {
-            failure = "tile " + std::to_string(t) + " of the navigation mesh failed: " + tiles[t].failure;
-        }
-    }
-    if (failure.empty() && used_tiles == 0) {
-        failure = "the city '" + city.name + "' has no ground that a walker can stand on";
-    }
-    dtNavMeshParams p{};
-    p.orig[0] = city.low.x;
-    p.orig[2] = city.low.z;
-    p.tileWidth = p.tileHeight = tile;
-    p.maxTiles = used_tiles;
-    p.maxPolys = most_polygons;
-    m->mesh.reset(dtAllocNavMesh());
-    if (failure.empty() && dtStatusFailed(m->mesh->init(&p))) {
-        failure = "the city '" + city.name + "' is too large for one navigation mesh: cut out a smaller area";
-    }
-    for (TileData& t : tiles) {
-        if (!t.bytes) continue;
-        if (!failure.empty() ||
-            dtStatusFailed(m->mesh->addTile(t.bytes, t.size, DT_TILE_FREE_DATA, 0, nullptr))) {
-            dtFree(t.bytes);
-            if (failure.empty()) failure = "a tile of the navigation mesh could not be added";
-        }
-    }
-    if (!failure.empty()) return Error{failure};
-
-    uint32_t polygons = 0;
-    for (int t = 0; t < m->mesh->getMaxTiles(); ++t) {
-        m->first_polygon.push_back(polygons);
-        const dtMeshTile* added = static_cast<const dtNavMesh&>(*m->mesh).getTile(t);
-        if (added->header) polygons += static_cast<uint32_t>(added->header->polyCount);
-    }
-    m->islands.resize(polygons);
-
-    for (int a = 0; a < DT_MAX_AREAS; ++a) m->filter.setAreaCost(a, 1);
-    m->filter.setAreaCost(area_of(Surface::crossing), 1.3f);
-    m->filter.setAreaCost(area_of(Surface::grass), 3);
-    m->filter.setAreaCost(area_of(Surface::road), 10);
-    prepare_queries(*m, thread_count(*workers));
-    std::vector<double> island_areas;
-    find_islands(*m, island_areas);
-    find_places(*m, city.low, city.high, island_areas);
-    find_borders(*m, city.low, city.high);
+    auto mesh = join_tiles(city, settings, tiles, thread_count(*workers));
     if (progress) progress(1);
-    return m;
+    return mesh;
+}
+
+std::string navmesh_bytes(const Navmesh& m) {
+    std::string bytes;
+    for (int t = 0; t < m.mesh->getMaxTiles(); ++t) {
+        const dtMeshTile* tile = static_cast<const dtNavMesh&>(*m.mesh).getTile(t);
+        if (!tile->header) continue;
+        uint64_t size = static_cast<uint64_t>(tile->dataSize);
+        bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+        bytes.append(reinterpret_cast<const char*>(tile->data), tile->dataSize);
+    }
+    return bytes;
+}
+
+Result<NavmeshPtr> restore_navmesh(const City& city, const NavmeshSettings& settings, std::string_view bytes,
+                                   int threads) {
+    std::vector<TileData> tiles;
+    bool whole = true;
+    while (!bytes.empty() && whole) {
+        uint64_t size = 0;
+        whole = bytes.size() >= sizeof size;
+        if (!whole) break;
+        std::memcpy(&size, bytes.data(), sizeof size);
+        bytes.remove_prefix(sizeof size);
+        whole = size >= sizeof(dtMeshHeader) && size <= bytes.size();
+        if (!whole) break;
+        TileData tile;
+        tile.size = static_cast<int>(size);
+        tile.bytes = static_cast<unsigned char*>(dtAlloc(size, DT_ALLOC_PERM));
+        std::memcpy(tile.bytes, bytes.data(), size);
+        bytes.remove_prefix(size);
+        tiles.push_back(tile);
+    }
+    if (!whole) {
+        for (TileData& t : tiles) dtFree(t.bytes);
+        return Error{"what was kept of the navigation mesh of '" + city.name + "' is damaged"};
+    }
+    WorkersPtr workers = make_workers(threads);
+    return join_tiles(city, settings, tiles, thread_count(*workers));
 }
 
 void prepare_queries(Navmesh& m, int threads) {

@@ -5,9 +5,11 @@
 #include <recastnavigation/DetourNavMeshQuery.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "sim/city/navmesh.h"
+#include "sim/city/weighted_grid.h"
 
 namespace flaneur {
 
@@ -30,11 +32,9 @@ struct Navmesh {
 
     std::vector<uint32_t> first_polygon;  // one a tile: the number of its first polygon
     std::vector<uint32_t> islands;        // one a polygon
-    std::vector<Place> places;            // by tile
-    std::vector<double> area_before;      // one a place and the total at the end, square metres
-
-    // Tiles on the plane, to find places near a point: places[first[c] .. first[c + 1]) lie in cell c.
-    Grid place_grid;
+    uint32_t worthy_islands = 0;          // so many, the largest, are worth walking about in
+    std::vector<Place> places;            // in the order of the grid's items
+    WeightedGrid place_grid;              // cells as large as tiles; weights are square metres
 
     std::vector<BorderLine> borders;
     Grid border_grid;
@@ -67,17 +67,17 @@ inline Vec3 tile_vertex(const dtMeshTile& tile, uint16_t index) {
     return {v[0], v[1], v[2]};
 }
 
-// One tile's Detour data, empty if nothing in it can be walked on; its polygon count; why it failed, if it
-// did.
+// One tile's Detour data, empty if nothing in it can be walked on; why it failed, if it did.
 struct TileData {
     unsigned char* bytes = nullptr;  // dtFree
-    int size = 0, polygons = 0;
+    int size = 0;
     const char* failure = nullptr;
 };
-// `triangles` and `walls` are the indices of those that touch the tile or its rim.
-TileData build_tile(const City& city, const NavmeshSettings& settings, int x, int z,
-                    const uint32_t* triangles, size_t triangle_count, const uint32_t* walls,
-                    size_t wall_count);
+// What of the city touches a tile or its rim, by index.
+struct TileParts {
+    std::span<const uint32_t> triangles, walls, solids;  // of the ground; faces; of the scenery
+};
+TileData build_tile(const City& city, const NavmeshSettings& settings, int x, int z, const TileParts& parts);
 
 // How far beyond its edges a tile must know the city, metres.
 float tile_rim(const NavmeshSettings& settings);

@@ -44,15 +44,14 @@ static constexpr Surface k_order[] = {Surface::water, Surface::road,  Surface::g
                                       Surface::path,  Surface::plaza, Surface::sidewalk, Surface::steps};
 static_assert(std::size(k_order) == k_surface_count);
 
-static bool rasterize(rcContext& context, const City& city, const NavmeshSettings& s,
-                      const uint32_t* triangles, size_t triangle_count, const uint32_t* walls,
-                      size_t wall_count, rcHeightfield& field) {
+static bool rasterize(rcContext& context, const City& city, const NavmeshSettings& s, const TileParts& parts,
+                      rcHeightfield& field) {
     constexpr int k_merge = 1;  // voxels of height that are one surface
     float least_normal = sin_cos(s.max_slope_degrees * k_radians).cosine;
     for (Surface kind : k_order) {
-        for (size_t i = 0; i < triangle_count; ++i) {
-            if (city.ground_kinds[triangles[i]] != kind) continue;
-            const uint32_t* index = &city.ground_indices[triangles[i] * 3];
+        for (uint32_t triangle : parts.triangles) {
+            if (city.ground_kinds[triangle] != kind) continue;
+            const uint32_t* index = &city.ground_indices[triangle * 3];
             const Vec3 &a = city.ground_vertices[index[0]], &b = city.ground_vertices[index[1]],
                        &c = city.ground_vertices[index[2]];
             Vec3 normal = normalize_or(cross(b - a, c - a), {0, 0, 0});
@@ -66,8 +65,8 @@ static bool rasterize(rcContext& context, const City& city, const NavmeshSetting
     // Walls come last, so that the voxels they share with ground are lost to walkers. What stands higher than
     // a walker cannot matter, and a wall's foot may hang a little above uneven ground.
     constexpr float k_foot = 0.3f;
-    for (size_t i = 0; i < wall_count; ++i) {
-        const Face& f = city.faces[walls[i]];
+    for (uint32_t wall : parts.walls) {
+        const Face& f = city.faces[wall];
         Vec3 a = f.a, b = f.b;
         Vec3 a_top{a.x, std::min(f.a_top, a.y + s.agent_height), a.z};
         Vec3 b_top{b.x, std::min(f.b_top, b.y + s.agent_height), b.z};
@@ -79,45 +78,59 @@ static bool rasterize(rcContext& context, const City& city, const NavmeshSetting
             return false;
         }
     }
+    for (uint32_t solid : parts.solids) {
+        Vec3 a = scenery_corner(city.scenery, solid, 0), b = scenery_corner(city.scenery, solid, 1),
+             c = scenery_corner(city.scenery, solid, 2);
+        if (!rcRasterizeTriangle(&context, floats(a), floats(b), floats(c), RC_NULL_AREA, field, k_merge)) {
+            return false;
+        }
+    }
     return true;
 }
 
-// Takes what trunks, posts and benches stand on away from walkers. Comes after the erosion, with the walker's
-// radius in the circles: voxels would widen a post to a metre and a half, and a sidewalk has no room for
+// Takes what trunks, benches and cars stand on away from walkers. Comes after the erosion, with the walker's
+// radius in the outlines: voxels would widen a post to a metre and a half, and a sidewalk has no room for
 // that.
 static void mark_props(rcContext& context, const City& city, const NavmeshSettings& s,
                        rcCompactHeightfield& field) {
+    constexpr float k_foot = 0.5f;               // a prop's foot may hang a little
+    float r = s.agent_radius, cut = r * 0.586f;  // corners are cut so that the outline touches the circle
     for (const Prop& prop : city.props) {
         Vec3 p = prop.position;
-        constexpr float k_reach = 2;
-        if (p.x < field.bmin[0] - k_reach || p.x > field.bmax[0] + k_reach || p.z < field.bmin[2] - k_reach ||
-            p.z > field.bmax[2] + k_reach) {
+        Vec2 half = half_footprint(prop) + Vec2{r, r};
+        float reach = half.x + half.z;
+        if (p.x < field.bmin[0] - reach || p.x > field.bmax[0] + reach || p.z < field.bmin[2] - reach ||
+            p.z > field.bmax[2] + reach) {
             continue;
         }
-        float radius = prop.kind == PropKind::bench ? 0.4f : prop.kind == PropKind::tree ? 0.2f : 0.12f;
-        Vec2 ahead = heading_direction(prop.yaw);
-        for (float along : {-0.6f, 0.0f, 0.6f}) {
-            if (prop.kind != PropKind::bench && along != 0) continue;
-            Vec3 at = p + Vec3{ahead.z * along, -0.5f, -ahead.x * along};
-            rcMarkCylinderArea(&context, floats(at), radius + s.agent_radius, s.agent_height, RC_NULL_AREA,
-                               field);
+        Vec2 ahead = heading_direction(prop.yaw), left{ahead.z, -ahead.x};
+        const Vec2 corners[] = {{half.x, half.z - cut},  {half.x - cut, half.z},  {cut - half.x, half.z},
+                                {-half.x, half.z - cut}, {-half.x, cut - half.z}, {cut - half.x, -half.z},
+                                {half.x - cut, -half.z}, {half.x, cut - half.z}};
+        float outline[std::size(corners) * 3];
+        for (size_t i = 0; i < std::size(corners); ++i) {
+            Vec2 at = on_ground(p) + left * corners[i].x + ahead * corners[i].z;
+            outline[i * 3] = at.x, outline[i * 3 + 1] = p.y, outline[i * 3 + 2] = at.z;
         }
+        rcMarkConvexPolyArea(&context, outline, static_cast<int>(std::size(corners)), p.y - k_foot,
+                             p.y + s.agent_height, RC_NULL_AREA, field);
     }
 }
 
-TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, const uint32_t* triangles,
-                    size_t triangle_count, const uint32_t* walls, size_t wall_count) {
+TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, const TileParts& parts) {
     TileData result;
     auto fail = [&](const char* what) {
         result.failure = what;
         return result;
     };
-    if (triangle_count == 0) return result;
+    if (parts.triangles.empty()) return result;
     float low_y = 1e30f, high_y = -1e30f;
-    for (size_t i = 0; i < triangle_count * 3; ++i) {
-        float y = city.ground_vertices[city.ground_indices[triangles[i / 3] * 3 + i % 3]].y;
-        low_y = std::min(low_y, y);
-        high_y = std::max(high_y, y);
+    for (uint32_t triangle : parts.triangles) {
+        for (size_t k = 0; k < 3; ++k) {
+            float y = city.ground_vertices[city.ground_indices[triangle * 3 + k]].y;
+            low_y = std::min(low_y, y);
+            high_y = std::max(high_y, y);
+        }
     }
 
     int rim = rim_in_voxels(s), inner = static_cast<int>(std::lround(s.tile / s.cell)),
@@ -134,7 +147,7 @@ TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, co
     RecastPtr<rcHeightfield> field(rcAllocHeightfield());
     if (!rcCreateHeightfield(&context, *field, size, size, floats(rim_low), floats(rim_high), s.cell,
                              s.cell_height) ||
-        !rasterize(context, city, s, triangles, triangle_count, walls, wall_count, *field)) {
+        !rasterize(context, city, s, parts, *field)) {
         return fail("its voxels took more memory than there is");
     }
     rcFilterWalkableLowHeightSpans(&context, headroom, *field);
@@ -194,7 +207,6 @@ TileData build_tile(const City& city, const NavmeshSettings& s, int x, int z, co
     if (!dtCreateNavMeshData(&p, &result.bytes, &result.size)) {
         return fail("it holds more polygons than a tile may; try a smaller tile");
     }
-    result.polygons = polygons->npolys;
     return result;
 }
 

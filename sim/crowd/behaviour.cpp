@@ -9,7 +9,7 @@
 
 namespace flaneur {
 
-static constexpr float k_trip_reach = 150, k_least_trip = 25;  // metres, from start to goal
+static constexpr float k_stroll_reach = 150, k_least_stroll = 25;  // metres, from start to goal
 static constexpr size_t k_paths_a_tick = 32;
 static constexpr float k_corner_touch = 0.1f;   // a corner this near is passed, metres;
 static constexpr float k_corner_reach = 0.5f;   // this near it is if the next one is in view,
@@ -19,7 +19,7 @@ static constexpr float k_far_off = 3.5f;        // from the leg, metres: another
 static constexpr float k_progress = 0.3f;       // metres nearer that count as progress
 static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
-static constexpr float k_least_pause = 1.5f, k_most_pause = 6;  // seconds at a goal
+static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
@@ -52,20 +52,30 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
     }
 }
 
-static void choose_goal(Crowd& c, const Navmesh& mesh, uint32_t i, uint64_t seed) {
+static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     constexpr uint32_t k_tries = 6;
     uint32_t trip = ++c.trip[i], home = island(mesh, c.polygon[i]);
+    NavPoint here{c.position[i], c.polygon[i]};
+    c.goal_facing[i] = {0, 0};
+    c.goal_stay[i] = k_stroll_stay;
+    if (auto chosen = choose_trip(c.demand, mesh, thread, here, tick, {seed, i, trip, Purpose::errand})) {
+        c.goal[i] = chosen->place;
+        c.goal_facing[i] = chosen->facing;
+        c.goal_stay[i] = stay_at(chosen->kind);
+        return;
+    }
     float farthest = -1;
     for (uint32_t t = 0; t < k_tries; ++t) {
         RandomKey key{seed, i, trip, Purpose::destination};
-        NavPoint p = random_place_near(mesh, on_ground(c.position[i]), k_trip_reach, random_unit(key, t * 3),
-                                       random_unit(key, t * 3 + 1), random_unit(key, t * 3 + 2));
+        NavPoint p =
+            random_place_near(mesh, on_ground(c.position[i]), k_stroll_reach, random_unit(key, t * 3),
+                              random_unit(key, t * 3 + 1), random_unit(key, t * 3 + 2));
         if (island(mesh, p.polygon) != home) continue;
         float d = length(on_ground(p.position - c.position[i]));
         if (d <= farthest) continue;
         farthest = d;
         c.goal[i] = p;
-        if (d >= k_least_trip) break;
+        if (d >= k_least_stroll) break;
     }
     if (farthest < 0) c.goal[i] = {c.position[i], c.polygon[i]};
 }
@@ -77,7 +87,7 @@ static void begin_leg(Crowd& c, uint32_t i, uint32_t tick) {
 }
 
 void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
-    if (c.path_due[i] == static_cast<uint8_t>(PathDue::new_goal)) choose_goal(c, mesh, i, seed);
+    if (c.path_due[i] == static_cast<uint8_t>(PathDue::new_goal)) choose_goal(c, mesh, thread, i, tick, seed);
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     int n = find_path(mesh, thread, {c.position[i], c.polygon[i]}, c.goal[i], corners, k_corners);
     c.corner[i] = 0;
@@ -99,7 +109,8 @@ static void arrive(Crowd& c, uint32_t i, uint32_t tick, uint64_t seed) {
         return;
     }
     if (c.errand[i] == Errand::arrive) return;
-    float pause = random_between({seed, i, c.trip[i], Purpose::pause}, k_least_pause, k_most_pause);
+    float pause =
+        random_between({seed, i, c.trip[i], Purpose::pause}, c.goal_stay[i].least, c.goal_stay[i].most);
     c.pause_until[i] = tick + static_cast<uint32_t>(pause / k_tick);
     c.path_due[i] = static_cast<uint8_t>(PathDue::new_goal);
 }
@@ -176,7 +187,8 @@ void think(Crowd& c, const City&, const Navmesh& mesh, Workers& workers, uint32_
     auto follow_some = [&](size_t begin, size_t end, int) {
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
-            c.wanted[i] = tick < c.pause_until[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
+            c.looks[i] = tick < c.pause_until[i];
+            c.wanted[i] = c.looks[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
         }
     };
     parallel_for(workers, due, 256, std::ref(follow_some));

@@ -17,6 +17,7 @@
 #include "sim/base/vec.h"
 #include "sim/city/city.h"
 #include "sim/city/navmesh.h"
+#include "sim/crowd/demand.h"
 
 namespace flaneur {
 
@@ -49,7 +50,10 @@ struct Crowd {
     std::vector<Errand> errand;
 
     // Errands.
+    Demand demand;  // what draws them; constant
     std::vector<NavPoint> goal;
+    std::vector<Vec2> goal_facing;      // the way to look there; (0, 0): no matter
+    std::vector<Stay> goal_stay;        // how long to stand there
     std::vector<uint32_t> trip;         // how many goals it has had
     std::vector<uint32_t> pause_until;  // tick; stands before it
     std::vector<Vec3> corners;          // k_corners a walker: the way ahead
@@ -64,6 +68,7 @@ struct Crowd {
 
     // Decisions.
     std::vector<Vec2> wanted;          // velocity that the errand asks for
+    std::vector<uint8_t> looks;        // 1: stands at its goal, and looks the way one does there
     std::vector<Vec2> chosen;          // velocity that steering allows
     std::vector<uint32_t> neighbours;  // k_neighbours a walker, nearest first, as of its last decision
     std::vector<uint8_t> neighbour_count;
@@ -117,11 +122,12 @@ struct Folk {
 };
 
 // A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching (in a large city
-// over those about the middle of its houses, one walker to some 60 square metres), under way to random goals.
+// over those about the middle of its houses, one walker to some 60 square metres), under way to where people
+// go at that `hour` of the day (0..24), or to random goals where the city has no destinations.
 // Each belongs by chance to one of the folk, whose place in the list is its body. Refuses more walkers than
 // fit.
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       std::span<const Folk> folk, uint64_t seed);
+                       std::span<const Folk> folk, uint64_t seed, float hour = 17.5f);
 
 // Goals, paths and the velocity that each walker would like. Serves a bounded number of path requests a tick.
 void think(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,

@@ -47,12 +47,15 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish) {
     return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
 }
 
-Motion next_motion(const Motion& motion, Vec2 wish, float dt) {
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
 
     bool turns = wished > k_turning_speed;
-    float to_turn = turns ? wrap_angle(heading_of(wish) - motion.heading) : 0;
+    bool looks = !turns && speed < k_turning_speed && length_squared(look) > 0;
+    float to_turn = turns   ? wrap_angle(heading_of(wish) - motion.heading)
+                    : looks ? wrap_angle(heading_of(look) - motion.heading)
+                            : 0;
     float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt);
     float heading = wrap_angle(motion.heading + rate * dt);
 

@@ -28,7 +28,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish);
 //   spot.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
-Motion next_motion(const Motion& motion, Vec2 wish, float dt);
+// - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0});
 
 // Speed over the ground plane, m/s, that one who walks at `speed` on the level has on stairs.
 float stair_speed(float speed);

@@ -30,7 +30,8 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
 
 static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thread, uint32_t i) {
     c.chosen[i] = wish_on(c.under[i], c.chosen[i]);
-    Motion motion = next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, c.chosen[i], k_tick);
+    Motion motion = next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, c.chosen[i], k_tick,
+                                c.looks[i] ? c.goal_facing[i] : Vec2{0, 0});
     c.heading[i] = motion.heading;
     c.turn_rate[i] = motion.turn_rate;
     Vec2 v = motion.velocity;

@@ -76,11 +76,12 @@ static Neighbourhood find_neighbourhood(const City& city, const Navmesh& mesh, u
 }
 
 Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       std::span<const Folk> folk, uint64_t seed) {
+                       std::span<const Folk> folk, uint64_t seed, float hour) {
     assert(!folk.empty() || walkers == 0);
     std::vector<float> shares;  // of each folk and all before
     for (const Folk& f : folk) shares.push_back(f.share + (shares.empty() ? 0 : shares.back()));
     Crowd c = make_crowd(walkers);
+    c.demand = make_demand(city, mesh, hour);
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);

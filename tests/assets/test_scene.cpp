@@ -35,13 +35,15 @@ TEST(Scenes, BuiltInOnesAreSortedAndSound) {
 }
 
 TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
-    Result<Scene> scene = load(R"({ "walkers": 12, "seed": 18446744073709551615, "camera": "overview",
+    Result<Scene> scene =
+        load(R"({ "walkers": 12, "time": "08:15", "seed": 18446744073709551615, "camera": "overview",
         "city": "maps/a.osm", "people": [{"character": "a.glb", "share": 2.5},
         {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5 })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->name, "mine");
     EXPECT_EQ(scene->walkers, 12);
     EXPECT_EQ(scene->seed, ~uint64_t{0});
+    EXPECT_FLOAT_EQ(scene->hour, 8.25f);
     EXPECT_EQ(scene->camera, "overview");
     EXPECT_EQ(scene->city, folder / "maps/a.osm");
     EXPECT_EQ(scene->people, (std::vector<PeopleShare>{{folder / "a.glb", 2.5f}, {"/b.glb", 1}, {"", 9}}));
@@ -56,6 +58,10 @@ TEST_F(SceneFile, IsRefusedByKeyAndRange) {
                              R"({"walkers": "ten"})",
                              R"({"walkers": 18446744073709551615})",
                              R"({"seed": -1})",
+                             R"({"time": "24:00"})",
+                             R"({"time": "8:00"})",
+                             R"({"time": "ab:cd"})",
+                             R"({"time": 8})",
                              R"({"seed": 1e30})",
                              R"({"blocks": 0})",
                              R"({"blocks": 33})",

@@ -72,6 +72,39 @@ City street() {
     return city;
 }
 
+City bridge() {
+    City city;
+    city.name = "bridge";
+    add_floor(city, {-40, -10}, {40, 10}, 0, Surface::plaza);
+    add_floor(city, {-10, -2}, {10, 2}, 5, Surface::path);
+    add_quad(city, {30, 0.01f, 2}, {30, 0.01f, -2}, {10, 5, -2}, {10, 5, 2}, Surface::path);
+    add_quad(city, {-10, 5, 2}, {-10, 5, -2}, {-30, 0.01f, -2}, {-30, 0.01f, 2}, Surface::path);
+    for (float side : {-1.0f, 1.0f}) {
+        for (float z : {-2.0f, 2.0f}) {
+            Face f{{10 * side, 0, z}, {29 * side, 0, z}, 5, 0.25f, FaceKind::facade};
+            city.faces.push_back(f);
+        }
+    }
+    index_city(city);
+    return city;
+}
+
+void add_solid_box(City& city, Vec3 low, Vec3 high) {
+    Scenery& s = city.scenery;
+    auto base = static_cast<uint32_t>(s.vertices.size());
+    for (uint32_t i = 0; i < 8; ++i) {
+        Vec3 at{i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+        s.vertices.push_back({at, {0, 1, 0}, {0, 0}});
+    }
+    constexpr uint32_t k_sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    for (const auto& side : k_sides) {
+        for (uint32_t i : {side[0], side[1], side[2], side[0], side[2], side[3]})
+            s.indices.push_back(base + i);
+        for (int k = 0; k < 2; ++k) s.pictures.push_back(~0u), s.solid.push_back(1);
+    }
+}
+
 City steps() {
     constexpr int k_steps = 10;
     constexpr float k_rise = 0.15f, k_tread = 0.35f;

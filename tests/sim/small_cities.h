@@ -24,6 +24,11 @@ City square(float size);
 // A street along x: road between z = -4 and 4 at height 0, sidewalks beyond to +-8 at 0.12 with kerbs, a
 // crossing between x = -2 and 2; x from -40 to 40; facades at z = +-8.
 City street();
+// A plain of 60 x 20 m at height 0, and over it along x, at height 5, a bridge 4 m wide from x = -10 to 10
+// with ramps of 1 in 4 down to the plain at its ends; facades close the sides of the ramps.
+City bridge();
+// A solid box of scenery on the ground.
+void add_solid_box(City& city, Vec3 low, Vec3 high);
 // A square of 20 x 20 m at height 0, steps of 0.15 m x 0.35 m up along +z, and a terrace at 1.5 m.
 City steps();
 

@@ -161,6 +161,35 @@ TEST(City, WallNormalsPointToTheFreeSide) {
     EXPECT_NEAR(hit->distance, 1, 1e-6f);
 }
 
+TEST(City, SolidSceneryStopsRaysAndHands) {
+    City city = square(40);
+    add_solid_box(city, {5, 0, -1}, {7, 2, 1});
+    add_solid_box(city, {-7, 0, -1}, {-5, 2, 1});
+    std::fill_n(city.scenery.solid.begin() + 12, 12, uint8_t{0});  // the second one can be walked through
+    index_city(city);
+    auto hit = raycast(city, {0, 1, 0}, {1, 0, 0}, 30);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->what, RayHit::What::scenery);
+    EXPECT_NEAR(hit->distance, 5, 1e-5f);
+    EXPECT_NEAR(hit->normal.x, -1, 1e-5f);
+    hit = raycast(city, {0, 1, 0}, {-1, 0, 0}, 30);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->what, RayHit::What::face);
+    for (uint32_t i = 0; i < 500; ++i) {
+        Vec3 p{number(i * 3, 2, 10), number(i * 3 + 1, -1, 4), number(i * 3 + 2, -4, 4)};
+        Vec3 nearest{clamp(p.x, 5, 7), clamp(p.y, 0, 2), clamp(p.z, -1, 1)};
+        if (length(p - nearest) == 0) continue;  // inside
+        auto wall = closest_wall(city, p, 2.5f);
+        ASSERT_EQ(wall.has_value(), length(p - nearest) <= 2.5f);
+        if (!wall) continue;
+        EXPECT_NEAR(wall->distance, length(p - nearest), 1e-5f);
+        EXPECT_NEAR(length(wall->point - nearest), 0, 1e-4f);
+        EXPECT_NEAR(length(wall->normal), 1, 1e-5f);
+        EXPECT_EQ(wall->normal.y, 0);
+    }
+    EXPECT_FALSE(closest_wall(city, {-6, 1, 1.2f}, 1));
+}
+
 TEST(City, KerbsStopNeitherRaysNorHands) {
     City city = street();
     EXPECT_FALSE(closest_wall(city, {20, 0.05f, 3.9f}, 1));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/city/navmesh.h"
 #include "tests/sim/small_cities.h"
@@ -97,6 +98,89 @@ TEST(Navmesh, GardenWallOnTheGroundDividesIt) {
     EXPECT_FALSE(nearest(*mesh, 0, {0, 0, 3}, {0.1f, 1, 0.1f}));
     for (Vec3 p : navmesh_triangles(*mesh))
         EXPECT_GE(closest_wall(city, p + Vec3{0, 0.3f, 0}, 99)->distance, 0.24f);
+}
+
+// Whether a walker's middle could stand at `p`.
+bool can_stand(const Navmesh& mesh, Vec3 p) { return nearest(mesh, 0, p, {0.05f, 1, 0.05f}).has_value(); }
+
+TEST(Navmesh, PropsTakeTheirOutlines) {
+    City city = square(30);
+    Prop car{PropKind::car, {0, 0, 0}, 0.7f, 1.5f, 0, 0}, lamp{PropKind::lamp, {9, 0, 9}, 0, 4, 0, 0};
+    city.props = {car, lamp};
+    NavmeshPtr mesh = build(city);
+    Vec2 ahead = heading_direction(car.yaw), left{ahead.z, -ahead.x}, half = half_footprint(car);
+    auto beside = [&](float across, float along) { return at_height(left * across + ahead * along, 0); };
+    for (float along : {-1.0f, 0.0f, 1.0f}) {
+        EXPECT_FALSE(can_stand(*mesh, beside(half.x * along, half.z * along)));
+        EXPECT_FALSE(can_stand(*mesh, beside(half.x * 0.9f, half.z * along)));
+        EXPECT_FALSE(can_stand(*mesh, beside(-half.x - 0.1f, half.z * along * 0.9f)));
+        EXPECT_TRUE(can_stand(*mesh, beside(half.x + 0.7f, half.z * along)));
+        EXPECT_TRUE(can_stand(*mesh, beside(-half.x - 0.7f, half.z * along)));
+    }
+    EXPECT_TRUE(can_stand(*mesh, beside(0, half.z + 0.7f)));
+    EXPECT_FALSE(can_stand(*mesh, {9.1f, 0, 9}));
+    EXPECT_TRUE(can_stand(*mesh, {9.9f, 0, 9}));
+    EXPECT_TRUE(can_stand(*mesh, {9, 0, 8.1f}));
+}
+
+TEST(Navmesh, SolidSceneryIsWalkedRound) {
+    City city = square(30);
+    add_solid_box(city, {-2, 0, -2}, {2, 3, 2});
+    add_solid_box(city, {-2, 4, 6}, {2, 5, 9});  // overhead
+    index_city(city);
+    NavmeshPtr mesh = build(city);
+    EXPECT_FALSE(can_stand(*mesh, {0, 0, 2.1f}));
+    EXPECT_TRUE(can_stand(*mesh, {0, 0, 3}));
+    EXPECT_TRUE(can_stand(*mesh, {0, 0, 7.5f}));
+    float way = path_length(*mesh, {-6, 0, 0}, {6, 0, 0});
+    EXPECT_GT(way, 12.5f);
+    EXPECT_LT(way, 15);
+}
+
+TEST(Navmesh, BridgesAreLevelsOfTheirOwn) {
+    City city = bridge();
+    NavmeshPtr mesh = build(city);
+    auto under = nearest(*mesh, 0, {0, 0, 0}), over = nearest(*mesh, 0, {0, 5, 0});
+    ASSERT_TRUE(under && over);
+    EXPECT_NEAR(under->position.y, 0, 0.2f);
+    EXPECT_NEAR(over->position.y, 5, 0.2f);
+    EXPECT_NE(under->polygon, over->polygon);
+    EXPECT_EQ(island(*mesh, under->polygon), island(*mesh, over->polygon));
+    EXPECT_NEAR(path_length(*mesh, {0, 0, -8}, {0, 0, 8}), 16, 0.3f);
+    EXPECT_GT(path_length(*mesh, {0, 0, 0}, {0, 5, 0}), 55);
+    // Walking along the bridge and below it, one stays on one's level, and never steps off its side.
+    for (bool high : {false, true}) {
+        NavPoint at = *nearest(*mesh, 0, {-8, high ? 5.0f : 0.0f, 0});
+        for (uint32_t i = 0; i < 2000; ++i) {
+            Vec2 to{clamp(at.position.x + number(i * 2, -0.5f, 0.5f), -9, 9),
+                    at.position.z + number(i * 2 + 1, -0.5f, 0.5f)};
+            at = move_along(*mesh, 0, at, at_height(to, at.position.y));
+            auto hit = ground(city, at.position, 0.5f, 1.5f);
+            ASSERT_TRUE(hit);
+            ASSERT_NEAR(hit->height, high ? 5 : 0, 0.05f);
+            at.position.y = hit->height;
+        }
+    }
+}
+
+TEST(Navmesh, BytesGiveTheSameMesh) {
+    City city = street();
+    NavmeshPtr made = build(city);
+    std::string bytes = navmesh_bytes(*made);
+    auto again = restore_navmesh(city, {}, bytes, 1);
+    ASSERT_TRUE(again);
+    auto a = navmesh_triangles(*made), b = navmesh_triangles(**again);
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]), 0);
+    for (uint32_t i = 0; i < 50; ++i) {
+        float u = number(i, 0, 1);
+        NavPoint p = random_place(*made, u, 0.3f, 0.2f), q = random_place(**again, u, 0.3f, 0.2f);
+        EXPECT_EQ(p.polygon, q.polygon);
+        EXPECT_EQ(p.position.x, q.position.x);
+        EXPECT_EQ(island(*made, p.polygon), island(**again, q.polygon));
+    }
+    EXPECT_FALSE(restore_navmesh(city, {}, std::string_view(bytes).substr(0, bytes.size() / 2), 1));
+    EXPECT_FALSE(restore_navmesh(city, {}, "", 1));
 }
 
 TEST(Navmesh, WaterIsNotWalkedOn) {

@@ -20,12 +20,13 @@ Options parsed(const std::vector<std::string>& words) {
 
 TEST(Options, TheCommandLineOverridesTheScene) {
     Options plain = parsed({"sim", "--scene", "corner"});
-    Options changed =
-        parsed({"sim", "--scene", "corner", "--walkers", "7", "--seed", "18446744073709551615"});
+    Options changed = parsed(
+        {"sim", "--scene", "corner", "--walkers", "7", "--time", "23:30", "--seed", "18446744073709551615"});
     EXPECT_EQ(plain.command, Command::sim);
     EXPECT_EQ(plain.scene.walkers, 40);
     EXPECT_EQ(changed.scene.walkers, 7);
     EXPECT_EQ(changed.scene.seed, ~uint64_t{0});
+    EXPECT_FLOAT_EQ(changed.scene.hour, 23.5f);
     EXPECT_EQ(changed.scene.blocks, plain.scene.blocks);
 }
 

@@ -25,6 +25,7 @@ Result<Figures> bench_crowd(const Options& options) {
 
 Result<std::string> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
+    if (options.load == BenchLoad::city) return bench_city(options);
 #ifdef FLANEUR_VULKAN
     Result<Figures> figures = options.load == BenchLoad::frame ? bench_frame(options) : bench_crowd(options);
 #else

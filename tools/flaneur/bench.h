@@ -33,6 +33,11 @@ Kernel blend_kernel(size_t walkers);
 // FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);
 
+// How fast a city is read and made ready, and nanoseconds that queries for feet, hands and eyes take, on one
+// thread. Prints a table beside the goals and gives it as JSON: {"setting": {..}, "counts": {..}, "kernels":
+// [{"name", "median_ns", "least_ns", "goal_ns"}]}.
+Result<std::string> bench_city(const Options& options);
+
 // The kernels that pose people, on one thread and on each instruction set that the CPU has. Prints a table
 // beside the goals and gives it as JSON: {"setting": {..}, "kernels": [{"name", "isa", "median_ns",
 // "least_ns", "goal_ns"}]}.

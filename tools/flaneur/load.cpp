@@ -8,6 +8,7 @@
 
 #include "assets/city.h"
 #include "assets/gltf_clip.h"
+#include "assets/navmesh_cache.h"
 #include "assets/person_cache.h"
 #include "assets/population.h"
 
@@ -89,6 +90,14 @@ int district_blocks(const Scene& scene) {
 
 }  // namespace
 
+Result<NavmeshPtr> load_navmesh(const City& city, int threads) {
+    auto mesh = cached_navmesh(city, {}, threads, cache_folder(), [](float share) {
+        show_progress("building the navigation mesh " + std::to_string(static_cast<int>(share * 100)) + " %");
+    });
+    clear_progress();
+    return mesh;
+}
+
 void show_progress(const std::string& line) {
     if (is_terminal()) std::fprintf(stderr, "\r\033[K%s", line.c_str());
 }
@@ -138,10 +147,13 @@ Result<Loaded> load(const Options& options) {
     world.walkers = static_cast<uint32_t>(scene.walkers);
     world.seed = scene.seed;
     world.threads = options.threads;
+    world.hour = scene.hour;
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
     };
-    auto made = make_world(std::move(*city), world, progress);
+    Result<NavmeshPtr> mesh = load_navmesh(*city, options.threads);
+    if (!mesh) return mesh.error();
+    auto made = make_world(std::move(*city), std::move(*mesh), world, progress);
     clear_progress();
     if (!made) return made.error();
     loaded.world = std::move(*made);

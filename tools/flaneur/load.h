@@ -22,6 +22,9 @@ Result<Loaded> load(const Options& options);
 // The city of a scene, as load() makes it, without anybody in it.
 Result<City> read_city(const Scene& scene);
 
+// Where people can walk in it: as an earlier run kept it, or built.
+Result<NavmeshPtr> load_navmesh(const City& city, int threads);
+
 // Refuses in a sentence; says on stderr what was repaired.
 Result<Character> read_character(const std::string& path);
 

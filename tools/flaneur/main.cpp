@@ -16,7 +16,7 @@ Result<void> run(const Options& options) {
                  (options.command == Command::city && !options.out.empty());
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose, gait without --strip, "
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city, gait without --strip, "
             "people without --sheet, inspect and city without --out. One that draws is made by ./tools/build "
             "release."};
     }

@@ -75,12 +75,14 @@ Examples:
 
 constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation), pose (the kernels that pose bodies, on one
-thread). frame and crowd print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a
-walker on each instruction set that the CPU has, beside the goals.
+thread), city (how long it takes to read, and its queries on one thread). frame and crowd print the median and percentiles
+of each stage in milliseconds; pose prints nanoseconds a walker on each instruction set that the CPU has, city nanoseconds
+a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
-  flaneur bench pose --walkers 1000)";
+  flaneur bench pose --walkers 1000
+  flaneur bench city --city monaco.osm.pbf)";
 
 constexpr const char* k_gait_footer =
     R"(Prints each quantity of the walk beside the bar it is held to; docs/gait.md explains both.
@@ -104,6 +106,7 @@ struct SceneWords {
     std::optional<float> scale;
     std::optional<int> walkers;
     std::optional<uint64_t> seed;
+    std::optional<float> hour;
 };
 
 // An option whose text one of the parse_ functions takes apart.
@@ -128,7 +131,8 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
     if (text == "crowd") return BenchLoad::crowd;
     if (text == "pose") return BenchLoad::pose;
-    return Error{"bench measures frame, crowd or pose, not " + text + "."};
+    if (text == "city") return BenchLoad::city;
+    return Error{"bench measures frame, crowd, pose or city, not " + text + "."};
 }
 
 Result<StripView> parse_view(const std::string& text) {
@@ -199,6 +203,9 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->check(CLI::Range(0, k_max_walkers).description(""))
         ->group("Scene");
+    add_parsed(app, "--time", parse_time, words.hour, "The time of day, which sends people elsewhere",
+               "HH:MM", "17:30")
+        ->group("Scene");
     app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
         ->type_name("N")
         ->check(CLI::Range(0, 256).description(""))
@@ -267,7 +274,8 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
-    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd or pose", "LOAD", "")
+    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd, pose or city",
+               "LOAD", "")
         ->required();
     add_scene_options(*bench, words, options);
     add_drawing_options(*bench, options);
@@ -401,6 +409,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
+    if (words.hour) options.scene.hour = *words.hour;
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks =

@@ -12,7 +12,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city };
-enum class BenchLoad { frame, crowd, pose };
+enum class BenchLoad { frame, crowd, pose, city };
 
 struct Size {
     int width = 1280, height = 720;  // pixels, 1..8192

@@ -1,0 +1,208 @@
+// What feet, hands and eyes ask of a city.
+#include <cmath>
+
+#include "sim/city/city.h"
+#include "sim/city/grid.h"
+
+namespace flaneur {
+
+// A point this far outside an edge still stands on the triangle, so that rounding leaves no gap between two.
+// Metres.
+static constexpr float k_edge_slack = 2e-4f;
+
+std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float down) {
+    const Grid& grid = city.triangle_grid;
+    Vec2 p = on_ground(point), cell = (p - grid.origin) / grid.cell;
+    if (!(cell.x >= 0 && cell.z >= 0 && cell.x < static_cast<float>(grid.width) &&
+          cell.z < static_cast<float>(grid.height))) {
+        return std::nullopt;
+    }
+    size_t c = static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
+    float highest = point.y + up, best = point.y - down;
+    const GridTriangle* found = nullptr;
+    for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
+        const GridTriangle& t = city.grid_triangles[grid.items[k]];
+        Vec3 a = t.a, b = t.b, d = t.c;
+        Vec2 ap{p.x - a.x, p.z - a.z}, bp{p.x - b.x, p.z - b.z}, dp{p.x - d.x, p.z - d.z};
+        Vec2 ab{b.x - a.x, b.z - a.z}, bd{d.x - b.x, d.z - b.z}, da{a.x - d.x, a.z - d.z};
+        float wd = cross(ap, ab), wa = cross(bp, bd), wb = cross(dp, da);
+        if (wd < -k_edge_slack * (std::fabs(ab.x) + std::fabs(ab.z)) ||
+            wa < -k_edge_slack * (std::fabs(bd.x) + std::fabs(bd.z)) ||
+            wb < -k_edge_slack * (std::fabs(da.x) + std::fabs(da.z))) {
+            continue;
+        }
+        wa = std::max(wa, 0.0f), wb = std::max(wb, 0.0f), wd = std::max(wd, 0.0f);
+        float sum = wa + wb + wd;
+        if (sum <= 0) continue;
+        float y = (wa * a.y + wb * b.y + wd * d.y) / sum;
+        if (y <= highest && y >= best && (y > best || !found)) {
+            best = y;
+            found = &t;
+        }
+    }
+    if (!found) return std::nullopt;
+    Vec3 normal = normalize_or(cross(found->b - found->a, found->c - found->a), {0, 1, 0});
+    return GroundHit{best, normal, found->kind};
+}
+
+// The ray's parameter where it meets a triangle's plane inside the triangle (Moller and Trumbore 1997), or
+// -1.
+static float hit_triangle(Vec3 origin, Vec3 direction, Vec3 a, Vec3 b, Vec3 c) {
+    constexpr float k_slack = 1e-5f;  // of the triangle's size, so that a ray through a shared edge hits
+    Vec3 ab = b - a, ac = c - a, h = cross(direction, ac);
+    float det = dot(ab, h);
+    if (std::fabs(det) < 1e-12f) return -1;
+    Vec3 s = origin - a, q = cross(s, ab);
+    float u = dot(s, h) / det, v = dot(direction, q) / det;
+    if (!(u >= -k_slack && v >= -k_slack && u + v <= 1 + k_slack)) return -1;
+    return dot(ac, q) / det;
+}
+
+// The same for a vertical quad whose ends are vertical and whose bottom and top are straight.
+static float hit_face(Vec3 origin, Vec3 direction, const Face& f) {
+    Vec2 ab = on_ground(f.b) - on_ground(f.a), o = on_ground(f.a) - on_ground(origin),
+         d = on_ground(direction);
+    float det = cross(d, ab);
+    if (std::fabs(det) < 1e-12f) return -1;
+    float t = cross(o, ab) / det, s = cross(o, d) / det;
+    if (!(s >= -1e-5f && s <= 1 + 1e-5f)) return -1;
+    float y = origin.y + direction.y * t;
+    return y >= lerp(f.a.y, f.b.y, s) && y <= lerp(f.a_top, f.b_top, s) ? t : -1;
+}
+
+static Vec3 wall_normal(Vec2 along) { return normalize_or(Vec3{-along.z, 0, along.x}, {0, 0, 1}); }
+
+static Vec3 scenery_normal(const Scenery& s, uint32_t i) {
+    Vec3 a = scenery_corner(s, i, 0);
+    return normalize_or(cross(scenery_corner(s, i, 1) - a, scenery_corner(s, i, 2) - a), {0, 1, 0});
+}
+
+std::optional<RayHit> raycast(const City& city, Vec3 origin, Vec3 direction, float reach) {
+    RayHit best;
+    best.distance = reach;
+    bool any = false;
+    auto take = [&](float t, RayHit::What what, uint32_t index) {
+        if (!(t >= 0 && t <= best.distance) || (any && t == best.distance)) return;
+        best.distance = t;
+        best.what = what;
+        best.index = index;
+        any = true;
+    };
+    const Grid& triangles = city.triangle_grid;
+    for_cells_of_ray(triangles, on_ground(origin), on_ground(direction), reach, [&](size_t cell, float exit) {
+        for (uint32_t k = triangles.first[cell]; k < triangles.first[cell + 1]; ++k) {
+            const GridTriangle& triangle = city.grid_triangles[triangles.items[k]];
+            take(hit_triangle(origin, direction, triangle.a, triangle.b, triangle.c), RayHit::What::ground,
+                 triangles.items[k]);
+        }
+        return best.distance > exit;
+    });
+    const Grid& walls = city.wall_grid;
+    for_cells_of_ray(walls, on_ground(origin), on_ground(direction), best.distance,
+                     [&](size_t cell, float exit) {
+                         for (uint32_t k = walls.first[cell]; k < walls.first[cell + 1]; ++k) {
+                             take(hit_face(origin, direction, city.faces[walls.items[k]]), RayHit::What::face,
+                                  walls.items[k]);
+                         }
+                         return best.distance > exit;
+                     });
+    const Grid& scenery = city.scenery_grid;
+    for_cells_of_ray(
+        scenery, on_ground(origin), on_ground(direction), best.distance, [&](size_t cell, float exit) {
+            for (uint32_t k = scenery.first[cell]; k < scenery.first[cell + 1]; ++k) {
+                uint32_t i = scenery.items[k];
+                take(hit_triangle(origin, direction, scenery_corner(city.scenery, i, 0),
+                                  scenery_corner(city.scenery, i, 1), scenery_corner(city.scenery, i, 2)),
+                     RayHit::What::scenery, i);
+            }
+            return best.distance > exit;
+        });
+    if (!any) return std::nullopt;
+    switch (best.what) {
+        case RayHit::What::face: {
+            const Face& f = city.faces[best.index];
+            best.normal = wall_normal(on_ground(f.b) - on_ground(f.a));
+            break;
+        }
+        case RayHit::What::ground: {
+            const GridTriangle& t = city.grid_triangles[best.index];
+            best.normal = normalize_or(cross(t.b - t.a, t.c - t.a), {0, 1, 0});
+            break;
+        }
+        case RayHit::What::scenery:
+            best.normal = scenery_normal(city.scenery, best.index);
+            break;
+    }
+    return best;
+}
+
+// The point of a triangle closest to `p`: by which corner, edge or inside it lies over (Ericson 2005, 5.1.5).
+static Vec3 closest_on_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+    Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    float ab_a = dot(ab, ap), ac_a = dot(ac, ap), ab_b = dot(ab, bp), ac_b = dot(ac, bp), ab_c = dot(ab, cp),
+          ac_c = dot(ac, cp);
+    if (ab_a <= 0 && ac_a <= 0) return a;
+    if (ab_b >= 0 && ac_b <= ab_b) return b;
+    if (ac_c >= 0 && ab_c <= ac_c) return c;
+    float over_c = ab_a * ac_b - ab_b * ac_a;
+    if (over_c <= 0 && ab_a >= 0 && ab_b <= 0) return a + ab * (ab_a / (ab_a - ab_b));
+    float over_b = ab_c * ac_a - ab_a * ac_c;
+    if (over_b <= 0 && ac_a >= 0 && ac_c <= 0) return a + ac * (ac_a / (ac_a - ac_c));
+    float over_a = ab_b * ac_c - ab_c * ac_b, to_c = ac_b - ab_b, to_b = ab_c - ac_c;
+    if (over_a <= 0 && to_c >= 0 && to_b >= 0) return b + (c - b) * (to_c / (to_c + to_b));
+    float whole = over_a + over_b + over_c;
+    return whole > 0 ? a + ab * (over_b / whole) + ac * (over_c / whole) : a;
+}
+
+std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius) {
+    if (!(radius >= 0)) return std::nullopt;
+    Vec2 p = on_ground(point), reach{radius, radius};
+    float best = radius * radius;
+    Vec3 at;
+    const GridWall* wall = nullptr;
+    if (const Grid& grid = city.wall_grid; !grid.items.empty()) {
+        CellRange r = cells_of_box(grid, p - reach, p + reach);
+        for (int z = r.z0; z <= r.z1; ++z) {
+            size_t row = static_cast<size_t>(z) * grid.width;  // whose cells lie side by side
+            for (uint32_t k = grid.first[row + r.x0]; k < grid.first[row + r.x1 + 1]; ++k) {
+                const GridWall& w = city.grid_walls[k];
+                float s = clamp(dot(p - w.a, w.along) * w.per_length_squared, 0, 1);
+                float foot = w.foot + w.foot_rise * s, top = w.top + w.top_rise * s;
+                Vec3 q = at_height(w.a + w.along * s, clamp(point.y, foot, std::max(foot, top)));
+                float d = length_squared(q - point);
+                if (d > best || (wall && d == best)) continue;
+                best = d;
+                at = q;
+                wall = &w;
+            }
+        }
+    }
+    uint32_t triangle = ~0u;
+    if (const Grid& grid = city.scenery_grid; !grid.items.empty()) {
+        CellRange r = cells_of_box(grid, p - reach, p + reach);
+        for (int z = r.z0; z <= r.z1; ++z) {
+            size_t row = static_cast<size_t>(z) * grid.width;
+            for (uint32_t k = grid.first[row + r.x0]; k < grid.first[row + r.x1 + 1]; ++k) {
+                uint32_t i = grid.items[k];
+                Vec3 q = closest_on_triangle(point, scenery_corner(city.scenery, i, 0),
+                                             scenery_corner(city.scenery, i, 1),
+                                             scenery_corner(city.scenery, i, 2));
+                float d = length_squared(q - point);
+                if (d > best || ((wall || triangle != ~0u) && d == best)) continue;
+                best = d;
+                at = q;
+                triangle = i;
+            }
+        }
+    }
+    if (triangle != ~0u) {
+        Vec3 out = scenery_normal(city.scenery, triangle);
+        out.y = 0;
+        return WallPoint{at, normalize_or(out, normalize_or(at_height(p - on_ground(at), 0), {0, 0, 1})),
+                         std::sqrt(best)};
+    }
+    if (!wall) return std::nullopt;
+    return WallPoint{at, wall_normal(wall->along), std::sqrt(best)};
+}
+
+}  // namespace flaneur

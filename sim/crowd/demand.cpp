@@ -1,0 +1,98 @@
+#include "sim/crowd/demand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/crowd/crowd.h"
+
+namespace flaneur {
+
+static constexpr float k_cell = 60;                              // metres
+static constexpr float k_least_trip = 40;                        // metres
+static constexpr float k_least_reach = 120, k_most_reach = 500;  // of trips; the near is sought more often
+static constexpr float k_stroll = 0.25f;                         // what going nowhere in particular is worth
+static constexpr double k_enough = 6;  // destinations of a kind within reach that take all who want there
+
+// By judgement, not by survey: homes, work and stops draw most at 8 and 18, shops from noon on, squares in
+// the evening.
+static constexpr int k_hours = 8;  // every three hours from midnight
+static constexpr float k_demand[k_destination_count][k_hours] = {
+    {1.0f, 0.6f, 1.0f, 1.0f, 0.6f, 0.7f, 1.0f, 1.0f},  // doors
+    {0.0f, 0.0f, 0.1f, 0.6f, 1.0f, 1.0f, 0.9f, 0.1f},  // shops
+    {0.1f, 0.0f, 0.1f, 0.2f, 0.4f, 0.4f, 0.4f, 0.2f},  // benches
+    {0.3f, 0.5f, 1.0f, 0.6f, 0.5f, 0.7f, 1.0f, 0.5f},  // stops
+    {0.4f, 0.5f, 0.8f, 0.6f, 0.6f, 0.7f, 0.8f, 0.5f},  // edges of the map
+    {0.3f, 0.0f, 0.1f, 0.3f, 0.5f, 0.6f, 0.9f, 0.9f},  // squares
+};
+static constexpr Stay k_stays[k_destination_count] = {{3, 10},  {6, 25},   {20, 60},
+                                                      {15, 60}, {0.5f, 2}, {8, 40}};
+// How far from a destination's place people stand, metres.
+static constexpr float k_spread[k_destination_count] = {0.8f, 1.2f, 0.7f, 1.8f, 1.5f, 2};
+
+float demand_at(DestinationKind kind, float hour) {
+    float at = hour / (24.0f / k_hours);
+    at -= std::floor(at / k_hours) * k_hours;
+    int before = std::min(static_cast<int>(at), k_hours - 1);
+    const float* row = k_demand[static_cast<int>(kind)];
+    return lerp(row[before], row[(before + 1) % k_hours], at - static_cast<float>(before));
+}
+
+Stay stay_at(DestinationKind kind) { return k_stays[static_cast<int>(kind)]; }
+
+Demand make_demand(const City& city, const Navmesh& mesh, float hour) {
+    Demand demand;
+    demand.hour = hour;
+    for (int k = 0; k < k_destination_count; ++k) {
+        std::vector<Attraction> found;
+        std::vector<float> weights;
+        for (const Destination& d : city.destinations) {
+            if (static_cast<int>(d.kind) != k || !(d.weight > 0)) continue;
+            auto place = nearest(mesh, 0, d.position, {3, 1.5f, 3});
+            if (!place || !is_worth_walking(mesh, place->polygon)) continue;
+            found.push_back({*place, d.facing});
+            weights.push_back(d.weight);
+        }
+        demand.grids[k] = make_weighted_grid(
+            city.low, city.high, k_cell, found.size(),
+            [&](uint32_t i) { return on_ground(found[i].place.position); },
+            [&](uint32_t i) { return weights[i]; });
+        for (uint32_t i : demand.grids[k].grid.items) demand.attractions[k].push_back(found[i]);
+    }
+    return demand;
+}
+
+std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
+                                uint32_t ticks, RandomKey key) {
+    float hour = demand.hour + static_cast<float>(ticks) * (k_tick / 3600), u = random_unit(key, 0);
+    float reach = lerp(k_least_reach, k_most_reach, u * u), shares[k_destination_count], total = k_stroll;
+    Vec2 here = on_ground(from.position);
+    for (int k = 0; k < k_destination_count; ++k) {
+        double there = std::min(weight_near(demand.grids[k], here, reach) / k_enough, 1.0);
+        shares[k] = demand_at(static_cast<DestinationKind>(k), hour) * static_cast<float>(there);
+        total += shares[k];
+    }
+    float drawn = random_unit(key, 1) * total;
+    int kind = 0;
+    while (kind < k_destination_count && drawn >= shares[kind]) drawn -= shares[kind++];
+    if (kind == k_destination_count) return std::nullopt;
+
+    constexpr uint32_t k_tries = 6;
+    uint32_t home = island(mesh, from.polygon);
+    for (uint32_t t = 0; t < k_tries; ++t) {
+        auto item = item_near(demand.grids[kind], here, reach, random_unit(key, 4 + t));
+        if (!item) return std::nullopt;
+        const Attraction& a = demand.attractions[kind][*item];
+        if (island(mesh, a.place.polygon) != home ||
+            length(on_ground(a.place.position) - here) < k_least_trip) {
+            continue;
+        }
+        Vec2 aside =
+            heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));
+        NavPoint beside = move_along(mesh, thread, a.place, a.place.position + at_height(aside, 0));
+        return Trip{static_cast<DestinationKind>(kind), beside, a.facing};
+    }
+    return std::nullopt;
+}
+
+}  // namespace flaneur

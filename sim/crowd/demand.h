@@ -1,0 +1,51 @@
+// Where people want to go: by what is there, how far it is, and the time of day.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/base/rng.h"
+#include "sim/city/city.h"
+#include "sim/city/navmesh.h"
+#include "sim/city/weighted_grid.h"
+
+namespace flaneur {
+
+// A destination on the mesh.
+struct Attraction {
+    NavPoint place;
+    Vec2 facing;  // unit: the way one looks there
+};
+
+struct Demand {
+    float hour = 17.5f;  // of the day, 0..24, when the simulation begins
+    // By kind, in the order of the grid's items.
+    std::vector<Attraction> attractions[k_destination_count];
+    WeightedGrid grids[k_destination_count];
+};
+
+// Sets the city's destinations on the mesh; those farther than 3 m from it are left out, as are those on
+// pieces of mesh too small to walk about in.
+Demand make_demand(const City& city, const Navmesh& mesh, float hour);
+
+// How much people want to be at such a place at an hour of the day (0..24, wrapped), against other kinds:
+// homes and work at the rush hours, shops by day, squares and benches in the evening.
+float demand_at(DestinationKind kind, float hour);
+
+// How long they stay, seconds: between `least` and `most`.
+struct Stay {
+    float least, most;
+};
+Stay stay_at(DestinationKind kind);
+
+struct Trip {
+    DestinationKind kind;
+    NavPoint place;  // on the same piece of mesh as `from`, 0..2 m beside the destination's own
+    Vec2 facing;
+};
+// A trip of 40 m to some 500 m, as the crow flies, for one who is at `from`; none if nothing draws them, as
+// where the city has no destinations: then they stroll. `ticks` counts from the beginning.
+std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
+                                uint32_t ticks, RandomKey key);
+
+}  // namespace flaneur
