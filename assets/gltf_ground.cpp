@@ -12,13 +12,15 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_steepest = 0.766f;            // cosine of 40 degrees
-constexpr float k_climb = 0.35f;                // highest step from one stretch of ground to another, metres
-constexpr float k_head = 1.9f;                  // headroom, metres
-constexpr float k_cell = 4;                     // of the grid of triangles, metres
-constexpr double k_most_items = 16e6;           // of that grid: triangles by cells
-constexpr float k_least_ground = 25;            // of a city, square metres
-constexpr float k_least_piece = 2;              // of what is kept beside the largest, square metres
+constexpr float k_steepest = 0.766f;  // cosine of 40 degrees
+constexpr float k_climb = 0.35f;      // highest step from one stretch of ground to another, metres
+constexpr float k_head = 1.9f;        // headroom, metres
+constexpr float k_cell = 4, k_least_cell = 0.1f;  // of grids of triangles, metres
+constexpr double k_most_items = 16e6;             // of such a grid: triangles by cells
+constexpr float k_least_ground = 25;              // of a city, square metres
+constexpr float k_least_piece = 2;                // of what is kept beside the largest, square metres
+constexpr float k_slab =
+    1.2f;  // what ground is made of may be as thick as this without being a house, metres
 constexpr float k_sample = 0.5f;                // along rims, metres
 constexpr float k_beside[] = {0.05f, 0.3f};     // how far beyond a rim to look for more ground, metres
 constexpr float k_before = 0.1f;                // how far before a wall to look for its foot, metres
@@ -42,6 +44,18 @@ struct Columns {
     Grid grid;
 };
 
+// How many cells of such an edge the triangles touch, at most.
+double cells_touched(const Scenery& s, float cell) {
+    double touched = 0;
+    for (size_t t = 0; 3 * t < s.indices.size(); ++t) {
+        Corners c = corners_of(s, t);
+        auto [x0, x1] = std::minmax({c[0].x, c[1].x, c[2].x});
+        auto [z0, z1] = std::minmax({c[0].z, c[1].z, c[2].z});
+        touched += (static_cast<double>((x1 - x0) / cell) + 1) * (static_cast<double>((z1 - z0) / cell) + 1);
+    }
+    return touched;
+}
+
 Result<Columns> make_columns(const Scenery& s) {
     Vec2 low{1e30f, 1e30f}, high{-1e30f, -1e30f};
     for (uint32_t i : s.indices) {
@@ -49,26 +63,23 @@ Result<Columns> make_columns(const Scenery& s) {
         low = {std::min(low.x, p.x), std::min(low.z, p.z)};
         high = {std::max(high.x, p.x), std::max(high.z, p.z)};
     }
-    Columns out{s, make_grid(low, high, k_cell)};
-    size_t count = s.indices.size() / 3;
-    double items = 0;
-    auto for_cells = [&](uint32_t t, auto visit) {
-        Corners c = corners_of(s, t);
-        if (normal_of(c).y < 0) std::swap(c[1], c[2]);
-        for_cells_of_triangle(out.grid, on_ground(c[0]), on_ground(c[1]), on_ground(c[2]), visit);
-    };
-    for (uint32_t t = 0; t < count; ++t) {
-        Corners c = corners_of(s, t);
-        auto [x0, x1] = std::minmax({c[0].x, c[1].x, c[2].x});
-        auto [z0, z1] = std::minmax({c[0].z, c[1].z, c[2].z});
-        items += (static_cast<double>((x1 - x0) / out.grid.cell) + 1) *
-                 (static_cast<double>((z1 - z0) / out.grid.cell) + 1);
-    }
-    if (items > k_most_items)
+    // City's own grids have cells as large as this.
+    float cell = make_grid(low, high, k_cell).cell;
+    if (cells_touched(s, cell) > k_most_items)
         return Error{
             "has too many large triangles that lie over each other; leave out what is no city, or "
             "give a smaller --scale"};
-    fill_grid(out.grid, static_cast<uint32_t>(count), for_cells);
+    // Small things lie close: smaller cells where that pays.
+    size_t count = s.indices.size() / 3;
+    while (cell > k_least_cell &&
+           cells_touched(s, cell / 2) < k_most_items / 4 + 2 * static_cast<double>(count))
+        cell /= 2;
+    Columns out{s, make_grid(low, high, cell)};
+    fill_grid(out.grid, static_cast<uint32_t>(count), [&](uint32_t t, auto visit) {
+        Corners c = corners_of(s, t);
+        if (normal_of(c).y < 0) std::swap(c[1], c[2]);
+        for_cells_of_triangle(out.grid, on_ground(c[0]), on_ground(c[1]), on_ground(c[2]), visit);
+    });
     return out;
 }
 
@@ -255,7 +266,8 @@ bool stands_on_top(const Scenery& s, const Field& field) {
         Vec3 n = normal_of(c);
         float size = length(n), y = (c[0].y + c[1].y + c[2].y) / 3;
         if (field.is_ground[t] || std::fabs(n.y) > k_steepest * size) continue;
-        (y > level ? above : below) += static_cast<double>(size);
+        if (y > level) above += static_cast<double>(size);
+        if (y < level - k_slab) below += static_cast<double>(size);
     }
     return below > 2 * above && below > weight / 2;
 }
@@ -291,7 +303,7 @@ float top_in_middle(const Corners& c, Vec2 along) {
     return top;
 }
 
-// What stops walkers: all but ground, leaves, and what is no higher above the ground before it than a step.
+// What stops walkers: all but ground, leaves, and what is no higher than a step above all ground before it.
 void find_walls(const Columns& columns, const std::vector<Hint>& hints, const Field& field,
                 std::vector<uint8_t>& solid) {
     const Scenery& s = columns.scenery;
@@ -301,12 +313,13 @@ void find_walls(const Columns& columns, const std::vector<Hint>& hints, const Fi
         Corners c = corners_of(s, t);
         Vec2 out = normalize_or(on_ground(normal_of(c)), {1, 0});
         float top = top_in_middle(c, {-out.z, out.x});
-        bool is_step = false;
-        for_column(
-            columns, on_ground((c[0] + c[1] + c[2]) / 3) + out * k_before, [&](uint32_t other, float height) {
-                is_step |= field.is_ground[other] && top <= height + k_climb && top >= height - k_climb;
-            });
-        solid[t] = !is_step;
+        bool is_step = false, is_wall = false;
+        for_column(columns, on_ground((c[0] + c[1] + c[2]) / 3) + out * k_before,
+                   [&](uint32_t other, float height) {
+                       if (!field.is_ground[other]) return;
+                       (top <= height + k_climb ? is_step : is_wall) = true;
+                   });
+        solid[t] = is_wall || !is_step;
     }
 }
 

@@ -1,5 +1,5 @@
-// libFuzzer's target for what reads glTF and VRM: any bytes are loaded or refused, as a character and as
-// motion.
+// libFuzzer's target for what reads glTF and VRM: any bytes are loaded or refused, as a character, as motion
+// and as a city.
 #include <tiny_gltf.h>
 
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include <random>
 
 #include "assets/gltf_character.h"
+#include "assets/gltf_city.h"
 #include "assets/gltf_clip.h"
 #include "assets/gltf_json.h"
 
@@ -89,5 +90,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             for (uint32_t i : level)
                 if (i >= character->vertices.size()) std::abort();
     (void)make_motion(*model, "fuzz", "");
+    auto city = make_gltf_city(*model, "fuzz");
+    if (city)
+        for (uint32_t i : city->scenery.indices)
+            if (i >= city->scenery.vertices.size()) std::abort();
     return 0;
 }
