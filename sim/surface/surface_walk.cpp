@@ -1,0 +1,156 @@
+#include "sim/surface/surface_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_half = 0.22f;        // from the middle to the rays down, metres
+constexpr float k_high = 0.5f;         // where they begin above the surface, metres
+constexpr float k_deep = 1.2f;         // how far they reach, metres
+constexpr float k_knee = 0.25f;        // height of the ray ahead, metres
+constexpr float k_edge = 0.3f;         // how far it reaches, metres
+constexpr float k_most_turn = 3.5f;    // of its up, radians a second
+constexpr float k_hurry = 1.5f;        // most that it moves, against what it likes
+constexpr float k_bend = 0.35f;        // of its way, radians a second
+constexpr uint32_t k_bend_ticks = 90;  // for so long
+
+// Between 0 and 1, smooth over time and unlike anybody else's.
+float whim(uint64_t seed, size_t walker, uint32_t tick) {
+    uint32_t n = tick / k_bend_ticks;
+    auto at = [&](uint32_t i) {
+        return random_unit({seed, static_cast<uint32_t>(walker), i, Purpose::destination});
+    };
+    float t = static_cast<float>(tick % k_bend_ticks) / static_cast<float>(k_bend_ticks);
+    return lerp(at(n), at(n + 1), smoothstep(0, 1, t));
+}
+
+// Unit vector `v` turned about unit vector `axis`, to which it is square.
+Vec3 turned(Vec3 v, Vec3 axis, float angle) {
+    SinCos s = sin_cos(angle);
+    return v * s.cosine + cross(axis, v) * s.sine;
+}
+
+// From one unit vector towards another, by `most` radians at most.
+Vec3 turned_towards(Vec3 from, Vec3 to, float most) {
+    SinCos s = sin_cos(most);
+    float cosine = dot(from, to);
+    if (cosine >= s.cosine) return to;
+    Vec3 aside = normalize_or(to - from * cosine, {});
+    return normalize_or(from * s.cosine + aside * s.sine, from);
+}
+
+Vec3 square_to(Vec3 v, Vec3 up) {
+    Vec3 other = std::fabs(up.x) < 0.7f ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    return normalize_or(v - up * dot(v, up), normalize_or(cross(up, other), {0, 0, 1}));
+}
+
+SurfaceProbe::Side cast_side(const Compound& compound, Vec3 from, Vec3 way, float reach) {
+    SurfaceProbe::Side side;
+    side.from = from;
+    side.to = from + way * reach;
+    if (auto hit = cast_ray(compound, from, way, reach)) {
+        side.is_hit = true;
+        side.point = hit->point;
+        side.normal = hit->normal;
+    }
+    return side;
+}
+
+SurfaceProbe probe(const Compound& compound, Vec3 position, Vec3 up, Vec3 ahead) {
+    SurfaceProbe out;
+    for (int i : {0, 1}) {
+        Vec3 from = position + ahead * (i == 0 ? k_half : -k_half) + up * k_high;
+        out.sides[i] = cast_side(compound, from, -up, k_deep);
+    }
+    SurfaceProbe::Side level = cast_side(compound, position + up * k_knee, ahead, k_edge);
+    level.is_level = true;
+    if (level.is_hit) out.sides[0] = level;
+    const auto& [front, back] = out.sides;
+    if (front.is_hit && back.is_hit) {
+        out.point = (front.point + back.point) * 0.5f;
+        out.normal = normalize_or(front.normal + back.normal, up);
+    } else if (front.is_hit || back.is_hit) {
+        out.point = front.is_hit ? front.point : back.point;
+        out.normal = front.is_hit ? front.normal : back.normal;
+    }
+    return out;
+}
+
+}  // namespace
+
+Quat frame_of(Vec3 up, Vec3 ahead) {
+    Quat upright = rotation_between({0, 1, 0}, up);
+    Vec3 forward = rotate(upright, {0, 0, 1});
+    float sine = dot(cross(forward, ahead), up), cosine = dot(forward, ahead);
+    return upright * rotation_y(arctan2(sine, cosine));
+}
+
+SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& speed, uint64_t seed) {
+    SurfaceWalkers w;
+    std::vector<Vec3> middles;
+    for (const Sphere& s : c.spheres) middles.push_back(s.centre);
+    for (const Capsule& s : c.capsules) middles.push_back((s.a + s.b) * 0.5f);
+    if (!c.vertices.empty()) {
+        Vec3 sum;
+        for (Vec3 v : c.vertices) sum += v;
+        middles.push_back(sum / static_cast<float>(c.vertices.size()));
+    }
+    if (middles.empty()) return w;
+    for (uint32_t i = 0; i < speed.size(); ++i) {
+        RandomKey key{seed, i, 0, Purpose::spawn};
+        auto middle = static_cast<size_t>(random_unit(key) * static_cast<float>(middles.size()));
+        Vec3 way =
+            normalize_or({random_normal(key, 1), random_normal(key, 2), random_normal(key, 3)}, {0, 1, 0});
+        constexpr float k_far = 1000;
+        auto hit = cast_ray(c, middles[std::min(middle, middles.size() - 1)] + way * k_far, -way, k_far);
+        if (!hit) continue;
+        w.position.push_back(hit->point);
+        w.up.push_back(hit->normal);
+        w.ahead.push_back(
+            turned(square_to({0, 0, 1}, hit->normal), hit->normal, random_between(key, -k_pi, k_pi, 4)));
+        w.speed.push_back(speed[i]);
+    }
+    w.turn_rate.resize(w.position.size());
+    w.moved.resize(w.position.size());
+    w.probes.resize(w.position.size());
+    return w;
+}
+
+void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, size_t end, uint64_t seed,
+                     uint32_t tick, float dt) {
+    for (size_t i = begin; i < end; ++i) {
+        Vec3 position = w.position[i], up = w.up[i];
+        w.turn_rate[i] = k_bend * (2 * whim(seed, i, tick) - 1);
+        Vec3 ahead = turned(w.ahead[i], up, w.turn_rate[i] * dt);
+        Vec3 there = position + ahead * (w.speed[i] * dt);
+        SurfaceProbe& p = w.probes[i];
+        p = probe(compound, there, up, ahead);
+        if (!p.sides[0].is_hit && !p.sides[1].is_hit) {  // nothing to stand on: back
+            w.ahead[i] = -ahead;
+            w.moved[i] = 0;
+            continue;
+        }
+        up = turned_towards(up, p.normal, k_most_turn * dt);
+        // The points' mean lies beside a curved surface: down, or up, to it.
+        auto hit = surface_below(compound, p.point + up * k_high, up, k_deep);
+        Vec3 next = hit ? hit->point : p.point;
+        // In a corner the mean may jump.
+        float way = length(next - position), most = k_hurry * w.speed[i] * dt;
+        if (way > most) {
+            next = lerp(position, next, most / way);
+            if (auto on = surface_below(compound, next + up * k_high, up, k_deep)) next = on->point;
+        }
+        w.moved[i] = length(next - position);
+        w.position[i] = next;
+        w.up[i] = up;
+        w.ahead[i] = square_to(ahead, up);
+    }
+}
+
+}  // namespace flaneur

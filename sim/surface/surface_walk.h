@@ -1,0 +1,47 @@
+// Walking on a compound with any up, after "Lovers in a Dangerous Spacetime DevLog #7: Learning How to Walk"
+// (A. Winkels, 2014): two rays down along the walker's own up, one ahead of it and one behind; the mean of
+// the points and of the normals that they meet places and turns it, by so much a tick at most; a short ray
+// ahead that meets something takes the place of the front one, so that concave corners are climbed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/surface/compound.h"
+
+namespace flaneur {
+
+// What one walker's rays met in the last tick: 0 ahead of it, 1 behind.
+struct SurfaceProbe {
+    struct Side {
+        Vec3 from, to;       // the ray
+        Vec3 point, normal;  // what it met, if it did
+        bool is_hit = false;
+        bool is_level = false;  // the ray ahead took the place of the one down
+    } sides[2];
+    Vec3 point, normal;  // means of what was met
+};
+
+// Structure of arrays, index = walker.
+struct SurfaceWalkers {
+    std::vector<Vec3> position;    // on the surface, between the feet
+    std::vector<Vec3> up, ahead;   // unit, square to each other
+    std::vector<float> speed;      // what it likes, metres a second
+    std::vector<float> turn_rate;  // about its up, radians a second, in the last tick
+    std::vector<float> moved;      // metres along the surface in the last tick
+    std::vector<SurfaceProbe> probes;
+};
+
+// Sets `count` walkers down where rays towards the compound's parts from random directions first meet it.
+// Fewer where rays meet nothing. `speed` is what each likes.
+SurfaceWalkers place_on_surface(const Compound& compound, const std::vector<float>& speed, uint64_t seed);
+
+// One tick of `dt` seconds for walkers [begin, end): each strolls ahead, bending its way a little now to one
+// side, now to the other. Nothing depends on other walkers.
+void walk_on_surface(const Compound& compound, SurfaceWalkers& walkers, size_t begin, size_t end,
+                     uint64_t seed, uint32_t tick, float dt);
+
+// The rotation that takes +y to `up` and +z to `ahead`, unit and square to each other.
+Quat frame_of(Vec3 up, Vec3 ahead);
+
+}  // namespace flaneur
