@@ -149,6 +149,7 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
     scene.name = name;
     Reader reader{json, {}, {}};
     reader.text("city", scene.city);
+    reader.flag("asteroid", scene.asteroid);
     reader.text("terrain", scene.terrain);
     reader.number("scale", k_least_scale, k_most_scale, scene.scale);
     read_people(reader, scene.people);

@@ -22,6 +22,7 @@ inline constexpr float k_least_share = 0.001f, k_most_share = 1000;
 struct Scene {
     std::string name = "district";
     std::string city;                 // an OpenStreetMap or glTF file; empty: the built-in district
+    bool asteroid = false;            // people walk round the built-in asteroid, not in a city
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
     float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
     std::vector<PeopleShare> people;  // empty: the built-in people

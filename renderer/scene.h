@@ -77,8 +77,9 @@ struct WalkerDraw {
     float radius = 1;
     uint32_t mesh = 0;  // index into SceneMeshes::people
     WalkerInstance instance;
-    float heading = 0;  // yaw about +y, 0 faces +z, radians
-    float phase = -1;   // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
+    bool is_upright = true;  // else it is drawn as a mesh however far away, and darkens no ground
+    float heading = 0;       // yaw about +y, 0 faces +z, radians
+    float phase = -1;        // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
 };
 
 struct Camera {

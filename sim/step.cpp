@@ -25,13 +25,8 @@ void add_idles(World& w) {
                  [&](size_t begin, size_t end, int) { apply_plays(w.idles, begin, end, w.poses); });
 }
 
-}  // namespace
-
-void step(World& w) {
-    timed(w, Stage::think, [&] { think(w.crowd, w.city, *w.navmesh, *w.workers, w.tick, w.seed); });
-    timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
-    timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.city, *w.navmesh, *w.workers); });
+// Gait and pose, and the end of the tick.
+void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
         RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
                         w.crowd.turn_rate.data(), w.crowd.chosen.data()};
@@ -50,6 +45,21 @@ void step(World& w) {
         add_idles(w);
     });
     ++w.tick;
+}
+
+}  // namespace
+
+void step(World& w) {
+    if (w.roam) {
+        timed(w, Stage::move, [&] { step_roam(*w.roam, w.crowd, w.gait, *w.workers, w.seed, w.tick); });
+        step_bodies(w);
+        return;
+    }
+    timed(w, Stage::think, [&] { think(w.crowd, w.city, *w.navmesh, *w.workers, w.tick, w.seed); });
+    timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
+    timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
+    timed(w, Stage::move, [&] { move(w.crowd, w.city, *w.navmesh, *w.workers); });
+    step_bodies(w);
 }
 
 }  // namespace flaneur

@@ -55,9 +55,20 @@ Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const Worl
     return world;
 }
 
+Result<void> set_down(World& world, Compound compound) {
+    auto roam = make_roam(std::move(compound), world.crowd, world.seed);
+    if (!roam) return roam.error();
+    world.roam = std::make_unique<Roam>(std::move(roam).value());
+    return {};
+}
+
 uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
+    if (world.roam) {
+        const auto& frames = world.roam->frames;
+        hash = hash_bytes(hash, frames.data(), frames.size() * sizeof(frames[0]));
+    }
     static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
     hash = hash_bytes(hash, world.gait.blocks.data(), world.gait.blocks.size() * sizeof(GaitBlock));
     return hash_bytes(hash, world.poses.data(), world.poses.size() * sizeof(PoseBlock));

@@ -16,6 +16,7 @@
 #include "sim/pose/body.h"
 #include "sim/pose/layer.h"
 #include "sim/pose/pose.h"
+#include "sim/roam.h"
 
 namespace flaneur {
 
@@ -53,6 +54,7 @@ struct World {
 
     Crowd crowd;
     Gait gait;
+    std::unique_ptr<Roam> roam;  // of those who walk on a compound, with `city` as their stage; else null
     ClipLayer idles;
     std::vector<PoseBlock> poses, previous_poses;  // after the last tick and the one before
 
@@ -66,6 +68,9 @@ Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const Worl
                                           const std::function<void(std::string_view, float)>& progress = {});
 Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
                                           const std::function<void(std::string_view, float)>& progress = {});
+
+// Sets everybody down on a compound. The city is level ground and becomes their stage.
+Result<void> set_down(World& world, Compound compound);
 
 // One tick of k_tick seconds.
 void step(World& world);

@@ -87,7 +87,7 @@ uint32_t lod_of(float pixels) {
 }
 
 bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
-    return input.people[walker.mesh].first_cell != PersonRanges::k_no_cell &&
+    return walker.is_upright && input.people[walker.mesh].first_cell != PersonRanges::k_no_cell &&
            !(pixels >= input.impostor_pixels);
 }
 
@@ -157,7 +157,9 @@ void find_contacts(const CrowdInput& input, std::span<const JointTransform> pale
     constexpr float gone = 32, whole = 48;  // pixels between which spots fade in
     contacts.clear();
     for (const WalkerDraw& walker : input.walkers) {
-        if (!is_drawable(input, walker) || !sees_sphere(view, walker.centre, walker.radius)) continue;
+        if (!walker.is_upright || !is_drawable(input, walker) ||
+            !sees_sphere(view, walker.centre, walker.radius))
+            continue;
         const float size = pixels_of(view, walker.centre, walker.radius);
         const float shown = std::clamp((size - gone) / (whole - gone), 0.0f, 1.0f);
         if (!(shown > 0)) continue;

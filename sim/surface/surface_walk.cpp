@@ -102,19 +102,23 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
         middles.push_back(sum / static_cast<float>(c.vertices.size()));
     }
     if (middles.empty()) return w;
+    constexpr uint32_t k_attempts = 32;
+    constexpr float k_far = 1000;  // metres
     for (uint32_t i = 0; i < speed.size(); ++i) {
-        RandomKey key{seed, i, 0, Purpose::spawn};
-        auto middle = static_cast<size_t>(random_unit(key) * static_cast<float>(middles.size()));
-        Vec3 way =
-            normalize_or({random_normal(key, 1), random_normal(key, 2), random_normal(key, 3)}, {0, 1, 0});
-        constexpr float k_far = 1000;
-        auto hit = cast_ray(c, middles[std::min(middle, middles.size() - 1)] + way * k_far, -way, k_far);
-        if (!hit) continue;
-        w.position.push_back(hit->point);
-        w.up.push_back(hit->normal);
-        w.ahead.push_back(
-            turned(square_to({0, 0, 1}, hit->normal), hit->normal, random_between(key, -k_pi, k_pi, 4)));
-        w.speed.push_back(speed[i]);
+        for (uint32_t attempt = 0; attempt < k_attempts; ++attempt) {
+            RandomKey key{seed, i, attempt, Purpose::spawn};
+            auto middle = static_cast<size_t>(random_unit(key) * static_cast<float>(middles.size()));
+            Vec3 way = normalize_or({random_normal(key, 1), random_normal(key, 2), random_normal(key, 3)},
+                                    {0, 1, 0});
+            auto hit = cast_ray(c, middles[std::min(middle, middles.size() - 1)] + way * k_far, -way, k_far);
+            if (!hit) continue;
+            float turn = random_between({seed, i, attempt, Purpose::destination}, -k_pi, k_pi);
+            w.position.push_back(hit->point);
+            w.up.push_back(hit->normal);
+            w.ahead.push_back(turned(square_to({0, 0, 1}, hit->normal), hit->normal, turn));
+            w.speed.push_back(speed[i]);
+            break;
+        }
     }
     w.turn_rate.resize(w.position.size());
     w.moved.resize(w.position.size());

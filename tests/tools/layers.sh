@@ -18,6 +18,7 @@ only sim sim
 only sim/base sim/base
 only sim/city sim/base sim/city
 only sim/ik sim/base sim/ik
+only sim/surface sim/base sim/surface
 only assets assets sim
 only renderer renderer shaders sim/base
 only shaders shaders

@@ -30,6 +30,15 @@ Quat nearest_mix(Quat a, Quat b, float t) {
                           lerp(a.w, sign * b.w, t)});
 }
 
+// From the stage onto the compound.
+void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float between, JointPose* joints) {
+    const Roam::Frame &before = roam.previous_frames[walker], &last = roam.frames[walker];
+    Roam::Frame frame{lerp(before.position, last.position, between),
+                      nearest_mix(before.rotation, last.rotation, between)};
+    for (int j = 0; j < k_joint_count; ++j)
+        joints[j] = set_onto(frame, crowd.position[walker], crowd.heading[walker], joints[j]);
+}
+
 constexpr float k_walks = 0.5f;  // amplitude from which a walker is nearer to walking than to standing
 
 }  // namespace
@@ -82,11 +91,13 @@ void extract_people(const World& world, const std::vector<Character>& characters
                 joints[j] = {lerp(before.position, last.position, between),
                              nearest_mix(before.rotation, last.rotation, between)};
             }
+            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
             pose_character(character, scale, joints, &frame.palette[i * k_palette_joints]);
             WalkerDraw& draw = frame.walkers[i];
             draw.centre = to_glm(joints[hips].position);
             draw.radius = 0.62f * character.body.height * scale;
             draw.mesh = crowd.body[i];
+            draw.is_upright = !world.roam;
             draw.instance.palette = static_cast<uint32_t>(i) * k_palette_joints;
             draw.instance.scale = scale;
             std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),

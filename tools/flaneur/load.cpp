@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "assets/asteroid.h"
 #include "assets/city.h"
 #include "assets/gltf_clip.h"
 #include "assets/navmesh_cache.h"
@@ -106,6 +107,7 @@ void clear_progress() { show_progress(""); }
 
 Result<City> read_city(const Scene& scene) {
     show_progress("making the city");
+    if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, {scene.terrain, scene.scale});
     if (city) print_notes(city->name, city->notes);
@@ -157,6 +159,10 @@ Result<Loaded> load(const Options& options) {
     clear_progress();
     if (!made) return made.error();
     loaded.world = std::move(*made);
+    if (scene.asteroid) {
+        Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound);
+        if (!set) return set.error();
+    }
     return loaded;
 }
 

@@ -427,6 +427,11 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<CameraChoice> camera = parse_camera(options.scene.camera);
     if (!camera) return camera.error();
     options.camera = *camera;
+    if (options.scene.asteroid && options.command == Command::render &&
+        camera->kind != CameraChoice::Kind::fixed) {
+        return Error{"--camera " + options.scene.camera +
+                     " is for cities; on the asteroid say EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0."};
+    }
     if (camera->kind == CameraChoice::Kind::follow &&
         camera->walker >= static_cast<uint32_t>(options.scene.walkers)) {
         return Error{"--camera " + options.scene.camera +

@@ -1,0 +1,38 @@
+// People who walk all round a compound, with any up, instead of in a city. Each walks on the spot on a level
+// stage, where gait and pose know nothing of it: the ground there carries its feet back by what it moves on
+// the compound. Its frame sets it onto the surface.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/parallel_for.h"
+#include "sim/base/result.h"
+#include "sim/crowd/crowd.h"
+#include "sim/gait/gait.h"
+#include "sim/pose/pose.h"
+#include "sim/surface/surface_walk.h"
+
+namespace flaneur {
+
+struct Roam {
+    Compound compound;
+    SurfaceWalkers walkers;
+    // Where a walker that stands at the origin and faces +z stands and faces.
+    struct Frame {
+        Vec3 position;
+        Quat rotation;
+    };
+    std::vector<Frame> frames, previous_frames;  // after the last tick and the one before
+};
+
+// Sets a crowd that stands on its stage down on a compound, each with the speed that it prefers. Refuses one
+// with nothing to walk on.
+Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed);
+
+// One tick: walks on the compound, and tells crowd and feet what their stage does under them.
+void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t seed, uint32_t tick);
+
+// A joint of a walker that stands at `root` on the stage, with its `heading`, set onto a frame.
+JointPose set_onto(const Roam::Frame& frame, Vec3 root, float heading, const JointPose& joint);
+
+}  // namespace flaneur
