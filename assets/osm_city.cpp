@@ -77,7 +77,7 @@ Result<City> load_osm(const std::string& path, const CityOptions& options) {
     return city_of(*map, path, options);
 }
 
-Result<City> city_of(const OsmMap& map, const std::string& path, const OsmOptions& options) {
+Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptions& options) {
     std::optional<std::array<double, 4>> extent = extent_of(map);
     if (!extent) {
         return Error{

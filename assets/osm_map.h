@@ -67,7 +67,7 @@ Result<OsmMap> read_osm(const std::string& path);
 // The same of bytes in memory; `format` is "osm" or "pbf".
 Result<OsmMap> parse_osm(std::string_view bytes, const std::string& format);
 // A city of a map that was read; see load_osm. `path` names it.
-Result<City> city_of(const OsmMap& map, const std::string& path, const OsmOptions& options);
+Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptions& options);
 
 // A length in metres: "12", "12.5 m", "1,5", "40 ft", "12'6\"". None for anything else.
 std::optional<float> parse_metres(std::string_view text);
