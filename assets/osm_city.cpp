@@ -57,6 +57,9 @@ void write_notes(OsmImport& in) {
          "buildings were left out because their outlines are not closed.");
     note(c.broken_relations, "multipolygon was left out because its rings are incomplete.",
          "multipolygons were left out because their rings are incomplete.");
+    note(in.map.too_long,
+         "way was left out because it has more nodes than the 2000 that OpenStreetMap takes.",
+         "ways were left out because they have more nodes than the 2000 that OpenStreetMap takes.");
     note(c.missing_nodes, "reference to a node that the file lacks was skipped.",
          "references to nodes that the file lacks were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",

@@ -42,8 +42,15 @@ struct SegmentIndex {
     void add(Vec2 a, Vec2 b, uint32_t owner, float half) {
         auto index = static_cast<uint32_t>(segments.size());
         segments.push_back({a, b, owner, half});
-        for (int x = square(std::min(a.x, b.x)); x <= square(std::max(a.x, b.x)); ++x) {
-            for (int z = square(std::min(a.z, b.z)); z <= square(std::max(a.z, b.z)); ++z) {
+        if (a.x > b.x) std::swap(a, b);
+        float slope = (b.z - a.z) / std::max(b.x - a.x, 1e-6f);
+        for (int x = square(a.x); x <= square(b.x); ++x) {
+            // Where the segment enters the column of squares and where it leaves it.
+            float from = a.z + slope * (std::max(static_cast<float>(x) * k_square, a.x) - a.x);
+            float to = a.z + slope * (std::min(static_cast<float>(x + 1) * k_square, b.x) - a.x);
+            if (x == square(a.x)) from = a.z;
+            if (x == square(b.x)) to = b.z;
+            for (int z = square(std::min(from, to) - 0.1f); z <= square(std::max(from, to) + 0.1f); ++z) {
                 by_square.push_back({{x, z}, index});
             }
         }

@@ -51,12 +51,16 @@ struct OsmRelation {
     OsmTags tags;
 };
 
+// OpenStreetMap takes no longer ways.
+inline constexpr size_t k_osm_most_nodes = 2000;
+
 // Sorted by id, each id once. Objects marked as deleted are left out.
 struct OsmMap {
     std::vector<OsmNode> nodes;
     std::vector<OsmWay> ways;
     std::vector<OsmRelation> relations;        // multipolygons and buildings only
     std::optional<std::array<double, 4>> box;  // west, south, east, north, where the file states it
+    int too_long = 0;                          // ways left out for having more nodes than k_osm_most_nodes
 
     const OsmNode* node(int64_t id) const;
     const OsmWay* way(int64_t id) const;
@@ -75,7 +79,8 @@ std::optional<float> parse_number(std::string_view text);
 // Below ground, in a tunnel or indoors.
 bool is_hidden(const OsmTags& tags);
 
-// Longitude and latitude to metres about a point, equirectangular on the WGS84 ellipsoid.
+// Longitude and latitude to metres about a point, equirectangular on the WGS84 ellipsoid. What lies farther
+// than 40 km to a side is brought that near.
 struct Projection {
     double longitude = 0, latitude = 0;  // of the origin
     double metres_per_longitude = 0, metres_per_latitude = 0;

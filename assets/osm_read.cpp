@@ -58,6 +58,10 @@ struct Collector : osmium::handler::Handler {
 
     void way(const osmium::Way& way) {
         if (!way.visible()) return;
+        if (way.nodes().size() > k_osm_most_nodes) {
+            ++map.too_long;
+            return;
+        }
         OsmWay w{way.id(), {}, tags_of(way)};
         for (const osmium::NodeRef& ref : way.nodes()) {
             if (w.nodes.empty() || w.nodes.back() != ref.ref()) w.nodes.push_back(ref.ref());

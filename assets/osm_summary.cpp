@@ -111,6 +111,33 @@ void count_built(OsmCounts& counts, OsmSort sort, int more) {
 }
 
 void tell_counts(OsmImport& in) {
+    for (const Prop& prop : in.city.props) {
+        switch (prop.kind) {
+            case PropKind::tree:
+                count_built(in.counts, OsmSort::tree);
+                break;
+            case PropKind::lamp:
+                count_built(in.counts, OsmSort::lamp);
+                break;
+            case PropKind::bench:
+                count_built(in.counts, OsmSort::bench);
+                break;
+            case PropKind::bollard:
+                count_built(in.counts, OsmSort::bollard);
+                break;
+            case PropKind::bin:
+                count_built(in.counts, OsmSort::bin);
+                break;
+            case PropKind::signal:
+                count_built(in.counts, OsmSort::traffic_light);
+                break;
+            case PropKind::shelter:
+                count_built(in.counts, OsmSort::bus_stop);
+                break;
+            default:
+                break;
+        }
+    }
     for (size_t s = 0; s < k_osm_sort_count; ++s) {
         const Sort& sort = k_sorts[s];
         int found = 0;

@@ -6,6 +6,8 @@
 
 namespace flaneur {
 
+static constexpr double k_farthest = 40'000;  // from the origin, metres
+
 // Reads digits with at most one point or comma from the front of `text`, and drops them from it.
 static std::optional<double> take_number(std::string_view& text) {
     double value = 0, scale = 1;
@@ -69,8 +71,10 @@ Vec2 Projection::operator()(const OsmNode& node) const {
     double east = (node.longitude - longitude) * metres_per_longitude;
     double north = (node.latitude - latitude) * metres_per_latitude;
     // Whole millimetres, so that nothing below them can differ between machines.
-    return {static_cast<float>(std::floor(east * 1000 + 0.5) / 1000),
-            static_cast<float>(std::floor(-north * 1000 + 0.5) / 1000)};
+    auto rounded = [](double v) {
+        return static_cast<float>(std::floor(std::clamp(v, -k_farthest, k_farthest) * 1000 + 0.5) / 1000);
+    };
+    return {rounded(east), rounded(-north)};
 }
 
 Projection projection_about(double longitude, double latitude) {

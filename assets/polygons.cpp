@@ -23,18 +23,18 @@ Vec2 to_metres(Point p) {
 }
 
 int64_t twice_area(const Ring& ring) {
-    int64_t sum = 0;
+    uint64_t sum = 0;  // wraps where a ring runs round and round
     for (size_t i = 1; i + 1 < ring.size(); ++i) {
         Point a = ring[0], b = ring[i], c = ring[i + 1];
-        sum += (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
+        sum += static_cast<uint64_t>((b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X));
     }
-    return sum;
+    return static_cast<int64_t>(sum);
 }
 
 double area(const Rings& rings) {
-    int64_t sum = 0;
-    for (const Ring& r : rings) sum += twice_area(r);
-    return static_cast<double>(sum) * 0.5e-6;
+    double sum = 0;
+    for (const Ring& r : rings) sum += static_cast<double>(twice_area(r));
+    return sum * 0.5e-6;
 }
 
 Ring positive(Ring ring) {

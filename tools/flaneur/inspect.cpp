@@ -143,7 +143,7 @@ void print_facts(const Json& facts) {
 Result<Json> inspect(const std::string& path, const std::string& terrain) {
     show_progress("reading " + path);
     if (path.ends_with(".osm") || path.ends_with(".pbf")) {
-        Result<City> city = load_osm(path, {terrain});
+        Result<City> city = load_osm(path, {terrain, 1});
         if (!city) return city.error();
         return facts_of(*city);
     }
