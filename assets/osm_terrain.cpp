@@ -118,7 +118,7 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
     plan.terrain = [&](Vec2 p) {
         float height = height_at(*terrain, longitude(p.x), latitude(p.z));
         if (sea.empty()) return height;
-        auto place = [](float v, int count) {
+        auto place = [side](float v, int count) {
             return std::clamp(static_cast<int>(v / side + 0.5f), 0, count - 1);
         };
         float distance =

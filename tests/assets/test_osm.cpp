@@ -6,7 +6,9 @@
 #include <iterator>
 
 #include "assets/city.h"
+#include "assets/osm_house.h"
 #include "assets/osm_map.h"
+#include "assets/terrain.h"
 #include "city_checks.h"
 
 namespace flaneur {
@@ -181,6 +183,144 @@ TEST(Osm, OddMapsDoNotCrash) {
     EXPECT_GE(city->notes.size(), 3u);
 }
 
+// The highest and the lowest corner of all roofs.
+std::pair<float, float> roof_span(const City& city) {
+    float low = 1e9f, high = -1e9f;
+    for (Vec3 v : city.roof_vertices) low = std::min(low, v.y), high = std::max(high, v.y);
+    return {low, high};
+}
+
+TEST(Osm, RoofsHaveTheirShapesAndHeights) {
+    for (const char* shape : {"gabled", "hipped", "half-hipped", "pyramidal", "skillion", "gambrel", "round",
+                              "mansard", "dome", "onion", "cone"}) {
+        SCOPED_TRACE(shape);
+        std::string tags =
+            std::string("<tag k='height' v='12'/><tag k='roof:height' v='4'/><tag k='roof:shape' v='") +
+            shape + "'/>";
+        Result<City> city = load_text(map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, tags)));
+        ASSERT_TRUE(city) << city.error().message;
+        check_city(*city);
+        auto [low, high] = roof_span(*city);
+        EXPECT_NEAR(high, 12, 1e-3f);
+        EXPECT_NEAR(low, 8, 1e-3f);
+        EXPECT_FLOAT_EQ(city->buildings.at(0).top, 8);
+        // Seen from above, the roof covers the house and nothing else, once; an onion bulges.
+        double covered = 0;
+        for (size_t t = 0; t < city->roof_buildings.size(); ++t) {
+            Vec3 p[3];
+            for (size_t k = 0; k < 3; ++k) p[k] = city->roof_vertices[city->roof_indices[3 * t + k]];
+            covered += -0.5 * static_cast<double>(cross(on_ground(p[1]) - on_ground(p[0]),
+                                                        on_ground(p[2]) - on_ground(p[0])));
+        }
+        EXPECT_NEAR(covered, 22.26 * 22.11, 6);
+    }
+}
+
+TEST(Osm, PartsStandInPlaceOfTheirOutline) {
+    // Over the house's western half; the other half is as high as the part's lowest top.
+    std::string part = R"(<node id="7" lat="0.0002" lon="0.0005"/><node id="8" lat="0.0004" lon="0.0005"/>
+        <way id="3"><nd ref="3"/><nd ref="7"/><nd ref="8"/><nd ref="6"/><nd ref="3"/>
+        <tag k="building:part" v="yes"/><tag k="height" v="30"/><tag k="building:colour" v="red"/></way>)";
+    Result<City> city = load_text(
+        map_of(k_nodes + part + with_tags(k_street, "") + with_tags(k_house, "<tag k='height' v='15'/>")));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    ASSERT_EQ(city->buildings.size(), 2u);
+    EXPECT_FLOAT_EQ(std::min(city->buildings[0].top, city->buildings[1].top), 15);
+    EXPECT_FLOAT_EQ(std::max(city->buildings[0].top, city->buildings[1].top), 30);
+    EXPECT_TRUE(city->buildings[0].wall_colour || city->buildings[1].wall_colour);
+}
+
+TEST(Osm, ColoursAreReadAndTamed) {
+    for (const char* none : {"", "#12", "#12345g", "octarine", "#1234567"})
+        EXPECT_EQ(parse_colour(none, false), 0u) << none;
+    EXPECT_EQ(parse_colour("#fff", false), parse_colour("#FFFFFF", false));
+    uint32_t red = parse_colour("#ff0000", false), black = parse_colour("black", true);
+    EXPECT_GT(red & 0xff, red >> 8 & 0xff);
+    EXPECT_LT(red & 0xff, 0xf8u) << "nothing glares";
+    EXPECT_GT(black & 0xff, 0x30u) << "nothing is pitch-dark";
+    EXPECT_EQ(red >> 24, 0xffu);
+}
+
+TEST(Osm, TalliesTellWhatWasBuilt) {
+    Result<City> city = load_text(map_of(k_nodes + with_tags(k_street, "<tag k='sidewalk' v='both'/>") +
+                                         with_tags(k_house, "<tag k='roof:shape' v='dome'/>")));
+    ASSERT_TRUE(city);
+    auto tally = [&](const std::string& what) {
+        for (const City::Tally& t : city->tallies) {
+            if (t.what == what) return std::pair(t.found, t.built);
+        }
+        return std::pair(0, 0);
+    };
+    EXPECT_EQ(tally("buildings"), std::pair(1, 1));
+    EXPECT_EQ(tally("without height or levels"), std::pair(1, 1));
+    EXPECT_EQ(tally("roofs dome"), std::pair(1, 1));
+    EXPECT_EQ(tally("roads with sidewalk=*").first, 1);
+}
+
+// Bounded time and memory, whatever numbers say.
+TEST(Osm, HostileSizesStaySmall) {
+    for (const char* tags :
+         {"<tag k='building:levels' v='1000000'/>", "<tag k='height' v='1e9'/>",
+          "<tag k='height' v='100000000'/>",
+          "<tag k='roof:height' v='99999999'/><tag k='roof:shape' v='onion'/>",
+          "<tag k='roof:levels' v='999999'/><tag k='roof:shape' v='hipped'/>",
+          "<tag k='min_height' v='99999999'/>", "<tag k='building:min_level' v='-99999999'/>"}) {
+        Result<City> city = load_text(map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, tags)));
+        ASSERT_TRUE(city) << tags;
+        EXPECT_LT(roof_span(*city).second, 1200) << tags;
+    }
+    // A way of 100,000 nodes, one that crosses itself a million times, and a street round half the earth.
+    std::string nodes, longest = "<way id='9'>", star = "<way id='10'>";
+    for (int i = 0; i < 100'000; ++i) {
+        std::string id = std::to_string(1000 + i % 1500);
+        longest += "<nd ref='" + id + "'/>";
+        if (i >= 1500) continue;
+        int to = i * 743 % 1500;
+        nodes += "<node id='" + id + "' lat='" + std::to_string(0.0006 + 1e-6 * (to % 39)) + "' lon='" +
+                 std::to_string(1e-6 * (to / 39)) + "'/>";
+        star += "<nd ref='" + id + "'/>";
+    }
+    longest += "<tag k='highway' v='footway'/></way>";
+    star += "<nd ref='1000'/><tag k='building' v='yes'/></way>";
+    nodes += "<node id='7' lat='0' lon='179'/>";
+    std::string far_away = "<way id='11'><nd ref='1'/><nd ref='7'/><tag k='highway' v='footway'/></way>";
+    std::string box = "<bounds minlat='0' minlon='0' maxlat='0.001' maxlon='0.001'/>";
+    Result<City> city = load_text(map_of(box + k_nodes + nodes + with_tags(k_street, "") +
+                                         with_tags(k_house, "") + longest + star + far_away));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    EXPECT_LT(city->ground_kinds.size(), 200'000u);
+}
+
+// Flat, on the same map raised by a slope of one in ten.
+TEST(Osm, TerrainCarriesHousesAndStreets) {
+    std::string slope(2 * 1201 * 1201, '\0');
+    for (size_t i = 0; i < 1201u * 1201; ++i) {  // 9.3 m higher with each sample to the east
+        size_t height = i % 1201 * 8;
+        slope[2 * i] = static_cast<char>(height >> 8), slope[2 * i + 1] = static_cast<char>(height);
+    }
+    fs::path tile = fs::temp_directory_path() / "N00E000.hgt";
+    std::ofstream(tile, std::ios::binary) << slope;
+    Temporary file("map.osm",
+                   map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, "<tag k='height' v='9'/>")));
+    Result<City> city = load_osm(file.path.string(), {tile.string(), 1});
+    Result<Terrain> terrain = read_terrain(tile.string(), {0, 0, 0.001, 0.0004});
+    fs::remove(tile);
+    auto filed = [&](float x) { return height_at(*terrain, 0.0005 + static_cast<double>(x) / 111'320, 0); };
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    float z = city->high.z - 6;
+    auto height = [&](float x) { return ground(*city, {x, 5, z}, 20, 20)->height; };
+    EXPECT_GT(height(30) - height(-30), 3);
+    EXPECT_NEAR(height(30) - height(-30), filed(30) - filed(-30), 0.2f);
+    EXPECT_NEAR(height(-54), 0.6f, 0.7f) << "y = 0 is the lowest ground";
+    // The house stands from its lowest ground and is as high as it says above it.
+    const Building& house = city->buildings.at(0);
+    EXPECT_NEAR(house.top - house.base, 9, 0.3f);
+    EXPECT_NEAR(house.base, height(-11), 0.5f);
+}
+
 TEST(Osm, RealMapsMakeSoundCities) {
     NEEDS_CORPUS();
     for (const char* name :
@@ -228,6 +368,33 @@ TEST(Osm, SpoiltFilesDoNotCrash) {
             }
         }
     }
+}
+
+// A small map of everything, cut short or with bytes changed, is loaded or refused.
+TEST(Osm, SpoiltSmallMapsDoNotCrash) {
+    std::string whole =
+        map_of(k_nodes + with_tags(k_street, "<tag k='sidewalk' v='both'/><tag k='lanes' v='2'/>") +
+               with_tags(k_house, "<tag k='height' v='12'/><tag k='roof:shape' v='gabled'/>") +
+               R"(<way id="5"><nd ref="1"/><nd ref="4"/><nd ref="5"/><tag k="highway" v="steps"/></way>
+        <way id="6"><nd ref="2"/><nd ref="6"/><tag k="barrier" v="wall"/></way>
+        <relation id="1"><member type="way" ref="2" role="outer"/><tag k="type" v="multipolygon"/>
+        <tag k="leisure" v="park"/></relation>)");
+    int loaded = 0;
+    for (uint64_t seed = 0; seed < 400; ++seed) {
+        std::string spoilt = whole;
+        for (uint32_t i = 0; i < 1 + seed % 4; ++i) {
+            uint64_t r = random_bits({seed, 0, 0, Purpose::spawn}, i);
+            // Mostly digits and letters for others, so that much of it still can be read.
+            char& victim = spoilt[r % spoilt.size()];
+            victim = seed % 5 == 0 ? static_cast<char>(r >> 56) : static_cast<char>('0' + (r >> 56) % 75);
+        }
+        if (seed % 7 == 0) spoilt.resize(spoilt.size() * (seed + 1) / 402);
+        Result<OsmMap> map = parse_osm(spoilt, "osm");
+        if (!map) continue;
+        Result<City> city = city_of(*map, "spoilt", {});
+        loaded += city ? 1 : 0;
+    }
+    EXPECT_GT(loaded, 20);
 }
 
 TEST(Osm, CutFilesAndNoiseAreRefused) {
