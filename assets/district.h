@@ -96,4 +96,7 @@ void fill_square(District& d, Block& block);
 // Beyond the outermost street `way`, whose blocks lie to its right.
 void fill_belt(District& d, uint32_t way, uint64_t seed);
 
+// The country around the map, as scenery.
+void add_horizon(District& d, uint64_t seed);
+
 }  // namespace flaneur

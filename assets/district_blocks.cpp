@@ -233,7 +233,7 @@ void fill_park(District& d, Block& block) {
 void fill_slabs(District& d, Block& block) {
     Dice& dice = block.dice;
     const Ring& ring = block.ring;
-    add_area(d, k_rank_rest, Surface::plaza, flat(k_kerb), {block.outline});
+    add_area(d, k_rank_rest, Surface::grass, flat(k_kerb), {block.outline});
     Vec2 middle = middle_of(ring).value_or(to_metres(ring[0])),
          south = dice.chance(0.5f) ? Vec2{0, 1} : Vec2{0, -1};
     // Along the longest front.
@@ -267,9 +267,18 @@ void fill_slabs(District& d, Block& block) {
     slab(middle + east * 17.0f - south * 14.0f, 22, 13, 3 + dice.pick(2), true);
     {
         Vec2 u = east * 30.0f, v = south * 5.0f;
-        add_area(d, k_rank_plaza - 1, Surface::grass, flat(k_kerb),
+        add_area(d, k_rank_plaza, Surface::plaza, flat(k_kerb),
                  {positive({to_point(middle - u - v), to_point(middle + u - v), to_point(middle + u + v),
                             to_point(middle - u + v)})});
+        // Ways out to the streets.
+        for (const Front& front : block.fronts) {
+            if (length(front.b - front.a) < 25) continue;
+            add_path(d, {middle, lerp(front.a, front.b, 0.5f)}, 3, Surface::plaza);
+        }
+        for (int i = 0; i < 14; ++i) {
+            Vec2 at = place_in(dice, ring, 4);
+            add_tree(d, dice, at, dice.between(0.9f, 1.35f));
+        }
         for (int i = 0; i < 6; ++i) {
             Vec2 at = middle + east * (9.5f * (static_cast<float>(i) - 2.5f)) + south * dice.between(-3, 3);
             add_tree(d, dice, at, dice.between(0.9f, 1.2f));

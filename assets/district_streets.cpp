@@ -110,8 +110,9 @@ void lay_stairs(District& d, Dice& dice, const Way& way) {
                 Vec2 at = origin + down * (s + landing * 0.5f) + right * (side * (half - 0.9f));
                 if ((f + (side > 0)) % 2 == 0) {
                     add_bench(d, dice, at, right * -side);
+                    add_prop(d, dice, PropKind::planter, at + down * 1.8f, heading_of(down), 1.15f);
                 } else {
-                    add_tree(d, dice, at, 0.62f);
+                    add_tree(d, dice, at, 0.68f);
                 }
                 Vec2 lamp = origin + down * (end - 0.4f) + right * (side * (half - 0.35f));
                 if (side < 0) add_prop(d, dice, PropKind::lamp, lamp, heading_of(right), 4.2f);

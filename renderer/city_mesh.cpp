@@ -10,7 +10,7 @@
 namespace flaneur {
 namespace {
 
-constexpr int k_grid = 12;            // chunks along each side of the city, for each class
+constexpr int k_grid = 20;            // chunks along each side of the city, for each class
 constexpr float k_least_cell = 24;    // metres
 constexpr float k_least_wall = 1.6f;  // narrower ones have no windows, metres
 

@@ -122,6 +122,11 @@ void main() {
         float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
         vec3 room = ambient(normal) *
                     mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
+        // Goods in a shop's window, in the light of its lamps.
+        vec2 shelf = vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6);
+        float goods = hash(floor(shelf)), shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
+        float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
+        room += is_shop * ambient(normal) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);
     }

@@ -82,6 +82,15 @@ std::vector<int> find_doors(const City& city) {
     return doors;
 }
 
+// Shops look onto streets and squares, not onto gardens and yards.
+bool looks_onto_street(const City& city, const Face& f) {
+    Vec2 along = on_ground(f.b) - on_ground(f.a);
+    Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
+    Vec2 before = lerp(on_ground(f.a), on_ground(f.b), 0.5f) + out * 1.5f;
+    std::optional<GroundHit> hit = ground(city, at_height(before, f.a.y), 3, 3);
+    return !hit || (hit->kind != Surface::grass && hit->kind != Surface::path);
+}
+
 WindowKind windows_of(const Building& b) {
     constexpr uint8_t k_brick = 3, k_concrete = 4, k_dark_brick = 8;
     constexpr float k_hall = 4.5f;  // storeys from here on are those of halls and churches
@@ -116,8 +125,8 @@ void add_faces(CityMesh& mesh, const City& city) {
                 // A window in the roof is one storey.
                 float high = f.a_top - f.a.y;
                 bool is_dormer = f.a.y > b.top && high < b.storey;
-                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20), b.has_shop != 0, doors[i],
-                                     windows_of(b));
+                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20),
+                                     b.has_shop && looks_onto_street(city, f), doors[i], windows_of(b));
                 // Storeys are counted from the ground at the door; walls go down to the lowest.
                 if (b.base > foot && b.base < foot + 3) foot = b.base;
             } else {
