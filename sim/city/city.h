@@ -187,6 +187,7 @@ struct WallPoint {
     Vec3 point;
     Vec3 normal;  // out of the wall, horizontal
     float distance = 0;
+    uint32_t face = ~0u;  // index into City::faces, or ~0u: scenery
 };
 
 // The closest point of any facade, garden wall or solid scenery within `radius` of `point`, at a height that

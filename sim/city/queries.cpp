@@ -202,7 +202,8 @@ std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius
                          std::sqrt(best)};
     }
     if (!wall) return std::nullopt;
-    return WallPoint{at, wall_normal(wall->along), std::sqrt(best)};
+    uint32_t face = city.wall_grid.items[static_cast<size_t>(wall - city.grid_walls.data())];
+    return WallPoint{at, wall_normal(wall->along), std::sqrt(best), face};
 }
 
 }  // namespace flaneur

@@ -1,16 +1,15 @@
 #include <cstdio>
 
+#include "tools/flaneur/city_check.h"
+#include "tools/flaneur/city_model.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/load.h"
 #include "tools/flaneur/output.h"
-#ifdef FLANEUR_VULKAN
-#include "tools/flaneur/city_model.h"
-#endif
 
 namespace flaneur {
 
 Result<void> run_city(const Options& options) {
-#ifdef FLANEUR_VULKAN
+    if (options.check) return check_city(options);
     Result<PartFilePtr> file = open_file(options.out);
     if (!file) return file.error();
     Result<City> city = read_city(options.scene);
@@ -19,9 +18,6 @@ Result<void> run_city(const Options& options) {
     std::string bytes = still_glb(city_model(*city));
     std::fwrite(bytes.data(), 1, bytes.size(), (*file)->file);
     return keep_file(std::move(*file));
-#else
-    return Error{"city --out " + options.out + " needs a flaneur with Vulkan."};
-#endif
 }
 
 }  // namespace flaneur

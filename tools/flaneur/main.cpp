@@ -13,12 +13,11 @@ Result<void> run(const Options& options) {
                  (options.command == Command::bench && options.load == BenchLoad::frame) ||
                  (options.command == Command::gait && !options.gait.strip.empty()) ||
                  (options.command == Command::people && !options.people.sheet.empty()) ||
-                 (options.command == Command::city && !options.out.empty());
+                 options.command == Command::city;
     if (draws) {
         return Error{
             "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city, gait without --strip, "
-            "people without --sheet, inspect and city without --out. One that draws is made by ./tools/build "
-            "release."};
+            "people without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
 #endif
     switch (options.command) {
@@ -27,6 +26,8 @@ Result<void> run(const Options& options) {
             return run_view(options);
         case Command::render:
             return run_render(options);
+        case Command::city:
+            return run_city(options);
 #endif
         case Command::sim:
             return run_sim(options);
@@ -34,8 +35,6 @@ Result<void> run(const Options& options) {
             return run_gait(options);
         case Command::inspect:
             return run_inspect(options);
-        case Command::city:
-            return run_city(options);
         case Command::people:
             return run_people(options);
         default:

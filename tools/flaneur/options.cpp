@@ -40,12 +40,15 @@ Examples:
   flaneur inspect monaco.osm.pbf --terrain N43E007.hgt.zip)";
 
 constexpr const char* k_city_footer =
-    R"(Writes what is drawn of a city, but for what shaders add, in metres, +y up: grouped into ground, facades, roofs
+    R"(--check says whether people can live there: nothing walkable inside buildings, the ground as it is drawn, ways between
+sidewalks, and a crowd that nothing stops; it fails where a bar is missed.
+--out writes what is drawn, but for what shaders add, in metres, +y up: grouped into ground, facades, roofs
 and props, with materials named road, sidewalk, facade and so on. Names and slopes are all that it takes to read it
 back as --city FILE.glb.
 Examples:
   flaneur city --out out/district.glb
-  flaneur city --city berlin.osm.pbf --out out/berlin.glb)";
+  flaneur city --city berlin.osm.pbf --out out/berlin.glb
+  flaneur city --city berlin.osm.pbf --check --walkers 2000 --seconds 300)";
 
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
@@ -183,6 +186,21 @@ void add_place_options(CLI::App& app, SceneWords& words) {
         ->group("Scene");
 }
 
+void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
+    app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
+        ->type_name("N")
+        ->check(CLI::Range(0, k_max_walkers).description(""))
+        ->group("Scene");
+    add_parsed(app, "--time", parse_time, words.hour, "The time of day, which sends people elsewhere",
+               "HH:MM", "17:30")
+        ->group("Scene");
+    app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
+        ->type_name("N")
+        ->check(CLI::Range(0, 256).description(""))
+        ->capture_default_str()
+        ->group("Scene");
+}
+
 void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
     add_place_options(app, words);
     add_characters(
@@ -199,18 +217,7 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         ->allow_extra_args(false)
         ->take_all()
         ->group("Scene");
-    app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
-        ->type_name("N")
-        ->check(CLI::Range(0, k_max_walkers).description(""))
-        ->group("Scene");
-    add_parsed(app, "--time", parse_time, words.hour, "The time of day, which sends people elsewhere",
-               "HH:MM", "17:30")
-        ->group("Scene");
-    app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
-        ->type_name("N")
-        ->check(CLI::Range(0, 256).description(""))
-        ->capture_default_str()
-        ->group("Scene");
+    add_walking_options(app, words, options);
 }
 
 void add_drawing_options(CLI::App& app, Options& options) {
@@ -388,10 +395,20 @@ void add_inspect(CLI::App& app, SceneWords& words, Options& options) {
 }
 
 void add_city(CLI::App& app, SceneWords& words, Options& options) {
-    CLI::App* city = app.add_subcommand("city", "Write a city to a file")->footer(k_city_footer);
+    CLI::App* city = app.add_subcommand("city", "Write a city to a file, or check it")->footer(k_city_footer);
     city->callback([&] { options.command = Command::city; });
     add_place_options(*city, words);
-    city->add_option("--out", options.out, "Write what is drawn, a .glb")->type_name("FILE")->required();
+    CLI::Option_group* what = city->add_option_group("What to do");
+    what->add_option("--out", options.out, "Write what is drawn, a .glb")->type_name("FILE");
+    what->add_flag("--check", options.check,
+                   "Fail if what is drawn, walked on and found ways through differ, or people get stuck");
+    what->require_option(1);
+    add_walking_options(*city, words, options);
+    city->add_option("--seconds", options.seconds, "How long they walk in a check, in simulated time")
+        ->type_name("T")
+        ->check(CLI::Range(0.0, 1e6).description(""))
+        ->capture_default_str();
+    city->add_option("--json", options.json, "Write what a check finds to a file too")->type_name("FILE");
 }
 
 Result<void> settle_scene(const SceneWords& words, Options& options) {
@@ -421,7 +438,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
-    if (options.command == Command::city && !options.out.ends_with(".glb"))
+    if (options.command == Command::city && !options.check && !options.out.ends_with(".glb"))
         return Error{"city --out " + options.out + " is no .glb, which is what a city is written as."};
     if (words.camera) options.scene.camera = *words.camera;
     Result<CameraChoice> camera = parse_camera(options.scene.camera);

@@ -91,7 +91,10 @@ struct Options {
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;  // or ticks, or repetitions
 
-    std::string json;  // where bench, gait and inspect write their figures too
+    // city
+    bool check = false;
+
+    std::string json;  // where bench, city, gait and inspect write their figures too
 
     GaitOptions gait;
     PeopleOptions people;
