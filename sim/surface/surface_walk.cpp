@@ -16,6 +16,7 @@ constexpr float k_deep = 1.2f;         // how far they reach, metres
 constexpr float k_knee = 0.25f;        // height of the ray ahead, metres
 constexpr float k_edge = 0.3f;         // how far it reaches, metres
 constexpr float k_most_turn = 3.5f;    // of its up, radians a second
+constexpr float k_gain = 0.8f;         // of its pace, metres a second each second
 constexpr float k_hurry = 1.5f;        // most that it moves, against what it likes
 constexpr float k_bend = 0.35f;        // of its way, radians a second
 constexpr uint32_t k_bend_ticks = 90;  // for so long
@@ -120,6 +121,7 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
             break;
         }
     }
+    w.pace.resize(w.position.size());
     w.turn_rate.resize(w.position.size());
     w.moved.resize(w.position.size());
     w.probes.resize(w.position.size());
@@ -132,7 +134,8 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, 
         Vec3 position = w.position[i], up = w.up[i];
         w.turn_rate[i] = k_bend * (2 * whim(seed, i, tick) - 1);
         Vec3 ahead = turned(w.ahead[i], up, w.turn_rate[i] * dt);
-        Vec3 there = position + ahead * (w.speed[i] * dt);
+        w.pace[i] = std::min(w.pace[i] + k_gain * dt, w.speed[i]);
+        Vec3 there = position + ahead * (w.pace[i] * dt);
         SurfaceProbe& p = w.probes[i];
         p = probe(compound, there, up, ahead);
         if (!p.sides[0].is_hit && !p.sides[1].is_hit) {  // nothing to stand on: back
@@ -145,7 +148,7 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, 
         auto hit = surface_below(compound, p.point + up * k_high, up, k_deep);
         Vec3 next = hit ? hit->point : p.point;
         // In a corner the mean may jump.
-        float way = length(next - position), most = k_hurry * w.speed[i] * dt;
+        float way = length(next - position), most = k_hurry * w.pace[i] * dt;
         if (way > most) {
             next = lerp(position, next, most / way);
             if (auto on = surface_below(compound, next + up * k_high, up, k_deep)) next = on->point;

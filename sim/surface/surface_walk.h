@@ -27,6 +27,7 @@ struct SurfaceWalkers {
     std::vector<Vec3> position;    // on the surface, between the feet
     std::vector<Vec3> up, ahead;   // unit, square to each other
     std::vector<float> speed;      // what it likes, metres a second
+    std::vector<float> pace;       // what it has come to, from standing
     std::vector<float> turn_rate;  // about its up, radians a second, in the last tick
     std::vector<float> moved;      // metres along the surface in the last tick
     std::vector<SurfaceProbe> probes;

@@ -67,6 +67,42 @@ TEST(Draw, TwoRenderersGiveTheSameBytes) {
     EXPECT_EQ(validation_messages(*a), 0u);
 }
 
+// A sheet 2 m above the plaza whose right half is there and whose left half its texture cuts away.
+void add_sheet(CityMesh& city) {
+    const auto first = static_cast<uint32_t>(city.vertices.size());
+    for (glm::vec2 at : {glm::vec2(-3, 1), {3, 1}, {3, -1}, {-3, -1}}) {
+        CityVertex vertex{};
+        vertex.position = {at.x, 2, at.y};
+        vertex.colour = 0xffffffffu;
+        vertex.uv = {(at.x + 3) / 6, 0.5f};
+        vertex.normal[1] = 127;
+        vertex.material = static_cast<uint16_t>(k_material_scenery);
+        vertex.extra = 1;
+        city.vertices.push_back(vertex);
+    }
+    for (uint32_t i : {0, 1, 2, 0, 2, 3}) city.indices.push_back(first + i);
+    city.textures.push_back({2, 1, {20, 20, 20, 255, 255, 255, 255, 0}});
+}
+
+TEST(Draw, SceneryShowsItsTextureAndThrowsItsShadow) {
+    const SyntheticScene bare = plaza();
+    SyntheticScene covered = plaza();
+    add_sheet(covered.meshes.city);
+    const RendererPtr a = renderer_with(bare), b = renderer_with(covered);
+    const Image without = draw(*a, bare.frame(k_above, k_side_sun));
+    const Image with = draw(*b, covered.frame(k_above, k_side_sun));
+    auto differs = [&](uint32_t x) { return luma_about(without, x, 90, 2) - luma_about(with, x, 90, 2); };
+    EXPECT_GT(differs(215), 30) << "the sheet";
+    EXPECT_NEAR(differs(105), 0, 1) << "what is cut away";
+    EXPECT_GT(differs(305), 15) << "its shadow";
+    EXPECT_NEAR(differs(274), 0, 2) << "no shadow of what is cut away";
+    EXPECT_EQ(frame_stats(*a).sub_draws + 3, frame_stats(*b).sub_draws) << "seen, and in both shadow maps";
+    EXPECT_EQ(validation_messages(*b), 0u);
+
+    covered.meshes.city.vertices.back().extra = 2;
+    EXPECT_FALSE(upload_scene(*b, covered.meshes)) << "a texture that is not there";
+}
+
 TEST(Draw, EveryStageIsTimed) {
     const SyntheticScene scene = synthetic_scene(50);
     const RendererPtr renderer = renderer_with(scene);

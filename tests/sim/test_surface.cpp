@@ -125,7 +125,7 @@ SurfaceWalkers one(Vec3 from, Vec3 up, Vec3 ahead) {
     w.up = {up};
     w.ahead = {ahead};
     w.speed = {1.3f};
-    w.turn_rate = w.moved = {0};
+    w.pace = w.turn_rate = w.moved = {0};
     w.probes.resize(1);
     return w;
 }

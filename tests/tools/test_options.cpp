@@ -28,6 +28,9 @@ TEST(Options, TheCommandLineOverridesTheScene) {
     EXPECT_EQ(changed.scene.seed, ~uint64_t{0});
     EXPECT_FLOAT_EQ(changed.scene.hour, 23.5f);
     EXPECT_EQ(changed.scene.blocks, plain.scene.blocks);
+    EXPECT_TRUE(parsed({"sim", "--scene", "asteroid"}).scene.asteroid);
+    EXPECT_FALSE(parsed({"sim", "--scene", "asteroid", "--city", "a.glb"}).scene.asteroid);
+    EXPECT_FLOAT_EQ(parsed({"sim", "--city", "a.glb", "--scale", "0.01"}).scene.scale, 0.01f);
 }
 
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {

@@ -415,7 +415,10 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene) return scene.error();
     options.scene = *scene;
-    if (words.city) options.scene.city = *words.city;
+    if (words.city) {
+        options.scene.city = *words.city;
+        options.scene.asteroid = false;
+    }
     if (words.terrain) options.scene.terrain = *words.terrain;
     bool no_map = options.scene.city.empty() && options.command != Command::inspect;
     if (!options.scene.terrain.empty() && no_map)
