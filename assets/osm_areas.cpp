@@ -20,7 +20,10 @@ std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way) {
     return lines;
 }
 
-// None where a node is missing.
+// Outlines that cross themselves a few times are mended; what crosses itself more often is no outline.
+static constexpr int k_most_crossings = 100;
+
+// None where a node is missing, or where it is a tangle.
 static std::optional<Ring> ring_of(OsmImport& in, const std::vector<int64_t>& nodes) {
     Ring ring;
     for (int64_t id : nodes) {
@@ -32,6 +35,10 @@ static std::optional<Ring> ring_of(OsmImport& in, const std::vector<int64_t>& no
         ring.push_back(to_point(in.project(*node)));
     }
     ring.pop_back();
+    if (is_tangled(ring, k_most_crossings)) {
+        ++in.counts.tangled;
+        return std::nullopt;
+    }
     return positive(std::move(ring));
 }
 

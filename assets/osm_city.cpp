@@ -60,6 +60,8 @@ void write_notes(OsmImport& in) {
     note(in.map.too_long,
          "way was left out because it has more nodes than the 2000 that OpenStreetMap takes.",
          "ways were left out because they have more nodes than the 2000 that OpenStreetMap takes.");
+    note(c.tangled, "outline was left out because it crosses itself more than a hundred times.",
+         "outlines were left out because they cross themselves more than a hundred times.");
     note(c.missing_nodes, "reference to a node that the file lacks was skipped.",
          "references to nodes that the file lacks were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",

@@ -126,6 +126,7 @@ inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::barrier)
 struct OsmCounts {
     int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0;
     int outside = 0, props_off_ground = 0;
+    int tangled = 0;       // outlines that cross themselves again and again
     int flat_instead = 0;  // roofs whose outlines do not allow for their shape
     std::array<int, k_osm_sort_count> built;
     OsmCounts() { built.fill(-1); }

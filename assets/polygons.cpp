@@ -126,6 +126,23 @@ static bool cross_or_touch(Point a, Point b, Point c, Point d) {
     return touches(a, b, c) || touches(a, b, d) || touches(c, d, a) || touches(c, d, b);
 }
 
+bool is_tangled(const Ring& ring, int most) {
+    size_t n = ring.size();
+    int crossings = 0;
+    for (size_t i = 0; i < n; ++i) {
+        Point a = ring[i], b = ring[(i + 1) % n];
+        int64_t low = std::min(a.X, b.X), high = std::max(a.X, b.X);
+        for (size_t j = i + 2; j < std::min(n, i + 4000); ++j) {
+            Point c = ring[j], d = ring[(j + 1) % n];
+            if (std::max(c.X, d.X) <= low || std::min(c.X, d.X) >= high) continue;
+            bool cross = sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 &&
+                         sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
+            if (cross && ++crossings > most) return true;
+        }
+    }
+    return false;
+}
+
 std::optional<Ring> inset(const Ring& ring, int64_t distance) {
     size_t n = ring.size();
     if (n < 3 || n > 400) return std::nullopt;

@@ -36,6 +36,8 @@ Ring rectangle(Point low, Point high);
 // Even-odd; points on the border count as inside.
 bool contains(const Rings& rings, Point p);
 bool is_convex(const Ring& ring);
+// Whether edges cross each other more than `most` times; looks 4000 edges ahead.
+bool is_tangled(const Ring& ring, int most);
 
 // Where the winding number of the rings is not zero.
 Rings unite(const Rings& rings);
