@@ -151,6 +151,7 @@ bool may_be_area(const OsmTags& tags) {
 void add_osm_areas(OsmImport& in) {
     auto add = [&](const OsmTags& tags, const std::vector<Region>& regions) {
         std::optional<AreaKind> kind = area_kind(tags);
+        if (!regions.empty()) count_built(in.counts, tags, OsmSort::pedestrian_area, OsmSort::water);
         for (const Region& region : regions) {
             Area area;
             area.rank = kind->rank;

@@ -80,6 +80,7 @@ void add_osm_barriers(OsmImport& in) {
     for (const OsmWay& way : in.map.ways) {
         const BarrierKind* kind = barrier_of(way.tags);
         if (!kind) continue;
+        count_built(in.counts, OsmSort::barrier);
         float height = clamp(parse_metres(way.tags["height"]).value_or(kind->height), 0.4f, 12);
         for (const std::vector<Vec2>& line : lines_of(in, way)) {
             for (size_t i = 0; i + 1 < line.size(); ++i) {

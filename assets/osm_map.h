@@ -133,6 +133,8 @@ struct OsmCounts {
 };
 // Once more, or so often more, that something of a sort was built.
 void count_built(OsmCounts& counts, OsmSort sort, int more = 1);
+// Once more for each sort from first to last that the tags are of.
+void count_built(OsmCounts& counts, const OsmTags& tags, OsmSort first, OsmSort last);
 
 struct OsmHighway {
     float width = 0;     // metres

@@ -218,6 +218,7 @@ void add_junctions_and_crossings(OsmImport& in, const std::vector<OsmStreet>& ro
                     if (d) across = *d;
                 }
                 float half = std::max(arms[0].half_width, arms[1].half_width);
+                if (node->tags.is("highway", "crossing")) count_built(in.counts, OsmSort::crossing_node);
                 add_crossing(in.plan, in.project(*node), along, across, half, 4, marked);
             }
         }
@@ -258,6 +259,7 @@ void add_osm_streets(OsmImport& in) {
         bool is_area = way.tags.is("area", "yes") || (way.closed() && way.tags.has("area:highway"));
         if (!highway || is_area || way.nodes.size() < 2) continue;
         OsmStreet street{&way, *highway, lines_of(in, way)};
+        if (!street.lines.empty()) count_built(in.counts, way.tags, OsmSort::road, OsmSort::layer);
         if (highway->level > 0) {
             raised_nodes.insert(raised_nodes.end(), way.nodes.begin(), way.nodes.end());
             in.raised.push_back(std::move(street));

@@ -110,6 +110,12 @@ void count_built(OsmCounts& counts, OsmSort sort, int more) {
     built = std::max(built, 0) + more;
 }
 
+void count_built(OsmCounts& counts, const OsmTags& tags, OsmSort first, OsmSort last) {
+    for (auto s = static_cast<size_t>(first); s <= static_cast<size_t>(last); ++s) {
+        if (k_sorts[s].is(tags)) count_built(counts, static_cast<OsmSort>(s));
+    }
+}
+
 void tell_counts(OsmImport& in) {
     for (const Prop& prop : in.city.props) {
         switch (prop.kind) {
