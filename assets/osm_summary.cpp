@@ -26,7 +26,7 @@ constexpr char k_flat[] = "flat", k_gabled[] = "gabled", k_half_hipped[] = "half
 
 struct Sort {
     const char* name;
-    enum { nodes, lines, both } where;  // lines: ways and relations
+    enum { nodes, lines } where;  // lines: ways and relations
     bool (*is)(const OsmTags& tags);
 };
 constexpr Sort k_sorts[k_osm_sort_count] = {
@@ -68,7 +68,7 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
      }},
     {"crossing nodes", Sort::nodes, [](const OsmTags& t) { return t.is("highway", "crossing"); }},
     {"crossing ways", Sort::lines, [](const OsmTags& t) { return t.is("footway", "crossing"); }},
-    {"kerb=*", Sort::both, [](const OsmTags& t) { return t.has("kerb"); }},
+    {"kerb=*", Sort::nodes, [](const OsmTags& t) { return t.has("kerb"); }},
     {"steps", Sort::lines, [](const OsmTags& t) { return t.is("highway", "steps"); }},
     {"steps with step_count", Sort::lines,
      [](const OsmTags& t) { return t.is("highway", "steps") && t.has("step_count"); }},
@@ -112,7 +112,8 @@ void count_built(OsmCounts& counts, OsmSort sort, int more) {
 
 void count_built(OsmCounts& counts, const OsmTags& tags, OsmSort first, OsmSort last) {
     for (auto s = static_cast<size_t>(first); s <= static_cast<size_t>(last); ++s) {
-        if (k_sorts[s].is(tags)) count_built(counts, static_cast<OsmSort>(s));
+        if (k_sorts[s].where != Sort::nodes && k_sorts[s].is(tags))
+            count_built(counts, static_cast<OsmSort>(s));
     }
 }
 
@@ -150,8 +151,8 @@ void tell_counts(OsmImport& in) {
         auto count = [&](const auto& objects) {
             for (const auto& object : objects) found += !object.tags.items.empty() && sort.is(object.tags);
         };
-        if (sort.where != Sort::lines) count(in.map.nodes);
-        if (sort.where != Sort::nodes) count(in.map.ways), count(in.map.relations);
+        if (sort.where == Sort::nodes) count(in.map.nodes);
+        if (sort.where == Sort::lines) count(in.map.ways), count(in.map.relations);
         int built = in.counts.built[s];
         if (found > 0 || built > 0) in.city.tallies.push_back({sort.name, found, built});
     }
