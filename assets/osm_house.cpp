@@ -162,7 +162,10 @@ RoofKind usual_roof(std::string_view type, const Region& outline, float eaves, c
     double square_metres = area(rings_of(outline));
     bool quad = outline.holes.empty() && without_collinear(outline.outer, 250).size() == 4;
     RoofKind pitched = quad && u < 0.6f ? RoofKind::gable : RoofKind::hip;
-    if (is_house(type) || is_one_of(type, {"barn", "stable", "farm_auxiliary", "chapel"})) return pitched;
+    // A "house" of many storeys, as in Taipei, is a block of flats by another name.
+    bool low = breadth < 17 && eaves < (around.pitched ? 13.0f : 8.0f);
+    if (is_house(type)) return low ? pitched : RoofKind::flat;
+    if (is_one_of(type, {"barn", "stable", "farm_auxiliary", "chapel"})) return pitched;
     if (is_one_of(type, {"church", "cathedral", "basilica"})) return RoofKind::gable;
     if (!around.pitched || breadth > 17 || eaves > 20 || square_metres < 25) return RoofKind::flat;
     if (around.old && square_metres < 600) return u < 0.85f ? pitched : RoofKind::flat;
