@@ -186,6 +186,26 @@ TEST(GltfCity, RefusesWhatIsNoCity) {
     refused(sheets, 1, "lie over each other");
 }
 
+TEST(GltfCity, BrokenBytesNeverCrash) {
+    std::string glb = still_glb(street().model);
+    size_t loaded = 0, refused = 0;
+    for (uint32_t n = 0; n < 600; ++n) {
+        RandomKey key{11, n, 0, Purpose::city};
+        std::string bytes = glb;
+        auto at = [&](uint32_t i) { return static_cast<size_t>(random_bits(key, i) % bytes.size()); };
+        if (n % 3 == 0) bytes.resize(at(0));
+        for (uint32_t flips = 1 + n % 5; n % 3 != 0 && flips > 0; --flips)
+            bytes[at(flips)] = static_cast<char>(random_bits(key, 100 + flips));
+        auto parsed =
+            parse_gltf({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, "", "broken.glb");
+        Result<City> city = parsed ? make_gltf_city(*parsed, "broken.glb") : parsed.error();
+        if (city) expect_sound(*city);
+        ++(city ? loaded : refused);
+    }
+    EXPECT_GT(refused, 200u);
+    EXPECT_GT(loaded, 50u);
+}
+
 #define SKIP_WITHOUT(path) \
     if (!fs::exists(path)) GTEST_SKIP() << (path) << " is not here: real files are not tried"
 
