@@ -14,8 +14,10 @@ struct DistrictOptions {
     int blocks = 4;  // blocks along each side, 1..32
 };
 
-// The built-in district: streets, sidewalks with 0.12 m kerbs and crossings, blocks of buildings, a square, a
-// flight of steps up to a terrace, and from two blocks on a sloping street. Indexed, ready for use.
+// The built-in district: bent streets of several widths with 0.12 m kerbs, sidewalks and crossings, lanes for
+// people on foot, rows of houses around courtyards, villas, slabs; a square with a flight of steps up to a
+// church; with two blocks or more a park and a hill with a stair street; with three or more an avenue cut
+// through at a slant. Country lies around it. Indexed, ready for use.
 City generate_district(const DistrictOptions& options);
 
 struct CityOptions {

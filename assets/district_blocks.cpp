@@ -98,7 +98,7 @@ void fill_houses(District& d, Block& block) {
     if (!built) lawn = yard;
     if (!lawn) return;
     add_area(d, k_rank_terrace, Surface::grass, flat(k_kerb), {*lawn});
-    int trees = std::clamp(static_cast<int>(area({*lawn}) / 130), 2, 14);
+    int trees = std::clamp(static_cast<int>(area({*lawn}) / 170), 2, 8);
     for (int i = 0; i < trees; ++i) {
         Vec2 at = place_in(dice, *lawn, 1.5f);
         add_tree(d, dice, at, dice.between(0.8f, 1.15f));
@@ -221,7 +221,7 @@ void fill_park(District& d, Block& block) {
         add_area(d, k_rank_solid + 1, Surface::water, flat(-0.1f), {positive(water)});
         add_area(d, k_rank_solid + 1, Surface::path, flat(k_kerb), {positive(rim)});
     }
-    int trees = std::clamp(static_cast<int>(area({ring}) / 110), 8, 60);
+    int trees = std::clamp(static_cast<int>(area({ring}) / 130), 8, 48);
     for (int i = 0; i < trees; ++i) {
         Vec2 at = place_in(dice, ring, 2.5f);
         bool is_free = length(at - middle) > 12 && (!pond || length(at - *pond) > pond_radius + 2.5f);
@@ -275,7 +275,7 @@ void fill_slabs(District& d, Block& block) {
             if (length(front.b - front.a) < 25) continue;
             add_path(d, {middle, lerp(front.a, front.b, 0.5f)}, 3, Surface::plaza);
         }
-        for (int i = 0; i < 14; ++i) {
+        for (int i = 0; i < 9; ++i) {
             Vec2 at = place_in(dice, ring, 4);
             add_tree(d, dice, at, dice.between(0.9f, 1.35f));
         }
@@ -328,7 +328,7 @@ void fill_belt(District& d, uint32_t way_index, uint64_t seed) {
         block.fronts.push_back(front);
     }
     fill_row(d, block, 11.5f, way.kind == WayKind::avenue ? 5 : 4, false);
-    for (int i = 0; i < 9; ++i) {
+    for (int i = 0; i < 6; ++i) {
         Vec2 at = place_in(block.dice, block.ring, 3);
         add_tree(d, block.dice, at, block.dice.between(0.8f, 1.3f));
     }

@@ -150,11 +150,11 @@ void add_horizon(District& d, uint64_t seed) {
         edge += -out * 0.8f;
         for (size_t r = 0; r + 2 < std::size(k_rings); ++r) {
             Vec2 from = edge + out * k_rings[r], to = edge + out * k_rings[r + 1];
-            Vec3 a = at_height(from - side, land.height(from) - k_kerb + (r > 0 ? 0.4f : 0.02f)),
+            Vec3 a = at_height(from - side, land.height(from) + (r > 0 ? 0.28f : 0.02f)),
                  b = at_height(from + side, a.y);
-            Vec3 c = at_height(to + side, land.height(to) - k_kerb + 0.4f), e = at_height(to - side, c.y);
-            add_flat(scenery, a, c, b, k_road);
-            add_flat(scenery, a, e, c, k_road);
+            Vec3 c = at_height(to + side, land.height(to) + 0.28f), e = at_height(to - side, c.y);
+            add_flat(scenery, a, b, c, k_road);
+            add_flat(scenery, a, c, e, k_road);
         }
     }
     // Woods in patches, hedges and single trees between; farms here and there.
@@ -169,7 +169,7 @@ void add_horizon(District& d, uint64_t seed) {
     auto plant = [&](Vec2 p, float size) {
         float half = dice.between(2.6f, 4.2f) * size, radius = half * dice.between(0.75f, 1.05f);
         float turn = dice.between(0, 6), tone = dice.between(0.85f, 1.12f);
-        add_crown(scenery, land.at(p) + Vec3{0, half * 1.15f, 0}, radius, half, turn, shaded(k_wood, tone));
+        add_crown(scenery, land.at(p) + Vec3{0, half * 0.8f, 0}, radius, half, turn, shaded(k_wood, tone));
     };
     int woods = static_cast<int>(around / 60);
     for (int i = 0; i < woods; ++i) {
@@ -178,12 +178,12 @@ void add_horizon(District& d, uint64_t seed) {
         float wide = dice.between(8, 24);
         for (int t = 0; t < trees; ++t) {
             Vec2 off{dice.between(-wide, wide), dice.between(-wide, wide)};
-            if (land.away(middle + off) > 8) plant(middle + off, 1.15f);
+            if (land.away(middle + off) > 40) plant(middle + off, 1.15f);
         }
     }
-    for (int i = 0; i < static_cast<int>(around / 16); ++i) plant(somewhere(6, 160), 0.9f);
+    for (int i = 0; i < static_cast<int>(around / 16); ++i) plant(somewhere(45, 200), 0.9f);
     for (int i = 0; i < static_cast<int>(around / 55); ++i) {
-        Vec2 p = somewhere(16, 170);
+        Vec2 p = somewhere(30, 190);
         add_farm(scenery, dice, land.at(p));
     }
 }

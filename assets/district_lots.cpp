@@ -260,6 +260,25 @@ void build_lot(District& d, Block& block, const Rim& rim, size_t k, float from, 
 
 }  // namespace
 
+Ring simple_outline(const Ring& outline) {
+    constexpr int64_t k_room = 12'500;
+    constexpr double k_most = 40;  // m^2 that a corner may be worth
+    Ring ring = without_collinear(outline, 250);
+    while (ring.size() > 4 && !inset(ring, k_room)) {
+        size_t least = 0, n = ring.size();
+        double least_area = 1e9;
+        for (size_t i = 0; i < n; ++i) {
+            double size = area({{ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]}});
+            // Better to lose ground than to take the sidewalk's.
+            if (size < 0) size *= -5;
+            if (size < least_area) least_area = size, least = i;
+        }
+        if (least_area > k_most) break;
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(least));
+    }
+    return ring;
+}
+
 bool fill_row(District& d, Block& block, float depth, int storeys, bool closed) {
     std::optional<Rim> rim = find_rim(block, depth);
     if (!rim) return false;

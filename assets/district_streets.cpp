@@ -207,7 +207,7 @@ void furnish(District& d, Dice& dice, const Way& way, Clear clear) {
         if (!both_park && side < 0) continue;
         // Cars keep to the kerb, facing the way that traffic goes there.
         for (float s = from + 3; s < to - 3; s += 5.6f) {
-            bool drawn = dice.chance(0.62f);
+            bool drawn = dice.chance(0.5f);
             float off = dice.between(-0.25f, 0.25f), in_lane = dice.between(-0.08f, 0.08f);
             if (!drawn || !is_free(s, 8)) continue;
             Station here = station(way.line, s + off);

@@ -27,15 +27,10 @@ void add_shell(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
         float z, top, width, foot;
     };
     const Section sections[] = {
-        {-s.half_length, 0.55f, 0.86f, 0.36f},
-        {-s.half_length + 0.04f, s.boot - 0.1f, 0.91f, 0.27f},
-        {-s.half_length + 0.25f, s.boot, 0.97f, 0.22f},
-        {-1.0f, s.belt + 0.01f, 1, 0.22f},
-        {0.2f, s.belt, 1, 0.22f},
-        {s.screen_foot, s.belt, 0.99f, 0.22f},
-        {s.half_length - 0.45f, s.nose + 0.1f, 0.96f, 0.22f},
-        {s.half_length - 0.08f, s.nose, 0.88f, 0.26f},
-        {s.half_length, 0.52f, 0.82f, 0.36f},
+        {-s.half_length, 0.55f, 0.86f, 0.36f},          {-s.half_length + 0.04f, s.boot - 0.1f, 0.91f, 0.27f},
+        {-s.half_length + 0.25f, s.boot, 0.97f, 0.22f}, {-0.6f, s.belt + 0.01f, 1, 0.22f},
+        {s.screen_foot, s.belt, 0.99f, 0.22f},          {s.half_length - 0.45f, s.nose + 0.1f, 0.96f, 0.22f},
+        {s.half_length - 0.08f, s.nose, 0.88f, 0.26f},  {s.half_length, 0.52f, 0.82f, 0.36f},
     };
     // Each section runs from the right sill over the top to the left one.
     std::vector<Vec3> points;
@@ -104,7 +99,7 @@ void add_cabin(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
 
 void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
     constexpr float k_radius = 0.31f;
-    constexpr uint32_t k_sides = 12;
+    constexpr uint32_t k_sides = 8;
     float side = x > 0 ? 1.0f : -1.0f;
     auto rim = [&](float radius, float out, uint32_t i) {
         SinCos turn = sin_cos(2 * k_pi * static_cast<float>(i % k_sides) / static_cast<float>(k_sides));
@@ -114,11 +109,11 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
         float radius, out;
         PropPart part;
     };
-    // The arch's shade over the wheel, the tyre's side, the dish and the hub, each a ring to the next.
+    // The arch's shade over the wheel, the tyre's side, the dish, each a ring to the next.
     const Ring rings[] = {{0.375f, 0.004f, PropPart::tyre},
                           {k_radius, 0.012f, PropPart::tyre},
-                          {0.21f, 0.03f, PropPart::alloy},
-                          {0.06f, 0.012f, PropPart::alloy}};
+                          {0.2f, 0.03f, PropPart::alloy},
+                          {0.0f, 0.02f, PropPart::alloy}};
     for (size_t r = 0; r + 1 < std::size(rings); ++r) {
         for (uint32_t i = 0; i < (r == 0 ? k_sides / 2 : k_sides); ++i) {
             Vec3 a = rim(rings[r].radius, rings[r].out, i), b = rim(rings[r].radius, rings[r].out, i + 1);
@@ -128,7 +123,7 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
         }
     }
     // What touches the road, below the sill.
-    for (uint32_t i = 6; i < k_sides; ++i) {
+    for (uint32_t i = k_sides / 2; i < k_sides; ++i) {
         Vec3 a = rim(k_radius, 0, i), b = rim(k_radius, 0, i + 1), c = rim(k_radius, -0.18f, i + 1),
              d = rim(k_radius, -0.18f, i);
         side > 0 ? add_quad(mesh, a, b, c, d, PropPart::tyre) : add_quad(mesh, b, a, d, c, PropPart::tyre);

@@ -53,9 +53,12 @@ void main() {
     glass *= 1.0 - saturate(bar) * (1.0 - is_shop);
     glass *= 1.0 - is_door * (1.0 - between(at.y, high.y - 0.45, high.y - 0.12, pixel.y));
     // A railing before windows that reach the floor.
-    float rail = is_french * inside(at, vec2(low.x, 0.1), vec2(high.x, 1.0), pixel) *
-                 mix(0.45, 1.0, saturate(between(abs(fract(at.x * 8.0) - 0.5), 0.35, 0.5, 8.0 * pixel.x) +
-                                         between(at.y, 0.93, 1.0, pixel.y) + between(at.y, 0.1, 0.15, pixel.y)));
+    float rail = 0.0;
+    ONLY_IF(is_french > 0.0) {
+        float bars = between(abs(fract(at.x * 8.0) - 0.5), 0.35, 0.5, 8.0 * pixel.x) +
+                     between(at.y, 0.93, 1.0, pixel.y) + between(at.y, 0.1, 0.15, pixel.y);
+        rail = inside(at, vec2(low.x, 0.1), vec2(high.x, 1.0), pixel) * is_open * mix(0.45, 1.0, saturate(bars));
+    }
 
     // The wall: a base course, a string course at each floor, sills, a surround, and a cornice on top.
     float has_sill = is_open * (1.0 - is_door) * (1.0 - is_shop) * (1.0 - is_french);
@@ -72,26 +75,33 @@ void main() {
     float sign_band = is_shop * inside(at, vec2(-1.25, height - 0.68), vec2(1.25, height - 0.24), pixel);
     // Courses of large stones at the foot of the house.
     float groove = ground * (1.0 - is_wide) * between(abs(fract(above * 2.3) - 0.5), 0.46, 0.5, 2.3 * pixel.y);
-    float shutter = has_shutters * is_open *
-                    inside(vec2(abs(at.x), at.y), vec2(high.x + 0.05, low.y), vec2(high.x + 0.58, high.y), pixel);
-
     float shade = 1.0 + 0.07 * surround + 0.12 * sill + 0.05 * course + 0.08 * cornice - 0.22 * base -
                   0.10 * is_shop - 0.2 * groove;
     float occluded = 1.0 - 0.30 * under_sill - 0.20 * under_course - 0.32 * under_cornice;
     vec3 albedo = in_colour * shade;
-    vec3 shutter_colour = taste < 0.4 ? vec3(0.09, 0.13, 0.11) : taste < 0.75 ? vec3(0.21, 0.23, 0.24) : vec3(0.16, 0.10, 0.07);
-    albedo = mix(albedo, shutter_colour * (0.8 + 0.4 * fract(at.y * 7.0)), shutter * (1.0 - open));
+    ONLY_IF(has_shutters > 0.0) {
+        float shutter = is_open * (1.0 - open) *
+                        inside(vec2(abs(at.x), at.y), vec2(high.x + 0.05, low.y), vec2(high.x + 0.58, high.y), pixel);
+        vec3 shutter_colour = taste < 0.4    ? vec3(0.09, 0.13, 0.11)
+                              : taste < 0.75 ? vec3(0.21, 0.23, 0.24)
+                                             : vec3(0.16, 0.10, 0.07);
+        albedo = mix(albedo, shutter_colour * (0.8 + 0.4 * fract(at.y * 7.0)), shutter);
+    }
 
     // Awnings and signs: few quiet colours by bay.
     float pick = hash(vec2(floor(bay * 0.5), storeys + 7.0));
     vec3 sign_colour = pick < 0.25 ? vec3(0.14, 0.02, 0.03) : pick < 0.5 ? vec3(0.02, 0.05, 0.05)
                        : pick < 0.75 ? vec3(0.03, 0.035, 0.04) : vec3(0.35, 0.19, 0.04);
     albedo = mix(albedo, sign_colour, sign_band);
-    vec3 door_colour = taste < 0.3 ? vec3(0.03, 0.055, 0.05) : taste < 0.6 ? vec3(0.10, 0.055, 0.03) : vec3(0.10, 0.022, 0.028);
-    // Panels of a door's two leaves.
-    float panel = inside(vec2(abs(at.x), fract(at.y * 0.9)), vec2(0.1, 0.1), vec2(0.48, 0.9), pixel);
-    door_colour *= 1.0 + 0.35 * panel - 0.5 * between(at.x, -0.012, 0.012, pixel.x);
-    vec3 frame_colour = is_door > 0.5 ? door_colour : is_shop > 0.5 ? vec3(0.045) : vec3(0.55, 0.53, 0.48);
+    vec3 frame_colour = is_shop > 0.5 ? vec3(0.045) : vec3(0.55, 0.53, 0.48);
+    ONLY_IF(is_door > 0.0) {
+        // Panels of a door's two leaves.
+        float panel = inside(vec2(abs(at.x), fract(at.y * 0.9)), vec2(0.1, 0.1), vec2(0.48, 0.9), pixel);
+        frame_colour = taste < 0.3   ? vec3(0.03, 0.055, 0.05)
+                       : taste < 0.6 ? vec3(0.10, 0.055, 0.03)
+                                     : vec3(0.10, 0.022, 0.028);
+        frame_colour *= 1.0 + 0.35 * panel - 0.5 * between(at.x, -0.012, 0.012, pixel.x);
+    }
     albedo = mix(albedo, frame_colour, open);
 
     // The street's walls see less sky near the ground, least at the foot.
@@ -123,13 +133,17 @@ void main() {
         vec3 room = ambient(normal) *
                     mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
         // Goods in a shop's window, in the light of its lamps.
-        vec2 shelf = vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6);
-        float goods = hash(floor(shelf)), shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
-        float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
-        room += is_shop * ambient(normal) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+        ONLY_IF(is_shop > 0.0) {
+            float goods = hash(floor(vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6)));
+            float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
+            float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
+            room += ambient(normal) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+        }
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);
     }
-    light = mix(light, vec3(0.03, 0.032, 0.035) * (ambient(normal) + frame.sun_light.xyz * facing * sun), rail);
+    ONLY_IF(rail > 0.0) {
+        light = mix(light, vec3(0.03, 0.032, 0.035) * (ambient(normal) + frame.sun_light.xyz * facing * sun), rail);
+    }
     out_picture = picture(through_air(light, ray, distance));
 }
