@@ -192,8 +192,10 @@ void finish_edge(OsmImport& in, const Field& field, Vec3 a, Vec3 b, uint32_t bui
         }
         return;
     }
-    std::optional<WallPoint> wall = closest_wall(city, middle + Vec3{0, 1, 0}, 0.25f);
-    bool at_house = wall && city.faces[wall->face].kind == FaceKind::facade;
+    Vec3 before = middle + Vec3{0, 1, 0} - at_height(out * 0.1f, 0);
+    std::optional<RayHit> wall = raycast(city, before, at_height(out, 0), 0.35f);
+    bool at_house =
+        wall && wall->what == RayHit::What::face && city.faces[wall->index].kind == FaceKind::facade;
     auto clearance = [&](Vec3 p) { return p.y - terrain_at(in.plan, on_ground(p)); };
     bool in_air = std::min(clearance(a), clearance(b)) > k_headroom;
     auto bottom = [&](Vec3 p) {

@@ -65,8 +65,10 @@ void add_entrances(OsmImport& in, std::vector<uint8_t>& has_door) {
         if (!wall) continue;
         Vec2 out = on_ground(wall->normal);
         std::optional<Vec3> at = standing(in, on_ground(wall->point) + out * k_before_door);
-        uint32_t building = in.city.faces[wall->face].building;
-        if (!at || building >= has_door.size()) continue;
+        std::optional<RayHit> face = raycast(in.city, wall->point + wall->normal * 0.1f, -wall->normal, 0.2f);
+        if (!at || !face || face->what != RayHit::What::face) continue;
+        uint32_t building = in.city.faces[face->index].building;
+        if (building >= has_door.size()) continue;
         has_door[building] = 1;
         add(in, DestinationKind::door, *at, -out, door_weight(in.city.buildings[building]));
     }
