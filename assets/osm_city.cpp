@@ -66,8 +66,6 @@ void write_notes(OsmImport& in) {
          "references to nodes that the file lacks were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",
          "ways and buildings under ground or indoors were left out.");
-    note(c.bridges, "street on a bridge was laid on the ground.",
-         "streets on bridges were laid on the ground.");
     note(c.outside, "building outside the map's bounds was left out.",
          "buildings outside the map's bounds were left out.");
     note(c.props_off_ground, "tree or lamp was left out because it would stand in a building or on a road.",

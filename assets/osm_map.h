@@ -124,7 +124,7 @@ inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::barrier)
 
 // How often something was met, for City::notes and City::tallies.
 struct OsmCounts {
-    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0, bridges = 0;
+    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0;
     int outside = 0, props_off_ground = 0;
     int tangled = 0;       // outlines that cross themselves again and again
     int flat_instead = 0;  // roofs whose outlines do not allow for their shape
@@ -182,6 +182,8 @@ uint32_t wall_building(OsmImport& in);
 float tagged_sidewalk(const OsmStreet& street, bool left);
 
 void add_osm_streets(OsmImport& in);
+// Junctions with rounded corners, crossings and lowered kerbs of the streets that have carriageways.
+void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads);
 // Walls, fences and hedges, with gaps where streets and ways pass. After the streets.
 void add_osm_barriers(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares

@@ -140,92 +140,6 @@ void add_steps(OsmImport& in, const OsmStreet& steps) {
     }
 }
 
-// The ways that leave a node, as far as they are known.
-struct Meeting {
-    int64_t node;
-    uint32_t road;
-    uint32_t place;  // of the node in the way
-    auto key() const { return std::tuple(node, road, place); }
-};
-
-Vec2 at(const OsmImport& in, int64_t id, Vec2 otherwise) {
-    const OsmNode* node = in.map.node(id);
-    return node ? in.project(*node) : otherwise;
-}
-
-// The unit direction from place `from` of the way towards its end (step 1) or start (-1), over at least 4 m.
-std::optional<Vec2> direction_from(const OsmImport& in, const OsmWay& way, size_t from, int step) {
-    Vec2 start = at(in, way.nodes[from], {}), last = start;
-    for (auto i = static_cast<std::ptrdiff_t>(from) + step;
-         i >= 0 && i < static_cast<std::ptrdiff_t>(way.nodes.size()); i += step) {
-        last = at(in, way.nodes[static_cast<size_t>(i)], last);
-        if (length(last - start) > 4) break;
-    }
-    if (length(last - start) < 1) return std::nullopt;
-    return normalize_or(last - start, {1, 0});
-}
-
-void add_junctions_and_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
-    std::vector<Meeting> meetings;
-    for (uint32_t r = 0; r < roads.size(); ++r) {
-        for (uint32_t i = 0; i < roads[r].way->nodes.size(); ++i)
-            meetings.push_back({roads[r].way->nodes[i], r, i});
-    }
-    std::sort(meetings.begin(), meetings.end(),
-              [](const Meeting& a, const Meeting& b) { return a.key() < b.key(); });
-    // Nodes of footways that are crossings, with the way's direction there.
-    std::vector<std::pair<int64_t, std::pair<const OsmWay*, size_t>>> crossed;
-    for (const OsmWay& way : in.map.ways) {
-        bool crossing = way.tags.is("footway", "crossing") || way.tags.is("cycleway", "crossing") ||
-                        way.tags.is("path", "crossing");
-        if (!crossing || is_hidden(way.tags)) continue;
-        for (size_t i = 0; i < way.nodes.size(); ++i) crossed.push_back({way.nodes[i], {&way, i}});
-    }
-    std::stable_sort(crossed.begin(), crossed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-
-    for (size_t i = 0; i < meetings.size();) {
-        size_t end = i;
-        while (end < meetings.size() && meetings[end].node == meetings[i].node) ++end;
-        const OsmNode* node = in.map.node(meetings[i].node);
-        std::vector<Arm> arms;
-        for (size_t m = i; node && m < end; ++m) {
-            const OsmStreet& road = roads[meetings[m].road];
-            for (int step : {-1, 1}) {
-                std::optional<Vec2> d = direction_from(in, *road.way, meetings[m].place, step);
-                if (d) arms.push_back({*d, road.highway.width * 0.5f});
-            }
-        }
-        if (node && arms.size() >= 3) add_corners(in.plan, in.project(*node), arms, 4);
-        if (node && arms.size() == 2) {
-            auto by_id = [](const auto& a, int64_t id) { return a.first < id; };
-            auto footway = std::lower_bound(crossed.begin(), crossed.end(), node->id, by_id);
-            bool has_way = footway != crossed.end() && footway->first == node->id;
-            std::string_view type = node->tags["crossing"];
-            const OsmTags& way_tags = has_way ? footway->second.first->tags : node->tags;
-            bool none = type == "no" || way_tags.is("crossing", "no");
-            if ((node->tags.is("highway", "crossing") || has_way) && !none) {
-                bool marked = type != "unmarked" && !way_tags.is("crossing", "unmarked") &&
-                              !node->tags.is("crossing:markings", "no") &&
-                              !way_tags.is("crossing:markings", "no");
-                // The carriageway runs from one arm to the other; a bend counts half to each.
-                Vec2 along = normalize_or(arms[0].direction - arms[1].direction, arms[0].direction),
-                     across{-along.z, along.x};
-                if (has_way) {
-                    auto [way, place] = footway->second;
-                    std::optional<Vec2> d = direction_from(in, *way, place, 1);
-                    if (!d) d = direction_from(in, *way, place, -1);
-                    if (d) across = *d;
-                }
-                float half = std::max(arms[0].half_width, arms[1].half_width);
-                if (node->tags.is("highway", "crossing")) count_built(in.counts, OsmSort::crossing_node);
-                add_crossing(in.plan, in.project(*node), along, across, half, 4, marked);
-            }
-        }
-        i = end;
-    }
-}
-
 // Where a street goes on as a narrower one, its end is square: a round one would bulge into the other.
 bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const OsmStreet& road, int64_t node) {
     auto first = std::lower_bound(ends.begin(), ends.end(), std::pair(node, 0.0f));
@@ -325,7 +239,7 @@ void add_osm_streets(OsmImport& in) {
             add_steps(in, flight);
         }
     }
-    add_junctions_and_crossings(in, roads);
+    add_osm_crossings(in, roads);
 }
 
 }  // namespace flaneur

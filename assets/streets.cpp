@@ -67,6 +67,18 @@ std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vecto
     return straight;
 }
 
+static constexpr float k_ramp = 1.2f;  // from a dropped kerb up to the sidewalk, metres
+
+void add_dropped_kerb(GroundPlan& plan, Vec2 kerb, Vec2 out, float breadth) {
+    Area ramp;
+    ramp.rank = k_rank_dropped_kerb;
+    ramp.kind = Surface::sidewalk;
+    ramp.axis = out;
+    ramp.lift = {k_dropped_kerb, k_dropped_kerb, k_kerb, kerb, out * ((k_kerb - k_dropped_kerb) / k_ramp)};
+    add_strip(ramp.rings, {kerb - out * 0.5f, kerb + out * k_ramp}, breadth * 0.5f, breadth * 0.5f, false);
+    plan.areas.push_back(std::move(ramp));
+}
+
 void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
                   bool marked) {
     Vec2 side = along * (breadth * 0.5f);
@@ -88,7 +100,6 @@ void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float 
         area.rings = {quad(centre - over, centre + over)};
         plan.areas.push_back(std::move(area));
     }
-    constexpr float k_ramp = 1.2f;
     for (float way : {-1.0f, 1.0f}) {
         Area ramp;
         ramp.rank = k_rank_dropped_kerb;

@@ -31,6 +31,10 @@ std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vecto
 void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
                   bool marked);
 
+// A kerb dropped over `breadth` metres about `kerb`, a place on it. The sidewalk rises from there along the
+// unit vector `out`, square to the kerb, over 1.2 m.
+void add_dropped_kerb(GroundPlan& plan, Vec2 kerb, Vec2 out, float breadth);
+
 // A flight of steps along a line of at least two points.
 struct Flight {
     std::vector<Vec2> line;
