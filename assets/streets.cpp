@@ -107,10 +107,14 @@ void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float 
         ramp.axis = across;
         ramp.lift = {k_dropped_kerb, k_dropped_kerb, k_kerb, centre + over * way,
                      square * (way * (k_kerb - k_dropped_kerb) / k_ramp)};
-        // Starts inside the carriageway, which wins there, so that no gap is left where the kerb is not
+        Vec2 kerb = centre + over * way;
+        ramp.rings = {quad(kerb, kerb + across * (k_ramp / straight * way))};
+        // A level part inside the carriageway, which wins there, so that no gap is left where the kerb is not
         // straight.
-        Vec2 end = centre + (over + across * (k_ramp / straight)) * way;
-        ramp.rings = {quad(centre + over * (way * 0.8f), end)};
+        Area landing = ramp;
+        landing.lift = flat(k_dropped_kerb);
+        landing.rings = {quad(centre + over * (way * 0.8f), kerb)};
+        plan.areas.push_back(std::move(landing));
         plan.areas.push_back(std::move(ramp));
     }
 }
