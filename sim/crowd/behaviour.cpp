@@ -140,11 +140,15 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
         if (!passed) {
             if (distance < c.closest[i] - k_progress) {
                 if (c.closest[i] < 1e8f) c.stuck[i] = 0;
+                if (c.jam[i] > 0) --c.jam[i];
                 c.closest[i] = distance;
                 c.closest_tick[i] = tick;
             }
             float off = distance_to_segment(p, c.leg_start[i], here);
             if (tick - c.closest_tick[i] > k_patience || off > k_far_off) {
+                // Who only cannot get to a place where somebody stands is in no jam.
+                bool at_goal = last && distance < k_corner_view;
+                if (!at_goal && c.jam[i] < k_most_jam) ++c.jam[i];
                 bool give_up = ++c.stuck[i] > k_most_stuck && c.errand[i] == Errand::wander;
                 c.path_due[i] = static_cast<uint8_t>(give_up ? PathDue::new_goal : PathDue::same_goal);
                 c.closest_tick[i] = tick;

@@ -14,9 +14,9 @@ Crowd make_crowd(uint32_t capacity) {
     auto reserve = [n](auto&... arrays) { (arrays.resize(n), ...); };
     reserve(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.under, c.preferred_speed, c.radius,
             c.lateral, c.body, c.scale, c.errand, c.goal, c.goal_facing, c.goal_stay, c.trip, c.pause_until,
-            c.corner, c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.wanted,
-            c.looks, c.chosen, c.neighbour_count, c.next_position, c.next_velocity, c.next_polygon, c.cell,
-            c.sorted);
+            c.corner, c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.jam,
+            c.wanted, c.looks, c.chosen, c.neighbour_count, c.next_position, c.next_velocity, c.next_polygon,
+            c.cell, c.sorted);
     c.corners.resize(n * k_corners);
     c.neighbours.resize(n * k_neighbours);
     c.requests.reserve(n);
@@ -75,7 +75,7 @@ uint64_t hash_crowd(const Crowd& c) {
     };
     add(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.preferred_speed, c.radius, c.lateral,
         c.body, c.scale, c.errand, c.goal, c.goal_facing, c.goal_stay, c.trip, c.pause_until, c.corner,
-        c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.wanted, c.looks,
+        c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.jam, c.wanted, c.looks,
         c.chosen, c.neighbour_count);
     for (uint32_t i = 0; i < c.count; ++i) {
         const Vec3* corners = &c.corners[size_t{i} * k_corners];

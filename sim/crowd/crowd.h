@@ -8,6 +8,7 @@
 // allocated once a crowd is made.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -64,6 +65,7 @@ struct Crowd {
     std::vector<float> closest;     // to the current corner so far, metres, for noticing that one is stuck
     std::vector<uint32_t> closest_tick;
     std::vector<uint8_t> stuck;  // replans in a row that did not help
+    std::vector<uint8_t> jam;    // all that did not, less progress made since; 0..k_most_jam
     uint32_t next_path = 0;      // the walker from which path requests are served next
 
     // Decisions.
@@ -88,6 +90,15 @@ struct Crowd {
     uint32_t cells_x = 0, cells_z = 0;  // powers of two; the plane is wrapped onto them
     std::vector<uint32_t> requests;     // walkers whose path is sought this tick
 };
+
+inline constexpr uint8_t k_most_jam = 8;
+
+// Metres that a walker takes up among others. One on a stroll or a trip whom a jam holds longer than any
+// queue, some 18 s and more, turns its shoulders ever further, so that knots come undone.
+inline float slim_radius(const Crowd& c, uint32_t i) {
+    int held = c.errand[i] == Errand::wander ? std::max(c.jam[i] - 5, 0) : 0;
+    return c.radius[i] * (1 - 0.25f * static_cast<float>(held));
+}
 
 enum class PathDue : uint8_t { no, same_goal, new_goal };
 

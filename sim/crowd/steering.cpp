@@ -62,7 +62,7 @@ static float headway_speed(const Crowd& c, uint32_t i, Vec2 direction) {
         uint32_t j = ids[k];
         Vec2 between = on_ground(c.position[j] - c.position[i]);
         float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
-        float l = c.radius[i] + c.radius[j];
+        float l = slim_radius(c, i) + slim_radius(c, j);
         if (ahead <= 0 || aside >= l) continue;
         float gap = ahead - std::sqrt(l * l - aside * aside);
         float leaving = std::max(0.0f, dot(c.velocity[j], direction));
@@ -95,7 +95,8 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uin
     for (int k = 0; k < c.neighbour_count[i]; ++k) {
         uint32_t j = ids[k];
         Vec2 between = on_ground(c.position[j] - c.position[i]);
-        planes[count++] = avoid(between, velocity, c.velocity[j], c.radius[i] + c.radius[j] + k_margin);
+        planes[count++] =
+            avoid(between, velocity, c.velocity[j], slim_radius(c, i) + slim_radius(c, j) + k_margin);
         if (dot(c.velocity[j], wish) < 0 && dot(between, wish) > 0) oncoming = 1;
     }
     // Those who do not get on in a jam give way to the right, ever more, until two streams have sorted
