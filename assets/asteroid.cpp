@@ -91,7 +91,7 @@ void draw(Scenery& s, const Ball& ball, uint64_t seed, Place place) {
             s.indices.push_back(first + t[k]);
         }
         s.pictures.push_back(~0u);
-        s.solid.push_back(0);
+        s.uses.push_back(SceneryUse::ground);
     }
     for (size_t v = 0; v < normals.size(); ++v) {
         Scenery::Vertex& vertex = s.vertices[first + v];

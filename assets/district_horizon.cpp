@@ -45,7 +45,7 @@ void add_triangle(Scenery& scenery, const std::array<Vec3, 3>& points, const std
         scenery.vertices.push_back({points[k], normals[k], {}, colour});
     }
     scenery.pictures.push_back(~0u);
-    scenery.solid.push_back(0);
+    scenery.uses.push_back(SceneryUse::backdrop);
 }
 
 void add_flat(Scenery& scenery, Vec3 a, Vec3 b, Vec3 c, uint32_t colour) {

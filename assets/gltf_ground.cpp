@@ -303,12 +303,13 @@ float top_in_middle(const Corners& c, Vec2 along) {
     return top;
 }
 
-// What stops walkers: all but ground, leaves, and what is no higher than a step above all ground before it.
+// What stops walkers, all but ground, leaves, and what is no higher than a step above all ground before it.
 void find_walls(const Columns& columns, const std::vector<Hint>& hints, const Field& field,
-                std::vector<uint8_t>& solid) {
+                std::vector<SceneryUse>& uses) {
     const Scenery& s = columns.scenery;
-    solid.assign(field.is_ground.size(), 0);
-    for (uint32_t t = 0; t < solid.size(); ++t) {
+    uses.assign(field.is_ground.size(), SceneryUse::ground);
+    for (uint32_t t = 0; t < uses.size(); ++t) {
+        if (!hints[t].is_bare && !hints[t].is_solid) uses[t] = SceneryUse::backdrop;
         if (field.is_ground[t] || !hints[t].is_solid) continue;
         Corners c = corners_of(s, t);
         Vec2 out = normalize_or(on_ground(normal_of(c)), {1, 0});
@@ -319,7 +320,7 @@ void find_walls(const Columns& columns, const std::vector<Hint>& hints, const Fi
                        if (!field.is_ground[other]) return;
                        (top <= height + k_climb ? is_step : is_wall) = true;
                    });
-        solid[t] = is_wall || !is_step;
+        if (is_wall || !is_step) uses[t] = SceneryUse::solid;
     }
 }
 
@@ -328,7 +329,8 @@ void add_edges(const Columns& columns, const Field& field, City& city) {
     std::vector<Destination> found;
     auto is_empty = [&](Vec2 at) {
         bool empty = true;
-        for_column(columns, at, [&](uint32_t, float) { empty = false; });
+        for_column(columns, at,
+                   [&](uint32_t t, float) { empty &= columns.scenery.uses[t] == SceneryUse::backdrop; });
         return empty;
     };
     for_edges(
@@ -385,7 +387,7 @@ Result<void> find_ground(City& city, const std::vector<Hint>& hints) {
         return Error{
             "has nothing to walk on but its top: it is a single thing, no city; put it on some ground"};
     fill_ground(city, hints, field);
-    find_walls(*columns, hints, field, s.solid);
+    find_walls(*columns, hints, field, s.uses);
     add_edges(*columns, field, city);
     return {};
 }

@@ -19,6 +19,7 @@ constexpr Hint k_wall = {Surface::plaza, false, true}, k_leaves = {Surface::plaz
 
 // Earlier words go before later ones: a "street lamp" is a lamp.
 constexpr Word k_words[] = {
+    {"backdrop", k_leaves},
     {"roof", k_wall},
     {"car", k_wall},
     {"truck", k_wall},

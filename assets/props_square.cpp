@@ -61,7 +61,6 @@ void add_fountain(PropMesh& mesh, const Prop& fountain) {
 void add_statue(PropMesh& mesh, const Prop& statue) {
     PropFrame f(statue);
     float plinth = statue.height * 0.48f, tall = statue.height - plinth;
-    // half_footprint says 0.2 m, the width of a trunk: the steps around it are low enough to stand on.
     add_box(mesh, f.at(0, 0.07f, 0), {0.75f, 0.07f, 0.75f}, statue.yaw, PropPart::stone);
     add_box(mesh, f.at(0, 0.21f, 0), {0.62f, 0.07f, 0.62f}, statue.yaw, PropPart::stone);
     add_box(mesh, f.at(0, plinth * 0.5f + 0.14f, 0), {0.45f, plinth * 0.5f - 0.14f, 0.45f}, statue.yaw,

@@ -18,11 +18,11 @@ static float inside(Vec2 a, Vec2 b, Vec2 p) { return cross(p - a, b - a); }
 // The solid triangles of the scenery, upright ones included.
 static void index_scenery(City& city) {
     const Scenery& s = city.scenery;
-    assert(s.indices.size() == s.solid.size() * 3);
+    assert(s.indices.size() == s.uses.size() * 3);
     Vec2 margin{2 * k_grid_margin, 2 * k_grid_margin};
     city.scenery_grid = make_grid(city.low - margin, city.high + margin, k_scenery_cell);
-    fill_grid(city.scenery_grid, static_cast<uint32_t>(s.solid.size()), [&](uint32_t i, auto visit) {
-        if (!s.solid[i]) return;
+    fill_grid(city.scenery_grid, static_cast<uint32_t>(s.uses.size()), [&](uint32_t i, auto visit) {
+        if (s.uses[i] != SceneryUse::solid) return;
         Vec2 a = on_ground(scenery_corner(s, i, 0)), b = on_ground(scenery_corner(s, i, 1)),
              c = on_ground(scenery_corner(s, i, 2));
         if (inside(a, b, c) < 0) std::swap(b, c);
@@ -40,8 +40,8 @@ void index_city(City& city) {
     };
     for (Vec3 v : city.ground_vertices) include(v);
     for (const Face& f : city.faces) include(f.a), include(f.b);
-    for (uint32_t i = 0; i < city.scenery.solid.size(); ++i) {
-        if (!city.scenery.solid[i]) continue;
+    for (uint32_t i = 0; i < city.scenery.uses.size(); ++i) {
+        if (city.scenery.uses[i] != SceneryUse::solid) continue;
         for (uint32_t k = 0; k < 3; ++k) include(scenery_corner(city.scenery, i, k));
     }
     if (low.x > high.x) low = high = {0, 0};
@@ -82,8 +82,9 @@ void index_city(City& city) {
 Vec2 half_footprint(const Prop& prop) {
     switch (prop.kind) {
         case PropKind::tree:
-        case PropKind::statue:
             return {0.2f, 0.2f};
+        case PropKind::statue:
+            return {0.75f, 0.75f};
         case PropKind::bench:
             return {0.8f, 0.3f};
         case PropKind::bin:
@@ -142,7 +143,7 @@ uint64_t hash_city(const City& city) {
     }
     for (const Scenery::Vertex& v : city.scenery.vertices) add(&v.position, sizeof v.position);
     add_array(city.scenery.indices);
-    add_array(city.scenery.solid);
+    add_array(city.scenery.uses);
     return h;
 }
 

@@ -76,6 +76,9 @@ struct Destination {
     float weight = 1;  // of its kind: how often it is chosen against others
 };
 
+// What a triangle of scenery is to walkers: nothing, ground (as the city's ground says again), or a wall.
+enum class SceneryUse : uint8_t { backdrop, ground, solid };
+
 // Triangles of any slope that are drawn as they are, with pictures: what a glTF city is made of.
 struct Scenery {
     struct Vertex {
@@ -90,7 +93,7 @@ struct Scenery {
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;   // three a triangle, counter-clockwise from outside
     std::vector<uint32_t> pictures;  // one a triangle: index into `images`, or ~0u
-    std::vector<uint8_t> solid;      // one a triangle, 1: stops walkers and can be touched
+    std::vector<SceneryUse> uses;    // one a triangle; solid ones stop walkers and can be touched
     std::vector<Picture> images;
     bool holds_ground = false;  // the ground is among these triangles and need not be drawn again
 };

@@ -231,8 +231,8 @@ static TileGrids sort_by_tile(const City& city, const NavmeshSettings& settings)
         if (f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall) cells_of({f.a, f.b}, visit);
     });
     const Scenery& s = city.scenery;
-    fill_grid(grids.solids, static_cast<uint32_t>(s.solid.size()), [&](uint32_t i, auto visit) {
-        if (s.solid[i])
+    fill_grid(grids.solids, static_cast<uint32_t>(s.uses.size()), [&](uint32_t i, auto visit) {
+        if (s.uses[i] == SceneryUse::solid)
             cells_of({scenery_corner(s, i, 0), scenery_corner(s, i, 1), scenery_corner(s, i, 2)}, visit);
     });
     return grids;

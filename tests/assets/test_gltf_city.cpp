@@ -69,7 +69,7 @@ Blocks street() {
 void expect_sound(const City& c) {
     const Scenery& s = c.scenery;
     ASSERT_EQ(s.indices.size(), 3 * s.pictures.size());
-    ASSERT_EQ(s.solid.size(), s.pictures.size());
+    ASSERT_EQ(s.uses.size(), s.pictures.size());
     for (uint32_t i : s.indices) ASSERT_LT(i, s.vertices.size());
     for (uint32_t p : s.pictures) ASSERT_TRUE(p == ~0u || p < s.images.size());
     for (const Scenery::Vertex& v : s.vertices) ASSERT_NEAR(length(v.normal), 1, 1e-3f);
@@ -105,7 +105,7 @@ TEST(GltfCity, NamesAndSlopesMakeGroundAndWalls) {
     // Kerbs are stepped over; the house is not walked through, and leaves are.
     const Scenery& s = city->scenery;
     size_t walls = 0;
-    for (size_t t = 0; t < s.solid.size(); ++t) {
+    for (size_t t = 0; t < s.uses.size(); ++t) {
         Vec3 a = s.vertices[s.indices[3 * t]].position, b = s.vertices[s.indices[3 * t + 1]].position,
              c = s.vertices[s.indices[3 * t + 2]].position;
         Vec3 middle = (a + b + c) / 3;
@@ -114,7 +114,7 @@ TEST(GltfCity, NamesAndSlopesMakeGroundAndWalls) {
         bool is_leaves = middle.x < -17 && middle.x > -21 && middle.y > 0.9f;
         bool is_house = middle.x > -0.1f && middle.x < 12.1f && middle.y > 1 && std::fabs(normal.y) < 0.1f;
         if (is_kerb || is_leaves || is_house) {
-            EXPECT_EQ(s.solid[t], is_house) << middle.x << " " << middle.y << " " << middle.z;
+            EXPECT_EQ(s.uses[t] == SceneryUse::solid, is_house) << middle.x << " " << middle.y << " " << middle.z;
         }
         walls += is_house;
     }

@@ -101,7 +101,7 @@ void add_solid_box(City& city, Vec3 low, Vec3 high) {
     for (const auto& side : k_sides) {
         for (uint32_t i : {side[0], side[1], side[2], side[0], side[2], side[3]})
             s.indices.push_back(base + i);
-        for (int k = 0; k < 2; ++k) s.pictures.push_back(~0u), s.solid.push_back(1);
+        for (int k = 0; k < 2; ++k) s.pictures.push_back(~0u), s.uses.push_back(SceneryUse::solid);
     }
 }
 

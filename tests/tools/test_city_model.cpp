@@ -49,11 +49,11 @@ TEST(CityModel, ComesBackAsTheSameGround) {
     EXPECT_GT(tried, k_places / 2);
     EXPECT_GE(there, tried * 999 / 1000);
     EXPECT_GE(alike, tried * 99 / 100);
-    // And no more than that: no roofs.
+    // And no more than that, but for plinths low enough to stand on: no roofs.
     uint32_t more = 0;
     for (uint32_t n = 0; n < k_places; ++n) {
         Vec3 p = place_on(*back, n);
-        more += !ground(city, p, 0.02f, 0.02f);
+        more += !ground(city, p, 0.02f, 0.3f);
     }
     EXPECT_LE(more, k_places / 1000);
 }

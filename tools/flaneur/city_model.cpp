@@ -72,11 +72,13 @@ void add_drawn(const CityMesh& drawn, StillModel& model) {
     }
 }
 
-// A surface for each picture and one without.
+// A surface for each picture and one without; the backdrop's apart from the others.
 void add_scenery(const Scenery& scenery, StillModel& model) {
-    std::vector<StillSurface> surfaces(scenery.images.size() + 1);
+    size_t kinds = scenery.images.size() + 1;
+    std::vector<StillSurface> surfaces(2 * kinds);
     for (size_t t = 0; t < scenery.pictures.size(); ++t) {
-        StillSurface& surface = surfaces[std::min<size_t>(scenery.pictures[t], scenery.images.size())];
+        size_t kind = std::min<size_t>(scenery.pictures[t], scenery.images.size());
+        StillSurface& surface = surfaces[scenery.uses[t] == SceneryUse::backdrop ? kinds + kind : kind];
         for (size_t k = 0; k < 3; ++k) {
             const Scenery::Vertex& v = scenery.vertices[scenery.indices[3 * t + k]];
             add_corner(surface, v.position, v.normal, v.colour);
@@ -85,9 +87,11 @@ void add_scenery(const Scenery& scenery, StillModel& model) {
     }
     for (size_t s = 0; s < surfaces.size(); ++s) {
         if (surfaces[s].indices.empty()) continue;
-        StillMaterial material{"scenery " + std::to_string(s + 1), brightest(surfaces[s].colours)};
-        if (s < scenery.images.size()) {
-            material.picture = static_cast<int>(s);
+        size_t kind = s % kinds;
+        StillMaterial material{(s < kinds ? "scenery " : "backdrop ") + std::to_string(kind + 1),
+                               brightest(surfaces[s].colours)};
+        if (kind < scenery.images.size()) {
+            material.picture = static_cast<int>(kind);
             material.is_cut = true;
         } else {
             surfaces[s].uvs.clear();

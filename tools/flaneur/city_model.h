@@ -8,7 +8,7 @@ namespace flaneur {
 
 // The triangles that the renderer draws, in meshes "ground", "facades", "roofs", "props" and "scenery". What
 // shaders add, such as windows and the stripes of crossings, is not in it. Materials are named by what they
-// are: road, sidewalk, facade, ...
+// are: road, sidewalk, facade, ... ; scenery beyond the ground is "backdrop", on which nobody walks.
 StillModel city_model(const City& city);
 
 }  // namespace flaneur
