@@ -1,5 +1,5 @@
-// Every struct and constant that CPU and GPU share. Included by GLSL and by C++ (through renderer/shared.h, which
-// maps the GLSL names to GLM's).
+// Every struct and constant that CPU and GPU share. Included by GLSL and by C++ (through renderer/shared.h,
+// which maps the GLSL names to GLM's).
 #ifndef FLANEUR_SHADERS_SHARED_H
 #define FLANEUR_SHADERS_SHARED_H
 
@@ -12,7 +12,8 @@
 FLANEUR_CONST int k_palette_joints = 22;  // joint transforms of one walker
 FLANEUR_CONST int k_tints = 7;            // none, skin, hair, top, bottom, shoes, accent
 
-// One joint: a point v of the mesh (bind pose, scaled) goes to rotate(rotation, v) + translation in the world.
+// One joint: a point v of the mesh (bind pose, scaled) goes to rotate(rotation, v) + translation in the
+// world.
 struct JointTransform {
     vec4 rotation;     // unit quaternion, vector part first
     vec4 translation;  // metres; w unused
@@ -20,13 +21,13 @@ struct JointTransform {
 
 // One walker as the vertex shader sees it.
 struct WalkerInstance {
-    uint palette;          // first of its joint transforms
-    float scale;           // of the mesh before skinning
-    uint tints[k_tints];   // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
+    uint palette;         // first of its joint transforms
+    float scale;          // of the mesh before skinning
+    uint tints[k_tints];  // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
 };
 
-// Impostors: pictures of people baked from their meshes in so many phases of a walk and standing, seen from so many
-// sides and heights. A cell holds one of them; a person's cells run by pose, height, side.
+// Impostors: pictures of people baked from their meshes in so many phases of a walk and standing, seen from
+// so many sides and heights. A cell holds one of them; a person's cells run by pose, height, side.
 FLANEUR_CONST int k_stride_phases = 8;
 FLANEUR_CONST int k_stride_poses = k_stride_phases + 1;  // the last one stands
 FLANEUR_CONST int k_impostor_sides = 16;                 // about the vertical, 0 in front, growing towards +x
@@ -35,8 +36,8 @@ FLANEUR_CONST int k_impostor_views = k_impostor_sides * k_impostor_tilts;
 FLANEUR_CONST int k_person_cells = k_stride_poses * k_impostor_views;
 
 struct ImpostorCell {
-    vec4 box;     // what is seen, metres about the body's centre on the plane square to the view: left and lower
-                  //   end, width, height
+    vec4 box;  // what is seen, metres about the body's centre on the plane square to the view: left and lower
+               //   end, width, height
     vec4 texels;  // where it is in the atlas: left and upper end, width, height
 };
 
@@ -58,13 +59,14 @@ FLANEUR_CONST uint k_material_path = 4;
 FLANEUR_CONST uint k_material_steps = 5;
 FLANEUR_CONST uint k_material_grass = 6;
 FLANEUR_CONST uint k_material_water = 7;
-FLANEUR_CONST uint k_material_facade = 8;   // u: metres along the wall, v: metres above its foot; windows by storey
-FLANEUR_CONST uint k_material_stone = 9;    // garden walls, kerbs, risers
+FLANEUR_CONST uint k_material_facade =
+    8;  // u: metres along the wall, v: metres above its foot; windows by storey
+FLANEUR_CONST uint k_material_stone = 9;  // garden walls, kerbs, risers
 FLANEUR_CONST uint k_material_roof = 10;
 FLANEUR_CONST uint k_material_leaves = 11;
 FLANEUR_CONST uint k_material_trunk = 12;
-FLANEUR_CONST uint k_material_metal = 13;   // lamps, bollards, benches
-FLANEUR_CONST uint k_material_scenery = 14; // u, v of a picture; extra: its layer, 0 for none
+FLANEUR_CONST uint k_material_metal = 13;    // lamps, bollards, benches
+FLANEUR_CONST uint k_material_scenery = 14;  // u, v of a picture; extra: its layer, 0 for none
 
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
@@ -93,27 +95,27 @@ FLANEUR_CONST int k_right_foot = 20;
 
 // What the shaders know of a frame. Light is linear sRGB, scaled so that the tone curve takes it as it is.
 struct FrameConstants {
-    mat4 clip_from_world;     // reversed depth, far plane at infinity
-    mat4 shadow_from_world;   // to the near shadow map: u, v, depth in 0..1
-    vec4 far_scale;           // far map's u, v, depth = near map's * scale + offset
+    mat4 clip_from_world;    // reversed depth, far plane at infinity
+    mat4 shadow_from_world;  // to the near shadow map: u, v, depth in 0..1
+    vec4 far_scale;          // far map's u, v, depth = near map's * scale + offset
     vec4 far_offset;
-    vec4 shadow_texels;       // metres a texel: near, far; resolution; 1 / resolution
-    vec4 eye;                 // metres
-    vec4 ray_forward;         // the view ray through normalised device coordinates x, y is
-    vec4 ray_right;           //   forward + x * right + y * down; w of forward: metres a pixel
-                              //   at one metre
+    vec4 shadow_texels;  // metres a texel: near, far; resolution; 1 / resolution
+    vec4 eye;            // metres
+    vec4 ray_forward;    // the view ray through normalised device coordinates x, y is
+    vec4 ray_right;      //   forward + x * right + y * down; w of forward: metres a pixel
+                         //   at one metre
     vec4 ray_down;
-    vec4 sun_direction;       // towards the sun
-    vec4 sun_light;           // what a white surface square to the sun reflects
-    vec4 ambient[3];          // of red, green, blue: what a white surface of normal n reflects of sky and ground is
-                              //   dot(xyz, n) + w
-    vec4 haze_towards;        // sky at the horizon towards the sun; w: haze a metre
-    vec4 haze_away;           // and away from it; w: metres where haze begins
-    vec4 zenith;              // sky overhead
-    vec4 perez[5];            // A..E of the sky's distribution for Y, x, y
-    vec4 sky_scale;           // Y, x, y of the zenith over the distribution there
-    vec4 sky_white;           // factors for red, green, blue: white balance and exposure
-    vec4 screen;              // width, height, 1 / width, 1 / height
+    vec4 sun_direction;  // towards the sun
+    vec4 sun_light;      // what a white surface square to the sun reflects
+    vec4 ambient[3];    // of red, green, blue: what a white surface of normal n reflects of sky and ground is
+                        //   dot(xyz, n) + w
+    vec4 haze_towards;  // sky at the horizon towards the sun; w: haze a metre
+    vec4 haze_away;     // and away from it; w: metres where haze begins
+    vec4 zenith;        // sky overhead
+    vec4 perez[5];      // A..E of the sky's distribution for Y, x, y
+    vec4 sky_scale;     // Y, x, y of the zenith over the distribution there
+    vec4 sky_white;     // factors for red, green, blue: white balance and exposure
+    vec4 screen;        // width, height, 1 / width, 1 / height
 };
 
 #endif

@@ -114,7 +114,8 @@ TEST(GltfCity, NamesAndSlopesMakeGroundAndWalls) {
         bool is_leaves = middle.x < -17 && middle.x > -21 && middle.y > 0.9f;
         bool is_house = middle.x > -0.1f && middle.x < 12.1f && middle.y > 1 && std::fabs(normal.y) < 0.1f;
         if (is_kerb || is_leaves || is_house) {
-            EXPECT_EQ(s.uses[t] == SceneryUse::solid, is_house) << middle.x << " " << middle.y << " " << middle.z;
+            EXPECT_EQ(s.uses[t] == SceneryUse::solid, is_house)
+                << middle.x << " " << middle.y << " " << middle.z;
         }
         walls += is_house;
     }

@@ -165,7 +165,8 @@ TEST(City, SolidSceneryStopsRaysAndHands) {
     City city = square(40);
     add_solid_box(city, {5, 0, -1}, {7, 2, 1});
     add_solid_box(city, {-7, 0, -1}, {-5, 2, 1});
-    std::fill_n(city.scenery.uses.begin() + 12, 12, SceneryUse::backdrop);  // the second one can be walked through
+    std::fill_n(city.scenery.uses.begin() + 12, 12,
+                SceneryUse::backdrop);  // the second one can be walked through
     index_city(city);
     auto hit = raycast(city, {0, 1, 0}, {1, 0, 0}, 30);
     ASSERT_TRUE(hit);

@@ -47,13 +47,13 @@ Result<Figures> bench_frame(const Options& options) {
     if (!show) return show.error();
     World& world = *show->loaded.world;
     for (uint32_t i = 0; i < k_warm_up; ++i) step(world);
-    Camera camera = choose_camera(world, options.camera, 1);
+    Camera camera = choose_camera(world, show->sun, options.camera, 1);
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);
     for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
         if (options.camera.kind == CameraChoice::Kind::follow)
-            camera = choose_camera(world, options.camera, 1);
+            camera = choose_camera(world, show->sun, options.camera, 1);
         done = measure_frame(*show, options, camera, figures);
     }
     if (done) done = check_messages(messages);

@@ -112,11 +112,30 @@ std::vector<float> rate_headings(const World& world, Vec3 eye) {
     return rating;
 }
 
+// Tops of facades near the middle, at most so many, as what an overview has to show.
+struct Front {
+    Vec3 top;
+    Vec3 out;
+};
+std::vector<Front> fronts_near(const City& city, Vec2 middle) {
+    constexpr float k_near = 400;
+    constexpr size_t k_most = 240;
+    std::vector<Front> all, kept;
+    for (const Face& f : city.faces) {
+        Vec2 a = on_ground(f.a), b = on_ground(f.b), centre = (a + b) * 0.5f;
+        if (f.kind != FaceKind::facade || length(b - a) < 4 || length(centre - middle) > k_near) continue;
+        Vec2 along = normalize_or(b - a, {1, 0});
+        all.push_back({at_height(centre, (f.a_top + f.b_top) * 0.5f), {-along.z, 0, along.x}});
+    }
+    for (size_t i = 0; i < all.size(); i += all.size() / k_most + 1) kept.push_back(all[i]);
+    return kept;
+}
+
 }  // namespace
 
-Camera overview_camera(const World& world) {
-    // Over a street near the middle, looking the way that shows most people; at `k_dip` the horizon lies in
-    // the upper fifth of the picture.
+Camera overview_camera(const World& world, Vec3 to_sun) {
+    // Over a street near the middle, looking the way that shows most people and houses in the light; at
+    // `k_dip` the horizon lies in the upper fifth of the picture.
     constexpr float k_height = 35, k_dip = 0.172f, k_reach = 170;
     constexpr size_t k_places = 16, k_people = 400;
     const City& city = world.city;
@@ -138,6 +157,7 @@ Camera overview_camera(const World& world) {
         if (places.size() < k_places && std::none_of(places.begin(), places.end(), near)) places.push_back(p);
     }
     if (places.empty()) places.push_back(at_height(middle, 0));
+    std::vector<Front> fronts = fronts_near(city, middle);
 
     float best = -1;
     Camera camera;
@@ -145,16 +165,25 @@ Camera overview_camera(const World& world) {
         Vec3 eye = place + Vec3{0, k_height, 0};
         if (raycast(city, place + Vec3{0, 1, 0}, {0, 1, 0}, k_height)) continue;
         std::vector<float> rating(k_headings, 0.0f);
+        auto add = [&](Vec3 at, float worth) {
+            float yaw = heading_of(on_ground(at - eye));
+            for (int h = 0; h < k_headings; ++h) {
+                float off = wrap_angle(yaw - static_cast<float>(h) * (2 * k_pi / k_headings));
+                if (std::fabs(off) < k_half_view) rating[static_cast<size_t>(h)] += worth;
+            }
+        };
+        for (const Front& front : fronts) {
+            Vec3 at = front.top + front.out * 0.3f;
+            float distance = length(at - eye);
+            if (distance < 1.6f * k_height || dot(front.out, eye - at) <= 0 || !sees(city, eye, at)) continue;
+            add(at, 1 + 3 * std::max(0.0f, dot(front.out, to_sun)));
+        }
         size_t stride = std::max<size_t>(1, world.crowd.count / k_people);
         for (size_t i = 0; i < world.crowd.count; i += stride) {
             Vec3 chest = world.crowd.position[i] + Vec3{0, 1.3f, 0};
             float distance = length(chest - eye);
             if (distance > k_reach || distance < 1.6f * k_height || !sees(city, eye, chest)) continue;
-            float yaw = heading_of(on_ground(chest - eye));
-            for (int h = 0; h < k_headings; ++h) {
-                float off = wrap_angle(yaw - static_cast<float>(h) * (2 * k_pi / k_headings));
-                if (std::fabs(off) < k_half_view) rating[static_cast<size_t>(h)] += 1;
-            }
+            add(chest, 1);
         }
         for (int h = 0; h < k_headings; ++h) {
             float yaw = static_cast<float>(h) * (2 * k_pi / k_headings);
@@ -201,10 +230,10 @@ Camera follow_camera(const World& world, uint32_t walker, float between) {
     return make_camera(head + direction * distance, feet + Vec3{0, 1.25f, 0} + ahead * 2.5f + right * 0.2f);
 }
 
-Camera choose_camera(const World& world, const CameraChoice& choice, float between) {
+Camera choose_camera(const World& world, const Sun& sun, const CameraChoice& choice, float between) {
     switch (choice.kind) {
         case CameraChoice::Kind::overview:
-            return overview_camera(world);
+            return overview_camera(world, {sun.direction.x, sun.direction.y, sun.direction.z});
         case CameraChoice::Kind::street:
             return street_camera(world);
         case CameraChoice::Kind::follow:

@@ -31,7 +31,7 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         if (interrupted) return Error{"Interrupted; " + options.out + " is not done."};
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         if (i == 0 || options.camera.kind == CameraChoice::Kind::follow)
-            camera = choose_camera(world, options.camera, 1);
+            camera = choose_camera(world, show.sun, options.camera, 1);
         Result<Image> image =
             draw_image(*show.renderer, extract_frame(show, camera, 1),
                        static_cast<uint32_t>(options.size.width), static_cast<uint32_t>(options.size.height));

@@ -163,7 +163,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
         auto between = static_cast<float>(due / static_cast<double>(k_tick));
 
         if (v.choice.kind == CameraChoice::Kind::follow || !v.chosen) {
-            v.camera = choose_camera(world, v.choice, between);
+            v.camera = choose_camera(world, show.sun, v.choice, between);
             v.chosen = true;
         }
         fly(window, v, static_cast<float>(passed));
