@@ -349,6 +349,7 @@ void build(OsmImport& in, const Found& f, const Context& context) {
         own.building = static_cast<uint32_t>(in.city.buildings.size());
         in.city.buildings.push_back(b);
         RoofKind got = add_mass(in.city, own);
+        in.masses.push_back({rings_of(m.footprint), m.bottom, m.eaves});
         if (m.bottom > f.foot + 0.5f) return got;
         Area solid;
         solid.rank = k_rank_solid;

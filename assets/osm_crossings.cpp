@@ -41,6 +41,7 @@ struct Footway {
     int64_t node;
     const OsmWay* way;
     uint32_t place;  // of the node in the way
+    bool tagged;     // as a crossing; else it merely passes
 };
 
 std::vector<Footway> find_footways(const OsmImport& in) {
@@ -48,11 +49,14 @@ std::vector<Footway> find_footways(const OsmImport& in) {
     for (const OsmWay& way : in.map.ways) {
         bool crossing = way.tags.is("footway", "crossing") || way.tags.is("cycleway", "crossing") ||
                         way.tags.is("path", "crossing");
-        if (!crossing || is_hidden(way.tags)) continue;
-        for (uint32_t i = 0; i < way.nodes.size(); ++i) footways.push_back({way.nodes[i], &way, i});
+        bool passes = way.tags.is("highway", "footway") || way.tags.is("highway", "path") ||
+                      way.tags.is("highway", "pedestrian");
+        if ((!crossing && !passes) || is_hidden(way.tags)) continue;
+        for (uint32_t i = 0; i < way.nodes.size(); ++i) footways.push_back({way.nodes[i], &way, i, crossing});
     }
-    std::stable_sort(footways.begin(), footways.end(),
-                     [](const Footway& a, const Footway& b) { return a.node < b.node; });
+    std::stable_sort(footways.begin(), footways.end(), [](const Footway& a, const Footway& b) {
+        return std::pair(a.node, !a.tagged) < std::pair(b.node, !b.tagged);
+    });
     return footways;
 }
 
@@ -74,7 +78,7 @@ void cross(OsmImport& in, const OsmNode& node, const Arm& first, const Arm& seco
     const OsmTags& way_tags = footway ? footway->way->tags : node.tags;
     if (!(node.tags.is("highway", "crossing") || footway) || type == "no" || way_tags.is("crossing", "no"))
         return;
-    bool marked = true;
+    bool marked = node.tags.is("highway", "crossing") || footway->tagged;
     for (const OsmTags* tags : {&node.tags, &way_tags}) {
         marked &= !tags->is("crossing", "unmarked") && !tags->is("crossing:markings", "no");
     }
@@ -100,6 +104,27 @@ void cross(OsmImport& in, const OsmNode& node, const Arm& first, const Arm& seco
     }
     if (node.tags.is("highway", "crossing")) count_built(in.counts, OsmSort::crossing_node);
     crossings.push_back(centre);
+}
+
+// People cross the arms of a junction, lines or none: lays unmarked crossings over those that have pavements
+// and no crossing near. `places` are about where they would be, a little before the rounded corners.
+void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2>& crossings) {
+    constexpr float k_near = 16, k_widest = 16;  // metres
+    for (Vec2 p : places) {
+        const Segment* s = in.streets.nearest(p, 2);
+        if (!s || s->half <= 0) continue;
+        float half = highway_of(in.map.ways[s->owner].tags)->width * 0.5f;
+        Vec2 centre = lerp(s->a, s->b, closest_on(*s, p)), along = normalize_or(s->b - s->a, {1, 0});
+        if (s->half < half + 1.5f || half * 2 > k_widest) continue;
+        bool crossed = std::any_of(crossings.begin(), crossings.end(), [&](Vec2 c) {
+            return std::fabs(dot(c - centre, along)) < k_near &&
+                   std::fabs(cross(c - centre, along)) < half + 2;
+        });
+        if (crossed) continue;
+        Vec2 across{-along.z, along.x};
+        add_crossing(in.plan, centre, along, across, half, 3, false);
+        crossings.push_back(centre);
+    }
 }
 
 // Kerbs that are lowered elsewhere: at driveways, and where crossings are drawn by their kerbs alone.
@@ -138,7 +163,7 @@ void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
     std::sort(meetings.begin(), meetings.end(),
               [](const Meeting& a, const Meeting& b) { return a.key() < b.key(); });
     std::vector<Footway> footways = find_footways(in);
-    std::vector<Vec2> crossings;
+    std::vector<Vec2> crossings, arm_places;
     for (size_t i = 0; i < meetings.size();) {
         size_t end = i;
         while (end < meetings.size() && meetings[end].node == meetings[i].node) ++end;
@@ -153,13 +178,19 @@ void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads) {
         }
         i = end;
         if (!node) continue;
-        if (arms.size() >= 3) add_corners(in.plan, in.project(*node), arms, 4);
+        if (arms.size() >= 3) {
+            Vec2 junction = in.project(*node);
+            std::vector<float> straight = add_corners(in.plan, junction, arms, 4);
+            for (size_t a = 0; a < arms.size(); ++a)
+                arm_places.push_back(junction + arms[a].direction * (straight[a] + 2));
+        }
         if (arms.size() != 2) continue;
         auto footway = std::lower_bound(footways.begin(), footways.end(), node->id,
                                         [](const Footway& f, int64_t id) { return f.node < id; });
         bool has_way = footway != footways.end() && footway->node == node->id;
         cross(in, *node, arms[0], arms[1], has_way ? &*footway : nullptr, crossings);
     }
+    cross_arms(in, arm_places, crossings);
     lower_kerbs(in, crossings);
 }
 

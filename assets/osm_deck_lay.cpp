@@ -90,6 +90,7 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
                 Area area;
                 area.rank = rank;
                 area.kind = kind;
+                if (street.way->tags.is("highway", "service")) area.axis = {};
                 area.lift = lift_of(decks[i], lift);
                 add_strip(area.rings, {decks[i].a, decks[i].b}, left, right, round_start, round_end);
                 plan.areas.push_back(std::move(area));
@@ -102,36 +103,38 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
     }
 }
 
-// Buildings that are taller than the deck take their part of it.
+// Buildings take their part of the decks that they stand in the way of, up to a walker's head.
 void add_building_solids(GroundPlan& plan, const OsmImport& in, const Field& field) {
-    std::vector<std::pair<Point, float>> tops;
-    for (const Face& f : in.city.faces) {
-        if (f.kind == FaceKind::facade) tops.push_back({to_point(on_ground(f.a)), f.a_top});
-    }
-    auto less = [](const auto& a, const auto& b) {
-        return a.first.X != b.first.X ? a.first.X < b.first.X : a.first.Y < b.first.Y;
-    };
-    std::sort(tops.begin(), tops.end(), less);
-    for (size_t i = 0; i < in.building_areas; ++i) {
-        const Area& area = in.plan.areas[i];
-        if (!area.solid || area.rings.empty() || area.rings[0].empty()) continue;
-        Vec2 low = to_metres(area.rings[0][0]), high = low;
-        for (Point p : area.rings[0]) {
+    constexpr float k_walker = 1.9f, k_margin = 0.5f;
+    Area solid;
+    solid.rank = k_rank_solid;
+    solid.solid = true;
+    std::vector<uint32_t> near;
+    for (const OsmMass& mass : in.masses) {
+        if (mass.rings.empty() || mass.rings[0].empty()) continue;
+        Vec2 low = to_metres(mass.rings[0][0]), high = low;
+        for (Point p : mass.rings[0]) {
             Vec2 q = to_metres(p);
             low = {std::min(low.x, q.x), std::min(low.z, q.z)};
             high = {std::max(high.x, q.x), std::max(high.z, q.z)};
         }
-        Vec2 middle = (low + high) * 0.5f;
-        const Segment* near = field.index.nearest(middle, length(high - low) * 0.5f + 8);
-        if (!near) continue;
-        float top = 1e9f;
-        for (Point p : area.rings[0]) {
-            auto [from, to] = std::equal_range(tops.begin(), tops.end(), std::pair(p, 0.0f), less);
-            for (auto t = from; t != to; ++t) top = top > 1e8f ? t->second : std::max(top, t->second);
+        near.clear();
+        field.index.near((low + high) * 0.5f, length(high - low) * 0.5f + 8,
+                         [&](const Segment& s) { near.push_back(s.owner); });
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+        Rings under;
+        for (uint32_t i : near) {
+            const DeckPiece& piece = (*field.pieces)[i];
+            float bottom = std::min(piece.a_height, piece.b_height),
+                  top = std::max(piece.a_height, piece.b_height);
+            if (mass.bottom > top + k_walker || mass.eaves < bottom + 0.1f) continue;
+            Halves halves = halves_of(in.raised[piece.street]);
+            add_strip(under, {piece.a, piece.b}, halves.left + k_margin, halves.right + k_margin, true);
         }
-        if (top < field(middle) + 0.1f) continue;
-        plan.areas.push_back(area);
+        for (Ring& ring : intersect(under, mass.rings)) solid.rings.push_back(std::move(ring));
     }
+    if (!solid.rings.empty()) plan.areas.push_back(std::move(solid));
 }
 
 struct Edge {
@@ -192,10 +195,8 @@ void finish_edge(OsmImport& in, const Field& field, Vec3 a, Vec3 b, uint32_t bui
         }
         return;
     }
-    Vec3 before = middle + Vec3{0, 1, 0} - at_height(out * 0.1f, 0);
-    std::optional<RayHit> wall = raycast(city, before, at_height(out, 0), 0.35f);
-    bool at_house =
-        wall && wall->what == RayHit::What::face && city.faces[wall->index].kind == FaceKind::facade;
+    std::optional<WallPoint> wall = closest_wall(city, middle + Vec3{0, 1, 0}, 0.25f);
+    bool at_house = wall && wall->face != ~0u && city.faces[wall->face].kind == FaceKind::facade;
     auto clearance = [&](Vec3 p) { return p.y - terrain_at(in.plan, on_ground(p)); };
     bool in_air = std::min(clearance(a), clearance(b)) > k_headroom;
     auto bottom = [&](Vec3 p) {

@@ -34,7 +34,7 @@ std::optional<OsmHighway> highway_of(const OsmTags& tags) {
         {"unclassified", {7, 2.6f, true, road}},
         {"living_street", {5.5f, 2.4f, true, road}},
         {"road", {6, 2.4f, true, road}},
-        {"service", {4, 0, false, road}},
+        {"service", {4, 0, false, plaza}},  // shared with what few cars there are
         {"busway", {6.5f, 0, true, road}},
         {"pedestrian", {6, 0, false, plaza}},
         {"footway", {2.4f, 0, false, path}},

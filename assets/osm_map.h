@@ -154,6 +154,12 @@ struct OsmStreet {
     std::vector<std::vector<Vec2>> lines;
 };
 
+// What a building or a part of one takes of the air.
+struct OsmMass {
+    Rings rings;
+    float bottom = 0, eaves = 0;  // heights, metres
+};
+
 // What the steps read and add to.
 struct OsmImport {
     const OsmMap& map;
@@ -165,8 +171,8 @@ struct OsmImport {
     // carriageway and sidewalks (0: none), and what lies above the ground or leads up there by steps.
     SegmentIndex streets{};
     std::vector<OsmStreet> raised{};
-    uint32_t walls = ~0u;       // see wall_building
-    size_t building_areas = 0;  // the plan's first areas are what buildings take
+    uint32_t walls = ~0u;  // see wall_building
+    std::vector<OsmMass> masses{};
 };
 
 // The known points of a way; missing ones split it. Lines of fewer than two points are left out.

@@ -80,10 +80,12 @@ void add_way(OsmImport& in, const OsmStreet& way) {
     const OsmHighway& highway = way.highway;
     for (const std::vector<Vec2>& line : way.lines) {
         Area area;
-        area.rank = highway.kind == Surface::sidewalk ? k_rank_sidewalk
-                    : highway.kind == Surface::plaza  ? k_rank_plaza
-                                                      : k_rank_path;
+        bool service = way.way->tags.is("highway", "service");
+        area.rank = highway.kind == Surface::sidewalk            ? k_rank_sidewalk
+                    : highway.kind == Surface::plaza && !service ? k_rank_plaza
+                                                                 : k_rank_path;
         area.kind = highway.kind;
+        if (service) area.axis = {};
         area.lift = flat(k_kerb);
         add_strip(area.rings, line, highway.width * 0.5f, highway.width * 0.5f, true);
         in.plan.areas.push_back(std::move(area));
@@ -162,7 +164,6 @@ float tagged_sidewalk(const OsmStreet& street, bool left) {
 }
 
 void add_osm_streets(OsmImport& in) {
-    in.building_areas = in.plan.areas.size();
     std::vector<OsmStreet> roads, ways, steps;
     std::vector<int64_t> raised_nodes;
     SegmentIndex footways;

@@ -92,14 +92,12 @@ void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float 
         return positive(
             {to_point(from - side), to_point(from + side), to_point(to + side), to_point(to - side)});
     };
-    if (marked) {
-        Area area;
-        area.rank = k_rank_crossing;
-        area.kind = Surface::crossing;
-        area.axis = across;
-        area.rings = {quad(centre - over, centre + over)};
-        plan.areas.push_back(std::move(area));
-    }
+    Area stripes;
+    stripes.rank = k_rank_crossing;
+    stripes.kind = Surface::crossing;
+    stripes.axis = marked ? across : Vec2{};
+    stripes.rings = {quad(centre - over, centre + over)};
+    plan.areas.push_back(std::move(stripes));
     for (float way : {-1.0f, 1.0f}) {
         Area ramp;
         ramp.rank = k_rank_dropped_kerb;

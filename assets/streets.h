@@ -26,8 +26,8 @@ struct Arm {
 std::vector<float> add_corners(GroundPlan& plan, Vec2 junction, const std::vector<Arm>& arms, float radius);
 
 // A crossing over the carriageway at `centre`: people walk along the unit vector `across`, cars along
-// `along`. At both ends the sidewalk's kerb is dropped and rises over 1.2 m. An unmarked one has dropped
-// kerbs only.
+// `along`. At both ends the sidewalk's kerb is dropped and rises over 1.2 m. An unmarked one
+// has no stripes.
 void add_crossing(GroundPlan& plan, Vec2 centre, Vec2 along, Vec2 across, float half_width, float breadth,
                   bool marked);
 

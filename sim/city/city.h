@@ -132,7 +132,7 @@ struct City {
     std::vector<uint32_t> ground_indices;  // three a triangle
     std::vector<Surface> ground_kinds;     // one a triangle
     // One a triangle, a unit direction: the way people walk over a crossing (its stripes lie square to it),
-    // up a flight of steps, down a dropped kerb; (1, 0) where there is none.
+    // up a flight of steps, down a dropped kerb; (1, 0) where there is none; zero on bare asphalt.
     std::vector<Vec2> ground_axes;
 
     std::vector<Face> faces;

@@ -56,10 +56,11 @@ void add_ground(CityMesh& mesh, const City& city) {
         Vec3 p[3];
         for (size_t k = 0; k < 3; ++k) p[k] = city.ground_vertices[city.ground_indices[3 * t + k]];
         Vec3 normal = normalize_or(cross(p[1] - p[0], p[2] - p[0]), {0, 1, 0});
-        auto kind = static_cast<size_t>(city.ground_kinds[t]);
+        bool bare = city.ground_axes[t] == Vec2{};
+        auto kind = static_cast<size_t>(bare ? Surface::road : city.ground_kinds[t]);
         for (Vec3 v : p) {
             glm::vec2 uv{v.x, v.z};
-            if (city.ground_kinds[t] == Surface::crossing) uv = {dot(on_ground(v), city.ground_axes[t]), 0};
+            if (kind == static_cast<size_t>(Surface::crossing)) uv = {dot(on_ground(v), city.ground_axes[t]), 0};
             mesh.indices.push_back(
                 add_vertex(mesh, vertex(v, normal, k_ground_colours[kind], uv, k_ground_materials[kind])));
         }
