@@ -139,8 +139,10 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
         }
         if (!passed) {
             if (distance < c.closest[i] - k_progress) {
-                if (c.closest[i] < 1e8f) c.stuck[i] = 0;
-                if (c.jam[i] > 0) --c.jam[i];
+                if (c.closest[i] < 1e8f) {  // else a leg has only begun
+                    c.stuck[i] = 0;
+                    if (c.jam[i] > 0) --c.jam[i];
+                }
                 c.closest[i] = distance;
                 c.closest_tick[i] = tick;
             }
