@@ -147,7 +147,7 @@ void add_gateway(District& d, Dice& dice, const Ring& lot, House house) {
     side.shop = false;
     side.street_edges = {};
     float bottom = 0;
-    for (Ring ring : {part(0, left), part(right, 1)}) {
+    for (const Ring& ring : {part(0, left), part(right, 1)}) {
         side.footprint = ring;
         side.door_edge.reset();
         bottom = std::max(bottom, d.city.buildings[add_house(d, dice, side)].top);

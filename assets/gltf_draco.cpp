@@ -64,7 +64,10 @@ struct Decoder {
             const auto* values =
                 id.is_number_unsigned() ? (*mesh)->GetAttributeByUniqueId(id.get<uint32_t>()) : nullptr;
             if (components == 0 || !values || values->num_components() < components)
-                return Error{what + " has compressed " + name + " that does not fit; export it again"};
+                return Error{std::string(what)
+                                 .append(" has compressed ")
+                                 .append(name)
+                                 .append(" that does not fit; export it again")};
             size_t each = size_t(components) * sizeof(float);
             if (points > room / each) return too_much;
             Bytes bytes(points * each);

@@ -81,9 +81,11 @@ void facet_terrain(GroundPlan& plan) {
     c.heights.resize(c.columns * c.rows);
     WorkersPtr workers = make_workers(0);
     parallel_for(*workers, c.rows, 8, [&](size_t begin, size_t end, int) {
-        for (size_t i = begin * c.columns; i < end * c.columns; ++i) {
-            Vec2 step{static_cast<float>(i % c.columns), static_cast<float>(i / c.columns)};
-            c.heights[i] = terrain_at(plan, c.low + step * c.cell);
+        for (size_t row = begin; row < end; ++row) {
+            for (size_t column = 0; column < c.columns; ++column) {
+                Vec2 step{static_cast<float>(column), static_cast<float>(row)};
+                c.heights[row * c.columns + column] = terrain_at(plan, c.low + step * c.cell);
+            }
         }
     });
     plan.facets = true;
