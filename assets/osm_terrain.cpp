@@ -131,9 +131,11 @@ Result<void> raise_ground(OsmImport& in, const std::string& path) {
     if (!sea.empty()) return {};
     // Far from the sea, y = 0 is the lowest ground.
     float lowest = 1e9f;
-    for (int i = 0; i < columns * rows; ++i) {
-        Vec2 step{static_cast<float>(i % columns), static_cast<float>(i / columns)};
-        lowest = std::min(lowest, plan.terrain(plan.low + step * side));
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < columns; ++column) {
+            Vec2 step{static_cast<float>(column), static_cast<float>(row)};
+            lowest = std::min(lowest, plan.terrain(plan.low + step * side));
+        }
     }
     plan.terrain = [raised = std::move(plan.terrain), lowest](Vec2 p) { return raised(p) - lowest; };
     return {};

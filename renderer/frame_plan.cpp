@@ -7,7 +7,7 @@ namespace {
 constexpr Slice k_far_slice = {0, 250};  // where the city throws shadows, metres
 constexpr float k_turbidity = 2.8f;
 constexpr float k_ground_albedo = 0.22f;
-constexpr float k_haze = 1.0f / 1100;  // a metre
+constexpr float k_haze = 1.0f / 2200;  // a metre
 constexpr float k_haze_begins = 60;    // metres
 // What a white level surface in sun and sky shows before the tone curve: puts pavement at mid-grey.
 constexpr float k_white_level = 0.72f;
