@@ -109,7 +109,7 @@ void cross(OsmImport& in, const OsmNode& node, const Arm& first, const Arm& seco
 // People cross the arms of a junction, lines or none: lays unmarked crossings over those that have pavements
 // and no crossing near. `places` are about where they would be, a little before the rounded corners.
 void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2>& crossings) {
-    constexpr float k_near = 16, k_widest = 16;  // metres
+    constexpr float k_near = 12, k_widest = 20;  // metres
     for (Vec2 p : places) {
         const Segment* s = in.streets.nearest(p, 2);
         if (!s || s->half <= 0) continue;
@@ -122,7 +122,7 @@ void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2
         });
         if (crossed) continue;
         Vec2 across{-along.z, along.x};
-        add_crossing(in.plan, centre, along, across, half, 3, false);
+        add_crossing(in.plan, centre, along, across, half, 4, false);
         crossings.push_back(centre);
     }
 }
