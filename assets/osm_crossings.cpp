@@ -49,8 +49,9 @@ std::vector<Footway> find_footways(const OsmImport& in) {
     for (const OsmWay& way : in.map.ways) {
         bool crossing = way.tags.is("footway", "crossing") || way.tags.is("cycleway", "crossing") ||
                         way.tags.is("path", "crossing");
+        // Service ways too: the kerbs are dropped there, so that people cross there.
         bool passes = way.tags.is("highway", "footway") || way.tags.is("highway", "path") ||
-                      way.tags.is("highway", "pedestrian");
+                      way.tags.is("highway", "pedestrian") || way.tags.is("highway", "service");
         if ((!crossing && !passes) || is_hidden(way.tags)) continue;
         for (uint32_t i = 0; i < way.nodes.size(); ++i) footways.push_back({way.nodes[i], &way, i, crossing});
     }

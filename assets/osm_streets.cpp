@@ -142,6 +142,14 @@ void add_steps(OsmImport& in, const OsmStreet& steps) {
     }
 }
 
+// Whether people walk on the carriageway as cars drive on it: small streets without sidewalks, and living
+// streets.
+bool is_shared(const OsmStreet& road, const Street& street) {
+    std::string_view name = road.way->tags["highway"];
+    bool small = name == "residential" || name == "unclassified" || name == "road";
+    return name == "living_street" || (small && street.left + street.right == 0);
+}
+
 // Where a street goes on as a narrower one, its end is square: a round one would bulge into the other.
 bool ends_square(const std::vector<std::pair<int64_t, float>>& ends, const OsmStreet& road, int64_t node) {
     auto first = std::lower_bound(ends.begin(), ends.end(), std::pair(node, 0.0f));
@@ -217,6 +225,15 @@ void add_osm_streets(OsmImport& in) {
             street.right = sidewalk_width(road, footways, line, false);
             street.round_start = !ends_square(ends, road, road.way->nodes.front());
             street.round_end = !ends_square(ends, road, road.way->nodes.back());
+            if (is_shared(road, street)) {
+                Area lane;
+                lane.rank = k_rank_road;
+                lane.kind = Surface::plaza;
+                lane.axis = {};
+                add_strip(lane.rings, line, street.width * 0.5f, street.width * 0.5f, street.round_start,
+                          street.round_end);
+                in.plan.areas.push_back(std::move(lane));
+            }
             add_street(in.plan, street);
             in.streets.add(line, index_of(road), street.width * 0.5f + std::max(street.left, street.right));
             // What lies between the sidewalk and the houses is paved too, unless the map says otherwise.

@@ -281,5 +281,28 @@ TEST(OsmStreets, PlacesLieOnTheGround) {
         EXPECT_GT(counts[static_cast<size_t>(kind)], 3) << static_cast<int>(kind);
 }
 
+TEST(OsmStreets, ArmsOfAJunctionAreCrossedWithoutStripes) {
+    Drawing drawing;
+    int middle = drawing.node(0, 0);
+    drawing.way({drawing.node(-55, 0), middle, drawing.node(55, 0)}, tag("highway", "residential"));
+    drawing.way({middle, drawing.node(0, 55)}, tag("highway", "residential"));
+    City city = build(drawing);
+    int arms = 0;
+    for (Vec2 way : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}}) {
+        bool crossed = false;
+        for (float off = 5; off < 15; off += 0.5f) {
+            std::optional<GroundHit> hit = ground(city, at_height(way * off, 0), 1, 1);
+            crossed |= hit && hit->kind == Surface::crossing;
+        }
+        arms += crossed;
+    }
+    EXPECT_EQ(arms, 3);
+    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
+        if (city.ground_kinds[t] == Surface::crossing) {
+            EXPECT_EQ(length(city.ground_axes[t]), 0);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flaneur
