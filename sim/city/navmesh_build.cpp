@@ -123,7 +123,7 @@ static void set_costs(dtQueryFilter& filter) {
     filter.setAreaCost(area_of(Surface::crossing), 1.2f);
     filter.setAreaCost(area_of(Surface::plaza), 1.3f);
     filter.setAreaCost(area_of(Surface::grass), 3);
-    filter.setAreaCost(area_of(Surface::road), 10);
+    filter.setAreaCost(area_of(Surface::road), 25);
 }
 
 static float tile_edge(const NavmeshSettings& s) {

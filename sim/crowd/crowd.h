@@ -94,9 +94,9 @@ struct Crowd {
 inline constexpr uint8_t k_most_jam = 8;
 
 // Metres that a walker takes up among others. One on a stroll or a trip whom a jam holds longer than any
-// queue, some 18 s and more, turns its shoulders ever further, so that knots come undone.
+// queue, some 15 s and more, turns its shoulders ever further and at last slips past.
 inline float slim_radius(const Crowd& c, uint32_t i) {
-    int held = c.errand[i] == Errand::wander ? std::max(c.jam[i] - 5, 0) : 0;
+    int held = c.errand[i] == Errand::wander ? std::max(c.jam[i] - 4, 0) : 0;
     return c.radius[i] * (1 - 0.25f * static_cast<float>(held));
 }
 

@@ -18,7 +18,8 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
     for (int k = 0; k < std::min<int>(c.neighbour_count[i], k_pushers); ++k) {
         uint32_t j = ids[k];
         Vec2 away = on_ground(c.position[i] - c.position[j]);
-        float touching = slim_radius(c, i) + slim_radius(c, j) - k_overlap, d2 = length_squared(away);
+        float touching = std::max(slim_radius(c, i) + slim_radius(c, j) - k_overlap, 0.0f);
+        float d2 = length_squared(away);
         if (d2 >= touching * touching) continue;
         float d = std::sqrt(d2);
         Vec2 direction = d > 1e-5f ? away / d : Vec2{i < j ? 1.0f : -1.0f, 0};
