@@ -10,7 +10,7 @@ namespace flaneur {
 
 static constexpr float k_horizon = 1.5f;         // seconds within which no one shall be met
 static constexpr float k_untangle = 0.3f;        // seconds to end an overlap in
-static constexpr float k_apart = 1.08f;          // times their radii is kept between bodies
+static constexpr float k_margin = 0.04f;         // metres kept between bodies
 static constexpr float k_border_horizon = 0.2f;  // seconds to the border
 static constexpr float k_border_reach = 1;       // metres
 static constexpr int k_borders = 6;
@@ -95,7 +95,9 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uin
     for (int k = 0; k < c.neighbour_count[i]; ++k) {
         uint32_t j = ids[k];
         Vec2 between = on_ground(c.position[j] - c.position[i]);
-        float apart = (slim_radius(c, i) + slim_radius(c, j)) * k_apart;
+        // Those who slip past each other keep a smaller margin too.
+        float radii = c.radius[i] + c.radius[j], apart = slim_radius(c, i) + slim_radius(c, j);
+        apart += k_margin * apart / radii;
         planes[count++] = avoid(between, velocity, c.velocity[j], apart);
         if (dot(c.velocity[j], wish) < 0 && dot(between, wish) > 0) oncoming = 1;
     }

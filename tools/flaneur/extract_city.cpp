@@ -60,7 +60,8 @@ void add_ground(CityMesh& mesh, const City& city) {
         auto kind = static_cast<size_t>(bare ? Surface::road : city.ground_kinds[t]);
         for (Vec3 v : p) {
             glm::vec2 uv{v.x, v.z};
-            if (kind == static_cast<size_t>(Surface::crossing)) uv = {dot(on_ground(v), city.ground_axes[t]), 0};
+            if (kind == static_cast<size_t>(Surface::crossing))
+                uv = {dot(on_ground(v), city.ground_axes[t]), 0};
             mesh.indices.push_back(
                 add_vertex(mesh, vertex(v, normal, k_ground_colours[kind], uv, k_ground_materials[kind])));
         }

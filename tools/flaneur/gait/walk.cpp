@@ -35,6 +35,7 @@ City strip(const std::function<float(float z)>& height, const std::vector<float>
             city.ground_vertices.push_back(v);
         for (uint32_t k : {0, 1, 2, 0, 2, 3}) city.ground_indices.push_back(n + k);
         city.ground_kinds.insert(city.ground_kinds.end(), 2, kind);
+        city.ground_axes.insert(city.ground_axes.end(), 2, {0, 1});
     }
     index_city(city);
     return city;
