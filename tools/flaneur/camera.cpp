@@ -84,9 +84,9 @@ std::vector<float> rate_headings(const World& world, Vec3 eye) {
     for (uint32_t i = 0; i < world.crowd.count; ++i) {
         Vec3 chest = world.crowd.position[i] + Vec3{0, 1.3f, 0};
         float distance = length(chest - eye);
-        if (distance > k_sight || distance < 0.9f) continue;
+        if (distance > k_sight || distance < 0.35f) continue;  // far off, or whose eye it is
         if (distance < 3) {
-            add(chest, -2);  // would fill the picture
+            add(chest, distance < 1.5f ? -20 : -2);  // would fill the picture
         } else if (sees(world.city, eye, chest)) {
             add(chest, 6 / (6 + distance));
         }
