@@ -40,7 +40,7 @@ std::vector<Gap> gaps_of(const OsmImport& in, const std::vector<Gap>& gates, Vec
     for (const Gap& gate : gates) {
         if (length(lerp(a, b, closest_on({a, b}, gate.at)) - gate.at) < 1) gaps.push_back(gate);
     }
-    in.streets.near((a + b) * 0.5f, length(b - a) * 0.5f, [&](const Segment& s) {
+    in.streets.near((a + b) * 0.5f, length(b - a) * 0.5f, [&](const LinePiece& s) {
         if (std::optional<float> share = crossing_on(a, b, s.a, s.b))
             gaps.push_back({lerp(a, b, *share), std::max(s.half, 1.4f)});
     });
@@ -50,7 +50,7 @@ std::vector<Gap> gaps_of(const OsmImport& in, const std::vector<Gap>& gates, Vec
 // Whether a wall would stand on a carriageway or in the middle of a way.
 bool is_on_street(const OsmImport& in, Vec2 p) {
     bool found = false;
-    in.streets.near(p, 12, [&](const Segment& s) {
+    in.streets.near(p, 12, [&](const LinePiece& s) {
         float half = std::max(s.half - 1.5f, 0.5f);
         found = found || length_squared(lerp(s.a, s.b, closest_on(s, p)) - p) < half * half;
     });

@@ -112,7 +112,7 @@ void cross(OsmImport& in, const OsmNode& node, const Arm& first, const Arm& seco
 void cross_arms(OsmImport& in, const std::vector<Vec2>& places, std::vector<Vec2>& crossings) {
     constexpr float k_near = 12, k_widest = 20;  // metres
     for (Vec2 p : places) {
-        const Segment* s = in.streets.nearest(p, 2);
+        const LinePiece* s = in.streets.nearest(p, 2);
         if (!s || s->half <= 0) continue;
         float half = highway_of(in.map.ways[s->owner].tags)->width * 0.5f;
         Vec2 centre = lerp(s->a, s->b, closest_on(*s, p)), along = normalize_or(s->b - s->a, {1, 0});
@@ -134,9 +134,9 @@ void lower_kerbs(OsmImport& in, const std::vector<Vec2>& crossings) {
         std::string_view kerb = node.tags["kerb"];
         if (kerb != "lowered" && kerb != "flush" && kerb != "rolled") continue;
         Vec2 p = in.project(node);
-        const Segment* street = nullptr;
+        const LinePiece* street = nullptr;
         float least = 3;  // metres from the kerb of its street
-        in.streets.near(p, 14, [&](const Segment& s) {
+        in.streets.near(p, 14, [&](const LinePiece& s) {
             if (s.half <= 0) return;
             float half = highway_of(in.map.ways[s.owner].tags)->width * 0.5f;
             float off = std::fabs(length(lerp(s.a, s.b, closest_on(s, p)) - p) - half);

@@ -33,7 +33,7 @@ struct Field {
     const std::vector<DeckPiece>* pieces = nullptr;
 
     float operator()(Vec2 p) const {
-        const Segment* s = nullptr;
+        const LinePiece* s = nullptr;
         for (float reach : {6.0f, 30.0f}) {
             if (!s) s = index.nearest(p, reach);
         }
@@ -120,7 +120,7 @@ void add_building_solids(GroundPlan& plan, const OsmImport& in, const Field& fie
         }
         near.clear();
         field.index.near((low + high) * 0.5f, length(high - low) * 0.5f + 8,
-                         [&](const Segment& s) { near.push_back(s.owner); });
+                         [&](const LinePiece& s) { near.push_back(s.owner); });
         std::sort(near.begin(), near.end());
         near.erase(std::unique(near.begin(), near.end()), near.end());
         Rings under;

@@ -47,7 +47,7 @@ bool share_a_node(const OsmWay& a, const OsmWay& b) {
 std::vector<int64_t> nodes_on_ground(const OsmImport& in) {
     std::vector<int64_t> nodes;
     std::vector<uint32_t> ways;
-    for (const Segment& s : in.streets.segments) ways.push_back(s.owner);
+    for (const LinePiece& s : in.streets.segments) ways.push_back(s.owner);
     ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
     for (uint32_t way : ways) {
         const OsmWay& w = in.map.ways[way];
@@ -162,7 +162,7 @@ void find_wants(const OsmImport& in, Net& net) {
             if (!crossing_on(piece.a, piece.b, a, b) || share_a_node(*street.way, below)) return;
             Vec2 middle = (piece.a + piece.b) * 0.5f;
             float reach = half + 3;
-            pieces.near(middle, reach, [&](const Segment& s) {
+            pieces.near(middle, reach, [&](const LinePiece& s) {
                 if (net.pieces[s.owner].street != piece.street) return;
                 for (uint32_t joint : {net.links[s.owner].a, net.links[s.owner].b}) {
                     if (length(net.joints[joint].at - middle) < reach) want(joint, level);
@@ -172,8 +172,8 @@ void find_wants(const OsmImport& in, Net& net) {
             want(net.links[i].b, level);
         };
         in.streets.near((piece.a + piece.b) * 0.5f, k_piece,
-                        [&](const Segment& s) { crossed(s.a, s.b, in.map.ways[s.owner], s.half); });
-        pieces.near((piece.a + piece.b) * 0.5f, k_piece, [&](const Segment& s) {
+                        [&](const LinePiece& s) { crossed(s.a, s.b, in.map.ways[s.owner], s.half); });
+        pieces.near((piece.a + piece.b) * 0.5f, k_piece, [&](const LinePiece& s) {
             const OsmStreet& other = in.raised[net.pieces[s.owner].street];
             if (other.highway.level < level && other.highway.level > 0)
                 crossed(s.a, s.b, *other.way, other.highway.width * 0.5f);

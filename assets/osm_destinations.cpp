@@ -88,7 +88,7 @@ void add_doors(OsmImport& in, const std::vector<uint8_t>& has_door) {
         Vec2 a = on_ground(face.a), b = on_ground(face.b), middle = lerp(a, b, 0.5f);
         if (length(b - a) < 1.6f || std::min(face.a_top - face.a.y, face.b_top - face.b.y) < 2.2f) continue;
         if (face.a.y > terrain_at(in.plan, middle) + 1) continue;
-        const Segment* street = in.streets.nearest(middle, 60);
+        const LinePiece* street = in.streets.nearest(middle, 60);
         if (!street) continue;
         Vec2 towards = lerp(street->a, street->b, closest_on(*street, middle)) - middle;
         Vec2 out = normalize_or(Vec2{a.z - b.z, b.x - a.x}, {1, 0});
@@ -157,7 +157,7 @@ void add_border_edges(OsmImport& in) {
         return p.x > low.x + k_inside && p.z > low.z + k_inside && p.x < high.x - k_inside &&
                p.z < high.z - k_inside;
     };
-    for (const Segment& s : in.streets.segments) {
+    for (const LinePiece& s : in.streets.segments) {
         bool a = inside(s.a), b = inside(s.b);
         if (a == b) continue;
         Vec2 here = a ? s.a : s.b, there = a ? s.b : s.a, out = normalize_or(there - here, {1, 0});
@@ -174,7 +174,7 @@ void add_border_edges(OsmImport& in) {
 void add_loose_ends(OsmImport& in) {
     std::vector<int64_t> nodes;
     std::vector<uint32_t> roads;
-    for (const Segment& s : in.streets.segments) {
+    for (const LinePiece& s : in.streets.segments) {
         if (s.half > 0 && (roads.empty() || roads.back() != s.owner)) roads.push_back(s.owner);
     }
     std::sort(roads.begin(), roads.end());
@@ -212,7 +212,7 @@ void add_osm_destinations(OsmImport& in) {
         if (!is_stop(node.tags)) continue;
         std::optional<Vec3> at = standing_near(in, p, 8);
         if (!at) continue;
-        const Segment* street = in.streets.nearest(p, 20);
+        const LinePiece* street = in.streets.nearest(p, 20);
         Vec2 facing =
             street ? lerp(street->a, street->b, closest_on(*street, p)) - on_ground(*at) : Vec2{0, 1};
         add(in, DestinationKind::stop, *at, normalize_or(facing, {0, 1}), node.tags.has("railway") ? 4 : 1);

@@ -12,14 +12,14 @@
 
 namespace flaneur {
 
-struct Segment {
+struct LinePiece {
     Vec2 a, b;
     uint32_t owner = 0;  // whatever the caller calls it by
     float half = 0;      // width to either side, metres
 };
 
 // The place on a segment that is closest to `p`, 0 at its start and 1 at its end.
-inline float closest_on(const Segment& s, Vec2 p) {
+inline float closest_on(const LinePiece& s, Vec2 p) {
     Vec2 d = s.b - s.a;
     return clamp(dot(p - s.a, d) / std::max(length_squared(d), 1e-9f), 0, 1);
 }
@@ -34,7 +34,7 @@ inline std::optional<float> crossing_on(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 struct SegmentIndex {
     static constexpr float k_square = 16;  // metres
-    std::vector<Segment> segments;
+    std::vector<LinePiece> segments;
     std::vector<std::pair<std::pair<int, int>, uint32_t>> by_square;
 
     static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
@@ -73,10 +73,10 @@ struct SegmentIndex {
     }
 
     // The segment closest to `p` within `radius`, the first added among equals; null where there is none.
-    const Segment* nearest(Vec2 p, float radius) const {
-        const Segment* best = nullptr;
+    const LinePiece* nearest(Vec2 p, float radius) const {
+        const LinePiece* best = nullptr;
         float least = radius * radius;
-        near(p, radius, [&](const Segment& s) {
+        near(p, radius, [&](const LinePiece& s) {
             float d = length_squared(lerp(s.a, s.b, closest_on(s, p)) - p);
             if (d > least || (best && d == least && &s >= best)) return;
             best = &s;

@@ -38,7 +38,7 @@ std::optional<Vec2> beside(const OsmImport& in, Vec2 p) {
 }
 
 float yaw_to_street(const OsmImport& in, Vec2 p, float otherwise) {
-    const Segment* street = in.streets.nearest(p, 25);
+    const LinePiece* street = in.streets.nearest(p, 25);
     if (!street) return otherwise;
     Vec2 towards = lerp(street->a, street->b, closest_on(*street, p)) - p;
     return length(towards) > 0.1f ? heading_of(towards) : otherwise;

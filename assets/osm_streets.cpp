@@ -43,7 +43,7 @@ std::optional<float> alongside(const SegmentIndex& footways, const std::vector<V
                 line[i] + along * (distance * (static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
             float best = half_width + k_beyond;
             bool any = false;
-            footways.near(p, best, [&](const Segment& f) {
+            footways.near(p, best, [&](const LinePiece& f) {
                 Vec2 d = f.b - f.a;
                 if (std::fabs(dot(normalize_or(d, {1, 0}), along)) < 0.9f) return;
                 float forward = dot(d, along);
@@ -120,8 +120,9 @@ void line_flights(GroundPlan& plan, const std::vector<Vec2>& line, const OsmStre
 void add_steps(OsmImport& in, const OsmStreet& steps) {
     auto on_street = [&](Vec2 p) {
         bool found = false;
-        in.streets.near(
-            p, 12, [&](const Segment& s) { found |= length(lerp(s.a, s.b, closest_on(s, p)) - p) < s.half; });
+        in.streets.near(p, 12, [&](const LinePiece& s) {
+            found |= length(lerp(s.a, s.b, closest_on(s, p)) - p) < s.half;
+        });
         return found;
     };
     for (const std::vector<Vec2>& line : steps.lines) {
