@@ -155,8 +155,8 @@ Pieces join_ground(const City& city, float climb) {
         for (uint32_t k = 0; k < 3; ++k) {
             Vec3 a = city.ground_vertices[city.ground_indices[t * 3 + k]],
                  b = city.ground_vertices[city.ground_indices[t * 3 + (k + 1) % 3]];
-            auto [first, second] = std::minmax(key(a), key(b));
-            edges.push_back({first, second, (a.y + b.y) * 0.5f, t});
+            int64_t first = key(a), second = key(b);
+            edges.push_back({std::min(first, second), std::max(first, second), (a.y + b.y) * 0.5f, t});
         }
     }
     std::sort(edges.begin(), edges.end());
