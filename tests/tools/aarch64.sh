@@ -19,7 +19,7 @@ packages=(libboost1.74-dev libbz2-1.0 libbz2-dev libcli11-dev libdraco7 libdraco
           librecast1 librecast-dev libstb0 libstb-dev libtinygltf2d libtinygltf-dev nlohmann-json3-dev zlib1g zlib1g-dev
           libtiff6 libtiff-dev libdeflate0 libjbig0 libjpeg62-turbo liblerc4 liblzma5 libwebp7 libzstd1
           libzip4 libzip-dev libssl3)
-if [[ ! -e $arm64/complete ]]; then
+if [[ ! -e $arm64/complete || $(<"$arm64/complete") != "${packages[*]}" ]]; then
     rm -rf "$apt" "$arm64"
     mkdir -p "$apt"/{state/lists/partial,cache/archives/partial,sources,debs} "$arm64"
     touch "$apt/status"
@@ -56,7 +56,7 @@ END
         done
         touch "$arm64/unfused"
     fi
-    touch "$arm64/complete"
+    echo "${packages[*]}" > "$arm64/complete"
 fi
 
 cd "$root"
