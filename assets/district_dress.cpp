@@ -3,20 +3,12 @@
 #include <cmath>
 
 #include "assets/district.h"
+#include "assets/roofs.h"
 #include "sim/base/math.h"
 
 namespace flaneur {
 
 namespace {
-
-// Counter-clockwise from its visible side.
-void add_plate(City& city, Vec3 a, Vec3 b, Vec3 c, Vec3 e, uint32_t building) {
-    auto first = static_cast<uint32_t>(city.roof_vertices.size());
-    city.roof_vertices.insert(city.roof_vertices.end(), {a, b, c, e});
-    city.roof_indices.insert(city.roof_indices.end(),
-                             {first, first + 1, first + 2, first, first + 2, first + 3});
-    city.roof_buildings.insert(city.roof_buildings.end(), 2, building);
-}
 
 // A front as those see it who stand before it.
 struct Wall {
@@ -40,15 +32,15 @@ void add_dormer(City& city, const Wall& wall, float middle, float back, float de
     float top = y + k_height, ridge = top + 0.45f;
     Vec3 al = wall.at(middle - k_half, -back, top), bl = wall.at(middle + k_half, -back, top);
     Vec3 ar = wall.at(middle - k_half, -back - depth, top), br = wall.at(middle + k_half, -back - depth, top);
-    add_plate(city, wall.at(middle - k_half, -back - depth, y), a, al, ar, building);
-    add_plate(city, b, wall.at(middle + k_half, -back - depth, y), br, bl, building);
+    add_quad(city, wall.at(middle - k_half, -back - depth, y), a, al, ar, building);
+    add_quad(city, b, wall.at(middle + k_half, -back - depth, y), br, bl, building);
     Vec3 front = wall.at(middle, -back + 0.15f, ridge), rear = wall.at(middle, -back - depth, ridge);
     Vec3 eaves_a = wall.at(middle - k_half - 0.12f, -back + 0.15f, top - 0.05f),
          eaves_b = wall.at(middle + k_half + 0.12f, -back + 0.15f, top - 0.05f);
-    add_plate(city, eaves_a, front, rear, wall.at(middle - k_half - 0.12f, -back - depth, top - 0.05f),
-              building);
-    add_plate(city, front, eaves_b, wall.at(middle + k_half + 0.12f, -back - depth, top - 0.05f), rear,
-              building);
+    add_quad(city, eaves_a, front, rear, wall.at(middle - k_half - 0.12f, -back - depth, top - 0.05f),
+             building);
+    add_quad(city, front, eaves_b, wall.at(middle + k_half + 0.12f, -back - depth, top - 0.05f), rear,
+             building);
     auto first = static_cast<uint32_t>(city.roof_vertices.size());
     city.roof_vertices.insert(city.roof_vertices.end(), {eaves_a, eaves_b, front});
     city.roof_indices.insert(city.roof_indices.end(), {first, first + 1, first + 2});
@@ -62,8 +54,8 @@ void add_balcony(City& city, const Wall& wall, float from, float to, float y, ui
     float half = (to - from) * 0.5f;
     add_box(city, at_height(middle + wall.out * (k_deep * 0.5f), y - k_slab), wall.along,
             {half, k_deep * 0.5f}, k_slab, slab);
-    add_plate(city, wall.at(from, 0, y - k_slab), wall.at(to, 0, y - k_slab), wall.at(to, k_deep, y - k_slab),
-              wall.at(from, k_deep, y - k_slab), slab);
+    add_quad(city, wall.at(from, 0, y - k_slab), wall.at(to, 0, y - k_slab), wall.at(to, k_deep, y - k_slab),
+             wall.at(from, k_deep, y - k_slab), slab);
     add_box(city, at_height(middle + wall.out * (k_deep - k_thick * 0.5f), y), wall.along,
             {half, k_thick * 0.5f}, k_rail, rail);
     for (float end : {from + k_thick * 0.5f, to - k_thick * 0.5f}) {
@@ -77,10 +69,10 @@ void add_awning(City& city, const Wall& wall, float from, float to, float foot, 
     Vec3 a = wall.at(from, 0.02f, foot + k_high), b = wall.at(to, 0.02f, foot + k_high);
     Vec3 c = wall.at(to, k_out, foot + k_low), e = wall.at(from, k_out, foot + k_low);
     Vec3 ch = c - Vec3{0, k_hem, 0}, eh = e - Vec3{0, k_hem, 0};
-    add_plate(city, a, e, c, b, cloth);
-    add_plate(city, a, b, c, e, cloth);
-    add_plate(city, e, eh, ch, c, cloth);
-    add_plate(city, e, c, ch, eh, cloth);
+    add_quad(city, a, e, c, b, cloth);
+    add_quad(city, a, b, c, e, cloth);
+    add_quad(city, e, eh, ch, c, cloth);
+    add_quad(city, e, c, ch, eh, cloth);
 }
 
 }  // namespace

@@ -74,6 +74,24 @@ void write_notes(OsmImport& in) {
 
 }  // namespace
 
+void add_osm_outdoors(OsmImport& in) {
+    add_osm_streets(in);
+    add_osm_barriers(in);
+    add_osm_areas(in);
+    std::vector<DeckPiece> decks = solve_decks(in);
+    clear_ground_below(in, decks);
+    Area rest;
+    rest.rank = k_rank_rest;
+    rest.kind = Surface::grass;
+    rest.lift = flat(k_kerb);
+    rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
+    in.plan.areas.push_back(std::move(rest));
+    lay_ground(in.plan, in.city);
+    lay_decks(in, decks);
+    add_osm_props(in);
+    add_osm_destinations(in);
+}
+
 Result<City> load_osm(const std::string& path, const CityOptions& options) {
     Result<OsmMap> map = read_osm(path);
     if (!map) return map.error();
@@ -109,21 +127,7 @@ Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptio
     }
 
     add_osm_buildings(in);
-    add_osm_streets(in);
-    add_osm_barriers(in);
-    add_osm_areas(in);
-    std::vector<DeckPiece> decks = solve_decks(in);
-    clear_ground_below(in, decks);
-    Area rest;
-    rest.rank = k_rank_rest;
-    rest.kind = Surface::grass;
-    rest.lift = flat(k_kerb);
-    rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
-    in.plan.areas.push_back(std::move(rest));
-    lay_ground(in.plan, in.city);
-    lay_decks(in, decks);
-    add_osm_props(in);
-    add_osm_destinations(in);
+    add_osm_outdoors(in);
     tell_counts(in);
     write_notes(in);
     return std::move(in.city);

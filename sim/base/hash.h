@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
-#include <vector>
 
 #include "sim/base/rng.h"
 
@@ -24,12 +22,6 @@ inline uint64_t hash_bytes(uint64_t hash, const void* data, size_t size) {
     uint64_t tail = size;
     for (size_t i = 0; i < size; ++i) tail = tail << 8 | bytes[i];
     return mix(hash ^ tail);
-}
-
-template <class T>
-uint64_t hash_array(uint64_t hash, const std::vector<T>& values) {
-    static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
-    return hash_bytes(hash, values.data(), values.size() * sizeof(T));
 }
 
 }  // namespace flaneur

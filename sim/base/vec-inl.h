@@ -77,11 +77,6 @@ HWY_INLINE Q4<T> turned_y(Q4<T> q, SineCosine<T> h) {
     return {q.x * h.cosine - q.z * h.sine, q.y * h.cosine + q.w * h.sine, q.z * h.cosine + q.x * h.sine,
             q.w * h.cosine - q.y * h.sine};
 }
-template <class T>
-HWY_INLINE Q4<T> turned_z(Q4<T> q, SineCosine<T> h) {
-    return {q.x * h.cosine + q.y * h.sine, q.y * h.cosine - q.x * h.sine, q.z * h.cosine + q.w * h.sine,
-            q.w * h.cosine - q.z * h.sine};
-}
 // A turn about y after q.
 template <class T>
 HWY_INLINE Q4<T> after_y(SineCosine<T> h, Q4<T> q) {

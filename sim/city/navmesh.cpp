@@ -182,13 +182,6 @@ int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, 
     return count;
 }
 
-std::optional<Border> nearest_border(const Navmesh& m, int, NavPoint from, float radius) {
-    BorderLine line;
-    if (borders_near(m, from.position, radius, &line, 1) == 0) return std::nullopt;
-    Vec3 point = closest_on_line(line, from.position);
-    return Border{length(on_ground(point) - on_ground(from.position)), point};
-}
-
 std::vector<Vec3> navmesh_triangles(const Navmesh& m) {
     std::vector<Vec3> corners;
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {

@@ -86,13 +86,6 @@ int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3*
 // result's height is the mesh's, coarse; ask `ground` for the surface.
 NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
 
-// The closest point of the mesh's border within `radius`, and its distance on the plane.
-struct Border {
-    float distance = 0;
-    Vec3 point;
-};
-std::optional<Border> nearest_border(const Navmesh& mesh, int thread, NavPoint from, float radius);
-
 // Whether the straight way between two places of the mesh does not leave it. Its first 2 cm and last 5 cm are
 // forgiven, for places on the border.
 bool is_clear(const Navmesh& mesh, Vec3 from, Vec3 to);

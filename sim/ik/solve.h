@@ -19,9 +19,6 @@ struct alignas(64) LengthBlock {
 struct alignas(64) PointBlock {
     float x[k_chain_block], y[k_chain_block], z[k_chain_block];
 };
-inline Vec3 get_point(const PointBlock& from, size_t lane) {
-    return {from.x[lane], from.y[lane], from.z[lane]};
-}
 inline void set_point(PointBlock& to, size_t lane, Vec3 p) {
     to.x[lane] = p.x;
     to.y[lane] = p.y;

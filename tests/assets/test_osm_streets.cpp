@@ -60,21 +60,7 @@ City build(Drawing drawing, const std::function<float(Vec2)>& terrain = {}) {
     in.plan.high = {60, 60};
     in.plan.cell = 16;
     in.plan.terrain = terrain;
-    add_osm_streets(in);
-    add_osm_barriers(in);
-    add_osm_areas(in);
-    std::vector<DeckPiece> decks = solve_decks(in);
-    clear_ground_below(in, decks);
-    Area rest;
-    rest.rank = k_rank_rest;
-    rest.kind = Surface::grass;
-    rest.lift = flat(k_kerb);
-    rest.rings = {rectangle(to_point(in.plan.low), to_point(in.plan.high))};
-    in.plan.areas.push_back(std::move(rest));
-    lay_ground(in.plan, in.city);
-    lay_decks(in, decks);
-    add_osm_props(in);
-    add_osm_destinations(in);
+    add_osm_outdoors(in);
     return std::move(in.city);
 }
 

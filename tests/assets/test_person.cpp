@@ -68,7 +68,7 @@ uint64_t hash_of(const Character& c) {
         h = hash_bytes(h, v.joints, 4);
         h = hash_bytes(h, v.weights, 4);
     }
-    for (const auto& level : c.lods) h = hash_array(h, level);
+    for (const auto& level : c.lods) h = hash_bytes(h, level.data(), level.size() * sizeof level[0]);
     return h;
 }
 

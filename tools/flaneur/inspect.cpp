@@ -142,14 +142,13 @@ void print_facts(const Json& facts) {
 
 Result<Json> inspect(const std::string& path, const std::string& terrain) {
     show_progress("reading " + path);
-    if (path.ends_with(".osm") || path.ends_with(".pbf")) {
-        Result<City> city = load_osm(path, {terrain, 1});
-        if (!city) return city.error();
-        return facts_of(*city);
-    }
-    Result<Character> character = load_character(path);
-    if (!character) return character.error();
-    return facts_of(*character);
+    bool is_map = path.find(".osm") != std::string::npos || path.ends_with(".pbf");
+    Result<Character> character = is_map ? Result<Character>{Error{}} : load_character(path);
+    if (character) return facts_of(*character);
+    // A glTF scene with nobody in it is a city.
+    Result<City> city = load_city(path, {terrain, 1});
+    if (city) return facts_of(*city);
+    return is_map ? city.error() : character.error();
 }
 
 }  // namespace
