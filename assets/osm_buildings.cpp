@@ -317,13 +317,13 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     if (house.default_height) mass.eaves += 0.5f * (f.peak - f.foot);
     if (house.bottom < 0.5f && !is_outbuilding(*f.tags))
         mass.eaves = std::max(mass.eaves, f.peak + k_least_room);
-    if (house.canopy) {
+    mass.underside = house.bottom > 1;
+    if (house.canopy || (mass.underside && !f.part)) {
         // It stays above everyone's head, up the slope too.
         float raise = std::max(0.0f, f.peak + 2.5f - mass.bottom);
         mass.bottom += raise, mass.eaves += raise;
     }
     mass.eaves = std::max(mass.eaves, mass.bottom + 0.3f);
-    mass.underside = house.bottom > 1;
     bool on_ground = house.bottom < 0.5f;
     if (mass.footprint.holes.empty() && (pitched || house.roof_height > 0)) {
         Ring simple = without_collinear(mass.footprint.outer, 250);
@@ -360,11 +360,17 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     };
     Rings footprint = rings_of(mass.footprint), passages;
     for (const Passage& p : context.passages) {
-        if (on_ground && !apart(f, p.low, p.high))
-            passages.insert(passages.end(), p.rings.begin(), p.rings.end());
+        if (!apart(f, p.low, p.high)) passages.insert(passages.end(), p.rings.begin(), p.rings.end());
     }
     Rings passage = intersect(footprint, passages);
-    if (area(passage) <= 1 && f.parts.empty()) {
+    float ceiling = f.foot;
+    for (const Ring& ring : passage) {
+        for (Point p : ring) ceiling = std::max(ceiling, terrain_at(in.plan, to_metres(p)));
+    }
+    ceiling += k_passage;
+    // On a slope a way may run through what begins a storey above the foot.
+    bool is_passed = area(passage) > 1 && mass.bottom < ceiling;
+    if (!is_passed && f.parts.empty()) {
         RoofKind got = add(mass);
         count_built(counts,
                     static_cast<OsmSort>(static_cast<int>(OsmSort::roof_flat) + static_cast<int>(got)));
@@ -387,16 +393,13 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     // In pieces: what its parts leave, the storeys over passages, and what carries parts that start above it.
     Rings parts = unite(f.parts);
     float top_of_own = parts.empty() ? mass.eaves : std::min(mass.eaves, f.foot + f.lowest_part);
-    Rings beside = area(passage) > 1 ? subtract(footprint, passages) : footprint;
+    Rings beside = is_passed ? subtract(footprint, passages) : footprint;
     add_flat(subtract(beside, parts), mass.bottom, top_of_own);
-    if (area(passage) > 1) {
-        count_built(counts, OsmSort::passage);
-        pave(in, passage);
-        float highest = f.foot;
-        for (const Ring& ring : passage) {
-            for (Point p : ring) highest = std::max(highest, terrain_at(in.plan, to_metres(p)));
+    if (is_passed) {
+        if (on_ground) {
+            count_built(counts, OsmSort::passage);
+            pave(in, passage);
         }
-        float ceiling = highest + k_passage;
         if (mass.eaves > ceiling + 0.6f) add_flat(subtract(passage, parts), ceiling, mass.eaves);
     }
     Rings grounded = parts;

@@ -185,9 +185,18 @@ void finish_edge(OsmImport& in, const Field& field, Vec3 a, Vec3 b, uint32_t bui
     Vec2 along = on_ground(b) - on_ground(a);
     if (length(along) < 0.004f) return;
     Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
+    auto beyond_at = [&](float share) {
+        Vec3 p = lerp(a, b, share);
+        return ground(city, at_height(on_ground(p) + out * 0.12f, p.y), k_flush, k_flush);
+    };
     Vec3 middle = (a + b) * 0.5f;
-    Vec2 outside = on_ground(middle) + out * 0.12f;
-    if (std::optional<GroundHit> beyond = ground(city, at_height(outside, middle.y), k_flush, k_flush)) {
+    constexpr float k_shortest = 0.2f;
+    if (length(along) > k_shortest && beyond_at(0.1f).has_value() != beyond_at(0.9f).has_value()) {
+        finish_edge(in, field, a, middle, building);
+        finish_edge(in, field, middle, b, building);
+        return;
+    }
+    if (std::optional<GroundHit> beyond = beyond_at(0.5f)) {
         float down = middle.y - beyond->height;
         if (down > 0.01f) {
             city.faces.push_back(
@@ -263,8 +272,10 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
         Halves halves = halves_of(in.raised[piece.street]);
         // The surfaces overlap by a hair where they meet.
         constexpr float k_hair = 0.01f;
-        bool round_start = !piece.starts_on_ground && a < k_headroom,
-             round_end = !piece.ends_on_ground && b < k_headroom;
+        // As they are laid: flights of steps end straight.
+        bool is_round = in.raised[piece.street].highway.kind != Surface::steps;
+        bool round_start = is_round && !piece.starts_on_ground && a < k_headroom,
+             round_end = is_round && !piece.ends_on_ground && b < k_headroom;
         Vec2 from = piece.a + along * (piece.starts_on_ground ? k_hair : 0),
              to = piece.b - along * (piece.ends_on_ground ? k_hair : 0);
         auto add = [&](Rings& rings, float start, float end, float more) {

@@ -26,11 +26,11 @@ SideTag side_tag(const OsmTags& tags, bool left) {
     return value == "separate" ? SideTag::separate : SideTag::unknown;
 }
 
-// How far from the road's centre a footway runs along on one side, if it does along at least two fifths of
-// it.
-std::optional<float> alongside(const SegmentIndex& footways, const std::vector<Vec2>& line, float half_width,
+// How far from the road's centre others begin that run along on one side, no more than 8 m beyond its edge,
+// if they do along at least two fifths of it.
+std::optional<float> alongside(const SegmentIndex& others, const std::vector<Vec2>& line, float half_width,
                                bool left) {
-    constexpr float k_step = 6, k_beyond = 8;
+    constexpr float k_step = 6, k_beyond = 8, k_widest = 15;
     int samples = 0;
     std::vector<float> found;
     for (size_t i = 0; i + 1 < line.size(); ++i) {
@@ -43,13 +43,13 @@ std::optional<float> alongside(const SegmentIndex& footways, const std::vector<V
                 line[i] + along * (distance * (static_cast<float>(s) + 0.5f) / static_cast<float>(steps));
             float best = half_width + k_beyond;
             bool any = false;
-            footways.near(p, best, [&](const LinePiece& f) {
+            others.near(p, best + k_widest, [&](const LinePiece& f) {
                 Vec2 d = f.b - f.a;
                 if (std::fabs(dot(normalize_or(d, {1, 0}), along)) < 0.9f) return;
                 float forward = dot(d, along);
                 float t = dot(p - f.a, along) / (std::fabs(forward) < 0.01f ? 0.01f : forward);
                 if (t < 0 || t > 1) return;
-                float away = dot(f.a + d * t - p, out);
+                float away = dot(f.a + d * t - p, out) - f.half;
                 if (away < half_width - 1.5f || away >= best) return;
                 best = away;
                 any = true;
@@ -64,16 +64,23 @@ std::optional<float> alongside(const SegmentIndex& footways, const std::vector<V
     return found[found.size() / 2];
 }
 
+bool is_one_way(const OsmStreet& road) {
+    return road.way->tags.is("oneway", "yes") || road.way->tags.is("oneway", "-1");
+}
+
 // The width of a sidewalk that belongs to the road itself, so that what both schemas map is laid once: where
-// the sidewalk is a way of its own, the pavement reaches from the kerb to that way.
-float sidewalk_width(const OsmStreet& road, const SegmentIndex& footways, const std::vector<Vec2>& line,
-                     bool left) {
+// the sidewalk is a way of its own, the pavement reaches from the kerb to that way. Between the carriageways
+// of one street there is none that the map does not tell of.
+float sidewalk_width(const OsmStreet& road, const SegmentIndex& footways, const SegmentIndex& carriageways,
+                     const std::vector<Vec2>& line, bool left) {
     if (side_tag(road.way->tags, left) == SideTag::none) return 0;
     float half = road.highway.width * 0.5f;
     if (std::optional<float> separate = alongside(footways, line, half, left)) {
         return clamp(*separate - half + 1.1f, 1.5f, 7);
     }
-    return tagged_sidewalk(road, left);
+    bool is_median = is_one_way(road) && side_tag(road.way->tags, left) == SideTag::unknown &&
+                     alongside(carriageways, line, half, left);
+    return is_median ? 0 : tagged_sidewalk(road, left);
 }
 
 void add_way(OsmImport& in, const OsmStreet& way) {
@@ -175,7 +182,7 @@ float tagged_sidewalk(const OsmStreet& street, bool left) {
 void add_osm_streets(OsmImport& in) {
     std::vector<OsmStreet> roads, ways, steps;
     std::vector<int64_t> raised_nodes;
-    SegmentIndex footways;
+    SegmentIndex footways, carriageways;  // carriageways: of streets that are one way
     for (const OsmWay& way : in.map.ways) {
         if (!way.tags.has("highway")) continue;
         if (is_hidden(way.tags)) ++in.counts.hidden;
@@ -192,12 +199,17 @@ void add_osm_streets(OsmImport& in) {
         if (way.tags.is("footway", "sidewalk")) {
             for (const std::vector<Vec2>& line : street.lines) footways.add(line, 0, 0);
         }
+        if (highway->drives && is_one_way(street)) {
+            for (const std::vector<Vec2>& line : street.lines)
+                carriageways.add(line, 0, highway->width * 0.5f);
+        }
         (highway->drives                   ? roads
          : highway->kind == Surface::steps ? steps
                                            : ways)
             .push_back(std::move(street));
     }
     footways.sort();
+    carriageways.sort();
     std::sort(raised_nodes.begin(), raised_nodes.end());
     auto is_raised = [&](int64_t node) {
         return std::binary_search(raised_nodes.begin(), raised_nodes.end(), node);
@@ -222,8 +234,8 @@ void add_osm_streets(OsmImport& in) {
             Street street;
             street.line = line;
             street.width = road.highway.width;
-            street.left = sidewalk_width(road, footways, line, true);
-            street.right = sidewalk_width(road, footways, line, false);
+            street.left = sidewalk_width(road, footways, carriageways, line, true);
+            street.right = sidewalk_width(road, footways, carriageways, line, false);
             street.round_start = !ends_square(ends, road, road.way->nodes.front());
             street.round_end = !ends_square(ends, road, road.way->nodes.back());
             if (is_shared(road, street)) {

@@ -122,6 +122,31 @@ static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
 // Borders of another level do not count, metres.
 static constexpr float k_same_level = 1.5f;
 
+// Whether `p`, no farther than `reach` from the border, lies beyond it by more than `most`.
+static bool is_beyond(const Navmesh& m, Vec3 p, float reach, float most) {
+    Vec2 at = on_ground(p);
+    CellRange r = cells_of_box(m.border_grid, at - Vec2{reach, reach}, at + Vec2{reach, reach});
+    float best = reach * reach, side = most;
+    for (int z = r.z0; z <= r.z1; ++z) {
+        for (int x = r.x0; x <= r.x1; ++x) {
+            size_t cell = static_cast<size_t>(z) * m.border_grid.width + x;
+            for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
+                const BorderLine& line = m.borders[m.border_grid.items[k]];
+                Vec3 closest = closest_on_line(line, p);
+                float distance = length_squared(on_ground(closest) - at);
+                if (distance > best + 1e-6f || std::fabs(closest.y - p.y) > k_same_level) continue;
+                Vec2 ab = on_ground(line.b - line.a);
+                float inside = cross(ab, at - on_ground(line.a)) / length(ab);
+                // Of two lines whose common end is the closest, the one that is more athwart tells.
+                if (distance > best - 1e-6f && std::fabs(inside) < std::fabs(side)) continue;
+                best = std::min(best, distance);
+                side = inside;
+            }
+        }
+    }
+    return side < -most;
+}
+
 // Not Detour's raycast: it can run for ever along an edge that the ray touches.
 bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
     constexpr float k_forgiven_start = 0.02f, k_forgiven_end = 0.05f;
@@ -129,6 +154,10 @@ bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
     float distance = length(way);
     if (distance <= k_forgiven_end) return true;
     Vec2 direction = way / distance;
+    // From a place on the border straight out over it, maybe to another place on the border.
+    constexpr float k_look = 0.1f, k_beyond = 0.015f;
+    if (is_beyond(m, lerp(from, to, std::min(k_look / distance, 0.5f)), k_look + 0.05f, k_beyond))
+        return false;
     bool clear = true;
     for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float) {
         for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {

@@ -62,14 +62,13 @@ static bool rasterize(rcContext& context, const City& city, const NavmeshSetting
             }
         }
     }
-    // Walls come last, so that the voxels they share with ground are lost to walkers. What stands higher than
-    // a walker cannot matter, and a wall's foot may hang a little above uneven ground.
+    // Walls come last, so that the voxels they share with ground are lost to walkers. A wall's foot may hang
+    // a little above uneven ground, or lie far below it on a slope.
     constexpr float k_foot = 0.3f;
     for (uint32_t wall : parts.walls) {
         const Face& f = city.faces[wall];
         Vec3 a = f.a, b = f.b;
-        Vec3 a_top{a.x, std::min(f.a_top, a.y + s.agent_height), a.z};
-        Vec3 b_top{b.x, std::min(f.b_top, b.y + s.agent_height), b.z};
+        Vec3 a_top{a.x, f.a_top, a.z}, b_top{b.x, f.b_top, b.z};
         a.y -= k_foot, b.y -= k_foot;
         if (!rcRasterizeTriangle(&context, floats(a), floats(b), floats(b_top), RC_NULL_AREA, field,
                                  k_merge) ||

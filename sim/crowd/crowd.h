@@ -93,11 +93,12 @@ struct Crowd {
 
 inline constexpr uint8_t k_most_jam = 8;
 
-// Metres that a walker takes up among others. One on a stroll or a trip whom a jam holds longer than any
-// queue, some 15 s and more, turns its shoulders ever further and at last slips past.
-inline float slim_radius(const Crowd& c, uint32_t i) {
-    int held = c.errand[i] == Errand::wander ? std::max(c.jam[i] - 4, 0) : 0;
-    return c.radius[i] * (1 - 0.25f * static_cast<float>(held));
+// Metres that the middles of two walkers keep apart. One on a stroll or a trip whom a jam holds longer than
+// any queue, some 15 s and more, turns its shoulders ever further, others theirs for it, and at last it slips
+// past.
+inline float room_between(const Crowd& c, uint32_t i, uint32_t j) {
+    auto held = [&](uint32_t k) { return c.errand[k] == Errand::wander ? std::max(c.jam[k] - 4, 0) : 0; };
+    return (c.radius[i] + c.radius[j]) * (1 - 0.25f * static_cast<float>(std::max(held(i), held(j))));
 }
 
 enum class PathDue : uint8_t { no, same_goal, new_goal };

@@ -18,7 +18,7 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
     for (int k = 0; k < std::min<int>(c.neighbour_count[i], k_pushers); ++k) {
         uint32_t j = ids[k];
         Vec2 away = on_ground(c.position[i] - c.position[j]);
-        float touching = std::max(slim_radius(c, i) + slim_radius(c, j) - k_overlap, 0.0f);
+        float touching = std::max(room_between(c, i, j) - k_overlap, 0.0f);
         float d2 = length_squared(away);
         if (d2 >= touching * touching) continue;
         float d = std::sqrt(d2);
@@ -30,9 +30,9 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
 }
 
 static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thread, uint32_t i) {
-    c.chosen[i] = wish_on(c.under[i], c.chosen[i]);
-    Motion motion = next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, c.chosen[i], k_tick,
-                                c.looks[i] ? c.goal_facing[i] : Vec2{0, 0});
+    Motion motion =
+        next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, wish_on(c.under[i], c.chosen[i]), k_tick,
+                    c.looks[i] ? c.goal_facing[i] : Vec2{0, 0});
     c.heading[i] = motion.heading;
     c.turn_rate[i] = motion.turn_rate;
     Vec2 v = motion.velocity;

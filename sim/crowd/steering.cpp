@@ -62,7 +62,7 @@ static float headway_speed(const Crowd& c, uint32_t i, Vec2 direction) {
         uint32_t j = ids[k];
         Vec2 between = on_ground(c.position[j] - c.position[i]);
         float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
-        float l = slim_radius(c, i) + slim_radius(c, j);
+        float l = room_between(c, i, j);
         if (ahead <= 0 || aside >= l) continue;
         float gap = ahead - std::sqrt(l * l - aside * aside);
         float leaving = std::max(0.0f, dot(c.velocity[j], direction));
@@ -96,7 +96,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uin
         uint32_t j = ids[k];
         Vec2 between = on_ground(c.position[j] - c.position[i]);
         // Those who slip past each other keep a smaller margin too.
-        float radii = c.radius[i] + c.radius[j], apart = slim_radius(c, i) + slim_radius(c, j);
+        float radii = c.radius[i] + c.radius[j], apart = room_between(c, i, j);
         apart += k_margin * apart / radii;
         planes[count++] = avoid(between, velocity, c.velocity[j], apart);
         if (dot(c.velocity[j], wish) < 0 && dot(between, wish) > 0) oncoming = 1;

@@ -51,11 +51,13 @@ uint32_t add(World& w, float x, float z, float heading, float goal_x, float goal
 
 void step(World& w) { step_crowd(w.crowd, w.city, *w.mesh, *w.workers, w.tick++, 1); }
 
+// Of those whom no jam holds.
 float deepest_overlap(const Crowd& c) {
     float deepest = -1;
     for (uint32_t i = 0; i < c.count; ++i) {
         for (uint32_t j = i + 1; j < c.count; ++j) {
             float d = length(on_ground(c.position[i] - c.position[j]));
+            if (std::max(c.jam[i], c.jam[j]) > 2) continue;  // they slip past each other, or just did
             deepest = std::max(deepest, c.radius[i] + c.radius[j] - d);
         }
     }
@@ -336,6 +338,30 @@ TEST(Crowd, NobodyIsStuckOnTheStreetOrTheSteps) {
         }
         for (uint32_t i = 0; i < 80; ++i) EXPECT_GE(w.crowd.trip[i], 2u);
     }
+}
+
+// After Tobler's rule (see wish_on), however often one decides.
+TEST(Crowd, SlopesAreWalkedAtTheirSpeed) {
+    constexpr float k_rise = 0.3f, k_speed = 1.3f;
+    City hill;
+    add_quad(hill, {60, 60 * k_rise, 6}, {60, 60 * k_rise, -6}, {0, 0, -6}, {0, 0, 6}, Surface::sidewalk);
+    index_city(hill);
+    World w = make_world(std::move(hill), 2);
+    for (float from : {5.0f, 55.0f}) {
+        Walker walker;
+        float z = from < 30 ? -3.0f : 3.0f;
+        walker.place = *nearest(*w.mesh, 0, {from, from * k_rise, z});
+        walker.heading = from < 30 ? k_pi / 2 : -k_pi / 2;
+        walker.preferred_speed = k_speed;
+        walker.errand = Errand::arrive;
+        uint32_t i = add_walker(w.crowd, w.city, walker);
+        send_to(w.crowd, i, *nearest(*w.mesh, 0, {60 - from, (60 - from) * k_rise, z}));
+    }
+    for (int k = 0; k < 300; ++k) step(w);
+    float up = w.crowd.position[0].x, down = w.crowd.position[1].x;
+    for (int k = 0; k < 1200; ++k) step(w);
+    EXPECT_NEAR((w.crowd.position[0].x - up) / 20, k_speed * std::exp(-3.5f * k_rise), 0.03f);
+    EXPECT_NEAR((down - w.crowd.position[1].x) / 20, k_speed * std::exp(-3.5f * (k_rise - 0.1f)), 0.03f);
 }
 
 TEST(Crowd, StepAllocatesNothing) {

@@ -204,6 +204,16 @@ TEST(Navmesh, MoveAlongNeverLeavesTheMesh) {
     }
 }
 
+// As of a house on a slope, whose foot lies as low as the lowest ground at it.
+TEST(Navmesh, WallsStopWalkersHoweverDeepTheirFoot) {
+    City city = corridor(20, 4);
+    add_wall(city, {10, -6, -2}, {10, -6, 2}, 8);
+    index_city(city);
+    NavmeshPtr mesh = build(std::move(city));
+    EXPECT_NE(island(*mesh, nearest(*mesh, 0, {5, 0, 0})->polygon),
+              island(*mesh, nearest(*mesh, 0, {15, 0, 0})->polygon));
+}
+
 TEST(Navmesh, BordersAreOrientedAndNearestFirst) {
     NavmeshPtr mesh = build(corridor(40, 4));
     Vec3 p{20, 0, 1};
@@ -231,6 +241,27 @@ TEST(Navmesh, ClearViews) {
     int n = borders_near(*mesh, {28, 0, 3}, 20, lines, 32);
     ASSERT_GT(n, 3);
     for (int i = 0; i < n; ++i) EXPECT_TRUE(is_clear(*mesh, lines[i].a, lines[i].b));
+}
+
+// From border to border over what a tree takes away.
+TEST(Navmesh, NoViewThroughAHole) {
+    City city = corridor(20, 6);
+    city.props.push_back({PropKind::tree, {10, 0, 0}});
+    NavmeshPtr mesh = build(std::move(city));
+    BorderLine lines[16];
+    int n = borders_near(*mesh, {10, 0, 0}, 1, lines, 16), across = 0;
+    ASSERT_GE(n, 4);
+    for (int i = 0; i < n; ++i) {
+        EXPECT_TRUE(is_clear(*mesh, lines[i].a, lines[i].b));
+        for (int k = 0; k < n; ++k) {
+            Vec3 from = (lines[i].a + lines[i].b) * 0.5f, to = lines[k].a;
+            Vec2 along = normalize_or(on_ground(lines[i].b - lines[i].a), {});
+            if (std::fabs(cross(along, on_ground(to - from))) < 0.1f) continue;
+            EXPECT_FALSE(is_clear(*mesh, from, to)) << i << " " << k;
+            ++across;
+        }
+    }
+    EXPECT_GE(across, 8);
 }
 
 TEST(Navmesh, PlacesLieOnThePreferredGround) {
