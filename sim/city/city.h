@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,10 @@ struct GroundHit {
 // The highest ground at `point`'s x, z whose height lies in [point.y - down, point.y + up]. None outside the
 // city or on a place without ground (inside a building).
 std::optional<GroundHit> ground(const City& city, Vec3 point, float up = 0.5f, float down = 3);
+// The same for many points, in some two thirds of the time where they lie far apart; `hits` takes one for
+// each.
+void ground(const City& city, std::span<const Vec3> points, float up, float down,
+            std::optional<GroundHit>* hits);
 
 struct RayHit {
     float distance = 0;

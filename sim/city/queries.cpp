@@ -1,4 +1,5 @@
 // What feet, hands and eyes ask of a city.
+#include <algorithm>
 #include <cmath>
 
 #include "sim/city/city.h"
@@ -10,14 +11,21 @@ namespace flaneur {
 // Metres.
 static constexpr float k_edge_slack = 2e-4f;
 
-std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float down) {
-    const Grid& grid = city.triangle_grid;
-    Vec2 p = on_ground(point), cell = (p - grid.origin) / grid.cell;
+static constexpr size_t k_outside = ~size_t{0};
+
+static size_t cell_under(const Grid& grid, Vec2 p) {
+    Vec2 cell = (p - grid.origin) / grid.cell;
     if (!(cell.x >= 0 && cell.z >= 0 && cell.x < static_cast<float>(grid.width) &&
           cell.z < static_cast<float>(grid.height))) {
-        return std::nullopt;
+        return k_outside;
     }
-    size_t c = static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
+    return static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
+}
+
+static std::optional<GroundHit> ground_in(const City& city, size_t c, Vec3 point, float up, float down) {
+    if (c == k_outside) return std::nullopt;
+    const Grid& grid = city.triangle_grid;
+    Vec2 p = on_ground(point);
     float highest = point.y + up, best = point.y - down;
     const GridTriangle* found = nullptr;
     for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
@@ -43,6 +51,38 @@ std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float do
     if (!found) return std::nullopt;
     Vec3 normal = normalize_or(cross(found->b - found->a, found->c - found->a), {0, 1, 0});
     return GroundHit{best, normal, found->kind};
+}
+
+std::optional<GroundHit> ground(const City& city, Vec3 point, float up, float down) {
+    return ground_in(city, cell_under(city.triangle_grid, on_ground(point)), point, up, down);
+}
+
+void ground(const City& city, std::span<const Vec3> points, float up, float down,
+            std::optional<GroundHit>* hits) {
+    // A query waits for memory three times, one after the other: a batch waits for all its members at once.
+    constexpr size_t k_batch = 16;
+    const Grid& grid = city.triangle_grid;
+    for (size_t begin = 0; begin < points.size(); begin += k_batch) {
+        size_t cells[k_batch], count = std::min(k_batch, points.size() - begin);
+        for (size_t i = 0; i < count; ++i) {
+            cells[i] = cell_under(grid, on_ground(points[begin + i]));
+            if (cells[i] != k_outside) __builtin_prefetch(&grid.first[cells[i]]);
+        }
+        auto for_items = [&](auto visit) {
+            for (size_t i = 0; i < count; ++i) {
+                if (cells[i] == k_outside) continue;
+                uint32_t first = grid.first[cells[i]], end = grid.first[cells[i] + 1];
+                if (first < end) visit(first, end);
+            }
+        };
+        for_items([&](uint32_t first, uint32_t) { __builtin_prefetch(&grid.items[first]); });
+        for_items([&](uint32_t first, uint32_t end) {
+            for (uint32_t k = first; k < std::min(first + 4, end); ++k)
+                __builtin_prefetch(&city.grid_triangles[grid.items[k]]);
+        });
+        for (size_t i = 0; i < count; ++i)
+            hits[begin + i] = ground_in(city, cells[i], points[begin + i], up, down);
+    }
 }
 
 // The ray's parameter where it meets a triangle's plane inside the triangle (Moller and Trumbore 1997), or

@@ -10,6 +10,7 @@ namespace flaneur {
 
 static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other
 static constexpr float k_push = 0.008f;     // metres that they are parted by in a tick, at most
+static constexpr size_t k_together = 64;    // walkers whose ground is asked for at once
 static constexpr int k_pushers = 6;         // the nearest neighbours that can press
 
 static Vec2 push_apart(const Crowd& c, uint32_t i) {
@@ -29,7 +30,8 @@ static Vec2 push_apart(const Crowd& c, uint32_t i) {
     return l > k_push ? push * (k_push / l) : push;
 }
 
-static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thread, uint32_t i) {
+// All but the height of the ground where it comes to.
+static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     Motion motion =
         next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, wish_on(c.under[i], c.chosen[i]), k_tick,
                     c.looks[i] ? c.goal_facing[i] : Vec2{0, 0});
@@ -49,10 +51,6 @@ static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thr
         v = r > speed ? real * (speed / r) : real;
     }
     to.position.y = from.y;
-    if (auto hit = ground(city, to.position, 0.5f, 1.5f)) {
-        to.position.y = hit->height;
-        c.under[i] = *hit;
-    }
     c.next_position[i] = to.position;
     c.next_velocity[i] = v;
     c.next_polygon[i] = to.polygon;
@@ -61,7 +59,23 @@ static void move_walker(Crowd& c, const City& city, const Navmesh& mesh, int thr
 void move(Crowd& c, const City& city, const Navmesh& mesh, Workers& workers) {
     // In the order of places, so that walkers who share ground and mesh find them in the cache.
     auto move_some = [&](size_t begin, size_t end, int thread) {
-        for (size_t k = begin; k < end; ++k) move_walker(c, city, mesh, thread, c.sorted[k].id);
+        Vec3 places[k_together];
+        std::optional<GroundHit> hits[k_together];
+        for (size_t first = begin; first < end; first += k_together) {
+            size_t count = std::min(k_together, end - first);
+            for (size_t k = 0; k < count; ++k) {
+                uint32_t i = c.sorted[first + k].id;
+                move_walker(c, mesh, thread, i);
+                places[k] = c.next_position[i];
+            }
+            ground(city, {places, count}, 0.5f, 1.5f, hits);
+            for (size_t k = 0; k < count; ++k) {
+                if (!hits[k]) continue;
+                uint32_t i = c.sorted[first + k].id;
+                c.next_position[i].y = hits[k]->height;
+                c.under[i] = *hits[k];
+            }
+        }
     };
     parallel_for(workers, c.count, 256, std::ref(move_some));
     c.position.swap(c.next_position);

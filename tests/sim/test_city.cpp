@@ -76,6 +76,27 @@ TEST(City, GroundAgreesWithARayFromAbove) {
     }
 }
 
+TEST(City, GroundOfManyIsThatOfEach) {
+    City city = terrain();
+    std::vector<Vec3> points;
+    for (uint32_t i = 0; i < 1003; ++i)
+        points.push_back({number(i * 3, -5, 45), number(i * 3 + 1, -1, 3), number(i * 3 + 2, -5, 45)});
+    std::vector<std::optional<GroundHit>> hits(points.size(), GroundHit{});
+    ground(city, points, 0.5f, 1, hits.data());
+    size_t found = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        auto hit = ground(city, points[i], 0.5f, 1);
+        ASSERT_EQ(hits[i].has_value(), hit.has_value());
+        if (!hit) continue;
+        ++found;
+        EXPECT_EQ(hits[i]->height, hit->height);
+        EXPECT_EQ(hits[i]->kind, hit->kind);
+        EXPECT_EQ(hits[i]->normal, hit->normal);
+    }
+    EXPECT_GT(found, 200u);
+    EXPECT_LT(found, 900u);
+}
+
 TEST(City, GroundChoosesTheLevelWithinReach) {
     City city = street();
     add_floor(city, {-5, -8}, {5, 8}, 4, Surface::path);  // a bridge

@@ -114,11 +114,19 @@ Result<std::string> bench_city(const Options& options) {
         Vec2 way = heading_direction(static_cast<float>(i % 628) * 0.01f - 3.14f);
         return raycast(city, p, at_height(way, 0), k_sight).has_value();
     };
+    auto ground_of_all = [&city](const std::string& name, const std::vector<Vec3>& points) {
+        auto ns = [&city, &points, hits = std::vector<std::optional<GroundHit>>(points.size())]() mutable {
+            return ns_each(points.size(), [&] { ground(city, points, k_foot_up, k_foot_down, hits.data()); });
+        };
+        return Kernel{name, ns, {k_ground_goal, k_ground_goal, k_ground_goal}};
+    };
     std::vector<Kernel> kernels = {kernel("ground, anywhere", anywhere, k_ground_goal, on_ground_at),
+                                   ground_of_all("ground, anywhere, in batches", anywhere),
                                    kernel("wall, anywhere", hands, k_wall_goal, wall_at),
                                    kernel("ray, anywhere", eyes, 0, seen_from)};
     if (!feet.empty()) {
         kernels.push_back(kernel("ground, feet", feet, k_ground_goal, on_ground_at));
+        kernels.push_back(ground_of_all("ground, feet, in batches", feet));
         kernels.push_back(kernel("wall, feet", near_feet, k_wall_goal, wall_at));
     }
     // They take turns, so that a busy neighbour meets all.
