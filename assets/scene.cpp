@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr float k_unsaid = 1e9f;
+
 std::string joined(const std::vector<std::string>& words) {
     std::string all;
     for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
@@ -165,8 +167,17 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
         if (!hour) return refused("\"time\": " + hour.error().message);
         scene.hour = *hour;
     }
-    reader.number("sun_height", 2.0f, 90.0f, scene.sun_height);
-    reader.number("sun_heading", 0.0f, 360.0f, scene.sun_heading);
+    reader.number("latitude", -90.0f, 90.0f, scene.latitude);
+    float height = k_unsaid, heading = k_unsaid;
+    reader.number("sun_height", -90.0f, 90.0f, height);
+    reader.number("sun_heading", 0.0f, 360.0f, heading);
+    if (height != k_unsaid) scene.sun_height = height;
+    if (heading != k_unsaid) scene.sun_heading = heading;
+    std::string weather = "clear";
+    reader.text("weather", weather);
+    Result<bool> overcast = parse_weather(weather);
+    if (!overcast) return refused("\"weather\": " + overcast.error().message);
+    scene.is_overcast = *overcast;
     refuse_unknown(reader, "a scene");
     if (!reader.wrong.empty()) return refused(reader.wrong);
     return scene;
@@ -181,6 +192,11 @@ Result<float> parse_time(const std::string& text) {
     if (hours > 23 || minutes > 59)
         return Error{"a time is written as 17:30, from 00:00 to 23:59, not " + text};
     return static_cast<float>(hours) + static_cast<float>(minutes) / 60;
+}
+
+Result<bool> parse_weather(const std::string& text) {
+    if (text == "clear" || text == "overcast") return text == "overcast";
+    return Error{"weather is clear or overcast, not " + text};
 }
 
 std::vector<std::string> scene_names() {

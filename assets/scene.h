@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ struct Scene {
     int blocks = 4;                 // size of the built-in district
     std::string camera = "street";  // as --camera takes it
     float hour = 17.5f;             // of the day at the first tick, 0..24
-    float sun_height = 25;          // degrees above the horizon
-    float sun_heading = 235;        // degrees clockwise from north, where the sun stands
+    float latitude = 48;            // degrees north, which tells with the hour where the sun stands
+    // Degrees above the horizon, and clockwise from north: where the sun stands instead.
+    std::optional<float> sun_height, sun_heading;
+    bool is_overcast = false;
 };
 
 // A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are
@@ -42,6 +45,9 @@ Result<Scene> load_scene(const std::string& name_or_path);
 
 // "17:30" as an hour of the day: 17.5. Refuses what is not HH:MM from 00:00 to 23:59.
 Result<float> parse_time(const std::string& text);
+
+// Whether "clear" or "overcast" is overcast. Refuses other weather.
+Result<bool> parse_weather(const std::string& text);
 
 // Names of the built-in scenes, sorted.
 std::vector<std::string> scene_names();

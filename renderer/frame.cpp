@@ -32,7 +32,8 @@ void update_descriptors(const Renderer& renderer, const FrameSlot& slot) {
         {renderer.pipelines.texture_sampler, renderer.scene.textures.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout},
         {renderer.pipelines.atlas_sampler, renderer.scene.impostors.atlas.view, k_sampled.layout},
-        {renderer.pipelines.texture_sampler, renderer.scene.scenery.view, k_sampled.layout}};
+        {renderer.pipelines.texture_sampler, renderer.scene.scenery.view, k_sampled.layout},
+        {renderer.pipelines.lamp_sampler, renderer.scene.lamps.view, k_sampled.layout}};
     VkWriteDescriptorSet writes[k_bindings] = {};
     for (uint32_t i = 0; i < k_bindings; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -58,7 +59,7 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
         return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
                      " MiB; the device takes " + std::to_string(limit >> 20) +
                      " MiB at once. Draw fewer walkers."};
-    const FrameConstants constants = frame_constants(plan, extent);
+    const FrameConstants constants = frame_constants(plan, renderer.scene, extent);
     FLANEUR_TRY(upload<FrameConstants>(device, std::span(&constants, 1), {},
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
     FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances,
@@ -261,6 +262,10 @@ void end_stage(const FrameRecord& record) {
     write_timestamp(record, static_cast<uint32_t>(record.slot.stages.size()));
 }
 
+const LitPipelines& lit_pipelines(const FrameRecord& record) {
+    return record.renderer.pipelines.lit[record.plan.is_night];
+}
+
 void draw_indirect(const FrameRecord& record, DrawRange range) {
     if (range.count == 0) return;
     vkCmdDrawIndexedIndirect(record.commands, record.slot.draws.handle, sizeof(DrawCommand) * range.first,
@@ -281,13 +286,15 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     FramePlan plan;
     plan_frame(renderer, input, target.extent, plan);
     FLANEUR_TRY(fit_targets(renderer, target.extent));
+    if (plan.is_night && !renderer.pipelines.lit[1].sky)
+        FLANEUR_TRY(make_night_pipelines(renderer.device, renderer.pipelines));
     FLANEUR_TRY(upload_frame(renderer, slot, input, plan, target.extent));
     slot.stages.clear();
     FLANEUR_TRY(record_frame({renderer, slot, plan, target, slot.commands}));
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     FLANEUR_TRY(submit(renderer, slot, wait, signal));
-    renderer.shadows.near_box = plan.near_box;
-    renderer.shadows.far_box = plan.far_box;
+    renderer.shadows.near_box = plan.has_shadows ? plan.near_box : ShadowBox{};
+    renderer.shadows.far_box = plan.has_shadows ? plan.far_box : ShadowBox{};
     renderer.stats.cpu_record_ms = took.count();
     count_frame(plan, renderer);
     return {};

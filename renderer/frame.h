@@ -1,6 +1,7 @@
 // One frame, from what moves to a picture: the same for a window and off-screen.
 #pragma once
 
+#include "renderer/daylight.h"
 #include "renderer/state.h"
 
 namespace flaneur {
@@ -23,7 +24,10 @@ struct DrawRange {
 // All that is settled on the CPU before recording.
 struct FramePlan {
     View view;
-    glm::vec3 to_sun;
+    Daylight light;
+    float lit_windows = 0;
+    bool has_shadows = false;  // of sun or moon
+    bool is_night = false;     // lamps are lit
     Slice slice;
     ShadowBox near_box, far_box;
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
@@ -45,7 +49,7 @@ struct FrameRecord {
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
 
 // What the shaders are told.
-FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent);
+FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkExtent2D extent);
 
 // Draws into `target` with a free slot: culls, uploads, records and submits. `wait` and `signal` may be null.
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
@@ -69,6 +73,7 @@ void begin_stage(const FrameRecord& record, const char* name);
 void end_stage(const FrameRecord& record);
 
 // For the passes.
+const LitPipelines& lit_pipelines(const FrameRecord& record);
 void draw_indirect(const FrameRecord& record, DrawRange range);
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 

@@ -1,11 +1,9 @@
 #include "renderer/frame.h"
-#include "renderer/sky.h"
 
 namespace flaneur {
 namespace {
 
 constexpr Slice k_far_slice = {0, 250};  // where the city throws shadows, metres
-constexpr float k_turbidity = 2.8f;
 constexpr float k_ground_albedo = 0.22f;
 constexpr float k_haze = 1.0f / 2200;  // a metre
 constexpr float k_haze_begins = 60;    // metres
@@ -21,6 +19,14 @@ constexpr float k_bounce = 1.5f;
 
 // Seen under a low sun the model's sky comes out dim and mauve: a little brighter and bluer.
 const vec3 k_sky_tint(1.29f, 1.45f, 1.63f);
+
+// What a white pavement below a street lamp reflects, kcd/m2: 26 lux over pi. Against it: how much of it eyes
+// grow used to, and how bright lit rooms are.
+constexpr float k_lamp_level = 0.026f / 3.14159265f, k_lamps_seen = 0.35f, k_window_level = 3.4f;
+const vec3 k_lamp_colour(1.18f, 0.98f, 0.70f), k_window_colour(1.38f, 0.93f, 0.46f);
+constexpr float k_pavement = 0.3f;  // albedo of what eyes grow used to
+constexpr float k_bright = 1000;    // cd/m2 from where on nothing looks dim
+constexpr float k_readable = 0.8f;  // below 1 nights are drawn brighter than eyes see them
 
 vec4 v4(vec3 v, float w = 0) { return {v, w}; }
 
@@ -46,19 +52,24 @@ bool is_cut(const View& before, const View& now) {
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
     const GpuScene& scene = renderer.scene;
     plan.view = make_view(input.camera, extent.width, extent.height);
-    plan.to_sun = sun_direction(input.sun);
+    plan.light = make_daylight(input.sun, input.is_overcast);
+    plan.has_shadows = luminance(plan.light.sky.sun) > 0;
+    plan.is_night = plan.light.lamps > 0;
+    plan.lit_windows = input.lit_windows;
+    const vec3 to_light = plan.light.to_light;
     plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - scene.ground_low);
-    plan.near_box = fit_shadow(plan.view, plan.to_sun, plan.slice, k_shadow_resolution);
-    plan.far_box = fit_shadow(plan.view, plan.to_sun, k_far_slice, k_shadow_resolution);
-    plan.refresh_near = plan.near_box != renderer.shadows.near_box;
-    plan.refresh_far = plan.far_box != renderer.shadows.far_box;
+    plan.near_box = fit_shadow(plan.view, to_light, plan.slice, k_shadow_resolution);
+    plan.far_box = fit_shadow(plan.view, to_light, k_far_slice, k_shadow_resolution);
+    plan.refresh_near = plan.has_shadows && plan.near_box != renderer.shadows.near_box;
+    plan.refresh_far = plan.has_shadows && plan.far_box != renderer.shadows.far_box;
 
     const CrowdInput crowd{input.walkers, scene.people, input.palette.size(), scene.impostors.pixels};
     if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
         renderer.crowd.levels.clear();
     renderer.last_view = plan.view;
     cull_crowd(crowd, plan.view, renderer.crowd);
-    cull_shadow_casters(crowd, plan.view, plan.near_box, plan.to_sun, plan.slice.far, renderer.casters);
+    cull_shadow_casters(crowd, plan.view, plan.near_box, to_light, plan.has_shadows ? plan.slice.far : -1,
+                        renderer.casters);
     find_contacts(crowd, input.palette, plan.view, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
@@ -99,21 +110,33 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     }
 }
 
-FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
-    const SkyModel sky = make_sky(plan.to_sun, k_turbidity);
+FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkExtent2D extent) {
+    const Daylight& light = plan.light;
+    const SkyModel& sky = light.sky;
+    const vec3 to_light = light.to_light;
     const AmbientLight ambient = ambient_light(sky, vec3(k_ground_albedo));
     auto ambient_on = [&](vec3 normal) {
-        vec3 light = ambient.level;
-        for (int c = 0; c < 3; ++c) light[c] += glm::dot(ambient.slope[c], normal);
-        return light * k_bounce;
+        vec3 on = ambient.level;
+        for (int c = 0; c < 3; ++c) on[c] += glm::dot(ambient.slope[c], normal);
+        return on * k_bounce;
     };
     const vec3 sun = sky.sun / 3.14159265f;
-    const vec3 level_white = ambient_on({0, 1, 0}) + sun * plan.to_sun.y;
-    const vec3 balance = glm::pow(vec3(luminance(level_white)) / level_white, vec3(k_white_balance));
-    const vec3 white = balance * (k_white_level / luminance(level_white * balance));
+    const vec3 level_white = ambient_on({0, 1, 0}) + sun * to_light.y;
+    // Lamps are as bright as they are: eyes grow used to them, and see their colour.
+    const float lamps = light.lamps * k_lamp_level;
+    const float colourless = k_white_balance * (1 - light.lamps);
+    const vec3 balance = glm::pow(vec3(luminance(level_white)) / level_white, vec3(colourless));
+    const float seen = luminance(level_white * balance) + k_lamps_seen * lamps;
+    const float key = exposure_key(k_pavement * 1000 * seen) / exposure_key(k_bright);
+    const float dim = std::min(std::pow(key, k_readable), 1.0f);
+    const float exposure = k_white_level * dim / seen;
+    const vec3 white = balance * exposure;
     const vec3 sky_white = white * k_sky_tint;
-    auto sky_at = [&](vec3 direction) { return sky_luminance(sky, glm::normalize(direction)) * sky_white; };
-    const vec3 level_sun(plan.to_sun.x, 0, plan.to_sun.z);
+    auto sky_at = [&](vec3 direction) {
+        direction = glm::normalize(direction);
+        return daylit_sky(sky, direction) * sky_white + added_sky(sky, direction) * white;
+    };
+    const vec3 level_sun(sky.to_sun.x, 0, sky.to_sun.z);
     const vec3 ahead = glm::length(level_sun) > 1e-3f ? glm::normalize(level_sun) : vec3(0, 0, 1);
 
     FrameConstants out;
@@ -128,8 +151,8 @@ FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
     out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
     out.ray_down = v4(plan.view.down);
-    out.sun_direction = v4(plan.to_sun);
-    out.sun_light = v4(sun * white);
+    out.sun_direction = plan.has_shadows ? v4(to_light) : vec4(0, -1, 0, 0);
+    out.sun_light = v4(sun * white, light.disc);
     const vec3 grey(0.2126f, 0.7152f, 0.0722f);
     vec4 ambient_grey(0);
     for (int c = 0; c < 3; ++c) {
@@ -143,6 +166,13 @@ FrameConstants frame_constants(const FramePlan& plan, VkExtent2D extent) {
     for (int i = 0; i < 5; ++i) out.perez[i] = v4(sky.perez[i]);
     out.sky_scale = v4(sky.scale);
     out.sky_white = v4(sky_white);
+    out.sky_low = v4(sky.low * white);
+    out.sky_high = v4(sky.high * white);
+    out.sky_dusk = v4(sky.dusk * white, luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
+    out.sky_sun = v4(sky.to_sun);
+    out.lamp_light = v4(k_lamp_colour * (lamps * exposure), plan.lit_windows);
+    out.lamp_map = scene.lamp_map;
+    out.window_light = v4(k_window_colour * (k_window_level * lamps * exposure));
     const vec2 size(extent.width, extent.height);
     out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
     return out;

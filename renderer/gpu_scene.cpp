@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <limits>
 #include <span>
 
@@ -100,6 +101,26 @@ Result<void> upload_textures(const Device& device, std::span<const RgbaImage* co
     return upload_layers(device, texels, image);
 }
 
+Result<void> upload_lamps(const Device& device, const LampMap& map, GpuScene& scene) {
+    const size_t count = size_t{map.width} * map.height;
+    if (map.texels.size() != count || !(map.texel > 0) ||
+        std::max(map.width, map.height) > device.properties.limits.maxImageDimension2D)
+        return Error{"The lamp map's size is too large, or does not agree with its texels."};
+    std::vector<uint16_t> halves(4 * std::max<size_t>(count, 1));
+    for (size_t i = 0; i < count; ++i)
+        for (int c = 0; c < 4; ++c)
+            halves[4 * i + static_cast<size_t>(c)] = glm::packHalf1x16(map.texels[i][c]);
+    ImageShape shape{.format = VK_FORMAT_R16G16B16A16_SFLOAT};
+    if (count > 0) {
+        shape.width = map.width, shape.height = map.height;
+        const glm::vec2 scale = 1.0f / (map.texel * glm::vec2(map.width, map.height));
+        scene.lamp_map = {scale, -map.low * scale};
+    }
+    shape.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    FLANEUR_TRY(make_image(device, shape, scene.lamps));
+    return upload_layers(device, std::as_bytes(std::span(halves)), scene.lamps);
+}
+
 }  // namespace
 
 Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
@@ -147,6 +168,7 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
     scene.is_textured = !people.empty();
     FLANEUR_TRY(upload_textures(device, people, "The people have", scene.textures));
     FLANEUR_TRY(upload_textures(device, scenery, "The city has", scene.scenery));
+    FLANEUR_TRY(upload_lamps(device, meshes.lamps, scene));
     return bake_impostors(device, pipelines, meshes, scene);
 }
 
@@ -156,6 +178,7 @@ void destroy_scene(const Device& device, GpuScene& scene) {
     destroy_buffer(device, scene.indices);
     destroy_image(device, scene.textures);
     destroy_image(device, scene.scenery);
+    destroy_image(device, scene.lamps);
     destroy_impostors(device, scene.impostors);
     scene = {};
 }

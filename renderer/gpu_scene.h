@@ -12,7 +12,9 @@ struct GpuScene {
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
     std::vector<PersonRanges> people;
     Impostors impostors;
-    float ground_low = 0;  // metres
+    GpuImage lamps;         // LampMap, in half floats
+    glm::vec4 lamp_map{0};  // FrameConstants::lamp_map
+    float ground_low = 0;   // metres
     bool is_textured = false;
 };
 

@@ -47,7 +47,7 @@ struct PipelineShape {
     bool is_shadow = false;  // depth grows away from the sun, is clamped, and biased
     bool darkens = false;    // multiplies what is there by 1 - alpha
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
-    int32_t constants[2] = {4, 0};  // k_constant_bones, k_constant_textured
+    int32_t constants[k_constants] = {4, 0, 0};  // by k_constant_*
 };
 
 Attributes city_attributes() {
@@ -78,8 +78,9 @@ Result<void> make_shader(const Device& device, std::span<const uint32_t> code, V
 
 Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
                            std::span<const VkShaderModule> shaders, VkPipeline& pipeline) {
-    const VkSpecializationMapEntry entries[] = {{k_constant_bones, 0, 4}, {k_constant_textured, 4, 4}};
-    const VkSpecializationInfo constants{2, entries, sizeof shape.constants, shape.constants};
+    const VkSpecializationMapEntry entries[] = {
+        {k_constant_bones, 0, 4}, {k_constant_textured, 4, 4}, {k_constant_night, 8, 4}};
+    const VkSpecializationInfo constants{k_constants, entries, sizeof shape.constants, shape.constants};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
     for (size_t i = 0; i < shaders.size(); ++i) {
         stages[i].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -183,6 +184,8 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     bind(k_binding_picture, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_atlas, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_scenery, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_lamps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+         VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
     VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     set_info.bindingCount = static_cast<uint32_t>(bindings.size());
     set_info.pBindings = bindings.data();
@@ -203,6 +206,8 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     sampler.maxLod = VK_LOD_CLAMP_NONE;
     FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &pipelines.texture_sampler),
                "make a sampler");
+    sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+    FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &pipelines.lamp_sampler), "make a sampler");
     sampler.magFilter = sampler.minFilter = VK_FILTER_NEAREST;
     sampler.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
     sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
@@ -212,6 +217,68 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &pipelines.shadow_sampler),
                "make a sampler");
     return {};
+}
+
+Result<void> make_lit_pipelines(const Device& device, VkPipelineLayout layout, bool is_night,
+                                LitPipelines& lit) {
+    auto make = [&](const PipelineShape& shape, VkPipeline& out) {
+        return make_pipeline(device, layout, shape, out);
+    };
+    PipelineShape city{.vertex = k_spirv_city_vert,
+                       .fragment = k_spirv_city_surface_frag,
+                       .attributes = city_attributes(),
+                       .stride = sizeof(CityVertex),
+                       .colour = k_picture_format,
+                       .depth = k_depth_format,
+                       .cull = VK_CULL_MODE_BACK_BIT};
+    city.constants[k_constant_night] = is_night;
+    FLANEUR_TRY(make(city, lit.city_surface));
+    city.fragment = k_spirv_city_facade_frag;
+    FLANEUR_TRY(make(city, lit.city_facade));
+    PipelineShape scenery = city;
+    scenery.vertex = k_spirv_scenery_vert;
+    scenery.fragment = k_spirv_scenery_frag;
+    FLANEUR_TRY(make(scenery, lit.city_scenery));
+
+    PipelineShape crowd = city;
+    crowd.vertex = k_spirv_crowd_vert;
+    crowd.fragment = k_spirv_crowd_frag;
+    crowd.attributes = person_attributes();
+    crowd.stride = sizeof(PersonVertex);
+    for (int textured = 0; textured < 2; ++textured) {
+        crowd.constants[k_constant_textured] = textured;
+        crowd.constants[k_constant_bones] = 4;
+        FLANEUR_TRY(make(crowd, lit.crowd_smooth[textured]));
+        crowd.constants[k_constant_bones] = 1;
+        FLANEUR_TRY(make(crowd, lit.crowd_rigid[textured]));
+    }
+    PipelineShape impostor{.vertex = k_spirv_impostor_vert,
+                           .fragment = k_spirv_impostor_frag,
+                           .attributes = {},
+                           .colour = k_picture_format,
+                           .depth = k_depth_format};
+    impostor.constants[k_constant_night] = is_night;
+    FLANEUR_TRY(make(impostor, lit.impostor));
+    const PipelineShape contact{
+        .vertex = k_spirv_contact_vert,
+        .fragment = k_spirv_contact_frag,
+        .attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32_SFLOAT, 16}},
+        .stride = 20,
+        .is_instanced = true,
+        .colour = k_picture_format,
+        .depth = k_depth_format,
+        .writes_depth = false,
+        .darkens = true};
+    FLANEUR_TRY(make(contact, lit.contact));
+    PipelineShape sky{.vertex = k_spirv_sky_vert,
+                      .fragment = k_spirv_sky_frag,
+                      .attributes = {},
+                      .colour = k_picture_format,
+                      .depth = k_depth_format,
+                      .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
+                      .writes_depth = false};
+    sky.constants[k_constant_night] = is_night;
+    return make(sky, lit.sky);
 }
 
 }  // namespace
@@ -247,65 +314,16 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     shadow.attributes = {};
     FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
-    PipelineShape city{.vertex = k_spirv_city_vert,
-                       .fragment = k_spirv_city_surface_frag,
-                       .attributes = city_attributes(),
-                       .stride = sizeof(CityVertex),
-                       .colour = k_picture_format,
-                       .depth = k_depth_format,
+    FLANEUR_TRY(make_lit_pipelines(device, p.layout, false, p.lit[0]));
+    PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
+                       .fragment = k_spirv_impostor_bake_frag,
+                       .attributes = person,
+                       .stride = sizeof(PersonVertex),
+                       .colour = k_atlas_format,
+                       .depth = k_shadow_format,
                        .cull = VK_CULL_MODE_BACK_BIT};
-    FLANEUR_TRY(make(city, p.city_surface));
-    city.fragment = k_spirv_city_facade_frag;
-    FLANEUR_TRY(make(city, p.city_facade));
-    PipelineShape scenery = city;
-    scenery.vertex = k_spirv_scenery_vert;
-    scenery.fragment = k_spirv_scenery_frag;
-    FLANEUR_TRY(make(scenery, p.city_scenery));
-
-    PipelineShape crowd = city;
-    crowd.vertex = k_spirv_crowd_vert;
-    crowd.fragment = k_spirv_crowd_frag;
-    crowd.attributes = person;
-    crowd.stride = sizeof(PersonVertex);
-    for (int textured = 0; textured < 2; ++textured) {
-        crowd.constants[k_constant_textured] = textured;
-        crowd.constants[k_constant_bones] = 4;
-        FLANEUR_TRY(make(crowd, p.crowd_smooth[textured]));
-        crowd.constants[k_constant_bones] = 1;
-        FLANEUR_TRY(make(crowd, p.crowd_rigid[textured]));
-    }
-    PipelineShape impostor{.vertex = k_spirv_impostor_vert,
-                           .fragment = k_spirv_impostor_frag,
-                           .attributes = {},
-                           .colour = k_picture_format,
-                           .depth = k_depth_format};
-    FLANEUR_TRY(make(impostor, p.impostor));
-    PipelineShape bake = crowd;
-    bake.vertex = k_spirv_impostor_bake_vert;
-    bake.fragment = k_spirv_impostor_bake_frag;
-    bake.colour = k_atlas_format;
-    bake.depth = k_shadow_format;
     bake.constants[k_constant_bones] = 1;
     FLANEUR_TRY(make(bake, p.impostor_bake));
-    const PipelineShape contact{
-        .vertex = k_spirv_contact_vert,
-        .fragment = k_spirv_contact_frag,
-        .attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32_SFLOAT, 16}},
-        .stride = 20,
-        .is_instanced = true,
-        .colour = k_picture_format,
-        .depth = k_depth_format,
-        .writes_depth = false,
-        .darkens = true};
-    FLANEUR_TRY(make(contact, p.contact));
-    const PipelineShape sky{.vertex = k_spirv_sky_vert,
-                            .fragment = k_spirv_sky_frag,
-                            .attributes = {},
-                            .colour = k_picture_format,
-                            .depth = k_depth_format,
-                            .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
-                            .writes_depth = false};
-    FLANEUR_TRY(make(sky, p.sky));
     PipelineShape fxaa{.vertex = k_spirv_fullscreen_vert,
                        .fragment = k_spirv_fxaa_frag,
                        .attributes = {},
@@ -317,14 +335,22 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     return make(fxaa, p.fxaa_window);
 }
 
+Result<void> make_night_pipelines(const Device& device, Pipelines& p) {
+    return make_lit_pipelines(device, p.layout, true, p.lit[1]);
+}
+
 void destroy_pipelines(const Device& device, Pipelines& p) {
-    for (VkPipeline pipeline :
-         {p.shadow_city, p.shadow_crowd, p.shadow_impostor, p.shadow_scenery, p.city_surface, p.city_facade,
-          p.city_scenery, p.crowd_smooth[0], p.crowd_smooth[1], p.crowd_rigid[0], p.crowd_rigid[1],
-          p.impostor, p.impostor_bake, p.contact, p.sky, p.fxaa_image, p.fxaa_window})
+    std::vector<VkPipeline> all = {p.shadow_city,   p.shadow_crowd, p.shadow_impostor, p.shadow_scenery,
+                                   p.impostor_bake, p.fxaa_image,   p.fxaa_window};
+    for (const LitPipelines& lit : p.lit)
+        all.insert(all.end(),
+                   {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor, lit.crowd_smooth[0],
+                    lit.crowd_smooth[1], lit.crowd_rigid[0], lit.crowd_rigid[1], lit.contact, lit.sky});
+    for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);
     if (p.atlas_sampler) vkDestroySampler(device.handle, p.atlas_sampler, nullptr);
+    if (p.lamp_sampler) vkDestroySampler(device.handle, p.lamp_sampler, nullptr);
     if (p.texture_sampler) vkDestroySampler(device.handle, p.texture_sampler, nullptr);
     if (p.layout) vkDestroyPipelineLayout(device.handle, p.layout, nullptr);
     if (p.set_layout) vkDestroyDescriptorSetLayout(device.handle, p.set_layout, nullptr);

@@ -12,21 +12,28 @@ inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
 inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors; see shaders/impostor.glsl
 
+// Those that draw what is lit.
+struct LitPipelines {
+    VkPipeline city_surface = {}, city_facade = {}, city_scenery = {}, impostor = {};
+    VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
+    VkPipeline contact = {}, sky = {};
+};
+
 struct Pipelines {
     VkDescriptorSetLayout set_layout = {};
     VkPipelineLayout layout = {};
-    VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {};
+    VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {}, lamp_sampler = {};
     VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {}, shadow_scenery = {};
-    VkPipeline city_surface = {}, city_facade = {}, city_scenery = {};
-    VkPipeline impostor = {}, impostor_bake = {};
-    VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
-    VkPipeline contact = {}, sky = {};
+    VkPipeline impostor_bake = {};
+    LitPipelines lit[2];  // by day, and where lamps are lit; the latter made when first wanted
     VkPipeline fxaa_image = {}, fxaa_window = {};
 };
 
 // `window_format` VK_FORMAT_UNDEFINED: no window. After a failure destroy_pipelines() frees what had been
 // made.
 Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipelines& pipelines);
+// Makes pipelines.lit[1].
+Result<void> make_night_pipelines(const Device& device, Pipelines& pipelines);
 void destroy_pipelines(const Device& device, Pipelines& pipelines);
 
 }  // namespace flaneur

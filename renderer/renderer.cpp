@@ -47,7 +47,7 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
 Result<void> make_descriptor_sets(Renderer& renderer) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
                                           {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * k_slots},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 5 * k_slots}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 6 * k_slots}};
     VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool.maxSets = k_slots;
     pool.poolSizeCount = 3;

@@ -66,8 +66,19 @@ struct PersonMesh {
     std::vector<JointTransform> strides;
 };
 
+// What street lamps and shop windows give at night, seen from above.
+struct LampMap {
+    uint32_t width = 0, height = 0;  // texels; 0: no lamps
+    glm::vec2 low{0, 0};             // x and z of the corner of the first texel, metres
+    float texel = 1;                 // edge, metres
+    // Rows by growing z. xyz: the sum over lamps of illuminance, 1 below a street lamp, times the way to the
+    // lamp; y as the ground has it, x and z as bodies a metre above it have them. w: height of the ground.
+    std::vector<glm::vec4> texels;
+};
+
 struct SceneMeshes {
     CityMesh city;
+    LampMap lamps;
     std::vector<PersonMesh> people;
 };
 
@@ -90,7 +101,7 @@ struct Camera {
 };
 
 struct Sun {
-    glm::vec3 direction{0.4f, 0.42f, 0.8f};  // towards the sun, unit
+    glm::vec3 direction{0.4f, 0.42f, 0.8f};  // towards the sun, unit; at night below the horizon
 };
 
 // Everything that may change from frame to frame.
@@ -99,6 +110,8 @@ struct FrameInput {
     Sun sun;
     std::span<const WalkerDraw> walkers;
     std::span<const JointTransform> palette;  // k_palette_joints for each walker that refers to it
+    bool is_overcast = false;
+    float lit_windows = 0.3f;  // share of windows with a light on in the dark
 };
 
 }  // namespace flaneur

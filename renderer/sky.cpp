@@ -61,9 +61,19 @@ SkyModel make_sky(glm::vec3 to_sun, float turbidity) {
     return sky;
 }
 
-glm::vec3 sky_luminance(const SkyModel& sky, glm::vec3 direction) {
+glm::vec3 daylit_sky(const SkyModel& sky, glm::vec3 direction) {
     const float gamma = std::acos(std::clamp(glm::dot(direction, sky.to_sun), -1.0f, 1.0f));
     return rgb_from_yxy(sky.scale * distribution(sky.perez, direction.y, gamma));
+}
+
+glm::vec3 added_sky(const SkyModel& sky, glm::vec3 direction) {
+    const float height = std::clamp(direction.y, 0.0f, 1.0f);
+    const float towards = (direction.x * sky.to_sun.x + direction.z * sky.to_sun.z) * 0.5f + 0.5f;
+    return glm::mix(sky.low, sky.high, height) + sky.dusk * (towards * towards * std::exp(-7 * height));
+}
+
+glm::vec3 sky_luminance(const SkyModel& sky, glm::vec3 direction) {
+    return daylit_sky(sky, direction) + added_sky(sky, direction);
 }
 
 AmbientLight ambient_light(const SkyModel& sky, glm::vec3 ground) {

@@ -11,13 +11,19 @@ struct SkyModel {
     glm::vec3 to_sun;
     std::array<glm::vec3, 5> perez;  // A..E for Y, x, y
     glm::vec3 scale;                 // zenith Y, x, y over the distribution at the zenith
-    glm::vec3 sun;                   // on a surface square to the sun
+    // Added to it, linear in the sine of the height: at the horizon, overhead; and a glow over the horizon
+    // where the sun is.
+    glm::vec3 low{0}, high{0}, dusk{0};
+    glm::vec3 sun;  // on a surface square to the sun
 };
 
 // `turbidity` 2 is clear mountain air, 3 a clear day, 6 haze. `to_sun` is a unit vector above the horizon.
 SkyModel make_sky(glm::vec3 to_sun, float turbidity);
 
-// In a unit direction; below the horizon, that of the horizon.
+// In a unit direction; below the horizon, that of the horizon. Preetham's part of it, the added part, and
+// both.
+glm::vec3 daylit_sky(const SkyModel& sky, glm::vec3 direction);
+glm::vec3 added_sky(const SkyModel& sky, glm::vec3 direction);
 glm::vec3 sky_luminance(const SkyModel& sky, glm::vec3 direction);
 
 // Light of the sky, and of a ground that reflects `ground` of it and of the sun, on a surface of normal n:

@@ -62,15 +62,15 @@ glm::vec3 sun_direction(const Sun& sun) {
     glm::vec3 direction = sun.direction;
     const float length = glm::length(direction);
     if (!std::isfinite(length) || length < 1e-6f) direction = Sun{}.direction;
-    direction = glm::normalize(direction);
-    constexpr float lowest = 0.01745f;
-    if (direction.y < lowest) {
-        const glm::vec3 level(direction.x, 0, direction.z);
-        const float across = glm::length(level);
-        direction =
-            glm::normalize((across > 1e-6f ? level / across : glm::vec3(1, 0, 0)) + glm::vec3(0, lowest, 0));
-    }
-    return direction;
+    return glm::normalize(direction);
+}
+
+glm::vec3 above_horizon(glm::vec3 direction, float lowest) {
+    if (direction.y >= std::sin(lowest)) return direction;
+    const glm::vec3 level(direction.x, 0, direction.z);
+    const float across = glm::length(level);
+    return (across > 1e-6f ? level / across : glm::vec3(1, 0, 0)) * std::cos(lowest) +
+           glm::vec3(0, std::sin(lowest), 0);
 }
 
 Slice fine_shadow_slice(const View& view, float height) {

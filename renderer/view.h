@@ -21,8 +21,10 @@ struct View {
 // clamped.
 View make_view(const Camera& camera, uint32_t width, uint32_t height);
 
-// A unit vector towards the sun, not lower than one degree; for no direction at all, the default Sun's.
+// A unit vector towards the sun; for no direction at all, the default Sun's.
 glm::vec3 sun_direction(const Sun& sun);
+// A unit vector turned upwards to at least `lowest` radians above the horizon.
+glm::vec3 above_horizon(glm::vec3 direction, float lowest);
 
 // A part of the view, along `forward`, metres.
 struct Slice {

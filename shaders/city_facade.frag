@@ -121,6 +121,10 @@ void main() {
     float in_window = inside(at - slide, low, high, pixel);
     sun *= mix(1.0, in_window, open);
     vec3 light = albedo * (frame.sun_light.xyz * facing * sun + ambient(normal) * ao);
+    if (k_night == 1) {
+        light += albedo * lamplight(lamps_at(in_place, normal), normal) * occluded;
+        light += 1.2 * sign_colour * frame.window_light.xyz * sign_band;
+    }
 
     // Glass: dark rooms, some with curtains, behind a mirror of the sky.
     ONLY_IF(open * glass > 0.0) {
@@ -130,14 +134,26 @@ void main() {
         float grazing = 1.0 - saturate(-dot(ray, normal));
         float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
         float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
-        vec3 room = ambient(normal) *
-                    mix(vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), vec3(0.20, 0.19, 0.17), curtain);
+        vec3 indoors = ambient(normal), tone = vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop);
+        if (k_night == 1) {
+            // Lamps of many colours behind some windows and in every shop; ceilings are brighter than floors.
+            vec2 home = floor(in_colour.xz * 4095.0);
+            float drawn = hash(vec2(bay + 61.0 * storey + home.x, home.y + 7.0 * storeys));
+            float is_lit = max(float(drawn < frame.lamp_light.w), is_shop);
+            float warmth = hash(vec2(home.y + 5.0 * bay, 3.0 * storey + home.x));
+            vec3 lamp = frame.window_light.xyz * mix(vec3(1.0, 0.82, 0.62), vec3(0.9, 1.15, 1.45), warmth * warmth);
+            lamp *= (0.35 + 0.65 * fract(warmth * 5.3)) * (0.55 + 0.45 * saturate(at.y / height));
+            indoors = mix(indoors, lamp * 2.2, is_lit);
+            tone = mix(tone, vec3(0.34, 0.30, 0.25), is_lit);
+        }
+        vec3 room = indoors *
+                    mix(tone, vec3(0.20, 0.19, 0.17), curtain);
         // Goods in a shop's window, in the light of its lamps.
         ONLY_IF(is_shop > 0.0) {
             float goods = hash(floor(vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6)));
             float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
             float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
-            room += ambient(normal) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+            room += indoors * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);

@@ -12,6 +12,7 @@ layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 
 layout(location = 0) out vec4 out_picture;
 
+const float k_light_edge = 90.0;  // city.vert gives those of lamps a wider one
 const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
 
 void main() {
@@ -53,10 +54,12 @@ void main() {
     float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));
     float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
+    if (k_night == 1) light += albedo * lamplight(lamps_at(in_place, normal), normal);
     ONLY_IF(in_pattern.w > 0.0) {
         float grazing = 1.0 - saturate(-dot(ray, normal));
         grazing *= grazing;
         light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
     }
+    if (k_night == 1 && edge > k_light_edge) light = frame.window_light.xyz * 6.0;
     out_picture = picture(through_air(light, ray, distance));
 }

@@ -12,6 +12,7 @@ layout(location = 1) in float in_lit;
 layout(location = 2) flat in uint in_number;
 layout(location = 3) flat in vec4 in_view;
 layout(location = 4) flat in vec4 in_air;
+layout(location = 5) flat in vec3 in_lamps;
 
 layout(location = 0) out vec4 out_picture;
 
@@ -21,5 +22,7 @@ void main() {
     vec3 tint = linear_from_srgb(unpackUnorm4x8(impostors[in_number].tints[tint_of(texel)]).rgb);
     vec3 seen = normal_of(texel), normal = axes_of(in_view.xy, in_view.zw) * seen;
     float sun = wrapped(dot(normal, frame.sun_direction.xyz)) * in_lit;
-    out_picture = picture(light_from(base_of(texel) * tint, normal, sun, seen.z) * in_air.w + in_air.xyz);
+    vec3 albedo = base_of(texel) * tint, light = light_from(albedo, normal, sun, seen.z);
+    if (k_night == 1) light += albedo * lamplight(in_lamps, normal);
+    out_picture = picture(light * in_air.w + in_air.xyz);
 }

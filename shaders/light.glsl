@@ -1,6 +1,9 @@
 // Sun, shadow, sky and haze on surfaces.
 #extension GL_EXT_control_flow_attributes : require
 layout(set = 0, binding = k_binding_shadow) uniform sampler2DArrayShadow shadow_map;
+layout(set = 0, binding = k_binding_lamps) uniform sampler2D lamp_map;
+
+layout(constant_id = k_constant_night) const int k_night = 0;
 
 const float k_fine_texel = 3.0;  // pixels: shadow texels wider than this are filtered twice as wide
 
@@ -40,6 +43,19 @@ float sunlit(vec3 place, vec3 normal, float facing, float distance, float bias) 
 vec3 ambient(vec3 normal) {
     vec4 n = vec4(normal, 1);
     return vec3(dot(frame.ambient[0], n), dot(frame.ambient[1], n), dot(frame.ambient[2], n));
+}
+
+// The lamp map's light and way to it at a place with a surface of this normal, less the higher above the ground.
+vec3 lamps_at(vec3 place, vec3 normal) {
+    vec2 before = place.xz + normal.xz * 0.7;  // out of the wall
+    vec4 lamps = textureLod(lamp_map, before * frame.lamp_map.xy + frame.lamp_map.zw, 0.0);
+    float above = max(place.y - lamps.w - 3.0, 0.0) * 0.4;
+    return lamps.xyz * (1.0 / (1.0 + above * above));
+}
+
+// What a white surface reflects of it: some of it comes from all round.
+vec3 lamplight(vec3 lamps, vec3 normal) {
+    return frame.lamp_light.xyz * (max(dot(lamps, normal), 0.0) + 0.12 * length(lamps));
 }
 
 // Sky near the horizon and overhead, simple enough for reflections.

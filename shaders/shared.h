@@ -66,7 +66,8 @@ FLANEUR_CONST uint k_material_roof = 10;
 FLANEUR_CONST uint k_material_leaves = 11;
 FLANEUR_CONST uint k_material_trunk = 12;
 FLANEUR_CONST uint k_material_metal = 13;    // lamps, bollards, benches
-FLANEUR_CONST uint k_material_scenery = 14;  // u, v of a picture; extra: its layer, 0 for none
+FLANEUR_CONST uint k_material_light = 14;    // heads of street lamps, which glow at night
+FLANEUR_CONST uint k_material_scenery = 15;  // u, v of a picture; extra: its layer, 0 for none
 
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
@@ -79,11 +80,14 @@ FLANEUR_CONST int k_binding_textures = 6;   // base colours of people, layer 0 w
 FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing, luma in alpha
 FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
 FLANEUR_CONST int k_binding_scenery = 9;    // pictures of the city's scenery, layer 0 white
-FLANEUR_CONST int k_bindings = 10;          // up to k_binding_cells buffers, then images
+FLANEUR_CONST int k_binding_lamps = 10;     // LampMap
+FLANEUR_CONST int k_bindings = 11;          // up to k_binding_cells buffers, then images
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4
 FLANEUR_CONST int k_constant_textured = 1;  // whether people have textures
+FLANEUR_CONST int k_constant_night = 2;     // whether lamps are lit
+FLANEUR_CONST int k_constants = 3;
 
 // Cells of the grid that the sky is drawn by.
 FLANEUR_CONST int k_sky_columns = 40;
@@ -105,8 +109,8 @@ struct FrameConstants {
     vec4 ray_right;      //   forward + x * right + y * down; w of forward: metres a pixel
                          //   at one metre
     vec4 ray_down;
-    vec4 sun_direction;  // towards the sun
-    vec4 sun_light;      // what a white surface square to the sun reflects
+    vec4 sun_direction;  // towards the sun, or the moon; down where neither throws shadows
+    vec4 sun_light;      // what a white surface square to the sun reflects; w: its disc, against that
     vec4 ambient[3];    // of red, green, blue: what a white surface of normal n reflects of sky and ground is
                         //   dot(xyz, n) + w
     vec4 haze_towards;  // sky at the horizon towards the sun; w: haze a metre
@@ -115,6 +119,13 @@ struct FrameConstants {
     vec4 perez[5];      // A..E of the sky's distribution for Y, x, y
     vec4 sky_scale;     // Y, x, y of the zenith over the distribution there
     vec4 sky_white;     // factors for red, green, blue: white balance and exposure
+    vec4 sky_low;       // added to that sky: at the horizon,
+    vec4 sky_high;      //   overhead,
+    vec4 sky_dusk;      //   and where the sun went down; w: how plainly stars are seen
+    vec4 sky_sun;       // towards the sun, as the sky has it, above the horizon
+    vec4 lamp_light;    // what a white surface reflects where the lamp map says 1; w: share of lit windows
+    vec4 lamp_map;      // u, v = x, z * xy + zw
+    vec4 window_light;  // a lit room, seen
     vec4 screen;        // width, height, 1 / width, 1 / height
 };
 

@@ -1,15 +1,30 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/common.glsl"
+#include "shaders/pattern.glsl"
+
+layout(constant_id = k_constant_night) const int k_night = 0;
 
 layout(location = 0) in vec3 in_ray;
 layout(location = 1) in vec3 in_light;
 
 layout(location = 0) out vec4 out_picture;
 
+// One in some cells of a grid over the sky, a pixel wide.
+float stars(vec3 ray) {
+    vec2 at = ray.xz / (1.0 + max(ray.y, 0.0)) * 150.0, cell = floor(at);
+    float drawn = hash(cell), size = frame.ray_forward.w * 150.0;
+    vec2 place = 0.2 + 0.6 * vec2(hash(cell + 57.0), hash(cell - 91.0));
+    float near = saturate(1.2 - length(at - cell - place) / size);
+    float bright = saturate((drawn - 0.9) * 10.0);
+    return near * bright * bright * saturate(ray.y * 5.0);
+}
+
 // The sky, and the sun's disc, softened.
 void main() {
     float cos_gamma = dot(in_ray, frame.sun_direction.xyz) * inversesqrt(dot(in_ray, in_ray));
     float disc = saturate((cos_gamma - 0.99985) * 12000.0);
-    out_picture = picture(in_light + frame.sun_light.xyz * (6.0 * disc));
+    vec3 light = in_light + frame.sun_light.xyz * (frame.sun_light.w * disc);
+    if (k_night == 1) light += 0.5 * frame.sky_dusk.w * stars(normalize(in_ray));
+    out_picture = picture(light);
 }

@@ -15,7 +15,7 @@ void main() {
     vec2 place = at / vec2(k_sky_columns, k_sky_rows) * 2.0 - 1.0;
     out_ray = frame.ray_forward.xyz + place.x * frame.ray_right.xyz + place.y * frame.ray_down.xyz;
     vec3 ray = normalize(out_ray);
-    float cos_gamma = clamp(dot(ray, frame.sun_direction.xyz), -1.0, 1.0);
+    float cos_gamma = clamp(dot(ray, frame.sky_sun.xyz), -1.0, 1.0);
     float gamma = acos(cos_gamma);
     float cos_zenith = max(ray.y, 0.01);
     vec3 yxy = frame.sky_scale.xyz * (1.0 + frame.perez[0].xyz * exp(frame.perez[1].xyz / cos_zenith)) *
@@ -23,5 +23,8 @@ void main() {
     float x = yxy.x * yxy.y / yxy.z, z = yxy.x * (1.0 - yxy.y - yxy.z) / yxy.z;
     out_light = max(vec3(3.2406 * x - 1.5372 * yxy.x - 0.4986 * z, -0.9689 * x + 1.8758 * yxy.x + 0.0415 * z,
                          0.0557 * x - 0.2040 * yxy.x + 1.0570 * z), 0.0) * frame.sky_white.xyz;
+    float height = saturate(ray.y), towards = dot(ray.xz, frame.sky_sun.xz) * 0.5 + 0.5;
+    out_light += mix(frame.sky_low.xyz, frame.sky_high.xyz, height) +
+                 frame.sky_dusk.xyz * (towards * towards * exp(-7.0 * height));
     gl_Position = vec4(place, 0, 1);
 }

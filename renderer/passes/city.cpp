@@ -3,7 +3,7 @@
 namespace flaneur {
 
 void draw_city(const FrameRecord& record) {
-    const Pipelines& pipelines = record.renderer.pipelines;
+    const LitPipelines& pipelines = lit_pipelines(record);
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_facade);

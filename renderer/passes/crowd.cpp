@@ -8,10 +8,10 @@ void draw_crowd(const FrameRecord& record) {
     vkCmdBindVertexBuffers(record.commands, 0, 1, &renderer.scene.person_vertices.handle, &offset);
     const int textured = renderer.scene.is_textured;
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      renderer.pipelines.crowd_smooth[textured]);
+                      lit_pipelines(record).crowd_smooth[textured]);
     draw_indirect(record, record.plan.crowd_smooth);
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      renderer.pipelines.crowd_rigid[textured]);
+                      lit_pipelines(record).crowd_rigid[textured]);
     draw_indirect(record, record.plan.crowd_rigid);
 }
 
@@ -20,7 +20,7 @@ void draw_contacts(const FrameRecord& record) {
     if (count == 0) return;
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &record.slot.contacts.handle, &offset);
-    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, record.renderer.pipelines.contact);
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, lit_pipelines(record).contact);
     vkCmdDraw(record.commands, 6, count, 0, 0);
 }
 

@@ -16,7 +16,7 @@ void draw(const FrameRecord& record, VkPipeline pipeline, size_t first, size_t c
 
 void draw_impostors(const FrameRecord& record) {
     const Renderer& renderer = record.renderer;
-    draw(record, renderer.pipelines.impostor, 0, renderer.crowd.impostors.size());
+    draw(record, lit_pipelines(record).impostor, 0, renderer.crowd.impostors.size());
 }
 
 void draw_impostor_shadows(const FrameRecord& record) {

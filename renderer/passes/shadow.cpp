@@ -57,6 +57,10 @@ void draw_shadows(const FrameRecord& record) {
     auto barrier = [&](const GpuImage& image, Access from, Access to, LayerRange range = {}) {
         image_barrier(record.commands, image.handle, k_depth_aspect, from, to, range);
     };
+    if (!plan.has_shadows) {  // nobody looks at the maps, but they must be such as can be looked at
+        barrier(maps.map, discarded(k_sampled), k_sampled);
+        return;
+    }
     constexpr LayerRange near_layer{k_near_layer, 1}, far_layer{k_far_layer, 1};
     if (plan.refresh_near || plan.refresh_far) {
         begin_stage(record, "city shadows");

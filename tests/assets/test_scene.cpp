@@ -38,7 +38,7 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     Result<Scene> scene =
         load(R"({ "walkers": 12, "time": "08:15", "seed": 18446744073709551615, "camera": "overview",
         "city": "maps/a.osm", "people": [{"character": "a.glb", "share": 2.5},
-        {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5 })");
+        {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5, "weather": "overcast" })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->name, "mine");
     EXPECT_EQ(scene->walkers, 12);
@@ -48,6 +48,8 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     EXPECT_EQ(scene->city, folder / "maps/a.osm");
     EXPECT_EQ(scene->people, (std::vector<PeopleShare>{{folder / "a.glb", 2.5f}, {"/b.glb", 1}, {"", 9}}));
     EXPECT_EQ(scene->sun_height, 40.5f);
+    EXPECT_FALSE(scene->sun_heading) << "the hour tells";
+    EXPECT_TRUE(scene->is_overcast);
     EXPECT_EQ(scene->blocks, Scene().blocks);
 }
 
@@ -76,7 +78,10 @@ TEST_F(SceneFile, IsRefusedByKeyAndRange) {
                              R"({"people": [{"builtin": 1}]})",
                              R"({"people": [{"character": "a.glb", "colour": "red"}]})",
                              R"({"sun_height": 91})",
-                             R"({"sun_heading": -1})"}) {
+                             R"({"sun_heading": -1})",
+                             R"({"latitude": 91})",
+                             R"({"weather": "snow"})",
+                             R"({"weather": 3})"}) {
         Result<Scene> scene = load(text);
         ASSERT_FALSE(scene) << text;
         std::string key(text + 2, std::string(text + 2).find('"'));

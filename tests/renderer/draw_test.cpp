@@ -150,6 +150,44 @@ TEST(Draw, WalkerStandsWhereItIsAndThrowsAShadowAwayFromTheSun) {
     EXPECT_LT(change(160, 30), 4);
 }
 
+TEST(Draw, LampsLightTheNightWhereTheirMapSays) {
+    SyntheticScene scene = plaza();
+    LampMap& lamps = scene.meshes.lamps;
+    lamps.width = lamps.height = 16;
+    lamps.low = {0, -8};  // half of what is seen, at the left
+    lamps.texels.assign(256, {0, 1, 0, 0});
+    const RendererPtr renderer = renderer_with(scene);
+    const Sun down{{0.9f, -0.3f, 0}};
+    const Image day = draw(*renderer, scene.frame(k_above));
+    const Image night = draw(*renderer, scene.frame(k_above, down));
+    EXPECT_GT(luma_about(night, 80, 90, 20), 1.6f * luma_about(night, 240, 90, 20));
+    EXPECT_GT(luma_about(night, 240, 90, 20), 8) << "it can be read";
+    EXPECT_LT(luma_about(night, 80, 90, 20), luma_about(day, 80, 90, 20));
+    EXPECT_NEAR(luma_about(day, 80, 90, 20), luma_about(day, 240, 90, 20), 3) << "they are off by day";
+    EXPECT_EQ(draw(*renderer, scene.frame(k_above)).rgba, day.rgba) << "the morning after";
+    EXPECT_EQ(validation_messages(*renderer), 0u);
+
+    lamps.texels.pop_back();
+    EXPECT_FALSE(upload_scene(*renderer, scene.meshes));
+}
+
+TEST(Draw, CloudsThrowNoShadows) {
+    SyntheticScene scene = plaza();
+    const RendererPtr renderer = renderer_with(scene);
+    add_walker(scene, {0, 0, 0}, 0, 0, 3);
+    FrameInput frame = scene.frame(k_above, k_side_sun);
+    const Image clear = draw(*renderer, frame);
+    frame.is_overcast = true;
+    const Image overcast = draw(*renderer, frame);
+    EXPECT_EQ(frame_stats(*renderer).walkers_in_shadow, 0u);
+    const uint32_t shaded = 160 + static_cast<uint32_t>(2 * 90 / (10 * std::tan(0.3f)));
+    EXPECT_LT(luma_about(clear, shaded, 90, 2) + 10, luma_about(clear, shaded, 30, 2));
+    EXPECT_NEAR(luma_about(overcast, shaded, 90, 2), luma_about(overcast, shaded, 30, 2), 4);
+    frame.is_overcast = false;
+    EXPECT_EQ(draw(*renderer, frame).rgba, clear.rgba) << "the shadows come back";
+    EXPECT_EQ(validation_messages(*renderer), 0u);
+}
+
 TEST(Draw, FourBonesBendAndOneMoves) {
     // The same walker, near (level 0, four joints) and far (level 2, one joint): a picture of each, where
     // expected.

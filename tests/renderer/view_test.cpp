@@ -65,13 +65,16 @@ TEST(View, OddCamerasStillMakeFiniteMatrices) {
         }
 }
 
-TEST(Sun, IsAUnitVectorAboveTheHorizon) {
+TEST(Sun, IsAUnitVector) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (glm::vec3 direction :
          {glm::vec3(0), glm::vec3(0, -1, 0), glm::vec3(3, -1, 4), glm::vec3(nan), glm::vec3(0, 5, 0)}) {
         const glm::vec3 to_sun = sun_direction({direction});
         EXPECT_NEAR(glm::length(to_sun), 1, 1e-5f);
-        EXPECT_GT(to_sun.y, 0.01f);
+        const glm::vec3 raised = above_horizon(to_sun, 0.1f);
+        EXPECT_NEAR(glm::length(raised), 1, 1e-5f);
+        EXPECT_GE(raised.y, 0.0998f);
+        EXPECT_NEAR(raised.x * to_sun.z, raised.z * to_sun.x, 1e-5f) << "turned to the side";
     }
 }
 

@@ -27,6 +27,10 @@ TEST(Options, TheCommandLineOverridesTheScene) {
     EXPECT_EQ(changed.scene.walkers, 7);
     EXPECT_EQ(changed.scene.seed, ~uint64_t{0});
     EXPECT_FLOAT_EQ(changed.scene.hour, 23.5f);
+    EXPECT_TRUE(plain.scene.sun_height && !plain.scene.is_overcast);
+    EXPECT_FALSE(changed.scene.sun_height || changed.scene.sun_heading) << "the hour tells where the sun is";
+    EXPECT_TRUE(parsed({"sim", "--weather", "overcast"}).scene.is_overcast);
+    EXPECT_FALSE(parse({"sim", "--weather", "fog"}));
     EXPECT_EQ(changed.scene.blocks, plain.scene.blocks);
     EXPECT_TRUE(parsed({"sim", "--scene", "asteroid"}).scene.asteroid);
     EXPECT_FALSE(parsed({"sim", "--scene", "asteroid", "--city", "a.glb"}).scene.asteroid);

@@ -244,10 +244,4 @@ Camera choose_camera(const World& world, const Sun& sun, const CameraChoice& cho
     return {};
 }
 
-// +x is east, +z south.
-Sun scene_sun(const Scene& scene) {
-    SinCos height = sin_cos(scene.sun_height * k_radians), heading = sin_cos(scene.sun_heading * k_radians);
-    return {{height.cosine * heading.sine, height.sine, -height.cosine * heading.cosine}};
-}
-
 }  // namespace flaneur

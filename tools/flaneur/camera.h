@@ -21,6 +21,4 @@ Camera follow_camera(const World& world, uint32_t walker, float between);
 
 Camera choose_camera(const World& world, const Sun& sun, const CameraChoice& choice, float between);
 
-Sun scene_sun(const Scene& scene);
-
 }  // namespace flaneur

@@ -12,6 +12,10 @@ namespace flaneur {
 // What is uploaded once: the city's surfaces, facades, roofs and props, and the characters' meshes. World
 // walkers whose body is i are drawn as characters[i].
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
+// Where the light of street lamps and shop windows falls; houses stop it.
+LampMap extract_lamps(const City& city);
+// Whether a facade has shop windows at its foot.
+bool is_shop_front(const City& city, const Face& face);
 // Appends scenery to a mesh, with its pictures.
 void add_scenery(const Scenery& scenery, CityMesh& mesh);
 

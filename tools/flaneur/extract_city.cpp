@@ -84,15 +84,6 @@ std::vector<int> find_doors(const City& city) {
     return doors;
 }
 
-// Shops look onto streets and squares, not onto gardens and yards.
-bool looks_onto_street(const City& city, const Face& f) {
-    Vec2 along = on_ground(f.b) - on_ground(f.a);
-    Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
-    Vec2 before = lerp(on_ground(f.a), on_ground(f.b), 0.5f) + out * 1.5f;
-    std::optional<GroundHit> hit = ground(city, at_height(before, f.a.y), 3, 3);
-    return !hit || (hit->kind != Surface::grass && hit->kind != Surface::path);
-}
-
 WindowKind windows_of(const Building& b) {
     constexpr uint8_t k_brick = 3, k_concrete = 4, k_dark_brick = 8;
     constexpr float k_hall = 4.5f;  // storeys from here on are those of halls and churches
@@ -127,8 +118,8 @@ void add_faces(CityMesh& mesh, const City& city) {
                 // A window in the roof is one storey.
                 float high = f.a_top - f.a.y;
                 bool is_dormer = f.a.y > b.top && high < b.storey;
-                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20),
-                                     b.has_shop && looks_onto_street(city, f), doors[i], windows_of(b));
+                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20), is_shop_front(city, f),
+                                     doors[i], windows_of(b));
                 // Storeys are counted from the ground at the door; walls go down to the lowest.
                 if (b.base > foot && b.base < foot + 3) foot = b.base;
             } else {
@@ -240,6 +231,7 @@ void add_props(CityMesh& mesh, const City& city) {
             auto [colour, material] = look_of(v.part);
             if (v.part == PropPart::leaves) colour = leaves;
             if (v.part == PropPart::paint) colour = paint;
+            if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
             add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), k_within, material));
         }
         for (uint32_t i : made.indices) mesh.indices.push_back(first + i);
@@ -247,6 +239,16 @@ void add_props(CityMesh& mesh, const City& city) {
 }
 
 }  // namespace
+
+// Shops look onto streets and squares, not onto gardens and yards.
+bool is_shop_front(const City& city, const Face& f) {
+    if (f.building >= city.buildings.size() || !city.buildings[f.building].has_shop) return false;
+    Vec2 along = on_ground(f.b) - on_ground(f.a);
+    Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
+    Vec2 before = lerp(on_ground(f.a), on_ground(f.b), 0.5f) + out * 1.5f;
+    std::optional<GroundHit> hit = ground(city, at_height(before, f.a.y), 3, 3);
+    return !hit || (hit->kind != Surface::grass && hit->kind != Surface::path);
+}
 
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters) {
     SceneMeshes scene;

@@ -110,6 +110,7 @@ struct SceneWords {
     std::optional<int> walkers;
     std::optional<uint64_t> seed;
     std::optional<float> hour;
+    std::optional<bool> is_overcast;
 };
 
 // An option whose text one of the parse_ functions takes apart.
@@ -191,8 +192,10 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->check(CLI::Range(0, k_max_walkers).description(""))
         ->group("Scene");
-    add_parsed(app, "--time", parse_time, words.hour, "The time of day, which sends people elsewhere",
-               "HH:MM", "17:30")
+    add_parsed(app, "--time", parse_time, words.hour,
+               "The time of day, which moves the sun and sends people elsewhere", "HH:MM", "17:30")
+        ->group("Scene");
+    add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");
     app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
         ->type_name("N")
@@ -429,7 +432,11 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.idles.empty()) options.scene.idles = words.idles;
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
-    if (words.hour) options.scene.hour = *words.hour;
+    if (words.hour) {
+        options.scene.hour = *words.hour;
+        options.scene.sun_height = options.scene.sun_heading = std::nullopt;
+    }
+    if (words.is_overcast) options.scene.is_overcast = *words.is_overcast;
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks =

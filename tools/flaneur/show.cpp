@@ -2,7 +2,8 @@
 
 #include <cstdio>
 
-#include "tools/flaneur/camera.h"
+#include "renderer/daylight.h"
+#include "tools/flaneur/sun.h"
 
 namespace flaneur {
 
@@ -31,7 +32,11 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     const World& world = *show.loaded.world;
     show.wardrobe = make_wardrobe(world, show.loaded.characters);
     show.sun = scene_sun(options.scene);
-    Result<void> uploaded = upload_scene(*show.renderer, extract_scene(world.city, show.loaded.characters));
+    show.is_overcast = options.scene.is_overcast;
+    show.lit_windows = lit_windows(options.scene.hour);
+    SceneMeshes meshes = extract_scene(world.city, show.loaded.characters);
+    if (make_daylight(show.sun, show.is_overcast).lamps > 0) meshes.lamps = extract_lamps(world.city);
+    Result<void> uploaded = upload_scene(*show.renderer, meshes);
     if (!uploaded) return uploaded.error();
     return show;
 }
@@ -43,6 +48,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, float between) {
     frame.sun = show.sun;
     frame.walkers = show.people.walkers;
     frame.palette = show.people.palette;
+    frame.is_overcast = show.is_overcast;
+    frame.lit_windows = show.lit_windows;
     return frame;
 }
 

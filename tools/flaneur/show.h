@@ -15,6 +15,8 @@ struct Show {
     Loaded loaded;
     Wardrobe wardrobe;
     Sun sun;
+    bool is_overcast = false;
+    float lit_windows = 0;  // share
     PeopleFrame people;
 };
 
