@@ -27,13 +27,19 @@ void update_descriptors(const Renderer& renderer, const FrameSlot& slot) {
                                               {slot.palette.handle, 0, VK_WHOLE_SIZE},
                                               {slot.impostors.handle, 0, VK_WHOLE_SIZE},
                                               {renderer.scene.impostors.cells.handle, 0, VK_WHOLE_SIZE}};
+    const PictureTargets& targets = renderer.targets;
+    const VkImageView none = targets.colour.view;  // where no pipeline looks
     const VkDescriptorImageInfo images[] = {
         {renderer.pipelines.shadow_sampler, renderer.shadows.map.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.scene.textures.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.targets.colour.view, k_sampled.layout},
         {renderer.pipelines.atlas_sampler, renderer.scene.impostors.atlas.view, k_sampled.layout},
         {renderer.pipelines.texture_sampler, renderer.scene.scenery.view, k_sampled.layout},
-        {renderer.pipelines.lamp_sampler, renderer.scene.lamps.view, k_sampled.layout}};
+        {renderer.pipelines.lamp_sampler, renderer.scene.lamps.view, k_sampled.layout},
+        {renderer.pipelines.atlas_sampler, renderer.quality.has_occlusion ? targets.depth.view : none,
+         k_sampled.layout},
+        {renderer.pipelines.atlas_sampler, renderer.quality.has_occlusion ? targets.occlusion.view : none,
+         k_sampled.layout}};
     VkWriteDescriptorSet writes[k_bindings] = {};
     for (uint32_t i = 0; i < k_bindings; ++i) {
         writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -59,7 +65,7 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
         return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
                      " MiB; the device takes " + std::to_string(limit >> 20) +
                      " MiB at once. Draw fewer walkers."};
-    const FrameConstants constants = frame_constants(plan, renderer.scene, extent);
+    const FrameConstants constants = frame_constants(renderer, plan, extent);
     FLANEUR_TRY(upload<FrameConstants>(device, std::span(&constants, 1), {},
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
     FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances,
@@ -80,18 +86,29 @@ Result<void> fit_targets(Renderer& renderer, VkExtent2D extent) {
         return {};
     FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
     destroy_picture_targets(renderer.device, targets);
-    Result<void> result = make_picture_targets(renderer.device, extent.width, extent.height, targets);
+    Result<void> result =
+        make_picture_targets(renderer.device, renderer.quality, extent.width, extent.height, targets);
     if (!result) destroy_picture_targets(renderer.device, targets);
     return result;
 }
 
-// Begins drawing into the picture before anti-aliasing; `is_fresh`: over nothing, rather than over what is
-// there.
-void begin_picture(const FrameRecord& record, bool is_fresh) {
+// What is drawn into: several samples a pixel, or the picture before anti-aliasing itself.
+const GpuImage& drawn_into(const PictureTargets& targets) {
+    return targets.samples.view ? targets.samples : targets.colour;
+}
+
+// Begins drawing; `is_fresh`: over nothing, rather than over what is there; `is_last`: samples then become
+// pixels.
+void begin_picture(const FrameRecord& record, bool is_fresh, bool is_last = false) {
     const PictureTargets& targets = record.renderer.targets;
     VkRenderingAttachmentInfo colour{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    colour.imageView = targets.colour.view;
+    colour.imageView = drawn_into(targets).view;
     colour.imageLayout = k_colour_target.layout;
+    if (is_last && targets.samples.view) {
+        colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+        colour.resolveImageView = targets.colour.view;
+        colour.resolveImageLayout = k_colour_target.layout;
+    }
     // Nothing needs clearing: the sky fills what nothing covers.
     colour.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_LOAD;
     colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -115,15 +132,17 @@ void begin_picture(const FrameRecord& record, bool is_fresh) {
 void draw_scene(const FrameRecord& record) {
     const PictureTargets& targets = record.renderer.targets;
     auto colour_barrier = [&](Access from, Access to) {
-        image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
+        image_barrier(record.commands, drawn_into(targets).handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
     };
     auto depth_barrier = [&](Access from) {
         image_barrier(record.commands, targets.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, from, k_depth_target);
     };
     begin_stage(record, "crowd");
-    colour_barrier(discarded(k_sampled), k_colour_target);
-    depth_barrier(
-        {k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED});
+    colour_barrier({k_sampled.stage | k_colour_target.stage, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                    VK_IMAGE_LAYOUT_UNDEFINED},
+                   k_colour_target);
+    depth_barrier({k_sampled.stage | k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+                   VK_IMAGE_LAYOUT_UNDEFINED});
     begin_picture(record, true);
     draw_crowd(record);
     draw_impostors(record);
@@ -141,12 +160,22 @@ void draw_scene(const FrameRecord& record) {
     end_stage(record);
 
     begin_stage(record, "sky");
-    begin_picture(record, false);
+    auto pixels_barrier = [&](Access from, Access to) {
+        image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
+    };
+    if (targets.samples.view) pixels_barrier(discarded(k_sampled), k_colour_target);
+    begin_picture(record, false, true);
     draw_contacts(record);
     draw_sky(record);
     vkCmdEndRendering(record.commands);
-    colour_barrier(k_colour_target, k_sampled);
     end_stage(record);
+    if (record.renderer.quality.has_occlusion) {
+        begin_stage(record, "occlusion");
+        pixels_barrier(k_colour_target, k_colour_target);
+        draw_occlusion(record);
+        end_stage(record);
+    }
+    pixels_barrier(k_colour_target, k_sampled);
 }
 
 // To the host.
@@ -238,6 +267,7 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
     stats.direct_draws = 2;  // sky, fxaa
+    if (renderer.quality.has_occlusion) stats.direct_draws += 2;
     for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;

@@ -49,7 +49,7 @@ struct FrameRecord {
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
 
 // What the shaders are told.
-FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkExtent2D extent);
+FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent);
 
 // Draws into `target` with a free slot: culls, uploads, records and submits. `wait` and `signal` may be null.
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
@@ -66,6 +66,7 @@ void draw_impostors(const FrameRecord& record);
 void draw_impostor_shadows(const FrameRecord& record);  // into the map that is being drawn
 void draw_contacts(const FrameRecord& record);
 void draw_sky(const FrameRecord& record);
+void draw_occlusion(const FrameRecord& record);  // where the quality has it; over the picture
 void draw_fxaa(const FrameRecord& record);
 
 // A named stretch of the frame, labelled for debuggers and timed from the end of the one before to its own.

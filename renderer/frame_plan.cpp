@@ -57,9 +57,10 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.is_night = plan.light.lamps > 0;
     plan.lit_windows = input.lit_windows;
     const vec3 to_light = plan.light.to_light;
+    const uint32_t resolution = renderer.quality.shadow_resolution;
     plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - scene.ground_low);
-    plan.near_box = fit_shadow(plan.view, to_light, plan.slice, k_shadow_resolution);
-    plan.far_box = fit_shadow(plan.view, to_light, k_far_slice, k_shadow_resolution);
+    plan.near_box = fit_shadow(plan.view, to_light, plan.slice, resolution);
+    plan.far_box = fit_shadow(plan.view, to_light, k_far_slice, resolution);
     plan.refresh_near = plan.has_shadows && plan.near_box != renderer.shadows.near_box;
     plan.refresh_far = plan.has_shadows && plan.far_box != renderer.shadows.far_box;
 
@@ -67,10 +68,12 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
         renderer.crowd.levels.clear();
     renderer.last_view = plan.view;
-    cull_crowd(crowd, plan.view, renderer.crowd);
-    cull_shadow_casters(crowd, plan.view, plan.near_box, to_light, plan.has_shadows ? plan.slice.far : -1,
+    View finer = plan.view;
+    finer.pixels_at_one_metre *= renderer.quality.detail;
+    cull_crowd(crowd, finer, renderer.crowd);
+    cull_shadow_casters(crowd, finer, plan.near_box, to_light, plan.has_shadows ? plan.slice.far : -1,
                         renderer.casters);
-    find_contacts(crowd, input.palette, plan.view, plan.contacts);
+    find_contacts(crowd, input.palette, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
     plan.crowd_smooth = append(plan.draws, people.first(renderer.crowd.smooth_draws), 0);
@@ -110,7 +113,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     }
 }
 
-FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkExtent2D extent) {
+FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent) {
     const Daylight& light = plan.light;
     const SkyModel& sky = light.sky;
     const vec3 to_light = light.to_light;
@@ -145,8 +148,8 @@ FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkE
     const float ratio = plan.near_box.size / plan.far_box.size;
     out.far_scale = v4(vec3(ratio));
     out.far_offset = plan.far_box.map_from_world[3] - plan.near_box.map_from_world[3] * ratio;
-    out.shadow_texels = {plan.near_box.texel, plan.far_box.texel, static_cast<float>(k_shadow_resolution),
-                         1.0f / static_cast<float>(k_shadow_resolution)};
+    const float resolution = static_cast<float>(renderer.quality.shadow_resolution);
+    out.shadow_texels = {plan.near_box.texel, plan.far_box.texel, resolution, 1 / resolution};
     out.eye = v4(plan.view.eye);
     out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
@@ -171,7 +174,7 @@ FrameConstants frame_constants(const FramePlan& plan, const GpuScene& scene, VkE
     out.sky_dusk = v4(sky.dusk * white, luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
     out.sky_sun = v4(sky.to_sun);
     out.lamp_light = v4(k_lamp_colour * (lamps * exposure), plan.lit_windows);
-    out.lamp_map = scene.lamp_map;
+    out.lamp_map = renderer.scene.lamp_map;
     out.window_light = v4(k_window_colour * (k_window_level * lamps * exposure));
     const vec2 size(extent.width, extent.height);
     out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};

@@ -20,6 +20,8 @@
 #include "spirv/impostor.vert.h"
 #include "spirv/impostor_bake.frag.h"
 #include "spirv/impostor_bake.vert.h"
+#include "spirv/occlude.frag.h"
+#include "spirv/occlusion.frag.h"
 #include "spirv/scenery.frag.h"
 #include "spirv/scenery.vert.h"
 #include "spirv/shadow_city.vert.h"
@@ -47,7 +49,8 @@ struct PipelineShape {
     bool is_shadow = false;  // depth grows away from the sun, is clamped, and biased
     bool darkens = false;    // multiplies what is there by 1 - alpha
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
-    int32_t constants[k_constants] = {4, 0, 0};  // by k_constant_*
+    uint32_t samples = 1;
+    int32_t constants[k_constants] = {4, 0, 0, 1};  // by k_constant_*
 };
 
 Attributes city_attributes() {
@@ -78,8 +81,8 @@ Result<void> make_shader(const Device& device, std::span<const uint32_t> code, V
 
 Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
                            std::span<const VkShaderModule> shaders, VkPipeline& pipeline) {
-    const VkSpecializationMapEntry entries[] = {
-        {k_constant_bones, 0, 4}, {k_constant_textured, 4, 4}, {k_constant_night, 8, 4}};
+    VkSpecializationMapEntry entries[k_constants];
+    for (uint32_t i = 0; i < k_constants; ++i) entries[i] = {i, 4 * i, 4};
     const VkSpecializationInfo constants{k_constants, entries, sizeof shape.constants, shape.constants};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
     for (size_t i = 0; i < shaders.size(); ++i) {
@@ -112,7 +115,7 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     raster.depthBiasSlopeFactor = 1.5f;
     raster.lineWidth = 1;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(shape.samples);
     VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = shape.depth != VK_FORMAT_UNDEFINED;
     depth.depthWriteEnable = shape.writes_depth;
@@ -186,6 +189,8 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     bind(k_binding_scenery, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     bind(k_binding_lamps, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
          VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_depth, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
+    bind(k_binding_occlusion, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT);
     VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     set_info.bindingCount = static_cast<uint32_t>(bindings.size());
     set_info.pBindings = bindings.data();
@@ -219,10 +224,12 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
     return {};
 }
 
-Result<void> make_lit_pipelines(const Device& device, VkPipelineLayout layout, bool is_night,
-                                LitPipelines& lit) {
-    auto make = [&](const PipelineShape& shape, VkPipeline& out) {
-        return make_pipeline(device, layout, shape, out);
+Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool is_night) {
+    LitPipelines& lit = pipelines.lit[is_night];
+    auto make = [&](PipelineShape shape, VkPipeline& out) {
+        shape.samples = pipelines.samples;
+        shape.constants[k_constant_night] = is_night;
+        return make_pipeline(device, pipelines.layout, shape, out);
     };
     PipelineShape city{.vertex = k_spirv_city_vert,
                        .fragment = k_spirv_city_surface_frag,
@@ -231,7 +238,6 @@ Result<void> make_lit_pipelines(const Device& device, VkPipelineLayout layout, b
                        .colour = k_picture_format,
                        .depth = k_depth_format,
                        .cull = VK_CULL_MODE_BACK_BIT};
-    city.constants[k_constant_night] = is_night;
     FLANEUR_TRY(make(city, lit.city_surface));
     city.fragment = k_spirv_city_facade_frag;
     FLANEUR_TRY(make(city, lit.city_facade));
@@ -252,12 +258,11 @@ Result<void> make_lit_pipelines(const Device& device, VkPipelineLayout layout, b
         crowd.constants[k_constant_bones] = 1;
         FLANEUR_TRY(make(crowd, lit.crowd_rigid[textured]));
     }
-    PipelineShape impostor{.vertex = k_spirv_impostor_vert,
-                           .fragment = k_spirv_impostor_frag,
-                           .attributes = {},
-                           .colour = k_picture_format,
-                           .depth = k_depth_format};
-    impostor.constants[k_constant_night] = is_night;
+    const PipelineShape impostor{.vertex = k_spirv_impostor_vert,
+                                 .fragment = k_spirv_impostor_frag,
+                                 .attributes = {},
+                                 .colour = k_picture_format,
+                                 .depth = k_depth_format};
     FLANEUR_TRY(make(impostor, lit.impostor));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
@@ -270,20 +275,21 @@ Result<void> make_lit_pipelines(const Device& device, VkPipelineLayout layout, b
         .writes_depth = false,
         .darkens = true};
     FLANEUR_TRY(make(contact, lit.contact));
-    PipelineShape sky{.vertex = k_spirv_sky_vert,
-                      .fragment = k_spirv_sky_frag,
-                      .attributes = {},
-                      .colour = k_picture_format,
-                      .depth = k_depth_format,
-                      .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
-                      .writes_depth = false};
-    sky.constants[k_constant_night] = is_night;
+    const PipelineShape sky{.vertex = k_spirv_sky_vert,
+                            .fragment = k_spirv_sky_frag,
+                            .attributes = {},
+                            .colour = k_picture_format,
+                            .depth = k_depth_format,
+                            .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
+                            .writes_depth = false};
     return make(sky, lit.sky);
 }
 
 }  // namespace
 
-Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipelines& p) {
+Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
+                            Pipelines& p) {
+    p.samples = quality.samples;
     FLANEUR_TRY(make_layouts(device, p));
     auto make = [&](const PipelineShape& shape, VkPipeline& out) {
         return make_pipeline(device, p.layout, shape, out);
@@ -314,7 +320,7 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
     shadow.attributes = {};
     FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
-    FLANEUR_TRY(make_lit_pipelines(device, p.layout, false, p.lit[0]));
+    FLANEUR_TRY(make_lit_pipelines(device, p, false));
     PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
                        .fragment = k_spirv_impostor_bake_frag,
                        .attributes = person,
@@ -324,11 +330,24 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
                        .cull = VK_CULL_MODE_BACK_BIT};
     bake.constants[k_constant_bones] = 1;
     FLANEUR_TRY(make(bake, p.impostor_bake));
+    if (quality.has_occlusion) {
+        PipelineShape occlusion{.vertex = k_spirv_fullscreen_vert,
+                                .fragment = k_spirv_occlusion_frag,
+                                .attributes = {},
+                                .colour = k_occlusion_format,
+                                .writes_depth = false};
+        FLANEUR_TRY(make(occlusion, p.occlusion));
+        occlusion.fragment = k_spirv_occlude_frag;
+        occlusion.colour = k_picture_format;
+        occlusion.darkens = true;
+        FLANEUR_TRY(make(occlusion, p.occlude));
+    }
     PipelineShape fxaa{.vertex = k_spirv_fullscreen_vert,
                        .fragment = k_spirv_fxaa_frag,
                        .attributes = {},
                        .colour = k_picture_format,
                        .writes_depth = false};
+    fxaa.constants[k_constant_smooth] = quality.smooths_edges;
     FLANEUR_TRY(make(fxaa, p.fxaa_image));
     if (window_format == VK_FORMAT_UNDEFINED) return {};
     fxaa.colour = window_format;
@@ -336,12 +355,13 @@ Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipeli
 }
 
 Result<void> make_night_pipelines(const Device& device, Pipelines& p) {
-    return make_lit_pipelines(device, p.layout, true, p.lit[1]);
+    return make_lit_pipelines(device, p, true);
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
-    std::vector<VkPipeline> all = {p.shadow_city,   p.shadow_crowd, p.shadow_impostor, p.shadow_scenery,
-                                   p.impostor_bake, p.fxaa_image,   p.fxaa_window};
+    std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor,
+                                   p.shadow_scenery, p.impostor_bake, p.occlusion,
+                                   p.occlude,        p.fxaa_image,    p.fxaa_window};
     for (const LitPipelines& lit : p.lit)
         all.insert(all.end(),
                    {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor, lit.crowd_smooth[0],

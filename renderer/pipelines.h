@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/device.h"
+#include "renderer/quality.h"
 
 namespace flaneur {
 
@@ -10,6 +11,7 @@ inline constexpr VkFormat k_picture_format =
     VK_FORMAT_R8G8B8A8_UNORM;  // holds display-ready sRGB; luma in alpha
 inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
+inline constexpr VkFormat k_occlusion_format = VK_FORMAT_R8_UNORM;
 inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors; see shaders/impostor.glsl
 
 // Those that draw what is lit.
@@ -26,12 +28,15 @@ struct Pipelines {
     VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {}, shadow_scenery = {};
     VkPipeline impostor_bake = {};
     LitPipelines lit[2];  // by day, and where lamps are lit; the latter made when first wanted
+    VkPipeline occlusion = {}, occlude = {};  // made where the quality has occlusion
+    uint32_t samples = 1;                     // of what lit ones draw into
     VkPipeline fxaa_image = {}, fxaa_window = {};
 };
 
 // `window_format` VK_FORMAT_UNDEFINED: no window. After a failure destroy_pipelines() frees what had been
 // made.
-Result<void> make_pipelines(const Device& device, VkFormat window_format, Pipelines& pipelines);
+Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
+                            Pipelines& pipelines);
 // Makes pipelines.lit[1].
 Result<void> make_night_pipelines(const Device& device, Pipelines& pipelines);
 void destroy_pipelines(const Device& device, Pipelines& pipelines);

@@ -47,7 +47,7 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
 Result<void> make_descriptor_sets(Renderer& renderer) {
     const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
                                           {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * k_slots},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 6 * k_slots}};
+                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8 * k_slots}};
     VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     pool.maxSets = k_slots;
     pool.poolSizeCount = 3;
@@ -71,10 +71,12 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     r.window = window;
     FLANEUR_TRY(make_device(r.device, options, window));
     if (window) FLANEUR_TRY(choose_surface_format(r.device, r.swapchain));
-    FLANEUR_TRY(make_pipelines(r.device, r.swapchain.format, r.pipelines));
+    const bool is_cpu = r.device.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    r.quality = quality_level(options.quality.value_or(is_cpu ? Quality::medium : Quality::ultra));
+    FLANEUR_TRY(make_pipelines(r.device, r.quality, r.swapchain.format, r.pipelines));
     for (FrameSlot& slot : r.slots) FLANEUR_TRY(make_slot(r.device, slot));
     FLANEUR_TRY(make_descriptor_sets(r));
-    FLANEUR_TRY(make_shadow_maps(r.device, r.shadows));
+    FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.shadows));
     FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
     return renderer;
 }
@@ -154,6 +156,8 @@ std::string device_name(const Renderer& renderer) {
            "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
            std::to_string(VK_API_VERSION_PATCH(version));
 }
+
+std::string quality_name(const Renderer& renderer) { return renderer.quality.name; }
 
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     GpuScene scene;

@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/quality.h"
 #include "renderer/scene.h"
 #include "sim/base/result.h"
 
@@ -17,6 +19,7 @@ namespace flaneur {
 struct RendererOptions {
     std::string device;  // part of a device's name, or its number; empty: the fastest kind, a real GPU before
                          // lavapipe
+    std::optional<Quality> quality;  // default: ultra on a real GPU, medium elsewhere
     bool validation =
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
@@ -52,6 +55,9 @@ Result<RendererPtr> make_window_renderer(const RendererOptions& options, GLFWwin
 
 // "llvmpipe (LLVM 15.0.6, 256 bits), Vulkan 1.3.230"
 std::string device_name(const Renderer& renderer);
+
+// "medium": of the quality that it draws with.
+std::string quality_name(const Renderer& renderer);
 
 // Uploads a scene in place of any earlier one.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);

@@ -137,7 +137,7 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     info.extent = {shape.width, shape.height, 1};
     info.mipLevels = shape.levels;
     info.arrayLayers = shape.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = shape.usage;
     FLANEUR_VK(vkCreateImage(device.handle, &info, nullptr, &image.handle),

@@ -45,6 +45,7 @@ struct ImageShape {
     uint32_t width = 1, height = 1, layers = 1, levels = 1;
     VkImageUsageFlags usage = 0;
     bool is_array = false;  // the view is of an array even for one layer
+    uint32_t samples = 1;
 };
 Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image);
 void destroy_image(const Device& device, GpuImage& image);

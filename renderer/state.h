@@ -27,6 +27,7 @@ struct FrameSlot {
 
 struct Renderer {
     Device device;
+    QualityLevel quality;
     Pipelines pipelines;
     VkDescriptorPool descriptor_pool = {};
     FrameSlot slots[k_slots];

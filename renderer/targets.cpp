@@ -4,23 +4,35 @@
 
 namespace flaneur {
 
-Result<void> make_picture_targets(const Device& device, uint32_t width, uint32_t height,
-                                  PictureTargets& targets) {
+Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, uint32_t width,
+                                  uint32_t height, PictureTargets& targets) {
     ImageShape shape{.format = k_picture_format, .width = width, .height = height};
     shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     FLANEUR_TRY(make_image(device, shape, targets.colour));
+    if (quality.has_occlusion) {
+        ImageShape half = shape;
+        half.format = k_occlusion_format;
+        half.width = (width + 1) / 2, half.height = (height + 1) / 2;
+        FLANEUR_TRY(make_image(device, half, targets.occlusion));
+    }
+    shape.samples = quality.samples;
+    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    if (quality.samples > 1) FLANEUR_TRY(make_image(device, shape, targets.samples));
     shape.format = k_depth_format;
     shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if (quality.has_occlusion) shape.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
     return make_image(device, shape, targets.depth);
 }
 
 void destroy_picture_targets(const Device& device, PictureTargets& targets) {
     destroy_image(device, targets.colour);
+    destroy_image(device, targets.samples);
     destroy_image(device, targets.depth);
+    destroy_image(device, targets.occlusion);
 }
 
-Result<void> make_shadow_maps(const Device& device, ShadowMaps& maps) {
-    ImageShape shape{.format = k_shadow_format, .width = k_shadow_resolution, .height = k_shadow_resolution};
+Result<void> make_shadow_maps(const Device& device, uint32_t resolution, ShadowMaps& maps) {
+    ImageShape shape{.format = k_shadow_format, .width = resolution, .height = resolution};
     shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     FLANEUR_TRY(make_image(device, shape, maps.still));
     shape.layers = 2;

@@ -2,20 +2,23 @@
 #pragma once
 
 #include "renderer/pipelines.h"
+#include "renderer/quality.h"
 #include "renderer/resources.h"
 #include "renderer/view.h"
 
 namespace flaneur {
 
-// As large as the picture.
+// As large as the picture; what a quality has no use for is not made.
 struct PictureTargets {
-    GpuImage colour, depth;
+    GpuImage colour;     // one sample a pixel, before anti-aliasing
+    GpuImage samples;    // what is drawn into where there are several
+    GpuImage depth;      // as many samples
+    GpuImage occlusion;  // half as wide and high
 };
-Result<void> make_picture_targets(const Device& device, uint32_t width, uint32_t height,
-                                  PictureTargets& targets);
+Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, uint32_t width,
+                                  uint32_t height, PictureTargets& targets);
 void destroy_picture_targets(const Device& device, PictureTargets& targets);
 
-inline constexpr uint32_t k_shadow_resolution = 2048;
 inline constexpr uint32_t k_near_layer = 0, k_far_layer = 1;
 
 // The city's near shadows are drawn when their box moves and kept in `still`; each frame copies them and adds
@@ -26,7 +29,7 @@ struct ShadowMaps {
     VkImageView layer_views[2] = {};
     ShadowBox near_box, far_box;  // what they hold; none at first
 };
-Result<void> make_shadow_maps(const Device& device, ShadowMaps& maps);
+Result<void> make_shadow_maps(const Device& device, uint32_t resolution, ShadowMaps& maps);
 void destroy_shadow_maps(const Device& device, ShadowMaps& maps);
 
 }  // namespace flaneur

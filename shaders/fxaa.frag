@@ -6,6 +6,8 @@
 // After Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole texels alone.
 layout(set = 0, binding = k_binding_picture) uniform sampler2D picture_before;
 
+layout(constant_id = k_constant_smooth) const int k_smooth = 1;
+
 layout(location = 0) out vec4 out_colour;
 
 const int k_reach = 8;  // how far along an edge its ends are looked for, pixels
@@ -24,7 +26,7 @@ void main() {
     float high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
     float contrast = high - low;
     vec3 colour = middle.rgb;
-    ONLY_IF(contrast > max(0.04, high * 0.125)) {
+    ONLY_IF(k_smooth == 1 && contrast > max(0.04, high * 0.125)) {
         bool is_level = abs(n + s - 2.0 * m) > abs(w + e - 2.0 * m);  // the edge runs left to right
         float before = is_level ? n : w, after = is_level ? s : e;
         bool is_before = abs(before - m) >= abs(after - m);

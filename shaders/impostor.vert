@@ -5,7 +5,7 @@
 #include "shaders/impostor.glsl"
 #include "shaders/impostor_quad.glsl"
 
-layout(location = 0) out vec2 out_texel;
+layout(location = 0) centroid out vec2 out_texel;
 layout(location = 1) out float out_lit;  // how much of the sun reaches head and feet
 layout(location = 2) flat out uint out_number;
 layout(location = 3) flat out vec4 out_view;  // side and tilt that the picture was taken from

@@ -81,13 +81,16 @@ FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing,
 FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
 FLANEUR_CONST int k_binding_scenery = 9;    // pictures of the city's scenery, layer 0 white
 FLANEUR_CONST int k_binding_lamps = 10;     // LampMap
-FLANEUR_CONST int k_bindings = 11;          // up to k_binding_cells buffers, then images
+FLANEUR_CONST int k_binding_depth = 11;     // of the picture, four samples
+FLANEUR_CONST int k_binding_occlusion = 12; // half as wide and high, 1 where nothing is near
+FLANEUR_CONST int k_bindings = 13;          // up to k_binding_cells buffers, then images
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4
 FLANEUR_CONST int k_constant_textured = 1;  // whether people have textures
 FLANEUR_CONST int k_constant_night = 2;     // whether lamps are lit
-FLANEUR_CONST int k_constants = 3;
+FLANEUR_CONST int k_constant_smooth = 3;    // whether edges are smoothed
+FLANEUR_CONST int k_constants = 4;
 
 // Cells of the grid that the sky is drawn by.
 FLANEUR_CONST int k_sky_columns = 40;

@@ -14,7 +14,8 @@ void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box
     depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     depth.clearValue.depthStencil.depth = 1;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea.extent = {k_shadow_resolution, k_shadow_resolution};
+    const uint32_t resolution = record.renderer.quality.shadow_resolution;
+    info.renderArea.extent = {resolution, resolution};
     info.layerCount = 1;
     info.pDepthAttachment = &depth;
     vkCmdBeginRendering(record.commands, &info);
@@ -43,8 +44,8 @@ void copy_still_map(const FrameRecord& record) {
     VkImageCopy region{};
     region.srcSubresource = {k_depth_aspect, 0, 0, 1};
     region.dstSubresource = {k_depth_aspect, 0, k_near_layer, 1};
-    region.extent = {k_shadow_resolution, k_shadow_resolution, 1};
     const ShadowMaps& maps = record.renderer.shadows;
+    region.extent = {maps.still.width, maps.still.height, 1};
     vkCmdCopyImage(record.commands, maps.still.handle, k_copied_from.layout, maps.map.handle,
                    k_copied_to.layout, 1, &region);
 }

@@ -39,7 +39,8 @@ TEST(Device, RefusalsListWhatThereIs) {
 }
 
 TEST(Device, UnknownNameIsRefused) {
-    const auto renderer = make_renderer({.device = "no such device", .validation = false, .on_message = {}});
+    const auto renderer =
+        make_renderer({.device = "no such device", .quality = {}, .validation = false, .on_message = {}});
     ASSERT_FALSE(renderer);
     EXPECT_NE(renderer.error().message.find("no such device"), std::string::npos);
 }

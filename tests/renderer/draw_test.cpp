@@ -188,6 +188,30 @@ TEST(Draw, CloudsThrowNoShadows) {
     EXPECT_EQ(validation_messages(*renderer), 0u);
 }
 
+TEST(Draw, EveryQualityShowsTheSamePicture) {
+    const SyntheticScene scene = synthetic_scene(40);
+    std::vector<Image> images;
+    for (const char* name : {"medium", "low", "high", "ultra"}) {
+        RendererOptions options = validated();
+        options.quality = quality_named(name);
+        const RendererPtr renderer = std::move(*make_renderer(options));
+        EXPECT_EQ(quality_name(*renderer), name);
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        draw(*renderer, scene.frame(street_camera()), 1, 1);
+        images.push_back(draw(*renderer, scene.frame(street_camera())));
+        EXPECT_EQ(draw(*renderer, scene.frame(street_camera())).rgba, images.back().rgba) << name;
+        double change = 0;
+        for (uint32_t y = 0; y < 180; ++y)
+            for (uint32_t x = 0; x < 320; ++x)
+                change += std::fabs(luma(images.back(), x, y) - luma(images[0], x, y));
+        EXPECT_LT(change / (320 * 180), 8) << name;
+        EXPECT_TRUE(images.size() == 1 || change / (320 * 180) > 0.2) << name << " changes nothing";
+        draw(*renderer, scene.frame(street_camera(), {{0.9f, -0.3f, 0}}));  // at night
+        EXPECT_EQ(validation_messages(*renderer), 0u);
+    }
+    EXPECT_LT(luma_about(images[3], 160, 90, 80), luma_about(images[2], 160, 90, 80)) << "corners are darker";
+}
+
 TEST(Draw, FourBonesBendAndOneMoves) {
     // The same walker, near (level 0, four joints) and far (level 2, one joint): a picture of each, where
     // expected.

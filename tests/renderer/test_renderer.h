@@ -8,7 +8,7 @@
 namespace flaneur {
 
 inline RendererOptions validated() {
-    return {.device = {}, .validation = true, .on_message = [](const std::string& message) {
+    return {.device = {}, .quality = Quality::medium, .validation = true, .on_message = [](const std::string& message) {
                 ADD_FAILURE() << message;
             }};
 }

@@ -61,6 +61,7 @@ Result<Figures> bench_frame(const Options& options) {
 
     add_setting(figures, options, world);
     figures.setting.emplace_back("device", device_name(*show->renderer));
+    figures.setting.emplace_back("quality", quality_name(*show->renderer));
     figures.setting.emplace_back(
         "size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height));
     figures.setting.emplace_back("first frame", std::to_string(first.series.back().ms.front()) + " ms");

@@ -228,6 +228,10 @@ void add_drawing_options(CLI::App& app, Options& options) {
         ->type_name("NAME");
     app.add_flag("--validate", options.validate, "Fail if the Khronos validation layer has anything to say");
     add_parsed(app, "--size", parse_size, options.size, "Pixels", "WxH", "1280x720");
+    app.add_option("--quality", options.quality,
+                   "low, medium, high or ultra; without it, medium on a CPU and ultra on a GPU")
+        ->type_name("LEVEL")
+        ->check(CLI::IsMember({"low", "medium", "high", "ultra"}).description(""));
 }
 
 void add_camera_option(CLI::App& app, SceneWords& words) {

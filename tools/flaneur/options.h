@@ -71,6 +71,7 @@ struct Options {
     // view, render, bench frame
     std::string device;
     bool validate = false;
+    std::string quality;  // low, medium, high or ultra; empty: what suits the device
     Size size;
 
     // view

@@ -13,7 +13,7 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
         clear_progress();
         std::fprintf(stderr, "%s\n", message.c_str());
     };
-    return {options.device, options.validate, count};
+    return {options.device, quality_named(options.quality), options.validate, count};
 }
 
 Result<void> check_messages(uint32_t messages) {
@@ -25,7 +25,8 @@ Result<void> check_messages(uint32_t messages) {
 Result<Show> make_show(RendererPtr renderer, const Options& options) {
     Show show;
     show.renderer = std::move(renderer);
-    std::fprintf(stderr, "Drawing on %s\n", device_name(*show.renderer).c_str());
+    std::fprintf(stderr, "Drawing on %s, %s quality\n", device_name(*show.renderer).c_str(),
+                 quality_name(*show.renderer).c_str());
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     show.loaded = std::move(*loaded);
