@@ -111,6 +111,7 @@ void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
 CityClass city_class(uint32_t material) {
     if (material == k_material_facade) return CityClass::facade;
     if (material == k_material_scenery) return CityClass::scenery;
+    if (material == k_material_shade) return CityClass::shade;
     return material < k_material_facade && material != k_material_steps ? CityClass::ground
                                                                         : CityClass::detail;
 }

@@ -12,8 +12,8 @@
 namespace flaneur {
 
 // What is drawn by one pipeline.
-enum class CityClass { ground, facade, detail, scenery };
-inline constexpr int k_city_classes = 4;
+enum class CityClass { ground, facade, detail, scenery, shade };
+inline constexpr int k_city_classes = 5;
 CityClass city_class(uint32_t material);
 
 struct PreparedCity {

@@ -271,8 +271,8 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
-    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.scenery, plan.near_city,
-                            plan.far_city, plan.near_scenery, plan.far_scenery})
+    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.scenery, plan.shades,
+                            plan.near_city, plan.far_city, plan.near_scenery, plan.far_scenery})
         for (uint32_t i = 0; i < range.count; ++i)
             stats.triangles += plan.draws[range.first + i].index_count / 3;
 }

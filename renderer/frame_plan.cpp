@@ -14,11 +14,13 @@ constexpr float k_white_balance = 0.8f;
 
 // How much of the sky's colour shadows keep: walls and haze between them and the sky take the rest.
 constexpr float k_blue_of_shadow = 0.45f;
-// How much brighter walls and ground make the shadows of a street than open sky would.
-constexpr float k_bounce = 1.5f;
+// How much brighter walls and ground make the shadows of a street than open sky would, while the sun is low
+// and when it is high.
+constexpr float k_bounce = 1.5f, k_noon_bounce = 2;
 
-// Seen under a low sun the model's sky comes out dim and mauve: a little brighter and bluer.
-const vec3 k_sky_tint(1.29f, 1.45f, 1.63f);
+// Against pavement at mid-grey the model's sky comes out dim and mauve: brighter and bluer, by how high the
+// sun is.
+const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f);
 
 // What a white pavement below a street lamp reflects, kcd/m2: 26 lux over pi. Against it: how much of it eyes
 // grow used to, and how bright lit rooms are.
@@ -103,6 +105,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.surfaces[0] = visible(CityClass::detail);
     plan.surfaces[1] = visible(CityClass::ground);
     plan.scenery = visible(CityClass::scenery);
+    plan.shades = visible(CityClass::shade);
     if (plan.refresh_near) {
         plan.near_city = casting(plan.near_box);
         plan.near_scenery = scenery_casting(plan.near_box);
@@ -118,10 +121,12 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     const SkyModel& sky = light.sky;
     const vec3 to_light = light.to_light;
     const AmbientLight ambient = ambient_light(sky, vec3(k_ground_albedo));
+    const float high = glm::smoothstep(0.45f, 0.9f, to_light.y);
+    const float bounce = glm::mix(k_bounce, k_noon_bounce, high);
     auto ambient_on = [&](vec3 normal) {
         vec3 on = ambient.level;
         for (int c = 0; c < 3; ++c) on[c] += glm::dot(ambient.slope[c], normal);
-        return on * k_bounce;
+        return on * bounce;
     };
     const vec3 sun = sky.sun / 3.14159265f;
     const vec3 level_white = ambient_on({0, 1, 0}) + sun * to_light.y;
@@ -134,7 +139,7 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     const float dim = std::min(std::pow(key, k_readable), 1.0f);
     const float exposure = k_white_level * dim / seen;
     const vec3 white = balance * exposure;
-    const vec3 sky_white = white * k_sky_tint;
+    const vec3 sky_white = white * glm::mix(k_sky_tint, k_noon_sky_tint, high);
     auto sky_at = [&](vec3 direction) {
         direction = glm::normalize(direction);
         return daylit_sky(sky, direction) * sky_white + added_sky(sky, direction) * white;
@@ -159,7 +164,7 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     const vec3 grey(0.2126f, 0.7152f, 0.0722f);
     vec4 ambient_grey(0);
     for (int c = 0; c < 3; ++c) {
-        out.ambient[c] = v4(ambient.slope[c], ambient.level[c]) * (white[c] * k_bounce);
+        out.ambient[c] = v4(ambient.slope[c], ambient.level[c]) * (white[c] * bounce);
         ambient_grey += grey[c] * out.ambient[c];
     }
     for (vec4& colour : out.ambient) colour = glm::mix(ambient_grey, colour, k_blue_of_shadow);

@@ -24,6 +24,8 @@
 #include "spirv/occlusion.frag.h"
 #include "spirv/scenery.frag.h"
 #include "spirv/scenery.vert.h"
+#include "spirv/shade.frag.h"
+#include "spirv/shade.vert.h"
 #include "spirv/shadow_city.vert.h"
 #include "spirv/shadow_crowd.vert.h"
 #include "spirv/shadow_impostor.frag.h"
@@ -246,6 +248,15 @@ Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool
     scenery.fragment = k_spirv_scenery_frag;
     FLANEUR_TRY(make(scenery, lit.city_scenery));
 
+    PipelineShape shade = city;
+    shade.vertex = k_spirv_shade_vert;
+    shade.fragment = k_spirv_shade_frag;
+    shade.attributes = {city_attributes()[0], city_attributes()[2]};
+    shade.cull = VK_CULL_MODE_NONE;
+    shade.writes_depth = false;
+    shade.darkens = true;
+    FLANEUR_TRY(make(shade, lit.shade));
+
     PipelineShape crowd = city;
     crowd.vertex = k_spirv_crowd_vert;
     crowd.fragment = k_spirv_crowd_frag;
@@ -363,9 +374,9 @@ void destroy_pipelines(const Device& device, Pipelines& p) {
                                    p.shadow_scenery, p.impostor_bake, p.occlusion,
                                    p.occlude,        p.fxaa_image,    p.fxaa_window};
     for (const LitPipelines& lit : p.lit)
-        all.insert(all.end(),
-                   {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor, lit.crowd_smooth[0],
-                    lit.crowd_smooth[1], lit.crowd_rigid[0], lit.crowd_rigid[1], lit.contact, lit.sky});
+        all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor,
+                               lit.crowd_smooth[0], lit.crowd_smooth[1], lit.crowd_rigid[0],
+                               lit.crowd_rigid[1], lit.shade, lit.contact, lit.sky});
     for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);

@@ -18,7 +18,7 @@ inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors;
 struct LitPipelines {
     VkPipeline city_surface = {}, city_facade = {}, city_scenery = {}, impostor = {};
     VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
-    VkPipeline contact = {}, sky = {};
+    VkPipeline shade = {}, contact = {}, sky = {};
 };
 
 struct Pipelines {

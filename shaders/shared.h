@@ -67,7 +67,9 @@ FLANEUR_CONST uint k_material_leaves = 11;
 FLANEUR_CONST uint k_material_trunk = 12;
 FLANEUR_CONST uint k_material_metal = 13;    // lamps, bollards, benches
 FLANEUR_CONST uint k_material_light = 14;    // heads of street lamps, which glow at night
-FLANEUR_CONST uint k_material_scenery = 15;  // u, v of a picture; extra: its layer, 0 for none
+FLANEUR_CONST uint k_material_shade = 15;    // darkens the ground below it; u: 0 where most, 1 where it ends,
+                                             //   v: how much
+FLANEUR_CONST uint k_material_scenery = 16;  // u, v of a picture; extra: its layer, 0 for none
 
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants

@@ -10,9 +10,12 @@ void draw_city(const FrameRecord& record) {
     draw_indirect(record, record.plan.facades);
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_surface);
     for (DrawRange range : record.plan.surfaces) draw_indirect(record, range);
-    if (record.plan.scenery.count == 0) return;
-    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_scenery);
-    draw_indirect(record, record.plan.scenery);
+    if (record.plan.scenery.count > 0) {
+        vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.city_scenery);
+        draw_indirect(record, record.plan.scenery);
+    }
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.shade);
+    draw_indirect(record, record.plan.shades);
 }
 
 }  // namespace flaneur

@@ -58,6 +58,7 @@ void add_drawn(const CityMesh& drawn, StillModel& model) {
     for (uint32_t i : drawn.indices) {
         const CityVertex& v = drawn.vertices[i];
         if (v.material == k_material_scenery) continue;  // is taken from the city, with its pictures
+        if (v.material == k_material_shade) continue;
         Vec3 normal{static_cast<float>(v.normal[0]), static_cast<float>(v.normal[1]),
                     static_cast<float>(v.normal[2])};
         add_corner(surfaces[std::min<size_t>(v.material, k_material_metal)], from_glm(v.position), normal,

@@ -16,6 +16,8 @@ SceneMeshes extract_scene(const City& city, const std::vector<Character>& charac
 LampMap extract_lamps(const City& city);
 // Whether a facade has shop windows at its foot.
 bool is_shop_front(const City& city, const Face& face);
+// Appends what darkens the ground where little sky is seen from it.
+void add_shades(const City& city, CityMesh& mesh);
 // Appends scenery to a mesh, with its pictures.
 void add_scenery(const Scenery& scenery, CityMesh& mesh);
 

@@ -95,6 +95,8 @@ WindowKind windows_of(const Building& b) {
     return drawn < 0.3f ? WindowKind::shuttered : WindowKind::sash;
 }
 
+constexpr float k_foot_shade = 0.84f;  // of sRGB
+
 void add_faces(CityMesh& mesh, const City& city) {
     std::vector<int> doors = find_doors(city);
     for (size_t i = 0; i < city.faces.size(); ++i) {
@@ -130,10 +132,13 @@ void add_faces(CityMesh& mesh, const City& city) {
         if (f.kind == FaceKind::garden_wall && f.building < city.buildings.size() &&
             city.buildings[f.building].wall_colour)
             colour = city.buildings[f.building].wall_colour;
+        // Walls see less sky at their foot; facades are drawn so.
+        uint32_t low = f.kind == FaceKind::facade ? colour : shaded(colour, k_foot_shade);
         auto corner = [&](Vec3 at, float y, float u) {
             return add_vertex(mesh, vertex({at.x, y, at.z}, normal, colour, {u, y - foot}, material, extra));
         };
         uint32_t a = corner(f.a, f.a.y, 0), b = corner(f.b, f.b.y, width);
+        mesh.vertices[a].colour = mesh.vertices[b].colour = low;
         uint32_t c = corner(f.b, f.b_top, width), d = corner(f.a, f.a_top, 0);
         for (uint32_t v : {a, b, c, a, c, d}) mesh.indices.push_back(v);
     }
@@ -256,6 +261,7 @@ SceneMeshes extract_scene(const City& city, const std::vector<Character>& charac
     add_faces(scene.city, city);
     add_roofs(scene.city, city);
     add_props(scene.city, city);
+    add_shades(city, scene.city);
     add_scenery(city.scenery, scene.city);
     for (const Character& c : characters) scene.people.push_back(extract_character(c));
     return scene;
