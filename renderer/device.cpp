@@ -191,6 +191,10 @@ Result<void> make_logical_device(Device& device) {
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
     features.features.depthClamp = VK_TRUE;
+    VkPhysicalDeviceFeatures offered;
+    vkGetPhysicalDeviceFeatures(device.physical, &offered);
+    features.features.fillModeNonSolid = offered.fillModeNonSolid;
+    device.has_wireframe = offered.fillModeNonSolid;
     const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;

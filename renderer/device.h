@@ -23,6 +23,7 @@ struct Device {
     VkPhysicalDeviceMemoryProperties memory = {};
     bool has_labels = false;      // VK_EXT_debug_utils
     bool has_timestamps = false;  // on the queue
+    bool has_wireframe = false;   // fillModeNonSolid
     std::function<void(const std::string&)> on_message;
     std::atomic<uint32_t> messages = 0;  // from the validation layer
 };

@@ -75,6 +75,12 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
                                          k_storage, slot.impostors));
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.contacts));
+    if (plan.lines > 0)
+        FLANEUR_TRY(
+            upload<GizmoLine>(device, input.lines, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.lines));
+    if (plan.fills > 0)
+        FLANEUR_TRY(
+            upload<GizmoCorner>(device, input.fills, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, slot.fills));
     update_descriptors(renderer, slot);
     return {};
 }
@@ -127,6 +133,8 @@ void begin_picture(const FrameRecord& record, bool is_fresh, bool is_last = fals
     set_viewport(record.commands, record.target.extent);
 }
 
+bool has_overlay(const FramePlan& plan) { return plan.lines > 0 || plan.fills > 0 || plan.are_ghosts; }
+
 // Crowd, city and sky, lit and tone-mapped. Each is a stage of its own that waits for the one before, so that
 // each one's time is its own on a device that draws lazily, as lavapipe does.
 void draw_scene(const FrameRecord& record) {
@@ -137,14 +145,26 @@ void draw_scene(const FrameRecord& record) {
     auto depth_barrier = [&](Access from) {
         image_barrier(record.commands, targets.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, from, k_depth_target);
     };
-    begin_stage(record, "crowd");
     colour_barrier({k_sampled.stage | k_colour_target.stage, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
                     VK_IMAGE_LAYOUT_UNDEFINED},
                    k_colour_target);
     depth_barrier({k_sampled.stage | k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
                    VK_IMAGE_LAYOUT_UNDEFINED});
+    if (targets.samples.view)
+        image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, discarded(k_sampled),
+                      k_colour_target);
+    const bool is_last = !has_overlay(record.plan);
+    if (record.plan.surfaces_view != Surfaces::lit) {
+        begin_stage(record, "paint");
+        begin_picture(record, true, is_last);
+        draw_paint(record);
+        vkCmdEndRendering(record.commands);
+        end_stage(record);
+        return;
+    }
+    begin_stage(record, "crowd");
     begin_picture(record, true);
-    draw_crowd(record);
+    if (!record.plan.are_ghosts) draw_crowd(record);
     draw_impostors(record);
     vkCmdEndRendering(record.commands);
     colour_barrier(k_colour_target, k_colour_target);
@@ -160,22 +180,35 @@ void draw_scene(const FrameRecord& record) {
     end_stage(record);
 
     begin_stage(record, "sky");
-    auto pixels_barrier = [&](Access from, Access to) {
-        image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
-    };
-    if (targets.samples.view) pixels_barrier(discarded(k_sampled), k_colour_target);
-    begin_picture(record, false, true);
+    begin_picture(record, false, is_last);
     draw_contacts(record);
     draw_sky(record);
     vkCmdEndRendering(record.commands);
     end_stage(record);
-    if (record.renderer.quality.has_occlusion) {
+}
+
+// What comes after the scene: the overlay into the same samples, then what works on pixels.
+void finish_picture(const FrameRecord& record) {
+    const PictureTargets& targets = record.renderer.targets;
+    auto barrier = [&](const GpuImage& image, Access from, Access to) {
+        image_barrier(record.commands, image.handle, aspect_of(image.format), from, to);
+    };
+    if (has_overlay(record.plan)) {
+        begin_stage(record, "overlay");
+        barrier(drawn_into(targets), k_colour_target, k_colour_target);
+        barrier(targets.depth, k_depth_target, k_depth_target);
+        begin_picture(record, false, true);
+        draw_overlay(record);
+        vkCmdEndRendering(record.commands);
+        end_stage(record);
+    }
+    if (record.renderer.quality.has_occlusion && record.plan.surfaces_view == Surfaces::lit) {
         begin_stage(record, "occlusion");
-        pixels_barrier(k_colour_target, k_colour_target);
+        barrier(targets.colour, k_colour_target, k_colour_target);
         draw_occlusion(record);
         end_stage(record);
     }
-    pixels_barrier(k_colour_target, k_sampled);
+    barrier(targets.colour, k_colour_target, k_sampled);
 }
 
 // To the host.
@@ -224,6 +257,7 @@ Result<void> record_frame(const FrameRecord& record) {
 
     draw_shadows(record);
     draw_scene(record);
+    finish_picture(record);
     image_barrier(record.commands, record.target.image, VK_IMAGE_ASPECT_COLOR_BIT, record.target.before,
                   k_colour_target);
     begin_stage(record, "fxaa");
@@ -270,6 +304,7 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     if (renderer.quality.has_occlusion) stats.direct_draws += 2;
     for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
+    stats.direct_draws += (plan.fills > 0) + 2 * (plan.lines > 0);
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
     for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.scenery, plan.shades,
                             plan.near_city, plan.far_city, plan.near_scenery, plan.far_scenery})
@@ -313,8 +348,13 @@ void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
                         const PictureTarget& target, VkSemaphore wait, VkSemaphore signal) {
     const auto begin = std::chrono::steady_clock::now();
+    if (input.surfaces == Surfaces::wireframe && !renderer.device.has_wireframe)
+        return Error{
+            "This device draws no wireframe (it lacks fillModeNonSolid): look at normals instead, or "
+            "try another --device."};
     FramePlan plan;
     plan_frame(renderer, input, target.extent, plan);
+    FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(fit_targets(renderer, target.extent));
     if (plan.is_night && !renderer.pipelines.lit[1].sky)
         FLANEUR_TRY(make_night_pipelines(renderer.device, renderer.pipelines));

@@ -35,6 +35,9 @@ struct FramePlan {
     DrawRange near_city, far_city, near_scenery, far_scenery;  // what throws shadows into the maps
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;
+    Surfaces surfaces_view = Surfaces::lit;
+    bool are_tinted = false, are_ghosts = false;  // people
+    uint32_t lines = 0, fills = 0;                // gizmos, and corners of fills
 };
 
 struct FrameRecord {
@@ -67,7 +70,13 @@ void draw_impostor_shadows(const FrameRecord& record);  // into the map that is 
 void draw_contacts(const FrameRecord& record);
 void draw_sky(const FrameRecord& record);
 void draw_occlusion(const FrameRecord& record);  // where the quality has it; over the picture
+void draw_paint(const FrameRecord& record);      // in place of crowd, city and sky
+void draw_ghosts(const FrameRecord& record);
+void draw_overlay(const FrameRecord& record);
 void draw_fxaa(const FrameRecord& record);
+
+// What draw_paint and draw_overlay need for a frame.
+std::vector<ViewPipeline> view_pipelines_for(const FrameInput& input);
 
 // A named stretch of the frame, labelled for debuggers and timed from the end of the one before to its own.
 void begin_stage(const FrameRecord& record, const char* name);

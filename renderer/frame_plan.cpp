@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "renderer/frame.h"
 
 namespace flaneur {
@@ -49,6 +51,22 @@ bool is_cut(const View& before, const View& now) {
     return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
 }
 
+void colour_by_level(std::span<const PersonRanges> people, CrowdDraws& crowd) {
+    auto level_of = [&](uint32_t first_index) {
+        for (const PersonRanges& person : people)
+            for (size_t level = 0; level < person.lods.size(); ++level)
+                if (person.lods[level].first_index == first_index) return level;
+        return size_t{0};
+    };
+    for (const DrawCommand& draw : crowd.draws) {
+        const uint32_t colour = k_level_colours[level_of(draw.first_index)];
+        for (uint32_t i = 0; i < draw.instance_count; ++i)
+            std::fill_n(crowd.instances[draw.first_instance + i].tints, k_tints, colour);
+    }
+    for (ImpostorInstance& impostor : crowd.impostors)
+        std::fill_n(impostor.tints, k_tints, k_level_colours[k_impostor_level]);
+}
+
 }  // namespace
 
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
@@ -75,6 +93,12 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     cull_crowd(crowd, finer, renderer.crowd);
     cull_shadow_casters(crowd, finer, plan.near_box, to_light, plan.has_shadows ? plan.slice.far : -1,
                         renderer.casters);
+    if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
+    plan.surfaces_view = input.surfaces;
+    plan.are_tinted = input.people_colours != PeopleColours::own;
+    plan.are_ghosts = input.are_ghosts;
+    plan.lines = static_cast<uint32_t>(input.lines.size());
+    plan.fills = static_cast<uint32_t>(input.fills.size());
     find_contacts(crowd, input.palette, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);

@@ -36,24 +36,6 @@
 #include "spirv/sky.vert.h"
 
 namespace flaneur {
-namespace {
-
-using Attributes = std::vector<VkVertexInputAttributeDescription>;
-
-struct PipelineShape {
-    std::span<const uint32_t> vertex, fragment;  // an empty fragment shader: depth alone
-    Attributes attributes;
-    uint32_t stride = 0;
-    bool is_instanced = false;  // attributes advance by instance
-    VkFormat colour = VK_FORMAT_UNDEFINED, depth = VK_FORMAT_UNDEFINED;
-    VkCompareOp depth_test = VK_COMPARE_OP_GREATER;
-    bool writes_depth = true;
-    bool is_shadow = false;  // depth grows away from the sun, is clamped, and biased
-    bool darkens = false;    // multiplies what is there by 1 - alpha
-    VkCullModeFlags cull = VK_CULL_MODE_NONE;
-    uint32_t samples = 1;
-    int32_t constants[k_constants] = {4, 0, 0, 1};  // by k_constant_*
-};
 
 Attributes city_attributes() {
     return {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(CityVertex, position)},
@@ -72,6 +54,8 @@ Attributes person_attributes() {
             {5, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(PersonVertex, weights)},
             {6, 0, VK_FORMAT_R32_UINT, offsetof(PersonVertex, texture)}};
 }
+
+namespace {
 
 Result<void> make_shader(const Device& device, std::span<const uint32_t> code, VkShaderModule& module) {
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
@@ -109,7 +93,7 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
     raster.depthClampEnable = shape.is_shadow;
-    raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.polygonMode = shape.fill;
     raster.cullMode = shape.cull;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
     raster.depthBiasEnable = shape.is_shadow;
@@ -125,10 +109,16 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     VkPipelineColorBlendAttachmentState blend{};
     blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
                            VK_COLOR_COMPONENT_A_BIT;
-    if (shape.darkens) {
+    if (shape.blend == Blend::darkens) {
         blend.blendEnable = VK_TRUE;
         blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
         blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    } else if (shape.blend != Blend::none) {
+        const bool is_cover = shape.blend == Blend::covers;
+        blend.blendEnable = VK_TRUE;
+        blend.srcColorBlendFactor = is_cover ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+        blend.dstColorBlendFactor = is_cover ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
+        blend.colorWriteMask &= ~VkColorComponentFlags{VK_COLOR_COMPONENT_A_BIT};
     }
     VkPipelineColorBlendStateCreateInfo blending{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
     blending.attachmentCount = shape.colour == VK_FORMAT_UNDEFINED ? 0 : 1;
@@ -157,18 +147,6 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     FLANEUR_VK(vkCreateGraphicsPipelines(device.handle, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
                "make a pipeline");
     return {};
-}
-
-Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
-                           VkPipeline& pipeline) {
-    VkShaderModule shaders[2] = {};
-    const size_t count = shape.fragment.empty() ? 1 : 2;
-    Result<void> result = make_shader(device, shape.vertex, shaders[0]);
-    if (result && count == 2) result = make_shader(device, shape.fragment, shaders[1]);
-    if (result) result = make_pipeline(device, layout, shape, std::span(shaders, count), pipeline);
-    for (VkShaderModule shader : shaders)
-        if (shader) vkDestroyShaderModule(device.handle, shader, nullptr);
-    return result;
 }
 
 Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
@@ -225,6 +203,22 @@ Result<void> make_layouts(const Device& device, Pipelines& pipelines) {
                "make a sampler");
     return {};
 }
+
+}  // namespace
+
+Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
+                           VkPipeline& pipeline) {
+    VkShaderModule shaders[2] = {};
+    const size_t count = shape.fragment.empty() ? 1 : 2;
+    Result<void> result = make_shader(device, shape.vertex, shaders[0]);
+    if (result && count == 2) result = make_shader(device, shape.fragment, shaders[1]);
+    if (result) result = make_pipeline(device, layout, shape, std::span(shaders, count), pipeline);
+    for (VkShaderModule shader : shaders)
+        if (shader) vkDestroyShaderModule(device.handle, shader, nullptr);
+    return result;
+}
+
+namespace {
 
 Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool is_night) {
     LitPipelines& lit = pipelines.lit[is_night];
@@ -284,7 +278,7 @@ Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool
         .colour = k_picture_format,
         .depth = k_depth_format,
         .writes_depth = false,
-        .darkens = true};
+        .blend = Blend::darkens};
     FLANEUR_TRY(make(contact, lit.contact));
     const PipelineShape sky{.vertex = k_spirv_sky_vert,
                             .fragment = k_spirv_sky_frag,
@@ -350,7 +344,7 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
         FLANEUR_TRY(make(occlusion, p.occlusion));
         occlusion.fragment = k_spirv_occlude_frag;
         occlusion.colour = k_picture_format;
-        occlusion.darkens = true;
+        occlusion.blend = Blend::darkens;
         FLANEUR_TRY(make(occlusion, p.occlude));
     }
     PipelineShape fxaa{.vertex = k_spirv_fullscreen_vert,
@@ -378,6 +372,8 @@ void destroy_pipelines(const Device& device, Pipelines& p) {
                                lit.crowd_smooth[0], lit.crowd_smooth[1], lit.crowd_rigid[0],
                                lit.crowd_rigid[1], lit.shade, lit.contact, lit.sky});
     for (VkPipeline pipeline : all)
+        if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
+    for (VkPipeline pipeline : p.views)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     if (p.shadow_sampler) vkDestroySampler(device.handle, p.shadow_sampler, nullptr);
     if (p.atlas_sampler) vkDestroySampler(device.handle, p.atlas_sampler, nullptr);

@@ -35,8 +35,8 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 }
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer :
-         {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws, &slot.contacts})
+    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws,
+                           &slot.contacts, &slot.lines, &slot.fills})
         destroy_buffer(device, *buffer);
     if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
     if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
@@ -158,6 +158,8 @@ std::string device_name(const Renderer& renderer) {
 }
 
 std::string quality_name(const Renderer& renderer) { return renderer.quality.name; }
+
+bool can_draw_wireframe(const Renderer& renderer) { return renderer.device.has_wireframe; }
 
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     GpuScene scene;

@@ -59,6 +59,9 @@ std::string device_name(const Renderer& renderer);
 // "medium": of the quality that it draws with.
 std::string quality_name(const Renderer& renderer);
 
+// Whether the device draws edges of triangles alone, which FrameInput::surfaces may ask for.
+bool can_draw_wireframe(const Renderer& renderer);
+
 // Uploads a scene in place of any earlier one.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 

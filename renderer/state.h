@@ -20,7 +20,7 @@ struct FrameSlot {
     VkSemaphore image_ready = {};
     VkDescriptorSet set = {};
     VkQueryPool timestamps = {};  // at the start, and at the end of each stage
-    Buffer constants, instances, palette, impostors, draws, contacts;
+    Buffer constants, instances, palette, impostors, draws, contacts, lines, fills;
     std::vector<std::string> stages;  // names of those timed
     bool is_pending = false;          // submitted, and not yet waited for
 };

@@ -94,6 +94,13 @@ FLANEUR_CONST int k_constant_night = 2;     // whether lamps are lit
 FLANEUR_CONST int k_constant_smooth = 3;    // whether edges are smoothed
 FLANEUR_CONST int k_constants = 4;
 
+// What the views for work paint instead of light: a push constant.
+FLANEUR_CONST uint k_paint_normals = 0;
+FLANEUR_CONST uint k_paint_count = 1;  // a little, added for each time that a pixel is drawn
+FLANEUR_CONST uint k_paint_paper = 2;  // pale, under ink
+FLANEUR_CONST uint k_paint_ink = 3;    // the edges of triangles
+FLANEUR_CONST uint k_paint_ghost = 4;  // seen through, but for its outline
+
 // Cells of the grid that the sky is drawn by.
 FLANEUR_CONST int k_sky_columns = 40;
 FLANEUR_CONST int k_sky_rows = 24;

@@ -6,7 +6,7 @@ void draw_crowd(const FrameRecord& record) {
     const Renderer& renderer = record.renderer;
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &renderer.scene.person_vertices.handle, &offset);
-    const int textured = renderer.scene.is_textured;
+    const int textured = renderer.scene.is_textured && !record.plan.are_tinted;
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       lit_pipelines(record).crowd_smooth[textured]);
     draw_indirect(record, record.plan.crowd_smooth);

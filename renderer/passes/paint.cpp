@@ -1,0 +1,81 @@
+// Surfaces without light, for the views that show how the picture is made.
+#include "renderer/frame.h"
+
+namespace flaneur {
+namespace {
+
+VkPipeline pipeline_of(const FrameRecord& record, ViewPipeline pipeline) {
+    return record.renderer.pipelines.views[static_cast<size_t>(pipeline)];
+}
+
+void bind(const FrameRecord& record, ViewPipeline pipeline, uint32_t paint) {
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_of(record, pipeline));
+    vkCmdPushConstants(record.commands, record.renderer.pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                       sizeof paint, &paint);
+}
+
+void draw_people(const FrameRecord& record) {
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.person_vertices.handle, &offset);
+    draw_indirect(record, record.plan.crowd_smooth);
+    draw_indirect(record, record.plan.crowd_rigid);
+}
+
+void draw_ground_and_houses(const FrameRecord& record) {
+    const VkDeviceSize offset = 0;
+    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
+    draw_indirect(record, record.plan.facades);
+    for (DrawRange range : record.plan.surfaces) draw_indirect(record, range);
+    draw_indirect(record, record.plan.scenery);
+}
+
+void clear(const FrameRecord& record, glm::vec3 colour) {
+    VkClearAttachment all{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}};
+    for (int i = 0; i < 3; ++i) all.clearValue.color.float32[i] = colour[i];
+    const VkClearRect whole{{{0, 0}, record.target.extent}, 0, 1};
+    vkCmdClearAttachments(record.commands, 1, &all, 1, &whole);
+}
+
+}  // namespace
+
+std::vector<ViewPipeline> view_pipelines_for(const FrameInput& input) {
+    using enum ViewPipeline;
+    std::vector<ViewPipeline> wanted;
+    if (input.surfaces == Surfaces::overdraw)
+        wanted = {count_city, count_crowd, count_impostor};
+    else if (input.surfaces != Surfaces::lit)
+        wanted = {paint_city, paint_crowd, paint_impostor};
+    if (input.surfaces == Surfaces::wireframe) wanted.insert(wanted.end(), {ink_city, ink_crowd});
+    if (input.are_ghosts) wanted.push_back(ghost_crowd);
+    if (!input.fills.empty()) wanted.push_back(fill);
+    if (!input.lines.empty()) wanted.insert(wanted.end(), {line, hidden_line});
+    return wanted;
+}
+
+void draw_paint(const FrameRecord& record) {
+    using enum ViewPipeline;
+    const Surfaces surfaces = record.plan.surfaces_view;
+    const bool is_count = surfaces == Surfaces::overdraw, is_ink = surfaces == Surfaces::wireframe;
+    const uint32_t paint = is_count ? k_paint_count : is_ink ? k_paint_paper : k_paint_normals;
+    clear(record, is_ink ? glm::vec3(0.93f, 0.93f, 0.91f) : glm::vec3(0));
+    const auto impostors = static_cast<uint32_t>(record.renderer.crowd.impostors.size());
+    bind(record, is_count ? count_crowd : paint_crowd, paint);
+    if (!record.plan.are_ghosts) draw_people(record);
+    bind(record, is_count ? count_impostor : paint_impostor, paint);
+    if (impostors > 0) vkCmdDraw(record.commands, 6 * impostors, 1, 0, 0);
+    bind(record, is_count ? count_city : paint_city, paint);
+    draw_ground_and_houses(record);
+    if (!is_ink) return;
+    bind(record, ink_city, k_paint_ink);
+    draw_ground_and_houses(record);
+    if (record.plan.are_ghosts) return;
+    bind(record, ink_crowd, k_paint_ink);
+    draw_people(record);
+}
+
+void draw_ghosts(const FrameRecord& record) {
+    bind(record, ViewPipeline::ghost_crowd, k_paint_ghost);
+    draw_people(record);
+}
+
+}  // namespace flaneur
