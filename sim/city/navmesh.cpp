@@ -225,4 +225,14 @@ std::vector<Vec3> navmesh_triangles(const Navmesh& m) {
     return corners;
 }
 
+std::vector<Surface> navmesh_kinds(const Navmesh& m) {
+    std::vector<Surface> kinds;
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
+        const dtPoly& polygon = tile.polys[p];
+        kinds.insert(kinds.end(), static_cast<size_t>(polygon.vertCount) - 2,
+                     static_cast<Surface>(polygon.getArea() - 1));
+    });
+    return kinds;
+}
+
 }  // namespace flaneur

@@ -102,5 +102,7 @@ int borders_near(const Navmesh& mesh, Vec3 point, float radius, BorderLine* line
 
 // Triangles for drawing and tests: three corners each.
 std::vector<Vec3> navmesh_triangles(const Navmesh& mesh);
+// The kind of ground of each of them.
+std::vector<Surface> navmesh_kinds(const Navmesh& mesh);
 
 }  // namespace flaneur

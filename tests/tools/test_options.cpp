@@ -37,6 +37,18 @@ TEST(Options, TheCommandLineOverridesTheScene) {
     EXPECT_FLOAT_EQ(parsed({"sim", "--city", "a.glb", "--scale", "0.01"}).scene.scale, 0.01f);
 }
 
+TEST(Options, ViewsForWorkGoTogetherWhereTheyCan) {
+    Options options = parsed({"render", "--view", "trails,speed,wireframe", "--out", "a.png"});
+    EXPECT_TRUE(options.work_views[WorkView::trails] && options.work_views[WorkView::speed]);
+    EXPECT_FALSE(options.work_views[WorkView::lods]);
+    WorkViews changed = toggled(options.work_views, WorkView::normals);
+    EXPECT_TRUE(changed[WorkView::normals] && changed[WorkView::trails]);
+    EXPECT_FALSE(changed[WorkView::wireframe]);
+    EXPECT_FALSE(toggled(changed, WorkView::normals)[WorkView::normals]);
+    for (const char* text : {"trails,", "", "bones", "lods,speed", "wireframe,overdraw", "density,walkable"})
+        EXPECT_FALSE(parse_work_views(text)) << text;
+}
+
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
     Options options =
         parsed({"render", "--character", "a.glb",     "--character", "b.glb",     "--idle", "c.glb:Wave",

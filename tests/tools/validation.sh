@@ -1,6 +1,6 @@
 #!/bin/bash
 # validation.sh FLANEUR: the validation layer has nothing to say about drawing off-screen, each camera, --device,
-# scenery and the asteroid.
+# the views for work, scenery and the asteroid.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -8,6 +8,9 @@ for camera in street overview follow:0; do
     "$1" render --validate --scene corner --frames 20:30:5 --size 320x180 --camera $camera --out "$folder/%03d.png"
 done
 "$1" render --validate --scene corner --walkers 0 --frames 0 --size 33x17 --device 0 --out "$folder/empty.png"
+for view in wireframe,lods normals,skeletons,gizmos overdraw speed,density,trails walkable,skeletons; do
+    "$1" render --validate --scene corner --frames 60 --size 320x180 --view $view --out "$folder/view.png"
+done
 "$1" city --scene corner --out "$folder/city.glb"
 "$1" render --validate --city "$folder/city.glb" --walkers 5 --frames 5 --size 320x180 --out "$folder/scenery.png"
 "$1" render --validate --scene asteroid --walkers 9 --frames 5 --size 320x180 --out "$folder/asteroid.png"

@@ -1,4 +1,5 @@
 // How values on the command line are read.
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 #include <vector>
@@ -77,6 +78,43 @@ Result<CameraChoice> parse_camera(const std::string& text) {
     return Error{
         "--camera " + text +
         " is none of overview, street, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)."};
+}
+
+static uint32_t rivals_of(WorkView view) {
+    auto bit = [](WorkView v) { return 1u << static_cast<int>(v); };
+    using enum WorkView;
+    for (uint32_t group : {bit(wireframe) | bit(normals) | bit(overdraw), bit(lods) | bit(speed),
+                           bit(density) | bit(walkable)})
+        if (group & bit(view)) return group & ~bit(view);
+    return 0;
+}
+
+WorkViews toggled(WorkViews views, WorkView view) {
+    views.mask &= ~rivals_of(view);
+    views.mask ^= 1u << static_cast<int>(view);
+    return views;
+}
+
+Result<WorkViews> parse_work_views(const std::string& text) {
+    WorkViews views;
+    for (std::string_view name : split(text, ',')) {
+        const auto* at = std::find(std::begin(k_work_view_names), std::end(k_work_view_names), name);
+        if (at == std::end(k_work_view_names)) {
+            std::string names;
+            for (const char* known : k_work_view_names)
+                names += std::string(names.empty() ? "" : ", ") + known;
+            return Error{"--view " + text + ": there is no view \"" + std::string(name) + "\"; there are " +
+                         names + "."};
+        }
+        const auto view = static_cast<WorkView>(at - std::begin(k_work_view_names));
+        if (views.mask & rivals_of(view))
+            return Error{
+                "--view " + text +
+                " asks for too much at once: one of wireframe, normals and overdraw, one of lods and "
+                "speed, one of density and walkable."};
+        views.mask |= 1u << static_cast<int>(view);
+    }
+    return views;
 }
 
 Result<Size> parse_size(const std::string& text) {

@@ -53,6 +53,7 @@ Examples:
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
 Space pauses; 1 street, 2 overview, 3 follow a walker, Tab the next one; F12 writes a picture to out/; Esc quits.
+F1 lists the keys of the views for work, F2 to F11.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
@@ -67,6 +68,7 @@ Examples:
   flaneur render --frames 0:59 --out out/%05d.png                         a picture for each tick
   flaneur render --city berlin.osm --camera overview --out out/berlin.png
   flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
+  flaneur render --view skeletons,trails --camera follow:3 --out out/bones.png
   flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png)";
 
 constexpr const char* k_sim_footer =
@@ -241,12 +243,21 @@ void add_camera_option(CLI::App& app, SceneWords& words) {
         ->type_name("CAMERA");
 }
 
+void add_work_views(CLI::App& app, Options& options) {
+    add_parsed(
+        app, "--view", parse_work_views, options.work_views,
+        "Views for work, such as skeletons,trails: wireframe, normals or overdraw; lods or speed; density "
+        "or walkable; trails; skeletons; gizmos",
+        "VIEW,...", "");
+}
+
 void add_view(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* view = app.add_subcommand("view", "Watch the city in a window")->footer(k_view_footer);
     view->callback([&] { options.command = Command::view; });
     add_scene_options(*view, words, options);
     add_drawing_options(*view, options);
     add_camera_option(*view, words);
+    add_work_views(*view, options);
     view->add_option("--frames", options.close_after, "Close after so many frames; 0: stay open")
         ->type_name("N")
         ->check(CLI::Range(0, 1'000'000'000).description(""))
@@ -259,6 +270,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_scene_options(*render, words, options);
     add_drawing_options(*render, options);
     add_camera_option(*render, words);
+    add_work_views(*render, options);
     add_parsed(*render, "--frames", parse_ticks, options.ticks, "Ticks to draw: N, A:B or A:B:STEP", "TICKS",
                "600");
     render

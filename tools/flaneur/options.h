@@ -30,6 +30,33 @@ struct CameraChoice {
     Vec3 eye, target;     // fixed, metres
 };
 
+// Views for work.
+enum class WorkView {
+    wireframe,
+    normals,
+    overdraw,  // how often each pixel is drawn
+    lods,      // people by level of detail
+    speed,     // people by speed
+    density,   // people to a square metre of ground
+    walkable,  // the navigation mesh
+    trails,    // where people walked in the last ten seconds
+    skeletons,
+    gizmos,  // of the gait: steps, targets, gaze, velocity
+};
+inline constexpr int k_work_views = 10;
+inline constexpr const char* k_work_view_names[k_work_views] = {"wireframe", "normals", "overdraw", "lods",
+                                                                "speed",     "density", "walkable", "trails",
+                                                                "skeletons", "gizmos"};
+
+// Those that are on.
+struct WorkViews {
+    uint32_t mask = 0;
+    bool operator[](WorkView view) const { return (mask >> static_cast<int>(view) & 1) != 0; }
+};
+// Those that show their own surfaces (wireframe, normals, overdraw), colour people (lods, speed) or colour
+// the ground (density, walkable) go one at a time: switching one on switches the others off.
+WorkViews toggled(WorkViews views, WorkView view);
+
 enum class Sex { woman, man };
 enum class StripView { side, front };
 
@@ -74,6 +101,9 @@ struct Options {
     std::string quality;  // low, medium, high or ultra; empty: what suits the device
     Size size;
 
+    // view, render
+    WorkViews work_views;
+
     // view
     uint32_t close_after = 0;  // frames; 0: stays open
 
@@ -106,6 +136,8 @@ struct Options {
 
 // "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0". Refuses anything else.
 Result<CameraChoice> parse_camera(const std::string& text);
+// "trails" or "trails,speed,wireframe". Refuses unknown ones and those that go one at a time.
+Result<WorkViews> parse_work_views(const std::string& text);
 // "1280x720".
 Result<Size> parse_size(const std::string& text);
 // "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.

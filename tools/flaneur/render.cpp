@@ -26,7 +26,7 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         while (world.tick < tick && !interrupted) {
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
-            step(world);
+            step(show);
         }
         if (interrupted) return Error{"Interrupted; " + options.out + " is not done."};
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));

@@ -31,6 +31,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     if (!loaded) return loaded.error();
     show.loaded = std::move(*loaded);
     const World& world = *show.loaded.world;
+    show.work_views = options.work_views;
     show.wardrobe = make_wardrobe(world, show.loaded.characters);
     show.sun = scene_sun(options.scene);
     show.is_overcast = options.scene.is_overcast;
@@ -51,7 +52,14 @@ FrameInput extract_frame(Show& show, const Camera& camera, float between) {
     frame.palette = show.people.palette;
     frame.is_overcast = show.is_overcast;
     frame.lit_windows = show.lit_windows;
+    lay_over({*show.loaded.world, show.loaded.characters, camera, between}, show.work_views, show.people,
+             show.overlay, frame);
     return frame;
+}
+
+void step(Show& show) {
+    step(*show.loaded.world);
+    if (show.work_views[WorkView::trails]) follow_trails(*show.loaded.world, show.overlay.trails);
 }
 
 }  // namespace flaneur

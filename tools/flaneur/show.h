@@ -7,6 +7,7 @@
 #include "tools/flaneur/extract.h"
 #include "tools/flaneur/load.h"
 #include "tools/flaneur/options.h"
+#include "tools/flaneur/overlay.h"
 
 namespace flaneur {
 
@@ -18,6 +19,8 @@ struct Show {
     bool is_overcast = false;
     float lit_windows = 0;  // share
     PeopleFrame people;
+    WorkViews work_views;
+    Overlay overlay;
 };
 
 // Counts what the validation layer says, with --validate, until the renderer is gone.
@@ -27,6 +30,9 @@ Result<void> check_messages(uint32_t messages);
 
 // Loads what the options name and uploads it. Says on stderr which device draws.
 Result<Show> make_show(RendererPtr renderer, const Options& options);
+
+// One tick, and what the views for work keep of it.
+void step(Show& show);
 
 // The frame between the world's last two ticks, valid until the next call.
 FrameInput extract_frame(Show& show, const Camera& camera, float between);

@@ -35,6 +35,8 @@ struct GlfwSession {
 struct Viewer {
     CameraChoice choice;
     bool paused = false, wants_picture = false, looking = false, chosen = false;
+    bool lists_keys = false;
+    WorkViews work_views;
     uint32_t walkers = 0;
     Camera camera;
     float yaw = 0, pitch = 0;  // of the flying eye
@@ -74,7 +76,12 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
         case GLFW_KEY_3:
             if (v.walkers > 0) choose(v, CameraChoice::Kind::follow);
             break;
+        case GLFW_KEY_F1:
+            v.lists_keys = !v.lists_keys;
+            break;
         default:
+            if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
+                v.work_views = toggled(v.work_views, static_cast<WorkView>(key - GLFW_KEY_F2));
             break;
     }
 }
@@ -159,7 +166,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
         double passed = now - last;
         last = now;
         if (!v.paused) due = std::min(due + passed, k_longest_step);
-        for (; due >= static_cast<double>(k_tick); due -= static_cast<double>(k_tick)) step(world);
+        for (; due >= static_cast<double>(k_tick); due -= static_cast<double>(k_tick)) step(show);
         auto between = static_cast<float>(due / static_cast<double>(k_tick));
 
         if (v.choice.kind == CameraChoice::Kind::follow || !v.chosen) {
@@ -167,7 +174,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
             v.chosen = true;
         }
         fly(window, v, static_cast<float>(passed));
+        show.work_views = v.work_views;
         FrameInput frame = extract_frame(show, v.camera, between);
+        if (v.lists_keys) add_key_list(v.work_views, show.overlay, frame);
         Result<void> done = draw_window(*show.renderer, frame);
         if (done && v.wants_picture) done = save_picture(show, window, frame);
         v.wants_picture = false;
@@ -204,6 +213,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
 
     Viewer viewer;
     viewer.choice = options.camera;
+    viewer.work_views = options.work_views;
     viewer.walkers = show->loaded.world->crowd.count;
     glfwSetWindowUserPointer(window.get(), &viewer);
     glfwSetKeyCallback(window.get(), on_key);

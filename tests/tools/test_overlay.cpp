@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tools/flaneur/lettering.h"
+#include "tools/flaneur/load.h"
+#include "tools/flaneur/overlay.h"
+
+namespace flaneur {
+namespace {
+
+TEST(Lettering, EveryLetterFitsItsLine) {
+    for (char c = '!'; c <= '~'; ++c) {
+        std::vector<GizmoLine> lines;
+        add_text(lines, {}, std::string_view(&c, 1), ~0u, 6);
+        EXPECT_FALSE(lines.empty()) << c;
+        for (const GizmoLine& line : lines)
+            for (glm::vec2 p : {line.shift_a, line.shift_b})
+                EXPECT_TRUE(p.x >= 0 && p.x <= 4 && p.y >= -7 && p.y <= 2) << c << ": " << p.x << ", " << p.y;
+    }
+    EXPECT_FLOAT_EQ(text_width("no", 12), 2 * text_width("no", 6));
+    EXPECT_GT(text_width("nono", 6), 2 * text_width("no", 6));
+    EXPECT_EQ(text_width("", 6), 0);
+}
+
+// A few people in a small city, some seconds in.
+class OverlayTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        Options options;
+        Result<Scene> corner = load_scene("corner");
+        ASSERT_TRUE(corner);
+        options.scene = *corner;
+        options.scene.walkers = 12;
+        Result<Loaded> made = load(options);
+        ASSERT_TRUE(made) << made.error().message;
+        loaded = std::move(*made);
+        for (int i = 0; i < 120; ++i) {
+            step(*loaded.world);
+            follow_trails(*loaded.world, overlay.trails);
+        }
+        wardrobe = make_wardrobe(*loaded.world, loaded.characters);
+        const Vec3 p = loaded.world->crowd.position[0];
+        camera.eye = {p.x + 3, p.y + 4, p.z + 3};
+        camera.target = {p.x, p.y, p.z};
+    }
+    FrameInput frame_of(WorkViews views) {
+        extract_people(*loaded.world, loaded.characters, wardrobe, 1, people);
+        FrameInput frame;
+        lay_over({*loaded.world, loaded.characters, camera}, views, people, overlay, frame);
+        return frame;
+    }
+    Loaded loaded;
+    Wardrobe wardrobe;
+    Camera camera;
+    PeopleFrame people;
+    Overlay overlay;
+};
+
+TEST_F(OverlayTest, EachViewShowsSomethingAndNoneNothing) {
+    const FrameInput none = frame_of({});
+    EXPECT_TRUE(none.lines.empty() && none.fills.empty() && !none.are_ghosts);
+    EXPECT_EQ(none.surfaces, Surfaces::lit);
+    for (const char* name : {"density", "walkable", "trails", "skeletons", "gizmos"}) {
+        const FrameInput frame = frame_of(parse_work_views(name).value());
+        EXPECT_GT(frame.lines.size() + frame.fills.size(), 100u) << name;
+        EXPECT_EQ(frame.fills.size() % 3, 0u) << name;
+        for (const GizmoLine& line : frame.lines)
+            for (glm::vec3 p : {line.a, line.b})
+                ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << name;
+    }
+}
+
+TEST_F(OverlayTest, BonesLieInTheirBodies) {
+    frame_of(parse_work_views("skeletons").value());
+    for (uint32_t i = 0; i < 12; ++i)
+        for (int j = 0; j < k_joint_count; ++j) {
+            const Vec3 truth = joint_pose(loaded.world->poses, i, static_cast<Joint>(j)).position;
+            const glm::vec3 drawn =
+                joint_place({*loaded.world, loaded.characters, camera}, people, i, static_cast<Joint>(j));
+            EXPECT_NEAR(glm::length(drawn - glm::vec3(truth.x, truth.y, truth.z)), 0, 1e-3f);
+        }
+}
+
+TEST_F(OverlayTest, SpeedsColourPeople) {
+    frame_of(parse_work_views("speed").value());
+    for (const WalkerDraw& walker : people.walkers)
+        for (uint32_t tint : walker.instance.tints) EXPECT_EQ(tint, walker.instance.tints[0]);
+}
+
+}  // namespace
+}  // namespace flaneur
