@@ -58,7 +58,8 @@ bool has_device_extension(VkPhysicalDevice physical, const char* name) {
 }
 
 Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) {
-    if (volkInitialize() != VK_SUCCESS)
+    // Where somebody has found Vulkan already (volkInitializeCustom), theirs is taken.
+    if (volkGetInstanceVersion() == 0 && volkInitialize() != VK_SUCCESS)
         return Error{
             "There is no Vulkan on this machine (libvulkan.so.1 was not found): install libvulkan1 and a "
             "driver, for instance mesa-vulkan-drivers."};

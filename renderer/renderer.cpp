@@ -13,6 +13,12 @@ namespace {
 
 constexpr uint32_t k_largest_picture = 8192;
 
+Result<void> make_image_ready(const Device& device, FrameSlot& slot) {
+    const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    FLANEUR_VK(vkCreateSemaphore(device.handle, &info, nullptr, &slot.image_ready), "make a semaphore");
+    return {};
+}
+
 Result<void> make_slot(const Device& device, FrameSlot& slot) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.queueFamilyIndex = device.queue_family;
@@ -24,8 +30,7 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
     FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &commands, &slot.commands), "make a command buffer");
     const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     FLANEUR_VK(vkCreateFence(device.handle, &fence, nullptr, &slot.done), "make a fence");
-    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-    FLANEUR_VK(vkCreateSemaphore(device.handle, &semaphore, nullptr, &slot.image_ready), "make a semaphore");
+    FLANEUR_TRY(make_image_ready(device, slot));
     if (!device.has_timestamps) return {};
     VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
     queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
@@ -123,6 +128,15 @@ Result<void> remake_surface(Renderer& renderer) {
     return remake_swapchain(renderer);
 }
 
+// After a frame was not drawn into the image that was acquired for it: nothing will wait for its semaphore,
+// and the image goes with the swapchain.
+void give_up_image(Renderer& renderer, FrameSlot& slot) {
+    vkDeviceWaitIdle(renderer.device.handle);
+    vkDestroySemaphore(renderer.device.handle, slot.image_ready, nullptr);
+    slot.image_ready = {};
+    renderer.is_swapchain_stale = true;
+}
+
 }  // namespace
 
 void RendererDelete::operator()(Renderer* renderer) const {
@@ -163,16 +177,19 @@ bool can_draw_wireframe(const Renderer& renderer) { return renderer.device.has_w
 
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     GpuScene scene;
-    if (Result<void> made = make_scene(renderer.device, renderer.pipelines, meshes, scene); !made) {
-        destroy_scene(renderer.device, scene);
-        return made;
+    auto make = [&]() -> Result<void> {
+        FLANEUR_TRY(make_scene(renderer.device, renderer.pipelines, meshes, scene));
+        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+        return {};
+    };
+    const Result<void> made = make();
+    if (made) {
+        std::swap(renderer.scene, scene);
+        renderer.shadows.near_box = renderer.shadows.far_box = {};
+        renderer.last_view = {};
     }
-    std::swap(renderer.scene, scene);
-    renderer.shadows.near_box = renderer.shadows.far_box = {};
-    renderer.last_view = {};
-    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
     destroy_scene(renderer.device, scene);
-    return {};
+    return made;
 }
 
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
@@ -205,6 +222,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
     Swapchain& swapchain = renderer.swapchain;
     FrameSlot& slot = renderer.slots[renderer.next_slot];
     FLANEUR_TRY(finish_slot(renderer, slot));
+    if (!slot.image_ready) FLANEUR_TRY(make_image_ready(renderer.device, slot));
     uint32_t index = 0;
     constexpr int tries = 4;  // a window may change again while its images are made anew
     for (int i = 0;; ++i) {
@@ -233,7 +251,12 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
     target.before = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_NONE,
                      VK_IMAGE_LAYOUT_UNDEFINED};
     target.after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
-    FLANEUR_TRY(draw_frame(renderer, slot, frame, target, slot.image_ready, swapchain.drawn[index]));
+    if (Result<void> drawn =
+            draw_frame(renderer, slot, frame, target, slot.image_ready, swapchain.drawn[index]);
+        !drawn) {
+        give_up_image(renderer, slot);
+        return drawn;
+    }
     renderer.next_slot = (renderer.next_slot + 1) % k_slots;
 
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};

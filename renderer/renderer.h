@@ -62,7 +62,7 @@ std::string quality_name(const Renderer& renderer);
 // Whether the device draws edges of triangles alone, which FrameInput::surfaces may ask for.
 bool can_draw_wireframe(const Renderer& renderer);
 
-// Uploads a scene in place of any earlier one.
+// Uploads a scene in place of any earlier one, which stays after a failure.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 
 // Draws one frame off-screen and reads it back. Sizes 1..8192.

@@ -1,6 +1,8 @@
 #include <GLFW/glfw3.h>
 #include <volk.h>
 
+#include "faults.h"
+#include "renderer/state.h"
 #include "synthetic_scene.h"
 #include "test_renderer.h"
 
@@ -12,6 +14,7 @@ class Window : public testing::Test {
   protected:
     void SetUp() override {
         if (!glfwInit()) GTEST_SKIP() << "there is no display: run under xvfb-run to test windows";
+        faults();
         glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
         window = glfwCreateWindow(320, 200, "flaneur test", nullptr, nullptr);
         ASSERT_TRUE(window);
@@ -53,6 +56,43 @@ TEST_F(Window, IsResized) {
         glfwSetWindowSize(window, size[0], size[1]);
         draw_some(3);
     }
+}
+
+TEST_F(Window, IsResizedAThousandTimes) {
+    for (int i = 0; i < 1000; ++i) {
+        glfwSetWindowSize(window, 1 + i * 37 % 190, 1 + i * 61 % 130);
+        draw_some(1);
+        if (HasFailure()) break;
+    }
+}
+
+TEST_F(Window, LostAndOutdatedSurfacesAreMadeAnew) {
+    for (const char* call : {"vkAcquireNextImageKHR", "vkQueuePresentKHR"})
+        for (VkResult code : {VK_ERROR_OUT_OF_DATE_KHR, VK_ERROR_SURFACE_LOST_KHR}) {
+            draw_some(1);
+            fail_at(1, code, call);
+            draw_some(3);
+            EXPECT_EQ(faults().failed, call);
+        }
+}
+
+TEST_F(Window, WhatCannotBeMendedGetsASentence) {
+    draw_some(1);
+    fail_at(1, VK_ERROR_DEVICE_LOST, "vkQueuePresentKHR");
+    const Result<void> drawn = draw_window(*renderer, scene.frame(street_camera()));
+    ASSERT_FALSE(drawn);
+    EXPECT_NE(drawn.error().message.find("device was lost"), std::string::npos) << drawn.error().message;
+    draw_some(2);
+}
+
+TEST_F(Window, AFrameThatFailsCanBeDrawnAgain) {
+    draw_some(2);
+    auto attempt = [&] {
+        renderer->is_swapchain_stale = true;
+        return draw_window(*renderer, scene.frame(street_camera()));
+    };
+    EXPECT_GT(fail_everywhere(attempt, [&] { draw_some(3); }), 15);
+    draw_some(2);
 }
 
 TEST_F(Window, IsIconifiedAndRestored) {

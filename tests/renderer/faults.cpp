@@ -1,0 +1,197 @@
+#include "faults.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <utility>
+
+namespace flaneur {
+namespace {
+
+constexpr VkResult k_codes[] = {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY,
+                                VK_ERROR_DEVICE_LOST};
+
+Faults state;
+PFN_vkGetInstanceProcAddr find_real = nullptr;
+
+// Whether the work is done nevertheless: an image that was acquired or presented is gone, and who waits in
+// vain must not destroy what is in use.
+bool is_done_first(const std::string& name) {
+    return name == "vkQueueWaitIdle" || name == "vkDeviceWaitIdle" || name == "vkWaitForFences" ||
+           name == "vkQueuePresentKHR";
+}
+
+bool fails(const char* name) {
+    if (!state.only.empty() && state.only != name) return false;
+    if (++state.calls != state.fail_at) return false;
+    state.failed = name;
+    return true;
+}
+
+// What a call made, if it makes anything.
+void count(std::string_view name) {
+    if (name.ends_with("Pipelines"))
+        ++state.live["Pipeline"];  // one at a time
+    else if (name.starts_with("vkCreate"))
+        ++state.live[std::string(name.substr(std::strlen("vkCreate")))];
+    else if (name == "vkAllocateMemory")
+        ++state.live["Memory"];
+}
+
+// Every hooked function has a type of its own, which is why one hook a type will do.
+template <class F>
+struct Hook;
+template <class... A>
+struct Hook<VkResult(VKAPI_PTR*)(A...)> {
+    static inline VkResult(VKAPI_PTR* real)(A...) = nullptr;
+    static inline const char* name = nullptr;
+    static VKAPI_ATTR VkResult VKAPI_CALL call(A... arguments) {
+        const bool is_failed = fails(name);
+        if (is_failed && !is_done_first(name)) return state.code;
+        const VkResult result = real(arguments...);
+        if (is_failed) return state.code;
+        if (result == VK_SUCCESS) count(name);
+        return result;
+    }
+};
+template <class T>
+struct Hook<void(VKAPI_PTR*)(VkDevice, T, const VkAllocationCallbacks*)> {
+    static inline void(VKAPI_PTR* real)(VkDevice, T, const VkAllocationCallbacks*) = nullptr;
+    static inline const char* name = nullptr;
+    static VKAPI_ATTR void VKAPI_CALL call(VkDevice device, T object,
+                                           const VkAllocationCallbacks* allocator) {
+        if (object)
+            --state.live[name + std::strlen(std::strcmp(name, "vkFreeMemory") == 0 ? "vkFree" : "vkDestroy")];
+        real(device, object, allocator);
+    }
+};
+template <class T>
+struct Hook<void(VKAPI_PTR*)(T, const VkAllocationCallbacks*)> {
+    static inline void(VKAPI_PTR* real)(T, const VkAllocationCallbacks*) = nullptr;
+    static inline const char* name = nullptr;
+    static VKAPI_ATTR void VKAPI_CALL call(T object, const VkAllocationCallbacks* allocator) {
+        --state.live[name + std::strlen("vkDestroy")];
+        real(object, allocator);
+    }
+};
+
+template <class F>
+PFN_vkVoidFunction hook(const char* name, PFN_vkVoidFunction real) {
+    Hook<F>::name = name;
+    Hook<F>::real = reinterpret_cast<F>(real);
+    return reinterpret_cast<PFN_vkVoidFunction>(&Hook<F>::call);
+}
+
+struct Entry {
+    const char* name;
+    PFN_vkVoidFunction (*hook)(const char* name, PFN_vkVoidFunction real);
+};
+
+const Entry k_entries[] = {
+    {"vkCreateInstance", hook<PFN_vkCreateInstance>},
+    {"vkDestroyInstance", hook<PFN_vkDestroyInstance>},
+    {"vkEnumeratePhysicalDevices", hook<PFN_vkEnumeratePhysicalDevices>},
+    {"vkCreateDevice", hook<PFN_vkCreateDevice>},
+    {"vkDestroyDevice", hook<PFN_vkDestroyDevice>},
+    {"vkCreateBuffer", hook<PFN_vkCreateBuffer>},
+    {"vkDestroyBuffer", hook<PFN_vkDestroyBuffer>},
+    {"vkCreateImage", hook<PFN_vkCreateImage>},
+    {"vkDestroyImage", hook<PFN_vkDestroyImage>},
+    {"vkCreateImageView", hook<PFN_vkCreateImageView>},
+    {"vkDestroyImageView", hook<PFN_vkDestroyImageView>},
+    {"vkAllocateMemory", hook<PFN_vkAllocateMemory>},
+    {"vkFreeMemory", hook<PFN_vkFreeMemory>},
+    {"vkBindBufferMemory", hook<PFN_vkBindBufferMemory>},
+    {"vkBindImageMemory", hook<PFN_vkBindImageMemory>},
+    {"vkMapMemory", hook<PFN_vkMapMemory>},
+    {"vkCreateShaderModule", hook<PFN_vkCreateShaderModule>},
+    {"vkDestroyShaderModule", hook<PFN_vkDestroyShaderModule>},
+    {"vkCreateGraphicsPipelines", hook<PFN_vkCreateGraphicsPipelines>},
+    {"vkCreateComputePipelines", hook<PFN_vkCreateComputePipelines>},
+    {"vkDestroyPipeline", hook<PFN_vkDestroyPipeline>},
+    {"vkCreatePipelineLayout", hook<PFN_vkCreatePipelineLayout>},
+    {"vkDestroyPipelineLayout", hook<PFN_vkDestroyPipelineLayout>},
+    {"vkCreatePipelineCache", hook<PFN_vkCreatePipelineCache>},
+    {"vkDestroyPipelineCache", hook<PFN_vkDestroyPipelineCache>},
+    {"vkCreateDescriptorSetLayout", hook<PFN_vkCreateDescriptorSetLayout>},
+    {"vkDestroyDescriptorSetLayout", hook<PFN_vkDestroyDescriptorSetLayout>},
+    {"vkCreateDescriptorPool", hook<PFN_vkCreateDescriptorPool>},
+    {"vkDestroyDescriptorPool", hook<PFN_vkDestroyDescriptorPool>},
+    {"vkAllocateDescriptorSets", hook<PFN_vkAllocateDescriptorSets>},
+    {"vkCreateSampler", hook<PFN_vkCreateSampler>},
+    {"vkDestroySampler", hook<PFN_vkDestroySampler>},
+    {"vkCreateCommandPool", hook<PFN_vkCreateCommandPool>},
+    {"vkDestroyCommandPool", hook<PFN_vkDestroyCommandPool>},
+    {"vkResetCommandPool", hook<PFN_vkResetCommandPool>},
+    {"vkAllocateCommandBuffers", hook<PFN_vkAllocateCommandBuffers>},
+    {"vkBeginCommandBuffer", hook<PFN_vkBeginCommandBuffer>},
+    {"vkEndCommandBuffer", hook<PFN_vkEndCommandBuffer>},
+    {"vkCreateFence", hook<PFN_vkCreateFence>},
+    {"vkDestroyFence", hook<PFN_vkDestroyFence>},
+    {"vkResetFences", hook<PFN_vkResetFences>},
+    {"vkWaitForFences", hook<PFN_vkWaitForFences>},
+    {"vkCreateSemaphore", hook<PFN_vkCreateSemaphore>},
+    {"vkDestroySemaphore", hook<PFN_vkDestroySemaphore>},
+    {"vkCreateQueryPool", hook<PFN_vkCreateQueryPool>},
+    {"vkDestroyQueryPool", hook<PFN_vkDestroyQueryPool>},
+    {"vkGetQueryPoolResults", hook<PFN_vkGetQueryPoolResults>},
+    {"vkQueueSubmit2", hook<PFN_vkQueueSubmit2>},
+    {"vkQueueWaitIdle", hook<PFN_vkQueueWaitIdle>},
+    {"vkDeviceWaitIdle", hook<PFN_vkDeviceWaitIdle>},
+    {"vkCreateSwapchainKHR", hook<PFN_vkCreateSwapchainKHR>},
+    {"vkDestroySwapchainKHR", hook<PFN_vkDestroySwapchainKHR>},
+    {"vkGetSwapchainImagesKHR", hook<PFN_vkGetSwapchainImagesKHR>},
+    {"vkAcquireNextImageKHR", hook<PFN_vkAcquireNextImageKHR>},
+    {"vkQueuePresentKHR", hook<PFN_vkQueuePresentKHR>},
+};
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find(VkInstance instance, const char* name) {
+    const PFN_vkVoidFunction real = find_real(instance, name);
+    for (const Entry& entry : k_entries)
+        if (real && std::strcmp(name, entry.name) == 0) return entry.hook(entry.name, real);
+    return real;
+}
+
+}  // namespace
+
+Faults& faults() {
+    if (find_real) return state;
+    if (!vkGetInstanceProcAddr && volkInitialize() != VK_SUCCESS) return state;
+    find_real = vkGetInstanceProcAddr;
+    volkInitializeCustom(find);
+    return state;
+}
+
+void fail_at(int number, VkResult code, const std::string& only) {
+    Faults& f = faults();
+    f.calls = 0;
+    f.fail_at = number;
+    f.code = code;
+    f.only = only;
+    f.failed.clear();
+}
+
+int fail_everywhere(const std::function<Result<void>()>& attempt, const std::function<void()>& after) {
+    for (int number = 1;; ++number) {
+        fail_at(number, k_codes[number % 3]);
+        const Result<void> done = attempt();
+        const std::string failed = faults().failed;
+        fail_at(0, VK_SUCCESS);
+        if (failed.empty()) {
+            EXPECT_TRUE(done) << done.error().message;
+            return number - 1;
+        }
+        EXPECT_FALSE(done) << failed << ", call " << number << ", failed unnoticed";
+        if (!done) {
+            EXPECT_TRUE(done.error().message.ends_with('.')) << done.error().message;
+            EXPECT_NE(done.error().message.find(' '), std::string::npos);
+        }
+        after();
+        if (testing::Test::HasFailure()) {
+            ADD_FAILURE() << "after " << failed << ", call " << number;
+            return number;
+        }
+    }
+}
+
+}  // namespace flaneur
