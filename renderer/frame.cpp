@@ -193,7 +193,8 @@ void finish_picture(const FrameRecord& record) {
     auto barrier = [&](const GpuImage& image, Access from, Access to) {
         image_barrier(record.commands, image.handle, aspect_of(image.format), from, to);
     };
-    if (has_overlay(record.plan)) {
+    const bool is_laid_over = has_overlay(record.plan);
+    if (is_laid_over) {
         begin_stage(record, "overlay");
         barrier(drawn_into(targets), k_colour_target, k_colour_target);
         barrier(targets.depth, k_depth_target, k_depth_target);
@@ -202,7 +203,9 @@ void finish_picture(const FrameRecord& record) {
         vkCmdEndRendering(record.commands);
         end_stage(record);
     }
-    if (record.renderer.quality.has_occlusion && record.plan.surfaces_view == Surfaces::lit) {
+    // Occlusion would darken the overlay by what lies behind it.
+    if (record.renderer.quality.has_occlusion && record.plan.surfaces_view == Surfaces::lit &&
+        !is_laid_over) {
         begin_stage(record, "occlusion");
         barrier(targets.colour, k_colour_target, k_colour_target);
         draw_occlusion(record);
