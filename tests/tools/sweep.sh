@@ -14,7 +14,7 @@ twice() {
     cmp "$folder/a.png" "$folder/b.png" || { echo "FAILED: two runs of $1 differ." && exit 1; }
 }
 flaneur=$1
-far=(--camera 22,13,34/1,0,0)
+far=(--camera "22,13,34/1,0,0")
 for quality in low medium high ultra; do
     for scene in corner square district; do twice "$scene, $quality" --scene $scene --quality $quality; done
     twice "asteroid, $quality" --scene asteroid --quality $quality "${far[@]}"
