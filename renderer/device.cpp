@@ -196,6 +196,8 @@ Result<void> make_logical_device(Device& device) {
     vkGetPhysicalDeviceFeatures(device.physical, &offered);
     features.features.fillModeNonSolid = offered.fillModeNonSolid;
     device.has_wireframe = offered.fillModeNonSolid;
+    features.features.pipelineStatisticsQuery = offered.pipelineStatisticsQuery;
+    device.has_counters = offered.pipelineStatisticsQuery == VK_TRUE;
     const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = 1;

@@ -24,6 +24,7 @@ struct Device {
     bool has_labels = false;      // VK_EXT_debug_utils
     bool has_timestamps = false;  // on the queue
     bool has_wireframe = false;   // fillModeNonSolid
+    bool has_counters = false;    // of what shaders were called for
     std::function<void(const std::string&)> on_message;
     std::atomic<uint32_t> messages = 0;  // from the validation layer
 };

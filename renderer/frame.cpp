@@ -253,10 +253,13 @@ Result<void> record_frame(const FrameRecord& record) {
     FLANEUR_VK(vkBeginCommandBuffer(record.commands, &begin), "record a frame");
     if (record.slot.timestamps)
         vkCmdResetQueryPool(record.commands, record.slot.timestamps, 0, k_max_stages + 1);
+    if (record.slot.counters) vkCmdResetQueryPool(record.commands, record.slot.counters, 0, k_max_stages);
     write_timestamp(record, 0);
     vkCmdBindDescriptorSets(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.layout, 0, 1,
                             &record.slot.set, 0, nullptr);
     vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+    // Beginning to count, lavapipe looks at the pipeline.
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.sky);
 
     draw_shadows(record);
     draw_scene(record);
@@ -318,6 +321,9 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
 }  // namespace
 
 void begin_stage(const FrameRecord& record, const char* name) {
+    if (record.slot.counters)
+        vkCmdBeginQuery(record.commands, record.slot.counters,
+                        static_cast<uint32_t>(record.slot.stages.size()), 0);
     record.slot.stages.emplace_back(name);
     if (!record.renderer.device.has_labels) return;
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
@@ -327,7 +333,9 @@ void begin_stage(const FrameRecord& record, const char* name) {
 
 void end_stage(const FrameRecord& record) {
     if (record.renderer.device.has_labels) vkCmdEndDebugUtilsLabelEXT(record.commands);
-    write_timestamp(record, static_cast<uint32_t>(record.slot.stages.size()));
+    const uint32_t count = static_cast<uint32_t>(record.slot.stages.size());
+    write_timestamp(record, count);
+    if (record.slot.counters) vkCmdEndQuery(record.commands, record.slot.counters, count - 1);
 }
 
 const LitPipelines& lit_pipelines(const FrameRecord& record) {
@@ -377,16 +385,27 @@ Result<void> finish_slot(Renderer& renderer, FrameSlot& slot) {
     if (!slot.is_pending) return {};
     FLANEUR_VK(vkWaitForFences(renderer.device.handle, 1, &slot.done, VK_TRUE, UINT64_MAX), "finish a frame");
     slot.is_pending = false;
-    renderer.stats.stages.clear();
-    if (!slot.timestamps) return {};
-    uint64_t times[k_max_stages + 1] = {};
-    const uint32_t count = static_cast<uint32_t>(slot.stages.size()) + 1;
-    FLANEUR_VK(vkGetQueryPoolResults(renderer.device.handle, slot.timestamps, 0, count, sizeof times, times,
-                                     sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
-               "read a frame's times");
-    const double ms = static_cast<double>(renderer.device.properties.limits.timestampPeriod) * 1e-6;
-    for (size_t i = 0; i < slot.stages.size(); ++i)
-        renderer.stats.stages.push_back({slot.stages[i], static_cast<double>(times[i + 1] - times[i]) * ms});
+    std::vector<FrameStats::Stage>& stages = renderer.stats.stages;
+    stages.clear();
+    for (const std::string& name : slot.stages) stages.push_back({name});
+    const uint32_t count = static_cast<uint32_t>(stages.size());
+    if (slot.timestamps) {
+        uint64_t times[k_max_stages + 1] = {};
+        FLANEUR_VK(vkGetQueryPoolResults(renderer.device.handle, slot.timestamps, 0, count + 1, sizeof times,
+                                         times, sizeof(uint64_t), VK_QUERY_RESULT_64_BIT),
+                   "read a frame's times");
+        const double ms = static_cast<double>(renderer.device.properties.limits.timestampPeriod) * 1e-6;
+        for (uint32_t i = 0; i < count; ++i)
+            stages[i].gpu_ms = static_cast<double>(times[i + 1] - times[i]) * ms;
+    }
+    if (slot.counters) {
+        uint64_t shaded[k_max_stages][2] = {};  // in the order of the counters' bits
+        FLANEUR_VK(vkGetQueryPoolResults(renderer.device.handle, slot.counters, 0, count, sizeof shaded,
+                                         shaded, sizeof shaded[0], VK_QUERY_RESULT_64_BIT),
+                   "read a frame's counters");
+        for (uint32_t i = 0; i < count; ++i)
+            stages[i].vertices = shaded[i][0], stages[i].fragments = shaded[i][1];
+    }
     return {};
 }
 

@@ -31,11 +31,19 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
     const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     FLANEUR_VK(vkCreateFence(device.handle, &fence, nullptr, &slot.done), "make a fence");
     FLANEUR_TRY(make_image_ready(device, slot));
-    if (!device.has_timestamps) return {};
     VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    queries.queryCount = k_max_stages + 1;
-    FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.timestamps), "make timers");
+    if (device.has_timestamps) {
+        queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+        queries.queryCount = k_max_stages + 1;
+        FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.timestamps), "make timers");
+    }
+    if (device.has_counters) {
+        queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
+        queries.queryCount = k_max_stages;
+        queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
+                                     VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT;
+        FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.counters), "make counters");
+    }
     return {};
 }
 
@@ -44,6 +52,7 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
                            &slot.contacts, &slot.lines, &slot.fills})
         destroy_buffer(device, *buffer);
     if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
+    if (slot.counters) vkDestroyQueryPool(device.handle, slot.counters, nullptr);
     if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
     if (slot.done) vkDestroyFence(device.handle, slot.done, nullptr);
     if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);

@@ -33,9 +33,10 @@ struct Image {
 struct FrameStats {
     struct Stage {
         std::string name;
-        double gpu_ms = 0;
+        double gpu_ms = 0;                     // by GPU timestamps; 0 where the device has none
+        uint64_t vertices = 0, fragments = 0;  // how many were shaded; 0 where the device does not count
     };
-    std::vector<Stage> stages;  // by GPU timestamps, in order
+    std::vector<Stage> stages;  // in order
     double cpu_record_ms = 0;   // culling, uploading and recording
     uint32_t walkers_drawn = 0, walkers_in_shadow = 0, triangles = 0, sub_draws = 0, direct_draws = 0;
     uint32_t impostors = 0;  // of the walkers drawn

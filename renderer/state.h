@@ -20,6 +20,7 @@ struct FrameSlot {
     VkSemaphore image_ready = {};
     VkDescriptorSet set = {};
     VkQueryPool timestamps = {};  // at the start, and at the end of each stage
+    VkQueryPool counters = {};    // of each stage: vertices and fragments shaded
     Buffer constants, instances, palette, impostors, draws, contacts, lines, fills;
     std::vector<std::string> stages;  // names of those timed
     bool is_pending = false;          // submitted, and not yet waited for
