@@ -10,9 +10,11 @@
 namespace flaneur {
 namespace {
 
-constexpr int k_grid = 20;            // chunks along each side of the city, for each class
-constexpr float k_least_cell = 24;    // metres
+constexpr int k_grid = 32;            // chunks along each side of the city, for each class
+constexpr float k_least_cell = 15;    // metres
 constexpr float k_least_wall = 1.6f;  // narrower ones have no windows, metres
+constexpr float k_least_hiding = 6;   // square metres: smaller faces hide too little to be asked
+constexpr float k_flat = 0.02f;       // metres that a corner may lie beside the others' plane
 
 struct Extent {
     float low_u = std::numeric_limits<float>::max(), high_u = std::numeric_limits<float>::lowest();
@@ -106,10 +108,49 @@ void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
     }
 }
 
+// Whether a, b, c, d lie in a plane and turn one way.
+bool is_convex(const Wall& wall) {
+    const glm::vec3 normal =
+        glm::normalize(glm::cross(wall.corners[1] - wall.corners[0], wall.corners[2] - wall.corners[0]));
+    if (!(std::fabs(glm::dot(normal, wall.corners[3] - wall.corners[0])) < k_flat)) return false;
+    for (size_t k = 0; k < 4; ++k) {
+        const glm::vec3 &a = wall.corners[k], &b = wall.corners[(k + 1) % 4], &c = wall.corners[(k + 2) % 4];
+        if (!(glm::dot(glm::cross(b - a, c - b), normal) > 0)) return false;
+    }
+    return true;
+}
+
+// Walls and roofs; two triangles that follow one another as halves of a quad are one.
+void gather_walls(PreparedCity& city) {
+    auto corner = [&](size_t index) { return city.vertices[city.indices[index]].position; };
+    for (CityClass kind : {CityClass::facade, CityClass::roof, CityClass::detail})
+        for (const CityChunk& chunk : city.chunks[static_cast<size_t>(kind)]) {
+            WallGroup group{chunk.low, chunk.high, static_cast<uint32_t>(city.walls.size())};
+            const size_t end = chunk.range.first_index + chunk.range.index_count;
+            for (size_t i = chunk.range.first_index; i < end; i += 3) {
+                Wall wall{{corner(i), corner(i + 1), corner(i + 2), corner(i + 2)}};
+                float twice_area = glm::length(
+                    glm::cross(wall.corners[1] - wall.corners[0], wall.corners[2] - wall.corners[0]));
+                if (!(twice_area > 0)) continue;
+                if (i + 3 < end && corner(i + 3) == wall.corners[0] && corner(i + 4) == wall.corners[2]) {
+                    wall.corners[3] = corner(i + 5);
+                    if (is_convex(wall))
+                        twice_area *= 2, i += 3;
+                    else
+                        wall.corners[3] = wall.corners[2];
+                }
+                if (twice_area >= 2 * k_least_hiding) city.walls.push_back(wall);
+            }
+            group.count = static_cast<uint32_t>(city.walls.size()) - group.first;
+            if (group.count > 0) city.wall_groups.push_back(group);
+        }
+}
+
 }  // namespace
 
 CityClass city_class(uint32_t material) {
     if (material == k_material_facade) return CityClass::facade;
+    if (material == k_material_roof) return CityClass::roof;
     if (material == k_material_scenery) return CityClass::scenery;
     if (material == k_material_shade) return CityClass::shade;
     return material < k_material_facade && material != k_material_steps ? CityClass::ground
@@ -145,6 +186,7 @@ Result<PreparedCity> prepare_city(const CityMesh& mesh) {
     city.indices = mesh.indices;
     fit_windows(city);
     gather_chunks(city, mesh.indices);
+    gather_walls(city);
     return city;
 }
 

@@ -11,9 +11,10 @@
 
 namespace flaneur {
 
-// What is drawn by one pipeline.
-enum class CityClass { ground, facade, detail, scenery, shade };
-inline constexpr int k_city_classes = 5;
+// What is drawn by one pipeline and culled together: roofs, which show over the houses before them, apart from
+// what stands below.
+enum class CityClass { ground, facade, roof, detail, scenery, shade };
+inline constexpr int k_city_classes = 6;
 CityClass city_class(uint32_t material);
 
 struct PreparedCity {
@@ -22,6 +23,8 @@ struct PreparedCity {
     std::vector<CityVertex> vertices;
     std::vector<uint32_t> indices;
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
+    std::vector<Wall> walls;  // what is large enough to hide something, gathered by chunks
+    std::vector<WallGroup> wall_groups;
     float ground_low = 0;  // lowest vertex, metres
 };
 

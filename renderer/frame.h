@@ -31,7 +31,7 @@ struct FramePlan {
     Slice slice;
     ShadowBox near_box, far_box;
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
-    DrawRange facades, surfaces[2], scenery, shades, crowd_smooth, crowd_rigid, casters;
+    DrawRange facades, surfaces[3], scenery, shades, crowd_smooth, crowd_rigid, casters;
     DrawRange near_city, far_city, near_scenery, far_scenery;  // what throws shadows into the maps
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;

@@ -84,7 +84,13 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.refresh_near = plan.has_shadows && plan.near_box != renderer.shadows.near_box;
     plan.refresh_far = plan.has_shadows && plan.far_box != renderer.shadows.far_box;
 
-    const CrowdInput crowd{input.walkers, scene.people, input.palette.size(), scene.impostors.pixels};
+    OcclusionMap& hidden = renderer.hidden;
+    if (input.skips_hidden)
+        draw_walls(scene.wall_groups, scene.walls, plan.view, hidden);
+    else
+        hidden.nearness.clear();
+    const CrowdInput crowd{input.walkers, scene.people, input.palette.size(), scene.impostors.pixels,
+                           &hidden};
     if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
         renderer.crowd.levels.clear();
     renderer.last_view = plan.view;
@@ -113,12 +119,13 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     auto begin = [&] { return static_cast<uint32_t>(plan.draws.size()); };
     auto visible = [&](CityClass kind) {
         const uint32_t first = begin();
-        return DrawRange{first, cull_chunks(chunks(kind), plan.view, plan.draws)};
+        return DrawRange{first, cull_chunks(chunks(kind), plan.view, hidden, plan.draws)};
     };
     auto casting = [&](const ShadowBox& box) {
         const uint32_t first = begin();
         uint32_t count = cull_chunk_casters(chunks(CityClass::facade), box, plan.draws);
-        count += cull_chunk_casters(chunks(CityClass::detail), box, plan.draws);
+        for (CityClass kind : {CityClass::roof, CityClass::detail})
+            count += cull_chunk_casters(chunks(kind), box, plan.draws);
         return DrawRange{first, count};
     };
     auto scenery_casting = [&](const ShadowBox& box) {
@@ -127,7 +134,8 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     };
     plan.facades = visible(CityClass::facade);
     plan.surfaces[0] = visible(CityClass::detail);
-    plan.surfaces[1] = visible(CityClass::ground);
+    plan.surfaces[1] = visible(CityClass::roof);
+    plan.surfaces[2] = visible(CityClass::ground);
     plan.scenery = visible(CityClass::scenery);
     plan.shades = visible(CityClass::shade);
     if (plan.refresh_near) {

@@ -154,6 +154,8 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
     if (indices.size() > 0xffffffffu || vertices.size() > 0x7fffffffu)
         return Error{"The scene has too many triangles for one index buffer."};
     scene.chunks = std::move(city->chunks);
+    scene.walls = std::move(city->walls);
+    scene.wall_groups = std::move(city->wall_groups);
     scene.ground_low = city->ground_low;
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(city->vertices)),
                               VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, scene.city_vertices));

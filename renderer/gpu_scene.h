@@ -10,6 +10,8 @@ struct GpuScene {
     Buffer city_vertices, person_vertices, indices;
     GpuImage textures, scenery;  // arrays, of people and of the city; layer 0 is white
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
+    std::vector<Wall> walls;
+    std::vector<WallGroup> wall_groups;
     std::vector<PersonRanges> people;
     Impostors impostors;
     GpuImage lamps;         // LampMap, in half floats

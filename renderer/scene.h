@@ -146,6 +146,7 @@ struct FrameInput {
     Sun sun;
     std::span<const WalkerDraw> walkers;
     std::span<const JointTransform> palette;  // k_palette_joints for each walker that refers to it
+    bool skips_hidden = true;  // what walls hide is not drawn; the picture is the same either way
     bool is_overcast = false;
     float lit_windows = 0.3f;  // share of windows with a light on in the dark
     // Views for work. What is not asked for costs nothing.

@@ -42,6 +42,7 @@ struct Renderer {
     Swapchain swapchain;
     bool is_swapchain_stale = true;
     CrowdDraws crowd, casters;
+    OcclusionMap hidden;
     View last_view{};  // of the frame before
     FrameStats stats;
 };

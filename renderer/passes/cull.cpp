@@ -91,6 +91,10 @@ bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels
            !(pixels >= input.impostor_pixels);
 }
 
+bool is_sphere_hidden(const CrowdInput& input, const View& view, glm::vec3 centre, float radius) {
+    return input.hidden && is_hidden(*input.hidden, view, centre - radius, centre + radius);
+}
+
 }  // namespace
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
@@ -115,7 +119,9 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
     out.levels.resize(input.walkers.size(), k_unseen);
     sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t i) -> uint32_t {
         const uint8_t before = std::exchange(out.levels[i], k_unseen);
-        if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker)) return k_unseen;
+        if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker) ||
+            is_sphere_hidden(input, view, walker.centre, walker.radius))
+            return k_unseen;
         auto level_at = [&](float pixels) {
             return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
         };
@@ -140,7 +146,9 @@ void cull_shadow_casters(const CrowdInput& input, const View& view, const Shadow
         const float fall =
             2 * walker.radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
         const glm::vec3 middle = walker.centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2);
-        if (!sees_sphere(view, middle, walker.radius + fall / 2)) return k_unseen;
+        const float around = walker.radius + fall / 2;
+        if (!sees_sphere(view, middle, around) || is_sphere_hidden(input, view, middle, around))
+            return k_unseen;
         const float pixels = pixels_of(view, walker.centre, walker.radius);
         // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
         // middle.
@@ -180,10 +188,13 @@ void find_contacts(const CrowdInput& input, std::span<const JointTransform> pale
     }
 }
 
-uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, std::vector<DrawCommand>& draws) {
+uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const OcclusionMap& hidden,
+                     std::vector<DrawCommand>& draws) {
     std::vector<std::pair<float, uint32_t>> order;
     for (uint32_t i = 0; i < chunks.size(); ++i) {
-        if (!sees_box(view, chunks[i].low, chunks[i].high)) continue;
+        if (!sees_box(view, chunks[i].low, chunks[i].high) ||
+            is_hidden(hidden, view, chunks[i].low, chunks[i].high))
+            continue;
         const glm::vec3 nearest = glm::clamp(view.eye, chunks[i].low, chunks[i].high) - view.eye;
         order.emplace_back(glm::dot(nearest, nearest), i);
     }

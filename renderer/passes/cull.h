@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/view.h"
+#include "renderer/passes/occlusion.h"
 
 namespace flaneur {
 
@@ -62,6 +62,7 @@ struct CrowdInput {
     std::span<const PersonRanges> people;
     size_t palette_size = 0;    // walkers that refer beyond it are left out, as are those of unknown meshes
     float impostor_pixels = 0;  // smaller ones are impostors, if their meshes have any
+    const OcclusionMap* hidden = nullptr;  // who is out of sight behind walls; null: nobody
 };
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v);
@@ -94,8 +95,9 @@ struct CityChunk {
     MeshRange range;
 };
 
-// Appends a draw for each chunk that the view sees, nearest first; returns how many.
-uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, std::vector<DrawCommand>& draws);
+// Appends a draw for each chunk that the view sees and no wall hides, nearest first; returns how many.
+uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const OcclusionMap& hidden,
+                     std::vector<DrawCommand>& draws);
 
 // Appends a draw for each chunk that may throw a shadow into the box.
 uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box,

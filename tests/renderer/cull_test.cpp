@@ -189,7 +189,7 @@ TEST(Cull, ChunksComeNearestFirst) {
                                 {{-1, 0, -20}, {1, 2, -10}, {9, 3}},
                                 {{-1, 0, 20}, {1, 2, 22}, {12, 9}}};
     std::vector<DrawCommand> draws;
-    ASSERT_EQ(cull_chunks(chunks, view, draws), 3u);
+    ASSERT_EQ(cull_chunks(chunks, view, {}, draws), 3u);
     EXPECT_EQ(draws[0].first_index, 3u);
     EXPECT_EQ(draws[1].first_index, 12u);
     EXPECT_EQ(draws[2].first_index, 0u);
