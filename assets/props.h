@@ -38,6 +38,8 @@ struct PropMesh {
     };
     std::vector<Vertex> vertices;
     std::vector<uint32_t> indices;
+    bool is_far =
+        false;  // what is added is for eyes to whom a metre is 20 pixels or less: a third of the triangles
 };
 
 // Appends a prop to `mesh`: 500 to 600 triangles for a tree, a car or a fountain, under 300 for the others.

@@ -41,15 +41,17 @@ void add_shell(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
                              {w * 0.985f, lerp(c.foot, c.top, 0.78f)},
                              {w * 0.93f, c.top - 0.025f},
                              {w * 0.80f, c.top}};
-        for (int k = 0; k < 5; ++k) points.push_back(f.at(-half[k].x, half[k].z, c.z));
-        for (int k = 4; k >= 0; --k) points.push_back(f.at(half[k].x, half[k].z, c.z));
+        const int step = mesh.is_far ? 2 : 1;
+        for (int k = 0; k < 5; k += step) points.push_back(f.at(-half[k].x, half[k].z, c.z));
+        for (int k = 4; k >= 0; k -= step) points.push_back(f.at(half[k].x, half[k].z, c.z));
     }
-    add_sheet(mesh, points, 10, PropPart::paint);
+    const size_t columns = points.size() / std::size(sections);
+    add_sheet(mesh, points, columns, PropPart::paint);
     for (bool front : {false, true}) {
         size_t row = front ? std::size(sections) - 1 : 0;
-        for (size_t k = 0; k < 4; ++k) {
-            Vec3 a = points[row * 10 + k], b = points[row * 10 + k + 1], c = points[row * 10 + 8 - k],
-                 d = points[row * 10 + 9 - k];
+        for (size_t k = 0; k + 1 < columns / 2; ++k) {
+            const Vec3 *left = &points[row * columns + k], *right = &points[(row + 1) * columns - 1 - k];
+            Vec3 a = left[0], b = left[1], c = right[-1], d = right[0];
             PropPart part = k == 0 ? PropPart::tyre : PropPart::paint;
             front ? add_quad(mesh, a, d, c, b, part) : add_quad(mesh, a, b, c, d, part);
         }
@@ -99,10 +101,10 @@ void add_cabin(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
 
 void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
     constexpr float k_radius = 0.31f;
-    constexpr uint32_t k_sides = 8;
+    const uint32_t sides = mesh.is_far ? 4 : 8;
     float side = x > 0 ? 1.0f : -1.0f;
     auto rim = [&](float radius, float out, uint32_t i) {
-        SinCos turn = sin_cos(2 * k_pi * static_cast<float>(i % k_sides) / static_cast<float>(k_sides));
+        SinCos turn = sin_cos(2 * k_pi * static_cast<float>(i % sides) / static_cast<float>(sides));
         return f.at(x + side * out, k_radius + radius * turn.sine, z + radius * turn.cosine);
     };
     struct Ring {
@@ -115,15 +117,16 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
                           {0.2f, 0.03f, PropPart::alloy},
                           {0.0f, 0.02f, PropPart::alloy}};
     for (size_t r = 0; r + 1 < std::size(rings); ++r) {
-        for (uint32_t i = 0; i < (r == 0 ? k_sides / 2 : k_sides); ++i) {
+        for (uint32_t i = 0; i < (r == 0 ? sides / 2 : sides); ++i) {
             Vec3 a = rim(rings[r].radius, rings[r].out, i), b = rim(rings[r].radius, rings[r].out, i + 1);
             Vec3 c = rim(rings[r + 1].radius, rings[r + 1].out, i + 1),
                  d = rim(rings[r + 1].radius, rings[r + 1].out, i);
             side < 0 ? add_quad(mesh, a, b, c, d, rings[r].part) : add_quad(mesh, b, a, d, c, rings[r].part);
         }
     }
+    if (mesh.is_far) return;
     // What touches the road, below the sill.
-    for (uint32_t i = k_sides / 2; i < k_sides; ++i) {
+    for (uint32_t i = sides / 2; i < sides; ++i) {
         Vec3 a = rim(k_radius, 0, i), b = rim(k_radius, 0, i + 1), c = rim(k_radius, -0.18f, i + 1),
              d = rim(k_radius, -0.18f, i);
         side > 0 ? add_quad(mesh, a, b, c, d, PropPart::tyre) : add_quad(mesh, b, a, d, c, PropPart::tyre);
@@ -145,8 +148,9 @@ void add_car(PropMesh& mesh, const Prop& car) {
         add_box(mesh, f.at(x, y, z - 0.02f), {0.16f, 0.055f, 0.05f}, car.yaw, PropPart::light);
         add_box(mesh, f.at(side * 0.66f, s.boot - 0.2f, -s.half_length + 0.04f), {0.1f, 0.08f, 0.05f},
                 car.yaw, PropPart::red);
-        add_box(mesh, f.at(side * (s.half_width + 0.07f), s.belt + 0.04f, s.screen_foot - 0.28f),
-                {0.08f, 0.06f, 0.05f}, car.yaw, PropPart::paint);
+        if (!mesh.is_far)
+            add_box(mesh, f.at(side * (s.half_width + 0.07f), s.belt + 0.04f, s.screen_foot - 0.28f),
+                    {0.08f, 0.06f, 0.05f}, car.yaw, PropPart::paint);
     }
 }
 

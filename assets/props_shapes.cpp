@@ -12,10 +12,11 @@ namespace {
 
 struct Sphere {
     std::vector<Vec3> points;
-    std::vector<uint32_t> triangles;
+    std::vector<uint32_t> triangles, coarse;  // coarse: over the first 12 points
 };
 
-// An icosahedron, each triangle split into four and brought to the unit sphere: 42 points, 80 triangles.
+// An icosahedron, and each of its triangles split into four and brought to the unit sphere: 42 points, 80
+// triangles.
 Sphere make_sphere() {
     constexpr float g = 1.618034f;
     Sphere s;
@@ -34,6 +35,7 @@ Sphere make_sphere() {
         uint32_t a = faces[t], b = faces[t + 1], c = faces[t + 2];
         uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
         for (uint32_t i : {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca}) s.triangles.push_back(i);
+        for (uint32_t i : {a, b, c}) s.coarse.push_back(i);
     }
     for (Vec3& p : s.points) p = p / length(p);
     return s;
@@ -44,8 +46,11 @@ Sphere make_sphere() {
 void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_size, RandomKey key,
                uint32_t draw, PropPart part) {
     static const Sphere sphere = make_sphere();
+    constexpr size_t k_coarse_points = 12;
+    constexpr float k_swell = 1.09f;  // makes up for what lies beyond the coarse sphere's faces
     auto first = static_cast<uint32_t>(mesh.vertices.size());
-    for (size_t i = 0; i < sphere.points.size(); ++i) {
+    if (mesh.is_far) size = size * k_swell;
+    for (size_t i = 0; i < (mesh.is_far ? k_coarse_points : sphere.points.size()); ++i) {
         const Vec3& p = sphere.points[i];
         float bump = random_between(key, 0.86f, 1.12f, draw + static_cast<uint32_t>(i));
         Vec3 at = centre + Vec3{p.x * size.x, (p.y < 0 ? p.y * 0.8f : p.y) * size.y, p.z * size.z} * bump;
@@ -56,11 +61,12 @@ void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_si
                       lerp(0.80f, 1.06f, smoothstep(-0.8f, 0.6f, out.y));
         mesh.vertices.push_back({at, normalize_or(p * 0.65f + out, p), part, shade});
     }
-    for (uint32_t i : sphere.triangles) mesh.indices.push_back(first + i);
+    for (uint32_t i : mesh.is_far ? sphere.coarse : sphere.triangles) mesh.indices.push_back(first + i);
 }
 
 void add_post(PropMesh& mesh, Vec3 foot, Vec3 top, float foot_radius, float top_radius, uint32_t sides,
               PropPart part, bool cap) {
+    if (mesh.is_far) sides = std::min(sides, 4u), cap = false;
     auto first = static_cast<uint32_t>(mesh.vertices.size());
     Vec3 axis = normalize_or(top - foot, {0, 1, 0});
     Quat stand = rotation_between({0, 1, 0}, axis);
@@ -131,6 +137,7 @@ void add_sheet(PropMesh& mesh, const std::vector<Vec3>& points, size_t columns, 
 }
 
 void add_turned(PropMesh& mesh, Vec3 foot, const std::vector<Vec2>& profile, uint32_t sides, PropPart part) {
+    if (mesh.is_far) sides = (sides + 1) / 2;
     auto first = static_cast<uint32_t>(mesh.vertices.size());
     auto rows = static_cast<uint32_t>(profile.size());
     for (uint32_t r = 0; r < rows; ++r) {

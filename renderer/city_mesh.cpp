@@ -61,8 +61,21 @@ void fit_windows(PreparedCity& city) {
     }
 }
 
-// Sorts the triangles by (class, cell), keeping their order within each.
-void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
+constexpr size_t k_cells = k_grid * k_grid;
+constexpr size_t k_reaches = 3;  // SeenFrom: what is drawn from near begins each chunk, what from far ends it
+
+// The bounds of what a bucket's triangles touch.
+void widen(CityChunk& chunk, const PreparedCity& city, MeshRange range) {
+    for (uint32_t i = 0; i < range.index_count; ++i) {
+        const glm::vec3 position = city.vertices[city.indices[range.first_index + i]].position;
+        chunk.low = glm::min(chunk.low, position);
+        chunk.high = glm::max(chunk.high, position);
+    }
+}
+
+// Sorts the triangles by (class, cell, from where they are seen), keeping their order within each.
+void gather_chunks(PreparedCity& city, const CityMesh& mesh) {
+    const std::vector<uint32_t>& indices = mesh.indices;
     const size_t triangle_count = indices.size() / 3;
     glm::vec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
     for (uint32_t index : indices) {
@@ -74,17 +87,18 @@ void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
     auto place = [&](float value, float from) {
         return static_cast<size_t>(std::clamp((value - from) / cell, 0.0f, k_grid - 1.0f));
     };
-    constexpr size_t cells = k_grid * k_grid;
+    constexpr size_t bucket_count = k_city_classes * k_cells * k_reaches;
     std::vector<uint32_t> bucket_of(triangle_count);
-    std::vector<uint32_t> firsts(cells * k_city_classes + 1, 0);
+    std::vector<uint32_t> firsts(bucket_count + 1, 0);
     for (size_t t = 0; t < triangle_count; ++t) {
         const CityVertex& a = city.vertices[indices[3 * t]];
         const CityVertex& b = city.vertices[indices[3 * t + 1]];
         const CityVertex& c = city.vertices[indices[3 * t + 2]];
         const glm::vec3 centre = (a.position + b.position + c.position) / 3.0f;
         const size_t kind = static_cast<size_t>(city_class(a.material));
-        bucket_of[t] =
-            static_cast<uint32_t>(kind * cells + place(centre.z, low.z) * k_grid + place(centre.x, low.x));
+        const size_t chunk = kind * k_cells + place(centre.z, low.z) * k_grid + place(centre.x, low.x);
+        const SeenFrom reach = mesh.seen_from.empty() ? SeenFrom::anywhere : mesh.seen_from[t];
+        bucket_of[t] = static_cast<uint32_t>(chunk * k_reaches + static_cast<size_t>(reach));
         ++firsts[bucket_of[t] + 1];
     }
     std::partial_sum(firsts.begin(), firsts.end(), firsts.begin());
@@ -94,17 +108,15 @@ void gather_chunks(PreparedCity& city, const std::vector<uint32_t>& indices) {
         const size_t at = 3 * size_t{next[bucket_of[t]]++};
         for (size_t k = 0; k < 3; ++k) city.indices[at + k] = indices[3 * t + k];
     }
-    for (size_t bucket = 0; bucket < cells * k_city_classes; ++bucket) {
-        const MeshRange range{3 * firsts[bucket], 3 * (firsts[bucket + 1] - firsts[bucket])};
-        if (range.index_count == 0) continue;
+    for (size_t bucket = 0; bucket < bucket_count; bucket += k_reaches) {
+        auto range = [&](size_t begin, size_t end) {
+            return MeshRange{3 * firsts[bucket + begin], 3 * (firsts[bucket + end] - firsts[bucket + begin])};
+        };
         CityChunk chunk{glm::vec3(std::numeric_limits<float>::max()),
-                        glm::vec3(std::numeric_limits<float>::lowest()), range};
-        for (uint32_t i = 0; i < range.index_count; ++i) {
-            const glm::vec3 position = city.vertices[city.indices[range.first_index + i]].position;
-            chunk.low = glm::min(chunk.low, position);
-            chunk.high = glm::max(chunk.high, position);
-        }
-        city.chunks[bucket / cells].push_back(chunk);
+                        glm::vec3(std::numeric_limits<float>::lowest()), range(0, 2), range(1, k_reaches)};
+        if (range(0, k_reaches).index_count == 0) continue;
+        widen(chunk, city, range(0, k_reaches));
+        city.chunks[bucket / (k_cells * k_reaches)].push_back(chunk);
     }
 }
 
@@ -126,8 +138,8 @@ void gather_walls(PreparedCity& city) {
     for (CityClass kind : {CityClass::facade, CityClass::roof, CityClass::detail})
         for (const CityChunk& chunk : city.chunks[static_cast<size_t>(kind)]) {
             WallGroup group{chunk.low, chunk.high, static_cast<uint32_t>(city.walls.size())};
-            const size_t end = chunk.range.first_index + chunk.range.index_count;
-            for (size_t i = chunk.range.first_index; i < end; i += 3) {
+            const size_t end = chunk.near.first_index + chunk.near.index_count;
+            for (size_t i = chunk.near.first_index; i < end; i += 3) {
                 Wall wall{{corner(i), corner(i + 1), corner(i + 2), corner(i + 2)}};
                 float twice_area = glm::length(
                     glm::cross(wall.corners[1] - wall.corners[0], wall.corners[2] - wall.corners[0]));
@@ -168,6 +180,9 @@ Result<PreparedCity> prepare_city(const CityMesh& mesh) {
     if (mesh.indices.size() % 3 != 0)
         return Error{"The city's mesh has " + std::to_string(mesh.indices.size()) +
                      " indices, which is no whole number of triangles."};
+    if (!mesh.seen_from.empty() && mesh.seen_from.size() != mesh.indices.size() / 3)
+        return Error{"The city's mesh says of " + std::to_string(mesh.seen_from.size()) + " of its " +
+                     std::to_string(mesh.indices.size() / 3) + " triangles from where they are seen."};
     for (uint32_t index : mesh.indices)
         if (index >= mesh.vertices.size())
             return Error{"The city's mesh refers to vertex " + std::to_string(index) + " but has only " +
@@ -185,7 +200,7 @@ Result<PreparedCity> prepare_city(const CityMesh& mesh) {
     city.vertices = mesh.vertices;
     city.indices = mesh.indices;
     fit_windows(city);
-    gather_chunks(city, mesh.indices);
+    gather_chunks(city, mesh);
     gather_walls(city);
     return city;
 }

@@ -121,17 +121,13 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
         const uint32_t first = begin();
         return DrawRange{first, cull_chunks(chunks(kind), plan.view, hidden, plan.draws)};
     };
-    auto casting = [&](const ShadowBox& box) {
-        const uint32_t first = begin();
-        uint32_t count = cull_chunk_casters(chunks(CityClass::facade), box, plan.draws);
-        for (CityClass kind : {CityClass::roof, CityClass::detail})
-            count += cull_chunk_casters(chunks(kind), box, plan.draws);
-        return DrawRange{first, count};
+    auto casting = [&](std::initializer_list<CityClass> kinds, const ShadowBox& box, bool is_near) {
+        DrawRange range{begin(), 0};
+        for (CityClass kind : kinds)
+            range.count += cull_chunk_casters(chunks(kind), box, is_near, plan.draws);
+        return range;
     };
-    auto scenery_casting = [&](const ShadowBox& box) {
-        const uint32_t first = begin();
-        return DrawRange{first, cull_chunk_casters(chunks(CityClass::scenery), box, plan.draws)};
-    };
+    const auto opaque = {CityClass::facade, CityClass::roof, CityClass::detail};
     plan.facades = visible(CityClass::facade);
     plan.surfaces[0] = visible(CityClass::detail);
     plan.surfaces[1] = visible(CityClass::roof);
@@ -139,12 +135,12 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.scenery = visible(CityClass::scenery);
     plan.shades = visible(CityClass::shade);
     if (plan.refresh_near) {
-        plan.near_city = casting(plan.near_box);
-        plan.near_scenery = scenery_casting(plan.near_box);
+        plan.near_city = casting(opaque, plan.near_box, true);
+        plan.near_scenery = casting({CityClass::scenery}, plan.near_box, true);
     }
     if (plan.refresh_far) {
-        plan.far_city = casting(plan.far_box);
-        plan.far_scenery = scenery_casting(plan.far_box);
+        plan.far_city = casting(opaque, plan.far_box, false);
+        plan.far_scenery = casting({CityClass::scenery}, plan.far_box, false);
     }
 }
 

@@ -50,9 +50,13 @@ struct RgbaImage {
     std::vector<uint8_t> rgba;  // sRGB, rows from the top
 };
 
+// From where a triangle of the city is drawn; see k_fine_pixels.
+enum class SeenFrom : uint8_t { near, anywhere, far };
+
 struct CityMesh {
     std::vector<CityVertex> vertices;
     std::vector<uint32_t> indices;
+    std::vector<SeenFrom> seen_from;  // one a triangle, or empty: all from anywhere
     std::vector<RgbaImage> textures;  // of scenery; nothing is seen where alpha is below a half
 };
 

@@ -71,8 +71,11 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
             out.instances[out.firsts[out.buckets[i]]++] = input.walkers[i].instance;
 }
 
-DrawCommand draw_of(const CityChunk& chunk) {
-    return {chunk.range.index_count, 1, chunk.range.first_index, 0, 0};
+// Appends what there is to draw; returns how many draws that is.
+uint32_t append_draw(const MeshRange& range, std::vector<DrawCommand>& draws) {
+    if (range.index_count == 0) return 0;
+    draws.push_back({range.index_count, 1, range.first_index, 0, 0});
+    return 1;
 }
 
 // How many pixels high a sphere is seen.
@@ -199,15 +202,20 @@ uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const 
         order.emplace_back(glm::dot(nearest, nearest), i);
     }
     std::sort(order.begin(), order.end());
-    for (const auto& [distance, i] : order) draws.push_back(draw_of(chunks[i]));
-    return static_cast<uint32_t>(order.size());
+    uint32_t count = 0;
+    for (const auto& [distance, i] : order) {
+        const bool is_near = view.pixels_at_one_metre >= k_fine_pixels * std::sqrt(distance);
+        count += append_draw(is_near ? chunks[i].near : chunks[i].far, draws);
+    }
+    return count;
 }
 
-uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box,
+uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box, bool is_near,
                             std::vector<DrawCommand>& draws) {
     uint32_t count = 0;
     for (const CityChunk& chunk : chunks)
-        if (casts_into(box, chunk.low, chunk.high)) draws.push_back(draw_of(chunk)), ++count;
+        if (casts_into(box, chunk.low, chunk.high))
+            count += append_draw(is_near ? chunk.near : chunk.far, draws);
     return count;
 }
 

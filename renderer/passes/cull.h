@@ -89,18 +89,20 @@ struct Contact {
 void find_contacts(const CrowdInput& input, std::span<const JointTransform> palette, const View& view,
                    std::vector<Contact>& contacts);
 
-// A piece of the city: triangles that lie together.
+// A piece of the city: triangles that lie together, as they are drawn from near and from far away.
 struct CityChunk {
     glm::vec3 low, high;
-    MeshRange range;
+    MeshRange near, far;
 };
+// A piece is seen from far away where a metre of it is nowhere larger than so many pixels.
+inline constexpr float k_fine_pixels = 20;
 
 // Appends a draw for each chunk that the view sees and no wall hides, nearest first; returns how many.
 uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const OcclusionMap& hidden,
                      std::vector<DrawCommand>& draws);
 
-// Appends a draw for each chunk that may throw a shadow into the box.
-uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box,
+// Appends a draw for each chunk that may throw a shadow into the box, as it is drawn from near or from far.
+uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box, bool is_near,
                             std::vector<DrawCommand>& draws);
 
 }  // namespace flaneur

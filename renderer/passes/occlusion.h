@@ -1,6 +1,6 @@
-// What houses hide: a coarse picture of how near the walls are, drawn on the CPU before anything else, and the
-// question whether a box lies wholly behind them. What it says is hidden would not be seen if it were drawn,
-// unless through a gap between walls that is narrower than a cell.
+// What houses hide: a coarse picture of how near the walls are, drawn on the CPU before anything else, and
+// the question whether a box lies wholly behind them. What it says is hidden would not be seen if it were
+// drawn, unless through a gap between walls that is narrower than a cell.
 #pragma once
 
 #include <cstdint>

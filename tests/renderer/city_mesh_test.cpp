@@ -33,9 +33,9 @@ TEST(CityMesh, ChunksHoldEveryTriangleOnceAndTheirBoundsHoldThem) {
     uint32_t covered = 0;
     for (int kind = 0; kind < k_city_classes; ++kind)
         for (const CityChunk& chunk : city->chunks[kind]) {
-            covered += chunk.range.index_count;
-            for (uint32_t i = 0; i < chunk.range.index_count; ++i) {
-                const CityVertex& vertex = city->vertices[city->indices[chunk.range.first_index + i]];
+            covered += chunk.near.index_count;
+            for (uint32_t i = 0; i < chunk.near.index_count; ++i) {
+                const CityVertex& vertex = city->vertices[city->indices[chunk.near.first_index + i]];
                 EXPECT_EQ(city_class(vertex.material), static_cast<CityClass>(kind));
                 for (int c = 0; c < 3; ++c) {
                     EXPECT_GE(vertex.position[c], chunk.low[c]);

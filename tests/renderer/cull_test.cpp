@@ -182,12 +182,13 @@ TEST(Cull, TheBodyThatTheEyeIsInIsNotDrawn) {
     EXPECT_EQ(seen.instances[0].palette, walkers[1].instance.palette);
 }
 
-TEST(Cull, ChunksComeNearestFirst) {
+TEST(Cull, ChunksComeNearestFirstAndCoarseFromFarAway) {
     const View view = make_view({}, 1280, 720);
-    const CityChunk chunks[] = {{{-1, 0, 50}, {1, 2, 52}, {0, 3}},
-                                {{-1, 0, 5}, {1, 2, 7}, {3, 6}},
-                                {{-1, 0, -20}, {1, 2, -10}, {9, 3}},
-                                {{-1, 0, 20}, {1, 2, 22}, {12, 9}}};
+    const CityChunk chunks[] = {{{-1, 0, 80}, {1, 2, 82}, {30, 6}, {0, 3}},
+                                {{-1, 0, 5}, {1, 2, 7}, {3, 6}, {}},
+                                {{-1, 0, -20}, {1, 2, -10}, {9, 3}, {}},
+                                {{-1, 0, 20}, {1, 2, 22}, {12, 9}, {}},
+                                {{-1, 0, 90}, {1, 2, 92}, {24, 3}, {}}};
     std::vector<DrawCommand> draws;
     ASSERT_EQ(cull_chunks(chunks, view, {}, draws), 3u);
     EXPECT_EQ(draws[0].first_index, 3u);

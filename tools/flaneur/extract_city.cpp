@@ -220,9 +220,15 @@ constexpr uint32_t k_car_colours[] = {rgb(0xd4d3cf), rgb(0xa9adb0), rgb(0x6c7074
 constexpr glm::vec2 k_within{0.45f, 0.45f};  // of a slab, clear of its joints
 
 void add_props(CityMesh& mesh, const City& city) {
+    mesh.seen_from.assign(mesh.indices.size() / 3, SeenFrom::anywhere);
     for (const Prop& prop : city.props) {
         PropMesh made;
         add_prop(made, prop);
+        mesh.seen_from.resize(mesh.seen_from.size() + made.indices.size() / 3, SeenFrom::near);
+        PropMesh coarse;
+        coarse.is_far = true;
+        add_prop(coarse, prop);
+        mesh.seen_from.resize(mesh.seen_from.size() + coarse.indices.size() / 3, SeenFrom::far);
         RandomKey key{prop.seed, 2, 0, Purpose::colour};
         float age = random_unit(key);
         auto mix_channel = [&](uint32_t a, uint32_t b) {
@@ -231,15 +237,17 @@ void add_props(CityMesh& mesh, const City& city) {
         uint32_t leaves = 0xff000000u | mix_channel(0x5f, 0x87) | mix_channel(0x7d, 0x99) << 8 |
                           mix_channel(0x45, 0x4e) << 16;
         uint32_t paint = k_car_colours[random_bits(key, 1) % std::size(k_car_colours)];
-        auto first = static_cast<uint32_t>(mesh.vertices.size());
-        for (const auto& v : made.vertices) {
-            auto [colour, material] = look_of(v.part);
-            if (v.part == PropPart::leaves) colour = leaves;
-            if (v.part == PropPart::paint) colour = paint;
-            if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
-            add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), k_within, material));
+        for (const PropMesh* some : {&made, &coarse}) {
+            auto first = static_cast<uint32_t>(mesh.vertices.size());
+            for (const auto& v : some->vertices) {
+                auto [colour, material] = look_of(v.part);
+                if (v.part == PropPart::leaves) colour = leaves;
+                if (v.part == PropPart::paint) colour = paint;
+                if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
+                add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), k_within, material));
+            }
+            for (uint32_t i : some->indices) mesh.indices.push_back(first + i);
         }
-        for (uint32_t i : made.indices) mesh.indices.push_back(first + i);
     }
 }
 
@@ -260,9 +268,9 @@ SceneMeshes extract_scene(const City& city, const std::vector<Character>& charac
     if (!city.scenery.holds_ground) add_ground(scene.city, city);
     add_faces(scene.city, city);
     add_roofs(scene.city, city);
-    add_props(scene.city, city);
     add_shades(city, scene.city);
     add_scenery(city.scenery, scene.city);
+    add_props(scene.city, city);
     for (const Character& c : characters) scene.people.push_back(extract_character(c));
     return scene;
 }
