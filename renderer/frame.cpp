@@ -108,18 +108,24 @@ const GpuImage& drawn_into(const PictureTargets& targets) {
 void begin_picture(const FrameRecord& record, bool is_fresh, bool is_last = false) {
     const PictureTargets& targets = record.renderer.targets;
     VkRenderingAttachmentInfo colour{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    colour.imageView = drawn_into(targets).view;
+    const bool is_plain = record.plan.backdrop.has_value();
+    colour.imageView = is_plain ? record.target.view : drawn_into(targets).view;
     colour.imageLayout = k_colour_target.layout;
-    if (is_last && targets.samples.view) {
+    if (is_last && !is_plain && targets.samples.view) {
         colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
         colour.resolveImageView = targets.colour.view;
         colour.resolveImageLayout = k_colour_target.layout;
     }
-    // Nothing needs clearing: the sky fills what nothing covers.
-    colour.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_LOAD;
+    // Without a backdrop nothing needs clearing: the sky fills what nothing covers.
+    colour.loadOp = !is_fresh  ? VK_ATTACHMENT_LOAD_OP_LOAD
+                    : is_plain ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                               : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
     colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    if (record.plan.backdrop)
+        colour.clearValue = {
+            {{record.plan.backdrop->r, record.plan.backdrop->g, record.plan.backdrop->b, 1}}};
     VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    depth.imageView = targets.depth.view;
+    depth.imageView = record.renderer.targets.depth.view;
     depth.imageLayout = k_depth_target.layout;
     depth.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
     depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
@@ -134,6 +140,12 @@ void begin_picture(const FrameRecord& record, bool is_fresh, bool is_last = fals
 }
 
 bool has_overlay(const FramePlan& plan) { return plan.lines > 0 || plan.fills > 0 || plan.are_ghosts; }
+void depth_barrier(const FrameRecord& record, Access from) {
+    image_barrier(record.commands, record.renderer.targets.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, from,
+                  k_depth_target);
+}
+constexpr Access k_old_depth = {k_sampled.stage | k_depth_target.stage,
+                                VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED};
 
 // Crowd, city and sky, lit and tone-mapped. Each is a stage of its own that waits for the one before, so that
 // each one's time is its own on a device that draws lazily, as lavapipe does.
@@ -142,14 +154,10 @@ void draw_scene(const FrameRecord& record) {
     auto colour_barrier = [&](Access from, Access to) {
         image_barrier(record.commands, drawn_into(targets).handle, VK_IMAGE_ASPECT_COLOR_BIT, from, to);
     };
-    auto depth_barrier = [&](Access from) {
-        image_barrier(record.commands, targets.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, from, k_depth_target);
-    };
     colour_barrier({k_sampled.stage | k_colour_target.stage, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
                     VK_IMAGE_LAYOUT_UNDEFINED},
                    k_colour_target);
-    depth_barrier({k_sampled.stage | k_depth_target.stage, VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
-                   VK_IMAGE_LAYOUT_UNDEFINED});
+    depth_barrier(record, k_old_depth);
     if (targets.samples.view)
         image_barrier(record.commands, targets.colour.handle, VK_IMAGE_ASPECT_COLOR_BIT, discarded(k_sampled),
                       k_colour_target);
@@ -168,7 +176,7 @@ void draw_scene(const FrameRecord& record) {
     draw_impostors(record);
     vkCmdEndRendering(record.commands);
     colour_barrier(k_colour_target, k_colour_target);
-    depth_barrier(k_depth_target);
+    depth_barrier(record, k_depth_target);
     end_stage(record);
 
     begin_stage(record, "city");
@@ -176,7 +184,7 @@ void draw_scene(const FrameRecord& record) {
     draw_city(record);
     vkCmdEndRendering(record.commands);
     colour_barrier(k_colour_target, k_colour_target);
-    depth_barrier(k_depth_target);
+    depth_barrier(record, k_depth_target);
     end_stage(record);
 
     begin_stage(record, "sky");
@@ -212,6 +220,21 @@ void finish_picture(const FrameRecord& record) {
         end_stage(record);
     }
     barrier(targets.colour, k_colour_target, k_sampled);
+}
+
+// City and crowd before the backdrop, straight into the target.
+void draw_plain(const FrameRecord& record) {
+    const ShadowMaps& maps = record.renderer.shadows;
+    image_barrier(record.commands, maps.map.handle, VK_IMAGE_ASPECT_DEPTH_BIT, discarded(k_sampled),
+                  k_sampled);
+    begin_stage(record, "crowd");
+    depth_barrier(record, k_old_depth);
+    begin_picture(record, true);
+    draw_crowd(record);
+    draw_impostors(record);
+    draw_city(record);
+    vkCmdEndRendering(record.commands);
+    end_stage(record);
 }
 
 // To the host.
@@ -261,16 +284,23 @@ Result<void> record_frame(const FrameRecord& record) {
     // Beginning to count, lavapipe looks at the pipeline.
     vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.sky);
 
-    draw_shadows(record);
-    draw_scene(record);
-    finish_picture(record);
+    const bool is_plain = record.plan.backdrop.has_value();
+    if (!is_plain) {
+        draw_shadows(record);
+        draw_scene(record);
+        finish_picture(record);
+    }
     image_barrier(record.commands, record.target.image, VK_IMAGE_ASPECT_COLOR_BIT, record.target.before,
                   k_colour_target);
-    begin_stage(record, "fxaa");
-    draw_fxaa(record);
+    if (is_plain) {
+        draw_plain(record);
+    } else {
+        begin_stage(record, "fxaa");
+        draw_fxaa(record);
+        end_stage(record);
+    }
     image_barrier(record.commands, record.target.image, VK_IMAGE_ASPECT_COLOR_BIT, k_colour_target,
                   record.target.after);
-    end_stage(record);
     if (record.target.readback) copy_picture(record);
 
     FLANEUR_VK(vkEndCommandBuffer(record.commands), "record a frame");
@@ -306,8 +336,8 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     stats.walkers_in_shadow =
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
-    stats.direct_draws = 2;  // sky, fxaa
-    if (renderer.quality.has_occlusion) stats.direct_draws += 2;
+    stats.direct_draws = plan.backdrop ? 0 : 2;  // sky, fxaa
+    if (renderer.quality.has_occlusion && !plan.backdrop) stats.direct_draws += 2;
     for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.direct_draws += (plan.fills > 0) + 2 * (plan.lines > 0);

@@ -30,6 +30,7 @@ struct FramePlan {
     bool is_night = false;     // lamps are lit
     Slice slice;
     ShadowBox near_box, far_box;
+    std::optional<vec3> backdrop;                    // see FrameInput
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
     DrawRange facades, surfaces[3], scenery, shades, crowd_smooth, crowd_rigid, casters;
     DrawRange near_city, far_city, near_scenery, far_scenery;  // what throws shadows into the maps

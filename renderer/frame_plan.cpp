@@ -73,7 +73,8 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     const GpuScene& scene = renderer.scene;
     plan.view = make_view(input.camera, extent.width, extent.height);
     plan.light = make_daylight(input.sun, input.is_overcast);
-    plan.has_shadows = luminance(plan.light.sky.sun) > 0;
+    plan.backdrop = input.backdrop;
+    plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
     plan.is_night = plan.light.lamps > 0;
     plan.lit_windows = input.lit_windows;
     const vec3 to_light = plan.light.to_light;
@@ -89,8 +90,8 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
         draw_walls(scene.wall_groups, scene.walls, plan.view, hidden);
     else
         hidden.nearness.clear();
-    const CrowdInput crowd{input.walkers, scene.people, input.palette.size(), scene.impostors.pixels,
-                           &hidden};
+    const CrowdInput crowd{input.walkers,          scene.people,    input.palette.size(),
+                           scene.impostors.pixels, input.is_finest, &hidden};
     if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
         renderer.crowd.levels.clear();
     renderer.last_view = plan.view;
@@ -105,7 +106,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.are_ghosts = input.are_ghosts;
     plan.lines = static_cast<uint32_t>(input.lines.size());
     plan.fills = static_cast<uint32_t>(input.fills.size());
-    find_contacts(crowd, input.palette, finer, plan.contacts);
+    if (!plan.backdrop) find_contacts(crowd, input.palette, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
     plan.crowd_smooth = append(plan.draws, people.first(renderer.crowd.smooth_draws), 0);
@@ -187,7 +188,7 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
     out.ray_down = v4(plan.view.down);
-    out.sun_direction = plan.has_shadows ? v4(to_light) : vec4(0, -1, 0, 0);
+    out.sun_direction = plan.has_shadows || plan.backdrop ? v4(to_light) : vec4(0, -1, 0, 0);
     out.sun_light = v4(sun * white, light.disc);
     const vec3 grey(0.2126f, 0.7152f, 0.0722f);
     vec4 ambient_grey(0);
@@ -209,6 +210,11 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     out.lamp_light = v4(k_lamp_colour * (lamps * exposure), plan.lit_windows);
     out.lamp_map = renderer.scene.lamp_map;
     out.window_light = v4(k_window_colour * (k_window_level * lamps * exposure));
+    if (plan.backdrop) {  // all lies beside the maps, in the sun
+        out.shadow_from_world = mat4(0);
+        out.shadow_from_world[3] = out.far_offset = {2, 2, 0, 1};
+        out.haze_towards.w = 0;
+    }
     const vec2 size(extent.width, extent.height);
     out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
     return out;

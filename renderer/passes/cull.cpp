@@ -125,6 +125,7 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
         if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker) ||
             is_sphere_hidden(input, view, walker.centre, walker.radius))
             return k_unseen;
+        if (input.is_finest) return 0;
         auto level_at = [&](float pixels) {
             return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
         };

@@ -62,6 +62,7 @@ struct CrowdInput {
     std::span<const PersonRanges> people;
     size_t palette_size = 0;    // walkers that refer beyond it are left out, as are those of unknown meshes
     float impostor_pixels = 0;  // smaller ones are impostors, if their meshes have any
+    bool is_finest = false;     // all by their finest meshes
     const OcclusionMap* hidden = nullptr;  // who is out of sight behind walls; null: nobody
 };
 

@@ -27,6 +27,7 @@ Result<std::string> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
     if (options.load == BenchLoad::city) return bench_city(options);
 #ifdef FLANEUR_VULKAN
+    if (options.load == BenchLoad::peers) return bench_peers(options);
     Result<Figures> figures = options.load == BenchLoad::frame ? bench_frame(options) : bench_crowd(options);
 #else
     Result<Figures> figures = bench_crowd(options);

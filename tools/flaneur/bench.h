@@ -9,6 +9,8 @@
 
 namespace flaneur {
 
+struct FrameStats;
+
 inline constexpr uint32_t k_warm_up = 60;  // ticks before measuring; people get under way
 
 void add_setting(Figures& figures, const Options& options, const World& world);
@@ -17,6 +19,16 @@ void add_stages(Figures& figures, const World& world);
 
 // Frames with all that belongs to them. Only in builds with Vulkan.
 Result<Figures> bench_frame(const Options& options);
+// The scene of a renderers' comparison: options.bench_count copies of a character that play its own clip,
+// drawn with levels of detail and with every triangle. Prints both beside what others took, and gives them as
+// JSON:
+// {"modes": [figures_json's, ..], "flip"}. Only in builds with Vulkan.
+Result<std::string> bench_peers(const Options& options);
+void add_counts(Figures& figures, const FrameStats& stats);
+
+// What all threads have worked together: unlike the time that goes by, it is about the same on a busy
+// machine.
+double cpu_ms();
 
 // Something that `bench pose` measures. `ns` runs it and says what it took for each walker, chain or tree.
 // Goals: on SSE4, AVX2 and AVX-512; 0 where there is none.

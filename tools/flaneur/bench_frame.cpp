@@ -15,10 +15,6 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// What all threads have worked together: unlike the time that went by, it is about the same on a busy
-// machine.
-double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 // One frame of the load: a tick, the extraction, and a picture read back.
 Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures) {
     World& world = *show.loaded.world;
@@ -46,6 +42,21 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
 
 }  // namespace
 
+double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void add_counts(Figures& figures, const FrameStats& stats) {
+    figures.counts = {{"walkers drawn", stats.walkers_drawn},
+                      {"impostors", stats.impostors},
+                      {"walkers in shadow", stats.walkers_in_shadow},
+                      {"triangles", stats.triangles},
+                      {"sub-draws", stats.sub_draws},
+                      {"direct draws", stats.direct_draws}};
+    for (const FrameStats::Stage& stage : stats.stages) {
+        if (stage.vertices > 0) figures.counts.emplace_back(stage.name + " vertices", stage.vertices);
+        if (stage.fragments > 0) figures.counts.emplace_back(stage.name + " fragments", stage.fragments);
+    }
+}
+
 Result<Figures> bench_frame(const Options& options) {
     std::atomic<uint32_t> messages = 0;
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
@@ -72,17 +83,7 @@ Result<Figures> bench_frame(const Options& options) {
     figures.setting.emplace_back(
         "size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height));
     figures.setting.emplace_back("first frame", std::to_string(first.series.back().ms.front()) + " ms");
-    const FrameStats& stats = frame_stats(*show->renderer);
-    figures.counts = {{"walkers drawn", stats.walkers_drawn},
-                      {"impostors", stats.impostors},
-                      {"walkers in shadow", stats.walkers_in_shadow},
-                      {"triangles", stats.triangles},
-                      {"sub-draws", stats.sub_draws},
-                      {"direct draws", stats.direct_draws}};
-    for (const FrameStats::Stage& stage : stats.stages) {
-        if (stage.vertices > 0) figures.counts.emplace_back(stage.name + " vertices", stage.vertices);
-        if (stage.fragments > 0) figures.counts.emplace_back(stage.name + " fragments", stage.fragments);
-    }
+    add_counts(figures, frame_stats(*show->renderer));
     return figures;
 }
 

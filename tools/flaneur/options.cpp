@@ -80,14 +80,16 @@ Examples:
 
 constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation), pose (the kernels that pose bodies, on one
-thread), city (how long it takes to read, and its queries on one thread). frame and crowd print the median and percentiles
-of each stage in milliseconds; pose prints nanoseconds a walker on each instruction set that the CPU has, city nanoseconds
-a query, beside the goals.
+thread), city (how long it takes to read, and its queries on one thread), peers (a scene that other renderers were measured
+by: copies of one character that play its own clip, drawn with levels of detail and with every triangle). frame, crowd and
+peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
   flaneur bench pose --walkers 1000
-  flaneur bench city --city monaco.osm.pbf)";
+  flaneur bench city --city monaco.osm.pbf
+  flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers)";
 
 constexpr const char* k_gait_footer =
     R"(Prints each quantity of the walk beside the bar it is held to; docs/gait.md explains both.
@@ -138,7 +140,8 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "crowd") return BenchLoad::crowd;
     if (text == "pose") return BenchLoad::pose;
     if (text == "city") return BenchLoad::city;
-    return Error{"bench measures frame, crowd, pose or city, not " + text + "."};
+    if (text == "peers") return BenchLoad::peers;
+    return Error{"bench measures frame, crowd, pose, city or peers, not " + text + "."};
 }
 
 Result<StripView> parse_view(const std::string& text) {
@@ -300,7 +303,7 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
-    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd, pose or city",
+    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd, pose, city or peers",
                "LOAD", "")
         ->required();
     add_scene_options(*bench, words, options);
@@ -312,6 +315,11 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->check(CLI::Range(1, 1'000'000).description(""))
         ->capture_default_str();
+    bench->add_option("--count", options.bench_count, "How many characters peers draws")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10'000).description(""))
+        ->capture_default_str();
+    bench->add_option("--out", options.out, "Where peers writes its two pictures")->type_name("FOLDER");
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 

@@ -12,7 +12,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city };
-enum class BenchLoad { frame, crowd, pose, city };
+enum class BenchLoad { frame, crowd, pose, city, peers };
 
 struct Size {
     int width = 1280, height = 720;  // pixels, 1..8192
@@ -110,7 +110,7 @@ struct Options {
     // render
     TickRange ticks;
 
-    std::string out;  // where render and city write
+    std::string out;  // where render, city and bench peers write
 
     // sim
     double seconds = 10;
@@ -121,6 +121,7 @@ struct Options {
     // bench
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;  // or ticks, or repetitions
+    uint32_t bench_count = 100;   // characters of peers
 
     // city
     bool check = false;
