@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -157,10 +158,34 @@ void repaint(std::vector<uint32_t>& level, Character& c, size_t fine) {
     }
 }
 
+// By texture: whether nothing can be seen through it, so that colours of vertices can take its place.
+std::vector<uint8_t> find_opaque(const std::vector<Texture>& textures) {
+    std::vector<uint8_t> opaque;
+    for (const Texture& t : textures) {
+        opaque.push_back(t.width > 0 && t.height > 0);
+        for (size_t i = 3; i < t.rgba.size() && opaque.back(); i += 4) opaque.back() = t.rgba[i] >= 128;
+    }
+    return opaque;
+}
+
+// The texel at (u, v) of a texture that repeats.
+const uint8_t* texel(const Texture& t, float u, float v) {
+    auto at = [](float x, int size) {
+        return std::min(size_t((x - std::floor(x)) * float(size)), size_t(size) - 1);
+    };
+    return &t.rgba[4 * (at(v, t.height) * size_t(t.width) + at(u, t.width))];
+}
+
 // A coarse level takes vertices of its own: their normals are those of its few triangles, their colours the
-// means of what the fine surface shows about them, so that no single dark fold spreads over half a body.
+// means of what the fine surface shows about them, so that no single dark fold spreads over half a body, and
+// no seam of a texture is needed.
 void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
-    auto plain = [&](uint32_t v) { return c.vertices[v].texture == CharacterVertex::k_no_texture; };
+    constexpr uint16_t k_none = CharacterVertex::k_no_texture;
+    const std::vector<uint8_t> opaque = find_opaque(c.textures);
+    auto is_textured = [&](uint32_t v) { return c.vertices[v].texture != k_none; };
+    auto plain = [&](uint32_t v) {
+        return !is_textured(v) || (c.vertices[v].texture < opaque.size() && opaque[c.vertices[v].texture]);
+    };
     std::map<std::array<float, 3>, Vec3> normals;
     auto place = [&](uint32_t v) {
         Vec3 p = c.vertices[v].position;
@@ -178,35 +203,60 @@ void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
         auto [known, fresh] = own.try_emplace({place(v), c.vertices[v].tint}, uint32_t(c.vertices.size()));
         if (fresh) {
             CharacterVertex vertex = c.vertices[v];
+            vertex.texture = k_none;
             vertex.normal = normalize_or(normals[place(v)] * 1e4f, vertex.normal);
             c.vertices.push_back(vertex);
         }
         v = known->second;
     }
     struct Mean {
-        std::array<uint32_t, 3> sum{};
-        uint32_t count = 0;
+        std::array<float, 3> sum{};
+        float weight = 0;
     };
     std::vector<Mean> means(c.vertices.size() - first);
-    for (uint32_t v = 0; v < fine; ++v) {
-        if (!plain(v)) continue;
-        uint32_t nearest = first;
-        float best = 1e30f;
+    auto nearest_mean = [&](Vec3 at, Tint tint) -> Mean* {
+        Mean* nearest = nullptr;
+        float best = 1e29f;
         for (uint32_t o = first; o < c.vertices.size(); ++o) {
-            if (c.vertices[o].tint != c.vertices[v].tint) continue;
-            float d = length_squared(c.vertices[o].position - c.vertices[v].position);
-            if (d < best) best = d, nearest = o;
+            if (c.vertices[o].tint != tint) continue;
+            float d = length_squared(c.vertices[o].position - at);
+            if (d < best) best = d, nearest = &means[o - first];
         }
-        if (best > 1e29f) continue;
-        Mean& m = means[nearest - first];
-        for (size_t i = 0; i < 3; ++i) m.sum[i] += c.vertices[v].colour >> (8 * i) & 0xffu;
-        ++m.count;
+        return nearest;
+    };
+    for (uint32_t v = 0; v < fine; ++v) {
+        if (is_textured(v)) continue;
+        Mean* m = nearest_mean(c.vertices[v].position, c.vertices[v].tint);
+        if (!m) continue;
+        for (size_t i = 0; i < 3; ++i) m->sum[i] += float(c.vertices[v].colour >> (8 * i) & 0xffu);
+        ++m->weight;
+    }
+    // Of textures the mean over the surface, in the middle of each quarter of each triangle.
+    constexpr std::array<std::array<float, 3>, 4> k_quarters = {{{1 / 3.0f, 1 / 3.0f, 1 / 3.0f},
+                                                                 {2 / 3.0f, 1 / 6.0f, 1 / 6.0f},
+                                                                 {1 / 6.0f, 2 / 3.0f, 1 / 6.0f},
+                                                                 {1 / 6.0f, 1 / 6.0f, 2 / 3.0f}}};
+    for (size_t t = 0; t + 2 < c.lods[0].size(); t += 3) {
+        const uint32_t* corners = &c.lods[0][t];
+        const CharacterVertex &p = c.vertices[corners[0]], &q = c.vertices[corners[1]],
+                              &r = c.vertices[corners[2]];
+        if (!is_textured(corners[0]) || !plain(corners[0])) continue;
+        float area = length(cross(q.position - p.position, r.position - p.position));
+        for (const auto& [a, b, d] : k_quarters) {
+            Mean* m = nearest_mean(p.position * a + q.position * b + r.position * d, p.tint);
+            if (!m) continue;
+            const uint8_t* rgba =
+                texel(c.textures[p.texture], p.u * a + q.u * b + r.u * d, p.v * a + q.v * b + r.v * d);
+            for (size_t i = 0; i < 3; ++i)
+                m->sum[i] += area * float((p.colour >> (8 * i) & 0xffu) * rgba[i]) / 255;
+            m->weight += area;
+        }
     }
     for (size_t o = 0; o < means.size(); ++o) {
-        if (means[o].count == 0) continue;
+        if (!(means[o].weight > 0)) continue;
         uint32_t& colour = c.vertices[first + o].colour;
         colour &= 0xff000000u;
-        for (size_t i = 0; i < 3; ++i) colour |= means[o].sum[i] / means[o].count << (8 * i);
+        for (size_t i = 0; i < 3; ++i) colour |= uint32_t(means[o].sum[i] / means[o].weight) << (8 * i);
     }
 }
 
