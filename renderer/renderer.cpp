@@ -201,6 +201,19 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     return made;
 }
 
+PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& sun, uint32_t width,
+                     uint32_t height) {
+    const std::vector<PersonRanges>& people = renderer.scene.people;
+    const bool has_impostors = std::all_of(people.begin(), people.end(), [](const PersonRanges& person) {
+        return person.first_cell != PersonRanges::k_no_cell;
+    });
+    // A little less than where the last meshes and spots go, for sums are rounded.
+    const float least = std::min(renderer.scene.impostors.pixels / k_lod_hysteresis, k_least_contact) * 0.99f;
+    View view = make_view(camera, std::max(width, 1u), std::max(height, 1u));
+    view.pixels_at_one_metre *= renderer.quality.detail;
+    return {view, make_daylight(sun, false).to_light, has_impostors ? least : 0};
+}
+
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
     const uint32_t largest =
         std::min(k_largest_picture, renderer.device.properties.limits.maxImageDimension2D);

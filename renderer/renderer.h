@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/passes/cull.h"
 #include "renderer/quality.h"
-#include "renderer/scene.h"
 #include "sim/base/result.h"
 
 struct GLFWwindow;
@@ -65,6 +65,10 @@ bool can_draw_wireframe(const Renderer& renderer);
 
 // Uploads a scene in place of any earlier one, which stays after a failure.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
+
+// Whose joints a frame of this camera, sun and size will ask for.
+PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& sun, uint32_t width,
+                     uint32_t height);
 
 // Draws one frame off-screen and reads it back. Sizes 1..8192.
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height);

@@ -87,6 +87,9 @@ struct SceneMeshes {
     std::vector<PersonMesh> people;
 };
 
+// A WalkerInstance::palette of one who is seen so small, if at all, that an impostor will do; see PoseNeeds.
+inline constexpr uint32_t k_no_palette = ~0u;
+
 // One walker of a frame.
 struct WalkerDraw {
     glm::vec3 centre;  // of a sphere that holds the body, metres

@@ -10,9 +10,16 @@ namespace {
 constexpr uint16_t k_no_bucket = 0xffff;
 constexpr float k_least_tan_elevation = 0.1f;  // shadows are not followed farther than ten times the body
 
+bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
+
+bool has_impostors(const CrowdInput& input, const WalkerDraw& walker) {
+    return walker.is_upright && input.people[walker.mesh].first_cell != PersonRanges::k_no_cell;
+}
+
 bool is_drawable(const CrowdInput& input, const WalkerDraw& walker) {
-    return walker.mesh < input.people.size() && !input.people[walker.mesh].lods.empty() &&
-           uint64_t{walker.instance.palette} + k_palette_joints <= input.palette_size;
+    if (walker.mesh >= input.people.size() || input.people[walker.mesh].lods.empty()) return false;
+    if (!has_joints(walker)) return has_impostors(input, walker);
+    return uint64_t{walker.instance.palette} + k_palette_joints <= input.palette_size;
 }
 
 ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
@@ -90,15 +97,32 @@ uint32_t lod_of(float pixels) {
 }
 
 bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
-    return walker.is_upright && input.people[walker.mesh].first_cell != PersonRanges::k_no_cell &&
-           !(pixels >= input.impostor_pixels);
+    return has_impostors(input, walker) && !(has_joints(walker) && pixels >= input.impostor_pixels);
 }
 
 bool is_sphere_hidden(const CrowdInput& input, const View& view, glm::vec3 centre, float radius) {
     return input.hidden && is_hidden(*input.hidden, view, centre - radius, centre + radius);
 }
 
+struct Sphere {
+    glm::vec3 centre;
+    float radius;
+};
+
+// About the middle of a body and its shadow on the ground, both within it.
+Sphere with_shadow(glm::vec3 centre, float radius, glm::vec3 to_sun) {
+    const float across = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
+    const float fall = 2 * radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
+    return {centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2), radius + fall / 2};
+}
+
 }  // namespace
+
+bool needs_pose(const PoseNeeds& needs, glm::vec3 centre, float radius) {
+    if (!(pixels_of(needs.view, centre, radius) >= needs.pixels)) return false;
+    const Sphere both = with_shadow(centre, radius, needs.to_sun);
+    return sees_sphere(needs.view, both.centre, both.radius);
+}
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
     const glm::vec3 u(joint.rotation);
@@ -125,7 +149,7 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
         if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker) ||
             is_sphere_hidden(input, view, walker.centre, walker.radius))
             return k_unseen;
-        if (input.is_finest) return 0;
+        if (input.is_finest && has_joints(walker)) return 0;
         auto level_at = [&](float pixels) {
             return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
         };
@@ -145,13 +169,9 @@ void cull_shadow_casters(const CrowdInput& input, const View& view, const Shadow
         if (!(glm::length(walker.centre - view.eye) <= reach) ||
             !casts_into(box, walker.centre, walker.radius))
             return k_unseen;
-        // The body and its shadow on the ground lie within a sphere about the middle of the two.
-        const float across = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
-        const float fall =
-            2 * walker.radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
-        const glm::vec3 middle = walker.centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2);
-        const float around = walker.radius + fall / 2;
-        if (!sees_sphere(view, middle, around) || is_sphere_hidden(input, view, middle, around))
+        const Sphere both = with_shadow(walker.centre, walker.radius, to_sun);
+        if (!sees_sphere(view, both.centre, both.radius) ||
+            is_sphere_hidden(input, view, both.centre, both.radius))
             return k_unseen;
         const float pixels = pixels_of(view, walker.centre, walker.radius);
         // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
@@ -165,11 +185,11 @@ void find_contacts(const CrowdInput& input, std::span<const JointTransform> pale
                    std::vector<Contact>& contacts) {
     constexpr float foot_radius = 0.19f, body_radius = 0.55f;
     constexpr float foot_strength = 0.55f, body_strength = 0.28f;
-    constexpr float lifted = 0.12f;         // a foot this high above the other leaves no spot, metres
-    constexpr float gone = 32, whole = 48;  // pixels between which spots fade in
+    constexpr float lifted = 0.12f;  // a foot this high above the other leaves no spot, metres
+    constexpr float gone = k_least_contact, whole = 48;  // pixels between which spots fade in
     contacts.clear();
     for (const WalkerDraw& walker : input.walkers) {
-        if (!walker.is_upright || !is_drawable(input, walker) ||
+        if (!walker.is_upright || !has_joints(walker) || !is_drawable(input, walker) ||
             !sees_sphere(view, walker.centre, walker.radius))
             continue;
         const float size = pixels_of(view, walker.centre, walker.radius);

@@ -66,6 +66,15 @@ struct CrowdInput {
     const OcclusionMap* hidden = nullptr;  // who is out of sight behind walls; null: nobody
 };
 
+// Whose joints a frame asks for: the others may be handed over with k_no_palette, and the picture is the
+// same.
+struct PoseNeeds {
+    View view;
+    glm::vec3 to_sun{0, 1, 0};
+    float pixels = 0;  // bodies whose spheres are smaller are drawn without joints
+};
+bool needs_pose(const PoseNeeds& needs, glm::vec3 centre, float radius);
+
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v);
 
 // The level of a mesh for a body: by its height on the picture.
@@ -79,6 +88,9 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 // than in view, and walkers seen as impostors throw their impostors' shadows.
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out);
+
+// Bodies whose spheres are so many pixels or less leave no spots on the ground.
+inline constexpr float k_least_contact = 32;
 
 // A soft dark spot on the ground, as contact.vert takes it.
 struct Contact {

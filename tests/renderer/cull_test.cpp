@@ -182,6 +182,43 @@ TEST(Cull, TheBodyThatTheEyeIsInIsNotDrawn) {
     EXPECT_EQ(seen.instances[0].palette, walkers[1].instance.palette);
 }
 
+TEST(Cull, WhoNeedsNoJointsIsDrawnAlikeWithoutThem) {
+    const std::vector<PersonRanges> people = [] {
+        std::vector<PersonRanges> some = two_kinds();
+        some[0].first_cell = 0, some[1].first_cell = k_person_cells;
+        return some;
+    }();
+    std::vector<WalkerDraw> walkers = ring_of_walkers(1500);
+    const PoseNeeds needs{make_view({}, 1280, 720), glm::normalize(glm::vec3(0.4f, 0.42f, 0.8f)), 30};
+    const size_t palette = walkers.size() * k_palette_joints;
+    const ShadowBox box = fit_shadow(needs.view, needs.to_sun, {0, 60}, 2048);
+    CrowdDraws with, without, casters_with, casters_without;
+    auto draw = [&](CrowdDraws& crowd, CrowdDraws& casters) {
+        const CrowdInput input{walkers, people, palette, 35};
+        cull_crowd(input, needs.view, crowd);
+        cull_shadow_casters(input, needs.view, box, needs.to_sun, 60, casters);
+    };
+    draw(with, casters_with);
+    size_t posed = 0;
+    for (WalkerDraw& walker : walkers) {
+        if (needs_pose(needs, walker.centre, walker.radius))
+            ++posed;
+        else
+            walker.instance.palette = k_no_palette;
+    }
+    draw(without, casters_without);
+    EXPECT_GT(posed, 50u);
+    EXPECT_LT(posed, walkers.size() / 2);
+    EXPECT_GT(with.impostors.size(), 50u);
+    for (auto [a, b] : {std::pair(&with, &without), std::pair(&casters_with, &casters_without)}) {
+        ASSERT_EQ(a->instances.size(), b->instances.size());
+        for (size_t i = 0; i < a->instances.size(); ++i)
+            EXPECT_EQ(a->instances[i].palette, b->instances[i].palette);
+        EXPECT_EQ(a->impostors.size(), b->impostors.size());
+        EXPECT_EQ(a->triangles, b->triangles);
+    }
+}
+
 TEST(Cull, ChunksComeNearestFirstAndCoarseFromFarAway) {
     const View view = make_view({}, 1280, 720);
     const CityChunk chunks[] = {{{-1, 0, 80}, {1, 2, 82}, {30, 6}, {0, 3}},

@@ -24,7 +24,7 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     add_sample(figures, "step", ms_since(start));
     add_stages(figures, world);
     auto extracting = Clock::now();
-    FrameInput frame = extract_frame(show, camera, 1);
+    FrameInput frame = extract_frame(show, camera, options.size, 1);
     add_sample(figures, "extract", ms_since(extracting));
     auto drawing = Clock::now();
     Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.size.width),

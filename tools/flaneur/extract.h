@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assets/character.h"
-#include "renderer/scene.h"
+#include "renderer/passes/cull.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -41,10 +41,12 @@ Wardrobe make_wardrobe(const World& world, const std::vector<Character>& charact
 struct PeopleFrame {
     std::vector<WalkerDraw> walkers;
     std::vector<JointTransform> palette;
+    std::vector<uint32_t> posed;  // those who have a part of the palette, in order
 };
 
-// Walkers between the world's last two ticks: `between` 0 is the one before last, 1 the last.
+// Walkers between the world's last two ticks: `between` 0 is the one before last, 1 the last. Only those get
+// joints of whom the picture shows them.
 void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
-                    float between, PeopleFrame& frame);
+                    float between, const PoseNeeds& needs, PeopleFrame& frame);
 
 }  // namespace flaneur

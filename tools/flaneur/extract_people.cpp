@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "assets/outfit.h"
 #include "tools/flaneur/convert.h"
@@ -31,12 +32,13 @@ Quat nearest_mix(Quat a, Quat b, float t) {
 }
 
 // From the stage onto the compound.
-void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float between, JointPose* joints) {
+void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float between,
+                      std::span<JointPose> joints) {
     const Roam::Frame &before = roam.previous_frames[walker], &last = roam.frames[walker];
     Roam::Frame frame{lerp(before.position, last.position, between),
                       nearest_mix(before.rotation, last.rotation, between)};
-    for (int j = 0; j < k_joint_count; ++j)
-        joints[j] = set_onto(frame, crowd.position[walker], crowd.heading[walker], joints[j]);
+    for (JointPose& joint : joints)
+        joint = set_onto(frame, crowd.position[walker], crowd.heading[walker], joint);
 }
 
 constexpr float k_walks = 0.5f;  // amplitude from which a walker is nearer to walking than to standing
@@ -76,35 +78,51 @@ Wardrobe make_wardrobe(const World& world, const std::vector<Character>& charact
 }
 
 void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
-                    float between, PeopleFrame& frame) {
+                    float between, const PoseNeeds& needs, PeopleFrame& frame) {
     const Crowd& crowd = world.crowd;
+    auto joint = [&](size_t walker, Joint j) {
+        JointPose last = joint_pose(world.poses, walker, j);
+        JointPose before = joint_pose(world.previous_poses, walker, j);
+        return JointPose{lerp(before.position, last.position, between),
+                         nearest_mix(before.rotation, last.rotation, between)};
+    };
     frame.walkers.resize(crowd.count);
-    frame.palette.resize(size_t{crowd.count} * k_palette_joints);
-    parallel_for(*world.workers, crowd.count, 64, [&](size_t begin, size_t end, int) {
+    parallel_for(*world.workers, crowd.count, 256, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) {
             const Character& character = characters[crowd.body[i]];
-            float scale = crowd.scale[i];
-            JointPose joints[k_joint_count];
-            for (int j = 0; j < k_joint_count; ++j) {
-                JointPose last = joint_pose(world.poses, i, static_cast<Joint>(j));
-                JointPose before = joint_pose(world.previous_poses, i, static_cast<Joint>(j));
-                joints[j] = {lerp(before.position, last.position, between),
-                             nearest_mix(before.rotation, last.rotation, between)};
-            }
-            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
-            pose_character(character, scale, joints, &frame.palette[i * k_palette_joints]);
             WalkerDraw& draw = frame.walkers[i];
-            draw.centre = to_glm(joints[hips].position);
-            draw.radius = 0.62f * character.body.height * scale;
+            JointPose root = joint(i, hips);
+            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, std::span(&root, 1));
+            draw.centre = to_glm(root.position);
+            draw.radius = 0.62f * character.body.height * crowd.scale[i];
             draw.mesh = crowd.body[i];
             draw.is_upright = !world.roam;
-            draw.instance.palette = static_cast<uint32_t>(i) * k_palette_joints;
-            draw.instance.scale = scale;
+            draw.instance.palette =
+                draw.is_upright && !needs_pose(needs, draw.centre, draw.radius) ? k_no_palette : 0;
+            draw.instance.scale = crowd.scale[i];
             std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
                       std::begin(draw.instance.tints));
             const GaitBlock& gait = world.gait.blocks[i / k_block];
             draw.heading = gait.heading[i % k_block];
             draw.phase = gait.amplitude[i % k_block] > k_walks ? gait.phase[i % k_block] : -1;
+        }
+    });
+    frame.posed.clear();
+    for (uint32_t i = 0; i < crowd.count; ++i) {
+        uint32_t& first = frame.walkers[i].instance.palette;
+        if (first == k_no_palette) continue;
+        first = static_cast<uint32_t>(frame.posed.size()) * k_palette_joints;
+        frame.posed.push_back(i);
+    }
+    frame.palette.resize(frame.posed.size() * k_palette_joints);
+    parallel_for(*world.workers, frame.posed.size(), 32, [&](size_t begin, size_t end, int) {
+        for (size_t p = begin; p < end; ++p) {
+            const uint32_t i = frame.posed[p];
+            JointPose joints[k_joint_count];
+            for (int j = 0; j < k_joint_count; ++j) joints[j] = joint(i, static_cast<Joint>(j));
+            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
+            pose_character(characters[crowd.body[i]], crowd.scale[i], joints,
+                           &frame.palette[p * k_palette_joints]);
         }
     });
 }

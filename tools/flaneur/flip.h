@@ -10,8 +10,8 @@ namespace flaneur {
 // Of a screen 0.7 m wide with 3840 pixels, seen from 0.7 m.
 inline constexpr float k_pixels_per_degree = 67;
 
-// The error of each pixel, rows from the top: 0 none .. 1 black against white, or as bad. `a` and `b` are RGBA
-// in sRGB, alpha not read, of the same size, at least one pixel.
+// The error of each pixel, rows from the top: 0 none .. 1 black against white, or as bad. `a` and `b` are
+// RGBA in sRGB, alpha not read, of the same size, at least one pixel.
 std::vector<float> flip(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width,
                         float pixels_per_degree = k_pixels_per_degree);
 

@@ -120,13 +120,13 @@ void follow_trails(const World& world, Trails& trails) {
 glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Character& character, Joint joint,
                        glm::vec3 v) {
     const Quat back = conjugate(character.bind_to_canonical[joint]);
-    const glm::vec4 turn = people.palette[walker * k_palette_joints + joint].rotation;
+    const glm::vec4 turn = people.palette[people.walkers[walker].instance.palette + joint].rotation;
     return to_glm(rotate(Quat{turn.x, turn.y, turn.z, turn.w}, rotate(back, Vec3{v.x, v.y, v.z})));
 }
 
 glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Joint joint) {
     const Character& character = input.characters[input.world.crowd.body[walker]];
-    const JointTransform& moved = people.palette[walker * k_palette_joints + joint];
+    const JointTransform& moved = people.palette[people.walkers[walker].instance.palette + joint];
     const Quat turn{moved.rotation.x, moved.rotation.y, moved.rotation.z, moved.rotation.w};
     return glm::vec3(moved.translation) +
            to_glm(rotate(turn, character.bind_joints[joint] * input.world.crowd.scale[walker]));

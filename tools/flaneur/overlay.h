@@ -49,7 +49,7 @@ void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 
-// Where a joint is drawn.
+// Where a joint of one who has joints is drawn.
 glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Joint joint);
 // A vector of the canonical pose, turned as a joint is.
 glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Character& character, Joint joint,

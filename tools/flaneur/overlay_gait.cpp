@@ -189,7 +189,7 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
 }  // namespace
 
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {
-    for (uint32_t i = 0; i < input.world.crowd.count; ++i) {
+    for (uint32_t i : people.posed) {
         const glm::vec3 centre = people.walkers[i].centre;
         if (!is_before(input.camera, centre, k_bones_reach)) continue;
         add_skeleton(input, people, i, overlay);
@@ -201,7 +201,7 @@ void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {
     if (input.world.roam) return;
     std::vector<std::pair<float, uint32_t>> nearest;
-    for (uint32_t i = 0; i < input.world.crowd.count; ++i) {
+    for (uint32_t i : people.posed) {
         const glm::vec3 centre = people.walkers[i].centre;
         if (is_before(input.camera, centre, k_gizmos_reach))
             nearest.emplace_back(glm::length(centre - input.camera.eye), i);

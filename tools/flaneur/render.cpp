@@ -33,7 +33,7 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         if (i == 0 || options.camera.kind == CameraChoice::Kind::follow)
             camera = choose_camera(world, show.sun, options.camera, 1);
         Result<Image> image =
-            draw_image(*show.renderer, extract_frame(show, camera, 1),
+            draw_image(*show.renderer, extract_frame(show, camera, options.size, 1),
                        static_cast<uint32_t>(options.size.width), static_cast<uint32_t>(options.size.height));
         if (!image) return image.error();
         Result<void> written = write_image(output, image->rgba, tick);

@@ -43,8 +43,10 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     return show;
 }
 
-FrameInput extract_frame(Show& show, const Camera& camera, float between) {
-    extract_people(*show.loaded.world, show.loaded.characters, show.wardrobe, between, show.people);
+FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
+    const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
+                                       static_cast<uint32_t>(size.height));
+    extract_people(*show.loaded.world, show.loaded.characters, show.wardrobe, between, needs, show.people);
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;

@@ -34,7 +34,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options);
 // One tick, and what the views for work keep of it.
 void step(Show& show);
 
-// The frame between the world's last two ticks, valid until the next call.
-FrameInput extract_frame(Show& show, const Camera& camera, float between);
+// The frame between the world's last two ticks, valid until the next call, for a picture of this size.
+FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between);
 
 }  // namespace flaneur

@@ -175,7 +175,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
         }
         fly(window, v, static_cast<float>(passed));
         show.work_views = v.work_views;
-        FrameInput frame = extract_frame(show, v.camera, between);
+        Size size;
+        glfwGetFramebufferSize(window, &size.width, &size.height);
+        FrameInput frame = extract_frame(show, v.camera, size, between);
         if (v.lists_keys) add_key_list(v.work_views, show.overlay, frame);
         Result<void> done = draw_window(*show.renderer, frame);
         if (done && v.wants_picture) done = save_picture(show, window, frame);
