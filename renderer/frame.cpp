@@ -282,7 +282,7 @@ Result<void> record_frame(const FrameRecord& record) {
                             &record.slot.set, 0, nullptr);
     vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
     // Beginning to count, lavapipe looks at the pipeline.
-    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.sky);
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.fxaa_image);
 
     const bool is_plain = record.plan.backdrop.has_value();
     if (!is_plain) {

@@ -248,7 +248,7 @@ Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool
     shade.attributes = {city_attributes()[0], city_attributes()[2]};
     shade.cull = VK_CULL_MODE_NONE;
     shade.writes_depth = false;
-    shade.darkens = true;
+    shade.blend = Blend::darkens;
     FLANEUR_TRY(make(shade, lit.shade));
 
     PipelineShape crowd = city;

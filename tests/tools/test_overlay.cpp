@@ -45,7 +45,7 @@ class OverlayTest : public testing::Test {
         camera.target = {p.x, p.y, p.z};
     }
     FrameInput frame_of(WorkViews views) {
-        extract_people(*loaded.world, loaded.characters, wardrobe, 1, people);
+        extract_people(*loaded.world, loaded.characters, wardrobe, 1, {}, people);
         FrameInput frame;
         lay_over({*loaded.world, loaded.characters, camera}, views, people, overlay, frame);
         return frame;
