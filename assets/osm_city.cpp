@@ -114,6 +114,7 @@ Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptio
     }
     OsmImport in{map, projection_about((west + east) * 0.5, (south + north) * 0.5), {}, {}, {}};
     in.city.name = std::filesystem::path(path).stem().string();
+    in.city.latitude = static_cast<float>((south + north) * 0.5);
     OsmNode corner{0, east, south, {}};
     in.plan.high = in.project(corner) + Vec2{6, 6};
     in.plan.low = -in.plan.high;

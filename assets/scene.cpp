@@ -167,7 +167,6 @@ Result<Scene> parse_scene(std::string_view text, const std::string& name) {
         if (!hour) return refused("\"time\": " + hour.error().message);
         scene.hour = *hour;
     }
-    reader.number("latitude", -90.0f, 90.0f, scene.latitude);
     float height = k_unsaid, heading = k_unsaid;
     reader.number("sun_height", -90.0f, 90.0f, height);
     reader.number("sun_heading", 0.0f, 360.0f, heading);

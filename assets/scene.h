@@ -33,8 +33,7 @@ struct Scene {
     int blocks = 4;                 // size of the built-in district
     std::string camera = "street";  // as --camera takes it
     float hour = 17.5f;             // of the day at the first tick, 0..24
-    float latitude = 48;            // degrees north, which tells with the hour where the sun stands
-    // Degrees above the horizon, and clockwise from north: where the sun stands instead.
+    // Degrees above the horizon, and clockwise from north: where the sun stands, whatever the hour.
     std::optional<float> sun_height, sun_heading;
     bool is_overcast = false;
 };

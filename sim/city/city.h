@@ -125,7 +125,8 @@ struct GridWall {
 
 struct City {
     std::string name;
-    Vec2 low, high;  // bounds on the ground plane
+    Vec2 low, high;       // bounds on the ground plane
+    float latitude = 48;  // degrees north; tells where the sun stands, and nobody else asks
 
     // Ground: triangles wound counter-clockwise seen from above (normals up), one kind each. Where a level
     // stops at a kerb or a step, the edge is there twice, once at each height, with a Face between.
@@ -202,7 +203,7 @@ struct WallPoint {
 // the wall has.
 std::optional<WallPoint> closest_wall(const City& city, Vec3 point, float radius);
 
-// The hash of everything above; tallies, notes and grids excepted.
+// The hash of everything above; latitude, tallies, notes and grids excepted.
 uint64_t hash_city(const City& city);
 
 }  // namespace flaneur

@@ -87,6 +87,7 @@ TEST(Osm, StreetGetsWidthKerbsAndSidewalks) {
         load_text(map_of(k_nodes + with_tags(k_street, "<tag k='width' v='8'/>") + with_tags(k_house, "")));
     ASSERT_TRUE(city) << city.error().message;
     check_city(*city);
+    EXPECT_NEAR(city->latitude, 0.0002f, 1e-4f);
     // The box ends 6 m beyond the map; its middle is the street's and the house's: x from -61 to 61.
     float z = city->high.z - 6;
     auto at = [&](float south) { return ground(*city, {0, 0, z + south}, 1, 1); };

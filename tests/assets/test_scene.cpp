@@ -79,7 +79,6 @@ TEST_F(SceneFile, IsRefusedByKeyAndRange) {
                              R"({"people": [{"character": "a.glb", "colour": "red"}]})",
                              R"({"sun_height": 91})",
                              R"({"sun_heading": -1})",
-                             R"({"latitude": 91})",
                              R"({"weather": "snow"})",
                              R"({"weather": 3})"}) {
         Result<Scene> scene = load(text);

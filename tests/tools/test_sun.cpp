@@ -10,8 +10,7 @@ namespace {
 Sun sun_at(float hour, float latitude) {
     Scene scene;
     scene.hour = hour;
-    scene.latitude = latitude;
-    return scene_sun(scene);
+    return scene_sun(scene, latitude);
 }
 
 float height(const Sun& sun) { return std::asin(sun.direction.y) * 57.29578f; }
@@ -37,7 +36,7 @@ TEST(SceneSun, IsWhereTheSceneSaysIfItDoes) {
     Scene scene;
     scene.sun_height = 30.0f;
     scene.sun_heading = 90.0f;
-    const Sun sun = scene_sun(scene);
+    const Sun sun = scene_sun(scene, 48);
     EXPECT_NEAR(sun.direction.x, 0.866f, 1e-3f);
     EXPECT_NEAR(sun.direction.y, 0.5f, 1e-3f);
     EXPECT_NEAR(sun.direction.z, 0, 1e-3f);

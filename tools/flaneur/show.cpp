@@ -33,7 +33,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     const World& world = *show.loaded.world;
     show.work_views = options.work_views;
     show.wardrobe = make_wardrobe(world, show.loaded.characters);
-    show.sun = scene_sun(options.scene);
+    show.sun = scene_sun(options.scene, world.city.latitude);
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
     SceneMeshes meshes = extract_scene(world.city, show.loaded.characters);

@@ -16,9 +16,9 @@ constexpr float k_clock = 4.0f / 3;  // hours that clocks are before the sun: su
 
 }  // namespace
 
-Sun scene_sun(const Scene& scene) {
+Sun scene_sun(const Scene& scene, float latitude) {
     const SinCos tilt = sin_cos(23.45f * k_radians * sin_cos(2 * k_pi * (284 + k_day) / 365).sine);
-    const SinCos place = sin_cos(scene.latitude * k_radians);
+    const SinCos place = sin_cos(latitude * k_radians);
     const SinCos turn = sin_cos((scene.hour - k_clock - 12) * (k_pi / 12));
     const float east = -tilt.cosine * turn.sine;
     const float north = place.cosine * tilt.sine - place.sine * tilt.cosine * turn.cosine;
