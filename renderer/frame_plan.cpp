@@ -24,9 +24,9 @@ constexpr float k_bounce = 1.5f, k_noon_bounce = 2;
 // sun is.
 const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f);
 
-// What a white pavement below a street lamp reflects, kcd/m2: 26 lux over pi. Against it: how much of it eyes
+// What a white pavement below a street lamp reflects, kcd/m2: 32 lux over pi. Against it: how much of it eyes
 // grow used to, and how bright lit rooms are.
-constexpr float k_lamp_level = 0.026f / 3.14159265f, k_lamps_seen = 0.35f, k_window_level = 3.4f;
+constexpr float k_lamp_level = 0.032f / 3.14159265f, k_lamps_seen = 0.35f, k_window_level = 2.8f;
 const vec3 k_lamp_colour(1.18f, 0.98f, 0.70f), k_window_colour(1.38f, 0.93f, 0.46f);
 constexpr float k_pavement = 0.3f;  // albedo of what eyes grow used to
 constexpr float k_bright = 1000;    // cd/m2 from where on nothing looks dim

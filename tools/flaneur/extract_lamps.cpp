@@ -19,6 +19,8 @@ constexpr float k_into_walls = 0.9f;   // metres that light goes on in them, for
 constexpr float k_shop_height = 1.5f, k_shop_reach = 9, k_shop_bay = 2.7f;  // metres
 constexpr float k_shop_light = 1.3f;                                        // of a bay, at one metre
 
+constexpr float k_unseen_height = 6, k_unseen_apart = 32;  // metres
+
 struct Source {
     Vec3 at;
     Vec3 out;            // a shop's light goes out of its wall; zero: all round
@@ -31,6 +33,16 @@ std::vector<Source> sources_of(const City& city) {
         if (prop.kind != PropKind::lamp) continue;
         Vec3 head = prop.position + at_height(heading_direction(prop.yaw) * 0.55f, prop.height);
         sources.push_back({head, {}, k_reach * prop.height, prop.height * prop.height});
+    }
+    // Where none are known they hang unseen over the kerb.
+    for (const Face& f : city.faces) {
+        if (f.kind != FaceKind::kerb) continue;
+        Vec3 head = lerp(f.a, f.b, 0.5f) + Vec3{0, k_unseen_height, 0};
+        auto is_near = [&](const Source& other) {
+            return length_squared(on_ground(other.at - head)) < k_unseen_apart * k_unseen_apart;
+        };
+        if (std::any_of(sources.begin(), sources.end(), is_near)) continue;
+        sources.push_back({head, {}, k_reach * k_unseen_height, k_unseen_height * k_unseen_height});
     }
     for (const Face& f : city.faces) {
         if (f.kind != FaceKind::facade || !is_shop_front(city, f)) continue;
