@@ -1,5 +1,6 @@
 #include "renderer/frame.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 
@@ -332,6 +333,9 @@ Result<void> submit(Renderer& renderer, FrameSlot& slot, VkSemaphore wait, VkSem
 void count_frame(const FramePlan& plan, Renderer& renderer) {
     FrameStats& stats = renderer.stats;
     stats.impostors = static_cast<uint32_t>(renderer.crowd.impostors.size());
+    std::fill(std::begin(stats.meshes), std::end(stats.meshes), 0);
+    for (const uint8_t level : renderer.crowd.levels)
+        if (level < k_max_lods) ++stats.meshes[level];
     stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size()) + stats.impostors;
     stats.walkers_in_shadow =
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());

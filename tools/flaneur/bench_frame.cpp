@@ -51,6 +51,8 @@ void add_counts(Figures& figures, const FrameStats& stats) {
                       {"triangles", stats.triangles},
                       {"sub-draws", stats.sub_draws},
                       {"direct draws", stats.direct_draws}};
+    for (size_t level = 0; level < k_max_lods; ++level)
+        figures.counts.emplace_back("meshes, level " + std::to_string(level), stats.meshes[level]);
     for (const FrameStats::Stage& stage : stats.stages) {
         if (stage.vertices > 0) figures.counts.emplace_back(stage.name + " vertices", stage.vertices);
         if (stage.fragments > 0) figures.counts.emplace_back(stage.name + " fragments", stage.fragments);
