@@ -26,7 +26,8 @@ const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f);
 
 // What a white pavement below a street lamp reflects, kcd/m2: 32 lux over pi. Against it: how much of it eyes
 // grow used to, and how bright lit rooms are.
-constexpr float k_lamp_level = 0.032f / 3.14159265f, k_lamps_seen = 0.35f, k_window_level = 2.8f;
+constexpr float k_lamp_level = 0.032f / 3.14159265f, k_lamps_seen = 0.35f, k_window_level = 2.2f,
+                k_dusk_windows = 4;
 const vec3 k_lamp_colour(1.18f, 0.98f, 0.70f), k_window_colour(1.38f, 0.93f, 0.46f);
 constexpr float k_pavement = 0.3f;  // albedo of what eyes grow used to
 constexpr float k_bright = 1000;    // cd/m2 from where on nothing looks dim
@@ -209,7 +210,9 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     out.sky_sun = v4(sky.to_sun);
     out.lamp_light = v4(k_lamp_colour * (lamps * exposure), plan.lit_windows);
     out.lamp_map = renderer.scene.lamp_map;
-    out.window_light = v4(k_window_colour * (k_window_level * lamps * exposure));
+    // Against a sky that is still light, rooms are those whose lamps are brightest.
+    const float windows = lamps * (k_window_level + k_dusk_windows * (1 - k_lamps_seen * lamps / seen));
+    out.window_light = v4(k_window_colour * (windows * exposure));
     if (plan.backdrop) {  // all lies beside the maps, in the sun
         out.shadow_from_world = mat4(0);
         out.shadow_from_world[3] = out.far_offset = {2, 2, 0, 1};

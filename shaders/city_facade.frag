@@ -143,8 +143,8 @@ void main() {
             float warmth = hash(vec2(home.y + 5.0 * bay, 3.0 * storey + home.x));
             vec3 lamp = frame.window_light.xyz * mix(vec3(1.0, 0.82, 0.62), vec3(0.9, 1.15, 1.45), warmth * warmth);
             lamp *= (0.35 + 0.65 * fract(warmth * 5.3)) * (0.55 + 0.45 * saturate(at.y / height));
-            indoors = mix(indoors, lamp * 2.2, is_lit);
-            tone = mix(tone, vec3(0.34, 0.30, 0.25), is_lit);
+            indoors = mix(indoors, lamp * (2.2 - 0.9 * is_shop), is_lit);
+            tone = mix(tone, vec3(0.34, 0.30, 0.25) * (1.0 - 0.45 * is_shop), is_lit);
         }
         vec3 room = indoors *
                     mix(tone, vec3(0.20, 0.19, 0.17), curtain);
@@ -153,7 +153,7 @@ void main() {
             float goods = hash(floor(vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6)));
             float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
             float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
-            room += indoors * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+            room += indoors * (1.0 + 1.5 * float(k_night) * is_shop) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);

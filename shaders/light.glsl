@@ -55,7 +55,7 @@ vec3 lamps_at(vec3 place, vec3 normal) {
 
 // What a white surface reflects of it: some of it comes from all round.
 vec3 lamplight(vec3 lamps, vec3 normal) {
-    return frame.lamp_light.xyz * (max(dot(lamps, normal), 0.0) + 0.12 * length(lamps));
+    return frame.lamp_light.xyz * (max(dot(lamps, normal), 0.0) + 0.14 * min(length(lamps), 0.7));
 }
 
 // Sky near the horizon and overhead, simple enough for reflections.

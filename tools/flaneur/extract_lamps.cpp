@@ -113,9 +113,13 @@ LampMap extract_lamps(const City& city) {
                 Vec3 body = foot + Vec3{0, k_body, 0};
                 Arriving level = arriving(source, foot), upright = arriving(source, body);
                 if (level.light + upright.light < 1e-3f || !is_lit(city, source, body)) continue;
-                texel.x += upright.light * upright.towards.x;
+                // Light that walls throw must not take from what they get themselves: it counts away from
+                // them.
+                bool is_shop = length_squared(source.out) > 0;
+                float share = is_shop ? clamp((dot(body - source.at, source.out) - 0.7f) / 0.6f, 0, 1) : 1;
+                texel.x += upright.light * upright.towards.x * share;
                 texel.y += level.light * level.towards.y;
-                texel.z += upright.light * upright.towards.z;
+                texel.z += upright.light * upright.towards.z * share;
                 float distance = length(source.at - foot);
                 if (distance < nearest[i]) nearest[i] = distance, texel.w = foot.y;
             }
