@@ -23,7 +23,7 @@ const glm::vec3 k_moonlight(2.6e-3f, 3.3e-3f, 4.6e-3f);
 // Of the sky after sunset, against its luminance before: at the horizon, overhead, and what is added where
 // the sun went down.
 const glm::vec3 k_dusk_low(0.52f, 0.67f, 1.06f), k_dusk_high(0.17f, 0.34f, 0.96f),
-    k_dusk_glow(2.6f, 1.2f, 0.5f);
+    k_dusk_glow(1.7f, 0.72f, 0.26f);
 const glm::vec3 k_cloud(0.95f, 1.0f, 1.07f);  // colour of overcast skies
 constexpr float k_cloud_horizon = 0.6f;       // their luminance there, against the zenith's
 

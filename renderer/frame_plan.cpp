@@ -20,9 +20,10 @@ constexpr float k_blue_of_shadow = 0.45f;
 // and when it is high.
 constexpr float k_bounce = 1.5f, k_noon_bounce = 2;
 
-// Against pavement at mid-grey the model's sky comes out dim and mauve: brighter and bluer, by how high the
-// sun is.
-const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f);
+// Against pavement at mid-grey the model's sky comes out dim and mauve, at noon most, and too bright about a
+// sun that sets.
+const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f),
+    k_dusk_sky_tint(0.82f, 0.66f, 0.66f);
 
 // What a white pavement below a street lamp reflects, kcd/m2: 32 lux over pi. Against it: how much of it eyes
 // grow used to, and how bright lit rooms are.
@@ -151,7 +152,7 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     const SkyModel& sky = light.sky;
     const vec3 to_light = light.to_light;
     const AmbientLight ambient = ambient_light(sky, vec3(k_ground_albedo));
-    const float high = glm::smoothstep(0.45f, 0.9f, to_light.y);
+    const float high = glm::smoothstep(0.45f, 0.9f, sky.to_sun.y);
     const float bounce = glm::mix(k_bounce, k_noon_bounce, high);
     auto ambient_on = [&](vec3 normal) {
         vec3 on = ambient.level;
@@ -169,7 +170,8 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     const float dim = std::min(std::pow(key, k_readable), 1.0f);
     const float exposure = k_white_level * dim / seen;
     const vec3 white = balance * exposure;
-    const vec3 sky_white = white * glm::mix(k_sky_tint, k_noon_sky_tint, high);
+    const vec3 low_tint = glm::mix(k_dusk_sky_tint, k_sky_tint, glm::smoothstep(0.06f, 0.38f, sky.to_sun.y));
+    const vec3 sky_white = white * glm::mix(low_tint, k_noon_sky_tint, high);
     auto sky_at = [&](vec3 direction) {
         direction = glm::normalize(direction);
         return daylit_sky(sky, direction) * sky_white + added_sky(sky, direction) * white;
