@@ -71,6 +71,30 @@ TEST_F(WorkViewsTest, EachChangesThePictureAndRepeats) {
     EXPECT_EQ(validation_messages(*renderer), 0u);
 }
 
+TEST_F(WorkViewsTest, AreDrawnInEveryQuality) {
+    for (Quality quality : {Quality::low, Quality::high, Quality::ultra}) {
+        RendererOptions options = validated();
+        options.quality = quality;
+        Result<RendererPtr> made = make_renderer(options);
+        ASSERT_TRUE(made) << made.error().message;
+        renderer = std::move(*made);
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        FrameInput frame = scene.frame(street_camera());
+        const Image plain = draw(frame);
+        frame.fills = k_fill;
+        frame.lines = k_lines;
+        frame.are_ghosts = true;
+        const Image image = draw(frame);
+        EXPECT_NE(image.rgba, plain.rgba);
+        EXPECT_EQ(image.rgba, draw(frame).rgba);
+        for (Surfaces surfaces : {Surfaces::wireframe, Surfaces::normals, Surfaces::overdraw}) {
+            frame.surfaces = surfaces;
+            draw(frame, 33, 17);
+        }
+        EXPECT_EQ(validation_messages(*renderer), 0u);
+    }
+}
+
 TEST_F(WorkViewsTest, OffCostNothing) {
     const FrameInput plain = scene.frame(street_camera());
     draw(plain);

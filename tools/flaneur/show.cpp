@@ -31,7 +31,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     if (!loaded) return loaded.error();
     show.loaded = std::move(*loaded);
     const World& world = *show.loaded.world;
-    show.work_views = options.work_views;
+    set_work_views(show, options.work_views);
     show.wardrobe = make_wardrobe(world, show.loaded.characters);
     show.sun = scene_sun(options.scene, world.city.latitude);
     show.is_overcast = options.scene.is_overcast;
@@ -61,7 +61,20 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
 
 void step(Show& show) {
     step(*show.loaded.world);
-    if (show.work_views[WorkView::trails]) follow_trails(*show.loaded.world, show.overlay.trails);
+    if (show.work_views[WorkView::trails])
+        follow_trails(*show.loaded.world, show.overlay.trails);
+    else
+        show.overlay.trails = {};
+}
+
+void set_work_views(Show& show, WorkViews views) {
+    if (views[WorkView::wireframe] && !can_draw_wireframe(*show.renderer)) {
+        std::fprintf(
+            stderr,
+            "This device draws no wireframe (it lacks fillModeNonSolid): normals are shown instead.\n");
+        views = toggled(views, WorkView::normals);
+    }
+    show.work_views = views;
 }
 
 }  // namespace flaneur

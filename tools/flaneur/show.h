@@ -34,6 +34,10 @@ Result<Show> make_show(RendererPtr renderer, const Options& options);
 // One tick, and what the views for work keep of it.
 void step(Show& show);
 
+// Shows these from the next frame on. Where the device draws no wireframe, normals take its place, and stderr
+// says so.
+void set_work_views(Show& show, WorkViews views);
+
 // The frame between the world's last two ticks, valid until the next call, for a picture of this size.
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between);
 

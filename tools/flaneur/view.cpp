@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "sim/base/math.h"
 #include "tools/flaneur/camera.h"
@@ -36,7 +38,7 @@ struct Viewer {
     CameraChoice choice;
     bool paused = false, wants_picture = false, looking = false, chosen = false;
     bool lists_keys = false;
-    WorkViews work_views;
+    std::optional<WorkView> toggles;
     uint32_t walkers = 0;
     Camera camera;
     float yaw = 0, pitch = 0;  // of the flying eye
@@ -81,7 +83,7 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
             break;
         default:
             if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
-                v.work_views = toggled(v.work_views, static_cast<WorkView>(key - GLFW_KEY_F2));
+                v.toggles = static_cast<WorkView>(key - GLFW_KEY_F2);
             break;
     }
 }
@@ -174,11 +176,11 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
             v.chosen = true;
         }
         fly(window, v, static_cast<float>(passed));
-        show.work_views = v.work_views;
+        if (v.toggles) set_work_views(show, toggled(show.work_views, *std::exchange(v.toggles, {})));
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
         FrameInput frame = extract_frame(show, v.camera, size, between);
-        if (v.lists_keys) add_key_list(v.work_views, show.overlay, frame);
+        if (v.lists_keys) add_key_list(show.work_views, show.overlay, frame);
         Result<void> done = draw_window(*show.renderer, frame);
         if (done && v.wants_picture) done = save_picture(show, window, frame);
         v.wants_picture = false;
@@ -215,7 +217,6 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
 
     Viewer viewer;
     viewer.choice = options.camera;
-    viewer.work_views = options.work_views;
     viewer.walkers = show->loaded.world->crowd.count;
     glfwSetWindowUserPointer(window.get(), &viewer);
     glfwSetKeyCallback(window.get(), on_key);
