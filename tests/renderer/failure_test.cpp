@@ -1,5 +1,6 @@
 // What becomes of failures of the driver: for each call that can fail, in turn, that call fails.
 #include "faults.h"
+#include "renderer/state.h"
 #include "synthetic_scene.h"
 #include "test_renderer.h"
 
@@ -44,6 +45,24 @@ TEST(Failure, ASceneThatCannotBeUploadedLeavesTheOldOne) {
         EXPECT_EQ(alive(), held);
     }
     EXPECT_EQ(alive(), before);
+}
+
+TEST(Failure, WhatIsLeftBehindIsHeard) {
+    int messages = 0;
+    RendererOptions options;
+    options.validation = true;
+    options.on_message = [&](const std::string&) { ++messages; };
+    for (bool is_left : {false, true}) {
+        RendererPtr renderer = std::move(*make_renderer(options));
+        const VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
+        VkFence fence = {};
+        if (is_left) {
+            ASSERT_EQ(vkCreateFence(renderer->device.handle, &info, nullptr, &fence), VK_SUCCESS);
+            --faults().live["Fence"];
+        }
+        renderer.reset();
+        EXPECT_EQ(messages > 0, is_left);
+    }
 }
 
 // Pictures of a new size with all that is made on the way: targets, buffers, the views' pipelines.
