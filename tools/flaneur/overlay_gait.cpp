@@ -51,7 +51,7 @@ float girth_of(Joint joint) {
 
 void add_bone(Overlay& overlay, uint32_t colour, glm::vec3 a, glm::vec3 b, float girth) {
     Pen pen{
-        .radius_a = girth, .radius_b = 0.5f * girth, .pixels = 1.2f, .place = GizmoPlace::in_world_hidden};
+        .radius_a = girth, .radius_b = 0.5f * girth, .pixels = 0.9f, .place = GizmoPlace::in_world_hidden};
     pen.colour = colour;
     add_line(overlay.lines, pen, a, b);
 }
@@ -88,7 +88,7 @@ void add_skeleton(const OverlayInput& input, const PeopleFrame& people, uint32_t
     add_line(overlay.lines, skull, joints[head] + turned(head, {0, 0.3f * crown, 0.08f * crown}),
              joints[head] + turned(head, {0, 0.6f * crown, 0}));
     for (int j = 0; j < k_joint_count; ++j) {
-        Pen joint{.pixels = 1.6f, .colour = k_joint_colour, .place = GizmoPlace::in_world_hidden};
+        Pen joint{.pixels = 1, .colour = k_joint_colour, .place = GizmoPlace::in_world_hidden};
         joint.radius_a = joint.radius_b = 1.25f * girth_of(static_cast<Joint>(j)) * size;
         add_point(overlay.lines, joint, joints[j]);
     }
@@ -188,13 +188,24 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
 
 }  // namespace
 
+// Bones know no depth among themselves: those behind are drawn first, joints after the bones that meet there.
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {
+    const glm::vec3 eye = input.camera.eye;
+    std::vector<std::pair<float, uint32_t>> order;
     for (uint32_t i : people.posed) {
         const glm::vec3 centre = people.walkers[i].centre;
-        if (!is_before(input.camera, centre, k_bones_reach)) continue;
+        if (is_before(input.camera, centre, k_bones_reach)) order.emplace_back(glm::length(centre - eye), i);
+    }
+    std::sort(order.rbegin(), order.rend());
+    auto depth_of = [&](const GizmoLine& line) {
+        return glm::length(0.5f * (line.a + line.b) - eye) - (line.a == line.b ? 0.25f : 0.0f);
+    };
+    for (const auto& [distance, i] : order) {
+        if (!input.world.roam && distance < k_marks_reach) add_contact_marks(input, i, overlay);
+        const auto first = static_cast<std::ptrdiff_t>(overlay.lines.size());
         add_skeleton(input, people, i, overlay);
-        if (!input.world.roam && is_before(input.camera, centre, k_marks_reach))
-            add_contact_marks(input, i, overlay);
+        std::stable_sort(overlay.lines.begin() + first, overlay.lines.end(),
+                         [&](const GizmoLine& a, const GizmoLine& b) { return depth_of(a) > depth_of(b); });
     }
 }
 
