@@ -19,7 +19,7 @@ constexpr float k_into_walls = 0.9f;   // metres that light goes on in them, for
 constexpr float k_shop_height = 1.5f, k_shop_reach = 9, k_shop_bay = 2.7f;  // metres
 constexpr float k_shop_light = 1.3f;                                        // of a bay, at one metre
 
-constexpr float k_unseen_height = 6, k_unseen_apart = 32;  // metres
+constexpr float k_unseen_height = 6, k_unseen_apart = 30;  // metres
 
 struct Source {
     Vec3 at;
