@@ -19,13 +19,18 @@ constexpr float k_into_walls = 0.9f;   // metres that light goes on in them, for
 constexpr float k_shop_height = 1.5f, k_shop_reach = 9, k_shop_bay = 2.7f;  // metres
 constexpr float k_shop_light = 1.3f;                                        // of a bay, at one metre
 
-constexpr float k_unseen_height = 6, k_unseen_apart = 30;  // metres
+constexpr float k_unseen_height = 6, k_unseen_apart = 30, k_before_houses = 2.5f;  // metres
 
 struct Source {
     Vec3 at;
     Vec3 out;            // a shop's light goes out of its wall; zero: all round
     float reach, light;  // metres; at one metre
 };
+
+Vec3 outwards(const Face& f) {
+    Vec2 along = on_ground(f.b) - on_ground(f.a);
+    return at_height(normalize_or(Vec2{-along.z, along.x}, {1, 0}), 0);
+}
 
 std::vector<Source> sources_of(const City& city) {
     std::vector<Source> sources;
@@ -34,10 +39,16 @@ std::vector<Source> sources_of(const City& city) {
         Vec3 head = prop.position + at_height(heading_direction(prop.yaw) * 0.55f, prop.height);
         sources.push_back({head, {}, k_reach * prop.height, prop.height * prop.height});
     }
-    // Where none are known they hang unseen over the kerb.
+    // Where none are known they hang unseen over the kerb, and over what is paved before houses.
     for (const Face& f : city.faces) {
-        if (f.kind != FaceKind::kerb) continue;
-        Vec3 head = lerp(f.a, f.b, 0.5f) + Vec3{0, k_unseen_height, 0};
+        if (f.kind != FaceKind::kerb && f.kind != FaceKind::facade) continue;
+        Vec3 head = lerp(f.a, f.b, 0.5f);
+        if (f.kind == FaceKind::facade) {
+            head = head + outwards(f) * k_before_houses;
+            std::optional<GroundHit> hit = ground(city, head, 1, 1);
+            if (!hit || hit->kind == Surface::grass || hit->kind == Surface::water) continue;
+        }
+        head.y += k_unseen_height;
         auto is_near = [&](const Source& other) {
             return length_squared(on_ground(other.at - head)) < k_unseen_apart * k_unseen_apart;
         };
@@ -47,14 +58,13 @@ std::vector<Source> sources_of(const City& city) {
     for (const Face& f : city.faces) {
         if (f.kind != FaceKind::facade || !is_shop_front(city, f)) continue;
         Vec2 along = on_ground(f.b) - on_ground(f.a);
-        Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
+        Vec3 out = outwards(f);
         int bays = static_cast<int>(length(along) / k_shop_bay);
         for (int i = 0; i < bays; ++i) {
             float share = (static_cast<float>(i) + 0.5f) / static_cast<float>(bays);
-            Vec2 at = on_ground(f.a) + along * share + out * 0.1f;
+            Vec2 at = on_ground(f.a) + along * share + on_ground(out) * 0.1f;
             float foot = city.buildings[f.building].base;
-            sources.push_back(
-                {at_height(at, foot + k_shop_height), at_height(out, 0), k_shop_reach, k_shop_light});
+            sources.push_back({at_height(at, foot + k_shop_height), out, k_shop_reach, k_shop_light});
         }
     }
     return sources;
