@@ -108,7 +108,7 @@ struct CityChunk {
     MeshRange near, far;
 };
 // A piece is seen from far away where a metre of it is nowhere larger than so many pixels.
-inline constexpr float k_fine_pixels = 20;
+inline constexpr float k_fine_pixels = 25;
 
 // Appends a draw for each chunk that the view sees and no wall hides, nearest first; returns how many.
 uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const OcclusionMap& hidden,

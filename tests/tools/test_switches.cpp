@@ -1,0 +1,119 @@
+// Where a walker's level of detail changes, it looks much the same on both sides.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "assets/scene.h"
+#include "renderer/renderer.h"
+#include "tools/flaneur/extract.h"
+#include "tools/flaneur/flip.h"
+#include "tools/flaneur/load.h"
+
+namespace flaneur {
+namespace {
+
+constexpr uint32_t k_width = 260, k_height = 400;
+constexpr float k_fov = 0.3f;
+const glm::vec3 k_backdrop(0.45f, 0.44f, 0.42f);
+
+struct People {
+    Loaded loaded;
+    Wardrobe wardrobe;
+    PeopleFrame frame;
+    RendererPtr renderer;
+};
+
+// Some walkers on their way, all with joints, and a renderer of theirs without the city.
+People walking_people() {
+    Options options;
+    options.scene = *load_scene("corner");
+    options.scene.walkers = 24;
+    People people{std::move(*load(options)), {}, {}, std::move(*make_renderer({}))};
+    World& world = *people.loaded.world;
+    for (int i = 0; i < 150; ++i) step(world);
+    people.wardrobe = make_wardrobe(world, people.loaded.characters);
+    SceneMeshes scene;
+    for (const Character& c : people.loaded.characters) scene.people.push_back(extract_character(c));
+    EXPECT_TRUE(upload_scene(*people.renderer, scene));
+    const Camera all{.eye = {0, 900, 0}, .target = {1, 0, 0}, .vertical_fov = 1, .near_plane = 1};
+    extract_people(world, people.loaded.characters, people.wardrobe, 1, {make_view(all, 100, 100)},
+                   people.frame);
+    return people;
+}
+
+// Walker `number` alone, as high as a sphere about it is `pixels` high, from a side of its own.
+Image look_at(People& people, size_t number, float pixels) {
+    const WalkerDraw& walker = people.frame.walkers[number];
+    const float across = k_height / (2 * std::tan(k_fov / 2));
+    const float turn = 2.4f * static_cast<float>(number),
+                tilt = 0.05f + 0.3f * static_cast<float>(number % 3) / 2;
+    const glm::vec3 way(std::sin(turn) * std::cos(tilt), std::sin(tilt), std::cos(turn) * std::cos(tilt));
+    FrameInput frame;
+    frame.camera = {.eye = walker.centre + way * (2 * walker.radius * across / pixels),
+                    .target = walker.centre,
+                    .vertical_fov = k_fov,
+                    .near_plane = 0.1f};
+    frame.walkers = std::span(&walker, 1);
+    frame.palette = people.frame.palette;
+    frame.backdrop = k_backdrop;
+    return *draw_image(*people.renderer, frame, k_width, k_height);
+}
+
+// The mean over the box about what either shows.
+double flip_about_body(const Image& a, const Image& b) {
+    auto shows = [](const Image& image, size_t i) {
+        int most = 0;
+        for (int c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(image.rgba[4 * i + static_cast<size_t>(c)] -
+                                           static_cast<int>(std::lround(255 * k_backdrop[c]))));
+        return most > 2;
+    };
+    uint32_t left = k_width, right = 0, top = k_height, bottom = 0;
+    for (uint32_t i = 0; i < k_width * k_height; ++i) {
+        if (!shows(a, i) && !shows(b, i)) continue;
+        left = std::min(left, i % k_width), right = std::max(right, i % k_width);
+        top = std::min(top, i / k_width), bottom = std::max(bottom, i / k_width);
+    }
+    const std::vector<float> errors = flip(a.rgba, b.rgba, static_cast<int>(k_width));
+    double sum = 0, count = 0;
+    for (uint32_t y = top; y <= bottom; ++y)
+        for (uint32_t x = left; x <= right; ++x) sum += errors[y * k_width + x], ++count;
+    EXPECT_GT(count, 100);
+    return sum / count;
+}
+
+TEST(Switches, LookAlikeOnBothSides) {
+    struct Border {
+        float pixels;
+        double most;  // mean FLIP; 0.05 is what nobody sees
+    };
+    People people = walking_people();
+    constexpr size_t k_watched = 8;
+    ASSERT_GE(people.frame.walkers.size(), k_watched);
+    for (Border border : {Border{420, 0.075}, {150, 0.15}, {70, 0.15}, {39, 0.12}}) {
+        double mean = 0;
+        for (size_t i = 0; i < k_watched; ++i) {
+            // Near its border a level is kept, from whichever side one comes.
+            auto coming_from = [&](float side, FrameStats& stats) {
+                look_at(people, i, border.pixels * side * side);
+                look_at(people, i, border.pixels * side);
+                Image image = look_at(people, i, border.pixels);
+                stats = frame_stats(*people.renderer);
+                return image;
+            };
+            FrameStats fine, coarse;
+            const Image near = coming_from(1.035f, fine), far = coming_from(0.965f, coarse);
+            EXPECT_GT(fine.triangles, coarse.triangles) << border.pixels << " " << i;
+            mean += flip_about_body(near, far) / k_watched;
+        }
+        RecordProperty("border_" + std::to_string(std::lround(border.pixels)), std::to_string(mean));
+        EXPECT_LE(mean, border.most) << border.pixels;
+    }
+}
+
+}  // namespace
+}  // namespace flaneur
