@@ -117,12 +117,10 @@ void pose_block(Dancers& d, size_t block) {
 // PersonMesh::strides out of the clip.
 std::vector<JointTransform> strides_of(Dancers& d) {
     std::vector<JointTransform> strides(size_t{k_stride_poses} * k_palette_joints);
-    static_assert(k_stride_poses <= k_block);
-    for (int i = 0; i < k_stride_poses; ++i)
-        d.phases[0].lanes[i] = part(static_cast<float>(i) / k_stride_phases);
-    pose_block(d, 0);
     for (int i = 0; i < k_stride_poses; ++i) {
-        auto joints = joints_of(d.model.data(), static_cast<size_t>(i));
+        d.phases[0].lanes[0] = part(static_cast<float>(i) / k_stride_phases);
+        pose_block(d, 0);
+        auto joints = joints_of(d.model.data(), 0);
         const Vec3 middle = joints[hips].position;
         for (JointPose& joint : joints) joint.position -= middle;
         pose_character(d.character, 1, joints.data(), &strides[static_cast<size_t>(i * k_palette_joints)]);
@@ -188,7 +186,7 @@ SceneMeshes scene_of(Dancers& d) {
         v.colour = 0xff808080u;
         v.uv = {0.6f, 0.6f};
         v.normal[1] = 127;
-        v.material = static_cast<uint16_t>(k_material_metal);
+        v.material = static_cast<uint16_t>(k_material_scenery);
         scene.city.vertices.push_back(v);
     }
     scene.city.indices = {0, 1, 2, 0, 2, 3};
