@@ -59,7 +59,7 @@ class Pops : public testing::Test {
         camera = street_camera(*show.loaded.world);
     }
     Image draw() {
-        return draw_image(*show.renderer, extract_frame(show, camera, 1), k_width, k_height).value();
+        return draw_image(*show.renderer, extract_frame(show, camera, {k_width, k_height}, 1), k_width, k_height).value();
     }
     // The largest jump while `move` moves the camera by 1/60 s, `frames` times.
     template <class Move>
@@ -82,7 +82,7 @@ class Pops : public testing::Test {
 // The measure itself: somebody who wears red all at once is a pop.
 TEST_F(Pops, AreNoticed) {
     const Image before = draw();
-    const FrameInput frame = extract_frame(show, camera, 1);
+    const FrameInput frame = extract_frame(show, camera, {k_width, k_height}, 1);
     const glm::vec3 ahead = glm::normalize(camera.target - camera.eye);
     WalkerDraw* nearest = nullptr;
     auto distance = [&](const WalkerDraw& w) { return glm::length(w.centre - camera.eye); };
