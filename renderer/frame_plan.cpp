@@ -32,7 +32,7 @@ constexpr float k_lamp_level = 0.032f / 3.14159265f, k_lamps_seen = 0.35f, k_win
 const vec3 k_lamp_colour(1.18f, 0.98f, 0.70f), k_window_colour(1.38f, 0.93f, 0.46f);
 constexpr float k_pavement = 0.3f;  // albedo of what eyes grow used to
 constexpr float k_bright = 1000;    // cd/m2 from where on nothing looks dim
-constexpr float k_readable = 0.8f;  // below 1 nights are drawn brighter than eyes see them
+constexpr float k_readable = 0.9f;  // below 1 nights are drawn brighter than eyes see them
 
 vec4 v4(vec3 v, float w = 0) { return {v, w}; }
 

@@ -67,6 +67,7 @@ Examples:
   flaneur render --frames 0:600:2 --size 1920x1080 --out out/city.mp4     ten seconds at 30 pictures a second
   flaneur render --frames 0:59 --out out/%05d.png                         a picture for each tick
   flaneur render --city berlin.osm --camera overview --out out/berlin.png
+  flaneur render --time 22:00 --quality high --out out/night.png
   flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
   flaneur render --view skeletons,trails --camera follow:3 --out out/bones.png
   flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png)";
