@@ -8,9 +8,10 @@
 namespace flaneur {
 
 inline RendererOptions validated() {
-    return {.device = {}, .quality = Quality::medium, .validation = true, .on_message = [](const std::string& message) {
-                ADD_FAILURE() << message;
-            }};
+    return {.device = {},
+            .quality = Quality::medium,
+            .validation = true,
+            .on_message = [](const std::string& message) { ADD_FAILURE() << message; }};
 }
 
 }  // namespace flaneur
