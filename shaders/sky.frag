@@ -27,4 +27,6 @@ void main() {
     vec3 light = in_light + frame.sun_light.xyz * (frame.sun_light.w * disc);
     if (k_night == 1) light += 0.5 * frame.sky_dusk.w * stars(normalize(in_ray));
     out_picture = picture(light);
+    // Half a step of noise, or dark skies show bands.
+    if (k_night == 1) out_picture.rgb += (hash(gl_FragCoord.xy) - 0.5) * (1.0 / 255.0);
 }
