@@ -19,8 +19,8 @@ TEST(Flip, EqualPicturesDoNotDiffer) {
 }
 
 // A uniform change has no features, so the error is the colour's, which the paper's formula gives by hand:
-// black to white is HyAB 100, 100^0.7 = 25.12; green to blue, the greatest, is 203.3^0.7 = 41.28, and the knee
-// 16.51, where the error is 0.95.
+// black to white is HyAB 100, 100^0.7 = 25.12; green to blue, the greatest, is 203.3^0.7 = 41.28, and the
+// knee 16.51, where the error is 0.95.
 TEST(Flip, BlackAgainstWhiteIsNearOne) {
     EXPECT_NEAR(mean_flip(plain(0, 0, 0), plain(255, 255, 255), k_width), 0.9674, 1e-3);
 }
