@@ -266,7 +266,7 @@ TEST(Draw, OddInputsDoNoHarm) {
     SyntheticScene scene = synthetic_scene(20);
     const RendererPtr renderer = renderer_with(scene);
     scene.walkers[0].mesh = 99;
-    scene.walkers[1].instance.palette = ~0u;
+    scene.walkers[1].instance.palette = k_no_palette - 1;
     scene.walkers[2].centre = glm::vec3(std::nanf(""));
     draw(*renderer, scene.frame({.eye = {0, 5, 0}, .target = {0, 5, 0}}, {{0, -1, 0}}));
     draw(*renderer, scene.frame({.eye = glm::vec3(std::nanf(""))}, {glm::vec3(0)}));
