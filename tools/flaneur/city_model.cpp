@@ -55,8 +55,9 @@ uint32_t brightest(const std::vector<uint32_t>& colours) {
 
 void add_drawn(const CityMesh& drawn, StillModel& model) {
     std::array<StillSurface, k_kinds.size()> surfaces;
-    for (uint32_t i : drawn.indices) {
-        const CityVertex& v = drawn.vertices[i];
+    for (size_t at = 0; at < drawn.indices.size(); ++at) {
+        if (drawn.seen_from[at / 3] == SeenFrom::far) continue;
+        const CityVertex& v = drawn.vertices[drawn.indices[at]];
         if (v.material == k_material_scenery) continue;  // is taken from the city, with its pictures
         if (v.material == k_material_shade) continue;
         Vec3 normal{static_cast<float>(v.normal[0]), static_cast<float>(v.normal[1]),
