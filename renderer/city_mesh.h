@@ -11,8 +11,8 @@
 
 namespace flaneur {
 
-// What is drawn by one pipeline and culled together: roofs, which show over the houses before them, apart from
-// what stands below.
+// What is drawn by one pipeline and culled together: roofs, which show over the houses before them, apart
+// from what stands below.
 enum class CityClass { ground, facade, roof, detail, scenery, shade };
 inline constexpr int k_city_classes = 6;
 CityClass city_class(uint32_t material);

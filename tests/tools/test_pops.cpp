@@ -59,7 +59,9 @@ class Pops : public testing::Test {
         camera = street_camera(*show.loaded.world);
     }
     Image draw() {
-        return draw_image(*show.renderer, extract_frame(show, camera, {k_width, k_height}, 1), k_width, k_height).value();
+        return draw_image(*show.renderer, extract_frame(show, camera, {k_width, k_height}, 1), k_width,
+                          k_height)
+            .value();
     }
     // The largest jump while `move` moves the camera by 1/60 s, `frames` times.
     template <class Move>

@@ -97,7 +97,9 @@ Vec3 drawn_corner(const CityMesh& mesh, size_t index) {
 City drawn_ground(const CityMesh& mesh) {
     City drawn;
     for (size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-        if (mesh.seen_from[t / 3] == SeenFrom::far) continue;
+        if (mesh.seen_from[t / 3] == SeenFrom::far ||
+            mesh.vertices[mesh.indices[t]].material == k_material_shade)
+            continue;
         Vec3 a = drawn_corner(mesh, t), b = drawn_corner(mesh, t + 1), c = drawn_corner(mesh, t + 2);
         Vec3 normal = cross(b - a, c - a);
         if (normal.y < 0) std::swap(b, c);
