@@ -30,7 +30,7 @@ float share_of(const CharacterVertex& v, std::initializer_list<uint8_t> joints) 
 // Places as the simplifier measures errors: the head twice as large, for the eye goes there, and elbows and
 // knees bent, so that no straight limb loses the vertices that bend it.
 std::vector<Vec3> weighed_places(const Character& c) {
-    constexpr float k_sine = 0.84f, k_cosine = 0.54f;  // of 1 radian
+    constexpr float k_sine = 0.75f, k_cosine = 0.66f;  // of 0.85 radians
     constexpr uint8_t k_none = k_joint_count;
     constexpr std::array<std::array<uint8_t, 3>, 4> k_hinges = {{{left_lower_arm, left_hand, k_none},
                                                                  {right_lower_arm, right_hand, k_none},
