@@ -49,7 +49,6 @@ class Pops : public testing::Test {
     void SetUp() override {
         Options options;
         options.scene = load_scene("corner").value();
-        std::atomic<uint32_t> messages = 0;
         Result<RendererPtr> renderer = make_renderer({});
         ASSERT_TRUE(renderer) << renderer.error().message;
         Result<Show> made = make_show(std::move(*renderer), options);
