@@ -191,7 +191,7 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
         FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
         return {};
     };
-    const Result<void> made = make();
+    Result<void> made = make();
     if (made) {
         std::swap(renderer.scene, scene);
         renderer.shadows.near_box = renderer.shadows.far_box = {};

@@ -143,8 +143,9 @@ void animate(Dancers& d, uint32_t frame) {
                 auto joints = joints_of(&d.model[block * model_rows(k_joint_count)], i - first);
                 const float yaw = static_cast<float>(std::fmod(i * 2.399963, 2.0 * 3.14159265358979));
                 const Quat turn = rotation_y(yaw);
-                const Vec3 place{(static_cast<float>(i % columns) - middle) * k_spacing, 0,
-                                 (static_cast<float>(i / columns) - middle) * k_spacing};
+                const uint32_t column = i % columns, row = i / columns;
+                const Vec3 place{(static_cast<float>(column) - middle) * k_spacing, 0,
+                                 (static_cast<float>(row) - middle) * k_spacing};
                 for (JointPose& joint : joints)
                     joint = {place + rotate(turn, joint.position), turn * joint.rotation};
                 pose_character(d.character, 1, joints.data(),

@@ -101,8 +101,10 @@ Result<WorkViews> parse_work_views(const std::string& text) {
         const auto* at = std::find(std::begin(k_work_view_names), std::end(k_work_view_names), name);
         if (at == std::end(k_work_view_names)) {
             std::string names;
-            for (const char* known : k_work_view_names)
-                names += std::string(names.empty() ? "" : ", ") + known;
+            for (const char* known : k_work_view_names) {
+                names += names.empty() ? "" : ", ";
+                names += known;
+            }
             return Error{"--view " + text + ": there is no view \"" + std::string(name) + "\"; there are " +
                          names + "."};
         }
