@@ -95,19 +95,21 @@ WorkViews toggled(WorkViews views, WorkView view) {
     return views;
 }
 
+static Error no_such_view(const std::string& text, std::string_view name) {
+    std::string names;
+    for (const char* known : k_work_view_names) {
+        names += names.empty() ? "" : ", ";
+        names += known;
+    }
+    return Error{"--view " + text + ": there is no view \"" + std::string(name) + "\"; there are " + names +
+                 "."};
+}
+
 Result<WorkViews> parse_work_views(const std::string& text) {
     WorkViews views;
     for (std::string_view name : split(text, ',')) {
         const auto* at = std::find(std::begin(k_work_view_names), std::end(k_work_view_names), name);
-        if (at == std::end(k_work_view_names)) {
-            std::string names;
-            for (const char* known : k_work_view_names) {
-                names += names.empty() ? "" : ", ";
-                names += known;
-            }
-            return Error{"--view " + text + ": there is no view \"" + std::string(name) + "\"; there are " +
-                         names + "."};
-        }
+        if (at == std::end(k_work_view_names)) return no_such_view(text, name);
         const auto view = static_cast<WorkView>(at - std::begin(k_work_view_names));
         if (views.mask & rivals_of(view))
             return Error{
