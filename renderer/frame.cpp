@@ -108,28 +108,21 @@ const GpuImage& drawn_into(const PictureTargets& targets) {
 // pixels.
 void begin_picture(const FrameRecord& record, bool is_fresh, bool is_last = false) {
     const PictureTargets& targets = record.renderer.targets;
-    VkRenderingAttachmentInfo colour{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    const bool is_plain = record.plan.backdrop.has_value();
-    colour.imageView = is_plain ? record.target.view : drawn_into(targets).view;
-    colour.imageLayout = k_colour_target.layout;
-    if (is_last && !is_plain && targets.samples.view) {
+    const std::optional<glm::vec3>& backdrop = record.plan.backdrop;
+    const VkImageView pixels = backdrop ? record.target.view : targets.colour.view;
+    // Without a backdrop nothing needs clearing: the sky fills what nothing covers.
+    VkRenderingAttachmentInfo colour = attachment(targets.samples.view ? targets.samples.view : pixels,
+                                                  !is_fresh  ? VK_ATTACHMENT_LOAD_OP_LOAD
+                                                  : backdrop ? VK_ATTACHMENT_LOAD_OP_CLEAR
+                                                             : VK_ATTACHMENT_LOAD_OP_DONT_CARE);
+    if (is_last && targets.samples.view) {
         colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-        colour.resolveImageView = targets.colour.view;
+        colour.resolveImageView = pixels;
         colour.resolveImageLayout = k_colour_target.layout;
     }
-    // Without a backdrop nothing needs clearing: the sky fills what nothing covers.
-    colour.loadOp = !is_fresh  ? VK_ATTACHMENT_LOAD_OP_LOAD
-                    : is_plain ? VK_ATTACHMENT_LOAD_OP_CLEAR
-                               : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-    if (record.plan.backdrop)
-        colour.clearValue = {
-            {{record.plan.backdrop->r, record.plan.backdrop->g, record.plan.backdrop->b, 1}}};
-    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    depth.imageView = record.renderer.targets.depth.view;
-    depth.imageLayout = k_depth_target.layout;
-    depth.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    if (backdrop) colour.clearValue = {{{backdrop->r, backdrop->g, backdrop->b, 1}}};
+    const VkRenderingAttachmentInfo depth =
+        attachment(targets.depth.view, is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = record.target.extent;
     info.layerCount = 1;
@@ -230,7 +223,10 @@ void draw_plain(const FrameRecord& record) {
                   k_sampled);
     begin_stage(record, "crowd");
     depth_barrier(record, k_old_depth);
-    begin_picture(record, true);
+    if (const GpuImage& samples = record.renderer.targets.samples; samples.view)
+        image_barrier(record.commands, samples.handle, VK_IMAGE_ASPECT_COLOR_BIT, discarded(k_colour_target),
+                      k_colour_target);
+    begin_picture(record, true, true);
     draw_crowd(record);
     draw_impostors(record);
     draw_city(record);
@@ -380,6 +376,21 @@ void draw_indirect(const FrameRecord& record, DrawRange range) {
     if (range.count == 0) return;
     vkCmdDrawIndexedIndirect(record.commands, record.slot.draws.handle, sizeof(DrawCommand) * range.first,
                              range.count, sizeof(DrawCommand));
+}
+
+void draw_over(const FrameRecord& record, VkImageView view, VkExtent2D extent, VkAttachmentLoadOp load,
+               VkPipeline pipeline) {
+    const VkRenderingAttachmentInfo colour = attachment(view, load);
+    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea.extent = extent;
+    info.layerCount = 1;
+    info.colorAttachmentCount = 1;
+    info.pColorAttachments = &colour;
+    vkCmdBeginRendering(record.commands, &info);
+    set_viewport(record.commands, extent);
+    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdDraw(record.commands, 3, 1, 0, 0);
+    vkCmdEndRendering(record.commands);
 }
 
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {

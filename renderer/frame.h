@@ -84,6 +84,9 @@ void begin_stage(const FrameRecord& record, const char* name);
 void end_stage(const FrameRecord& record);
 
 // For the passes.
+// Draws a triangle that covers `view`, an image of that size, with a pipeline without vertices.
+void draw_over(const FrameRecord& record, VkImageView view, VkExtent2D extent, VkAttachmentLoadOp load,
+               VkPipeline pipeline);
 const LitPipelines& lit_pipelines(const FrameRecord& record);
 void draw_indirect(const FrameRecord& record, DrawRange range);
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent);

@@ -124,16 +124,9 @@ void record_bake(VkCommandBuffer commands, const Pipelines& pipelines, const Gpu
     image_barrier(commands, atlas.handle, VK_IMAGE_ASPECT_COLOR_BIT, {}, k_colour_target);
     if (bake.people > 0)
         image_barrier(commands, bake.depth.handle, VK_IMAGE_ASPECT_DEPTH_BIT, {}, k_depth_target);
-    VkRenderingAttachmentInfo colour{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    colour.imageView = atlas.view;
-    colour.imageLayout = k_colour_target.layout;
-    colour.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    colour.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo colour = attachment(atlas.view, VK_ATTACHMENT_LOAD_OP_CLEAR);
     colour.clearValue.color.uint32[0] = ~0u;  // k_empty_texel
-    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    depth.imageView = bake.depth.view;
-    depth.imageLayout = k_depth_target.layout;
-    depth.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    VkRenderingAttachmentInfo depth = attachment(bake.depth.view, VK_ATTACHMENT_LOAD_OP_CLEAR);
     depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = {atlas.width, atlas.height};

@@ -89,6 +89,15 @@ Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsa
     return result;
 }
 
+VkRenderingAttachmentInfo attachment(VkImageView view, VkAttachmentLoadOp load) {
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = view;
+    info.imageLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    return info;
+}
+
 Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
     VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool_info.queueFamilyIndex = device.queue_family;

@@ -86,6 +86,9 @@ struct LayerRange {
 void image_barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, Access from, Access to,
                    LayerRange range = {});
 
+// What is drawn into, as rendering begins with it; stored at its end.
+VkRenderingAttachmentInfo attachment(VkImageView view, VkAttachmentLoadOp load);
+
 // Runs a command buffer that `record` fills, to its end.
 Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 

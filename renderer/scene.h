@@ -154,8 +154,8 @@ struct FrameInput {
     Sun sun;
     std::span<const WalkerDraw> walkers;
     std::span<const JointTransform> palette;  // k_palette_joints for each walker that refers to it
-    // For comparisons with other renderers, off-screen alone: no shadows, sky, haze or anti-aliasing, but
-    // this colour (sRGB) where nothing is.
+    // For comparisons with other renderers, off-screen alone: no shadows, sky, haze or smoothing after the
+    // picture is drawn, but this colour (sRGB) where nothing is.
     std::optional<glm::vec3> backdrop = {};
     bool is_finest = false;    // every walker is drawn by its finest mesh
     bool skips_hidden = true;  // what walls hide is not drawn; the picture is the same either way

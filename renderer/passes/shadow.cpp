@@ -7,11 +7,8 @@ constexpr VkImageAspectFlags k_depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
 
 // `is_fresh`: begins with nothing, rather than with what is there.
 void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box, bool is_fresh) {
-    VkRenderingAttachmentInfo depth{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
-    depth.imageView = view;
-    depth.imageLayout = k_depth_target.layout;
-    depth.loadOp = is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-    depth.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    VkRenderingAttachmentInfo depth =
+        attachment(view, is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
     depth.clearValue.depthStencil.depth = 1;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     const uint32_t resolution = record.renderer.quality.shadow_resolution;

@@ -55,7 +55,7 @@ Surface surface_of(const Navmesh& m, uint32_t polygon) {
     const dtMeshTile* tile = nullptr;
     const dtPoly* found = nullptr;
     if (dtStatusFailed(m.mesh->getTileAndPolyByRef(polygon, &tile, &found))) return Surface::road;
-    return static_cast<Surface>(found->getArea() - 1);
+    return surface_of_area(found->getArea());
 }
 
 int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity) {
@@ -124,25 +124,18 @@ static constexpr float k_same_level = 1.5f;
 
 // Whether `p`, no farther than `reach` from the border, lies beyond it by more than `most`.
 static bool is_beyond(const Navmesh& m, Vec3 p, float reach, float most) {
+    BorderLine lines[4];
+    int count = borders_near(m, p, reach, lines, 4);
     Vec2 at = on_ground(p);
-    CellRange r = cells_of_box(m.border_grid, at - Vec2{reach, reach}, at + Vec2{reach, reach});
-    float best = reach * reach, side = most;
-    for (int z = r.z0; z <= r.z1; ++z) {
-        for (int x = r.x0; x <= r.x1; ++x) {
-            size_t cell = static_cast<size_t>(z) * m.border_grid.width + x;
-            for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
-                const BorderLine& line = m.borders[m.border_grid.items[k]];
-                Vec3 closest = closest_on_line(line, p);
-                float distance = length_squared(on_ground(closest) - at);
-                if (distance > best + 1e-6f || std::fabs(closest.y - p.y) > k_same_level) continue;
-                Vec2 ab = on_ground(line.b - line.a);
-                float inside = cross(ab, at - on_ground(line.a)) / length(ab);
-                // Of two lines whose common end is the closest, the one that is more athwart tells.
-                if (distance > best - 1e-6f && std::fabs(inside) < std::fabs(side)) continue;
-                best = std::min(best, distance);
-                side = inside;
-            }
-        }
+    float least = 0, side = most;
+    for (int i = 0; i < count; ++i) {
+        Vec2 a = on_ground(lines[i].a), ab = on_ground(lines[i].b) - a;
+        float distance = length_squared(on_ground(closest_on_line(lines[i], p)) - at);
+        float inside = cross(ab, at - a) / length(ab);
+        // Of lines whose common end is the closest, the one that is most athwart tells.
+        if (i > 0 && (distance > least + 1e-6f || std::fabs(inside) < std::fabs(side))) continue;
+        if (i == 0) least = distance;
+        side = inside;
     }
     return side < -most;
 }
@@ -230,7 +223,7 @@ std::vector<Surface> navmesh_kinds(const Navmesh& m) {
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
         const dtPoly& polygon = tile.polys[p];
         kinds.insert(kinds.end(), static_cast<size_t>(polygon.vertCount) - 2,
-                     static_cast<Surface>(polygon.getArea() - 1));
+                     surface_of_area(polygon.getArea()));
     });
     return kinds;
 }

@@ -42,6 +42,7 @@ struct Navmesh {
 
 // The area id of a surface on the mesh; Recast keeps 0 for what cannot be walked on.
 inline uint8_t area_of(Surface s) { return static_cast<uint8_t>(static_cast<int>(s) + 1); }
+inline Surface surface_of_area(uint8_t area) { return static_cast<Surface>(area - 1); }
 
 inline const float* floats(const Vec3& v) { return &v.x; }
 inline float* floats(Vec3& v) { return &v.x; }

@@ -207,6 +207,14 @@ TEST(Draw, EveryQualityShowsTheSamePicture) {
         EXPECT_LT(change / (320 * 180), 8) << name;
         EXPECT_TRUE(images.size() == 1 || change / (320 * 180) > 0.2) << name << " changes nothing";
         draw(*renderer, scene.frame(street_camera(), {{0.9f, -0.3f, 0}}));  // at night
+        FrameInput plain = scene.frame(street_camera());
+        plain.backdrop = glm::vec3{1, 0, 0};
+        const Image without_sky = draw(*renderer, plain);
+        uint32_t red = 0;
+        for (size_t i = 0; i < without_sky.rgba.size(); i += 4)
+            red += without_sky.rgba[i] == 255 && without_sky.rgba[i + 1] == 0;
+        EXPECT_GT(red, 1000u) << name;
+        EXPECT_LT(red, 320u * 180 / 2) << name;
         EXPECT_EQ(validation_messages(*renderer), 0u);
     }
     EXPECT_LT(luma_about(images[3], 160, 90, 80), luma_about(images[2], 160, 90, 80)) << "corners are darker";

@@ -240,7 +240,9 @@ Result<std::string> bench_peers(const Options& options) {
     Result<Dancers> dancers = make_dancers(options);
     if (!dancers) return dancers.error();
     std::atomic<uint32_t> messages = 0;
-    Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
+    RendererOptions drawing = renderer_options(options, messages);
+    drawing.quality = Quality::medium;  // the scene is drawn with one sample a pixel
+    Result<RendererPtr> renderer = make_renderer(drawing);
     if (!renderer) return renderer.error();
     if (Result<void> done = upload_scene(**renderer, scene_of(*dancers)); !done) return done.error();
 
