@@ -75,6 +75,18 @@ void add_awning(City& city, const Wall& wall, float from, float to, float foot, 
     add_quad(city, e, c, ch, eh, cloth);
 }
 
+// How far a pitched roof of a house `width` wide and `depth` deep rises above its eaves, `right` and `back`
+// metres from the corner of its front.
+float rise(const House& house, float width, float depth, float right, float back) {
+    float aside = std::min(right, width - right), behind = std::min(back, depth - back);
+    float ridge = std::min(width, depth) * 0.5f, from_edge = std::min(aside, behind);
+    if (house.roof == RoofKind::gable) {
+        ridge = (house.gable_across ? width : depth) * 0.5f;
+        from_edge = house.gable_across ? aside : behind;
+    }
+    return house.roof_height * std::min(from_edge / ridge, 1.0f);
+}
+
 }  // namespace
 
 void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, Vec2 a, Vec2 b, float depth) {
@@ -84,9 +96,11 @@ void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, 
     if (pitched) {
         int chimneys = 1 + dice.pick(2);
         for (int i = 0; i < chimneys; ++i) {
-            float right = (i == 0 ? 0.06f : 0.94f) * wall.width + (i == 0 ? 0.5f : -0.5f);
-            Vec3 at = wall.at(right, -depth * dice.between(0.35f, 0.6f), eaves + house.roof_height - 1.3f);
-            add_box(d.city, at, wall.out, {0.75f, 0.33f}, 2.2f, building);
+            float in = house.roof == RoofKind::hip ? 0.26f * wall.width : 0.06f * wall.width + 0.5f;
+            float right = i == 0 ? in : wall.width - in, back = depth * dice.between(0.35f, 0.6f);
+            float sunk = std::max(rise(house, wall.width, depth, right, back) - 0.8f, 0.0f);
+            add_box(d.city, wall.at(right, -back, eaves + sunk), wall.out, {0.75f, 0.33f},
+                    house.roof_height + 0.9f - sunk, building);
         }
     }
     bool takes_dormers =

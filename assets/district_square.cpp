@@ -71,8 +71,10 @@ void add_church(District& d, Dice& dice, const Frame& f, float north, float sout
     bells.cornice = 0.3f;
     bells.street_edges = {0, 1, 2, 3, 4, 5, 6, 7};
     add_upper(d, dice, bells, top);
-    House porch = part(f.box(-3.4f, middle + depth * 0.5f, 3.4f, middle + depth * 0.5f + 2.6f), 5.2f, 5.2f,
-                       RoofKind::gable, 2.2f);
+    // As wide as three of the ten bays of the aisle behind it, and lower, so that it cuts no window.
+    constexpr float k_bay = 26.0f / 10, k_west = -12 + 3 * k_bay, k_east = -12 + 6 * k_bay;
+    House porch = part(f.box(k_west, middle + depth * 0.5f, k_east, middle + depth * 0.5f + 2.6f), 4.6f, 4.6f,
+                       RoofKind::gable, 1.5f);
     porch.gable_across = true;
     porch.overhang = 0.25f;
     porch.door_edge = 2;

@@ -42,7 +42,8 @@ struct PropMesh {
         false;  // what is added is for eyes to whom a metre is 20 pixels or less: a third of the triangles
 };
 
-// Appends a prop to `mesh`: 500 to 600 triangles for a tree, a car or a fountain, under 300 for the others.
+// Appends a prop to `mesh`: some 500 triangles for a tree or a car, twice as many for a fountain, under 300
+// for the others.
 void add_prop(PropMesh& mesh, const Prop& prop);
 
 }  // namespace flaneur

@@ -44,7 +44,7 @@ Sphere make_sphere() {
 }  // namespace
 
 void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_size, RandomKey key,
-               uint32_t draw, PropPart part) {
+               uint32_t draw, float lightness, PropPart part) {
     static const Sphere sphere = make_sphere();
     constexpr size_t k_coarse_points = 12;
     constexpr float k_swell = 1.09f;  // makes up for what lies beyond the coarse sphere's faces
@@ -57,7 +57,7 @@ void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_si
         Vec3 out{(at.x - crown.x) / crown_size.x, (at.y - crown.y) / crown_size.y,
                  (at.z - crown.z) / crown_size.z};
         float depth = length(out);  // 0 in the middle of the crown .. 1 at its skin
-        float shade = lerp(0.62f, 1.04f, smoothstep(0.25f, 1.0f, depth)) *
+        float shade = lightness * lerp(0.62f, 1.04f, smoothstep(0.25f, 1.0f, depth)) *
                       lerp(0.80f, 1.06f, smoothstep(-0.8f, 0.6f, out.y));
         mesh.vertices.push_back({at, normalize_or(p * 0.65f + out, p), part, shade});
     }

@@ -22,9 +22,9 @@ void add_sheet(PropMesh& mesh, const std::vector<Vec3>& points, size_t columns, 
 // Turned on a lathe about the upright through `foot`: (radius, height) from the foot up, seen from outside.
 void add_turned(PropMesh& mesh, Vec3 foot, const std::vector<Vec2>& profile, uint32_t sides, PropPart part);
 // A ball with a bumpy skin, squashed below. Its normals lean away from the middle of the whole, `crown`, so
-// that several are lit as one.
+// that several are lit as one; its lightness is times `shade`.
 void add_clump(PropMesh& mesh, Vec3 centre, Vec3 size, Vec3 crown, Vec3 crown_size, RandomKey key,
-               uint32_t draw, PropPart part = PropPart::leaves);
+               uint32_t draw, float shade = 1, PropPart part = PropPart::leaves);
 
 // A prop's own axes: x to its left, z ahead.
 struct PropFrame {

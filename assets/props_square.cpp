@@ -45,16 +45,21 @@ void add_fountain(PropMesh& mesh, const Prop& fountain) {
                 {0, h}},
                12, PropPart::stone);
     // Water over the edges of both bowls, as thin falling threads.
-    for (int i = 0; i < 12; ++i) {
-        SinCos turn = sin_cos(2 * k_pi * (static_cast<float>(i) + 0.5f) / 12);
+    constexpr uint32_t k_threads = 18;
+    RandomKey key{fountain.seed, 0, 0, Purpose::look};
+    for (uint32_t i = 0; i < k_threads; ++i) {
+        float step = static_cast<float>(i) + random_between(key, 0.2f, 0.8f, i);
+        SinCos turn = sin_cos(2 * k_pi * step / k_threads);
         Vec3 out{turn.sine, 0, turn.cosine};
         bool is_upper = i % 3 == 0;
         float edge = is_upper ? upper : bowl, high = is_upper ? peak : top, low = is_upper ? top : 0.42f;
-        Vec3 a = foot + out * (edge - 0.02f) + Vec3{0, high + 0.01f, 0};
-        Vec3 b = foot + out * (edge + 0.07f) + Vec3{0, lerp(high, low, 0.3f), 0};
-        Vec3 c = foot + out * (edge + 0.13f) + Vec3{0, low, 0};
-        add_post(mesh, b, a, 0.022f, 0.03f, 4, PropPart::foam, false);
-        add_post(mesh, c, b, 0.03f, 0.022f, 4, PropPart::foam, false);
+        float speed = random_between(key, 0.8f, 1.3f, 100 + i);
+        auto fallen = [&](float share) {  // a parabola
+            return foot + out * (edge - 0.02f + 0.16f * speed * share) +
+                   Vec3{0, lerp(high, low, share * share) + 0.01f, 0};
+        };
+        add_post(mesh, fallen(0.45f), fallen(0), 0.011f, 0.02f, 3, PropPart::foam, false);
+        add_post(mesh, fallen(1), fallen(0.45f), 0.015f, 0.011f, 3, PropPart::foam, false);
     }
 }
 
@@ -81,7 +86,7 @@ void add_statue(PropMesh& mesh, const Prop& statue) {
                10, PropPart::bronze);
     RandomKey key{statue.seed, 0, 0, Purpose::tree};
     Vec3 head = at(0, 0.925f, 0.01f), size{0.055f * tall, 0.075f * tall, 0.06f * tall};
-    add_clump(mesh, head, size, head, size, key, 0, PropPart::bronze);
+    add_clump(mesh, head, size, head, size, key, 0, 1, PropPart::bronze);
     add_post(mesh, at(0.1f, 0.78f, 0), at(0.16f, 0.62f, 0.03f), 0.036f * tall, 0.03f * tall, 6,
              PropPart::bronze, true);
     add_post(mesh, at(0.16f, 0.62f, 0.03f), at(0.13f, 0.52f, 0.13f), 0.03f * tall, 0.022f * tall, 6,

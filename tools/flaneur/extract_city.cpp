@@ -217,6 +217,19 @@ Look look_of(PropPart part) {
 constexpr uint32_t k_car_colours[] = {rgb(0xd4d3cf), rgb(0xa9adb0), rgb(0x6c7074), rgb(0x2a2c2f),
                                       rgb(0x8e9498), rgb(0x2f3d57), rgb(0x5f2a30), rgb(0x56614f),
                                       rgb(0xb3a68c), rgb(0x3b4650)};
+// Leaves in the light are yellower, those in the crown's shade bluer.
+uint32_t leaf_colour(uint32_t leaves, float shade) {
+    float light = clamp((shade - 0.5f) * 1.6f, 0, 1);
+    auto channel = [&](int shift, float dark, float bright) {
+        float value = static_cast<float>(leaves >> shift & 0xffu) * shade * lerp(dark, bright, light);
+        return static_cast<uint32_t>(clamp(value, 0, 255)) << shift;
+    };
+    return 0xff000000u | channel(0, 0.86f, 1.1f) | channel(8, 0.98f, 1.02f) | channel(16, 1.12f, 0.86f);
+}
+
+// From fresh to deep green.
+constexpr uint32_t k_leaves[] = {rgb(0x87994e), rgb(0x718d48), rgb(0x5f7d45), rgb(0x557348)};
+
 constexpr glm::vec2 k_within{0.45f, 0.45f};  // of a slab, clear of its joints
 
 void add_props(CityMesh& mesh, const City& city) {
@@ -230,21 +243,17 @@ void add_props(CityMesh& mesh, const City& city) {
         add_prop(coarse, prop);
         mesh.seen_from.resize(mesh.seen_from.size() + coarse.indices.size() / 3, SeenFrom::far);
         RandomKey key{prop.seed, 2, 0, Purpose::colour};
-        float age = random_unit(key);
-        auto mix_channel = [&](uint32_t a, uint32_t b) {
-            return static_cast<uint32_t>(lerp(static_cast<float>(a), static_cast<float>(b), age));
-        };
-        uint32_t leaves = 0xff000000u | mix_channel(0x5f, 0x87) | mix_channel(0x7d, 0x99) << 8 |
-                          mix_channel(0x45, 0x4e) << 16;
+        uint32_t leaves =
+            shaded(k_leaves[random_bits(key, 0) % std::size(k_leaves)], random_between(key, 0.92f, 1.08f, 2));
         uint32_t paint = k_car_colours[random_bits(key, 1) % std::size(k_car_colours)];
         for (const PropMesh* some : {&made, &coarse}) {
             auto first = static_cast<uint32_t>(mesh.vertices.size());
             for (const auto& v : some->vertices) {
                 auto [colour, material] = look_of(v.part);
-                if (v.part == PropPart::leaves) colour = leaves;
                 if (v.part == PropPart::paint) colour = paint;
                 if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
-                add_vertex(mesh, vertex(v.position, v.normal, shaded(colour, v.shade), k_within, material));
+                colour = v.part == PropPart::leaves ? leaf_colour(leaves, v.shade) : shaded(colour, v.shade);
+                add_vertex(mesh, vertex(v.position, v.normal, colour, k_within, material));
             }
             for (uint32_t i : some->indices) mesh.indices.push_back(first + i);
         }
