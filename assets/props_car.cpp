@@ -88,8 +88,13 @@ void add_cabin(PropMesh& mesh, const PropFrame& f, const CarShape& s) {
     };
     across(s.screen_foot, s.screen_top, true);
     across(s.back_foot, s.back_top, false);
-    std::vector<Vec3> roof;
     float front = s.screen_top, back = s.back_top;
+    if (mesh.is_far) {
+        add_quad(mesh, f.at(-high, edge, front), f.at(high, edge, front), f.at(high, edge, back),
+                 f.at(-high, edge, back), PropPart::paint);
+        return;
+    }
+    std::vector<Vec3> roof;
     const Vec2 rows[] = {
         {back, 0}, {lerp(back, front, 0.12f), 0.05f}, {lerp(back, front, 0.8f), 0.06f}, {front, 0}};
     for (Vec2 row : rows) {
@@ -111,6 +116,15 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
         float radius, out;
         PropPart part;
     };
+    if (mesh.is_far) {
+        for (auto [radius, out, part] :
+             {Ring{0.36f, 0.01f, PropPart::tyre}, {0.2f, 0.03f, PropPart::alloy}}) {
+            Vec3 a = rim(radius, out, 0), b = rim(radius, out, 1), c = rim(radius, out, 2),
+                 d = rim(radius, out, 3);
+            side < 0 ? add_quad(mesh, a, b, c, d, part) : add_quad(mesh, b, a, d, c, part);
+        }
+        return;
+    }
     // The arch's shade over the wheel, the tyre's side, the dish, each a ring to the next.
     const Ring rings[] = {{0.375f, 0.004f, PropPart::tyre},
                           {k_radius, 0.012f, PropPart::tyre},
@@ -124,7 +138,6 @@ void add_wheel(PropMesh& mesh, const PropFrame& f, float x, float z) {
             side < 0 ? add_quad(mesh, a, b, c, d, rings[r].part) : add_quad(mesh, b, a, d, c, rings[r].part);
         }
     }
-    if (mesh.is_far) return;
     // What touches the road, below the sill.
     for (uint32_t i = sides / 2; i < sides; ++i) {
         Vec3 a = rim(k_radius, 0, i), b = rim(k_radius, 0, i + 1), c = rim(k_radius, -0.18f, i + 1),
@@ -145,12 +158,21 @@ void add_car(PropMesh& mesh, const Prop& car) {
     }
     for (float side : {-1.0f, 1.0f}) {
         float z = s.half_length - 0.05f, x = side * 0.56f, y = s.nose - 0.09f;
+        if (mesh.is_far) {
+            float end = -s.half_length - 0.01f, low = s.boot - 0.28f;
+            add_quad(mesh, f.at(x - 0.16f, y - 0.055f, z + 0.03f), f.at(x + 0.16f, y - 0.055f, z + 0.03f),
+                     f.at(x + 0.16f, y + 0.055f, z + 0.03f), f.at(x - 0.16f, y + 0.055f, z + 0.03f),
+                     PropPart::light);
+            add_quad(mesh, f.at(side * 0.66f + 0.1f, low, end), f.at(side * 0.66f - 0.1f, low, end),
+                     f.at(side * 0.66f - 0.1f, low + 0.16f, end), f.at(side * 0.66f + 0.1f, low + 0.16f, end),
+                     PropPart::red);
+            continue;
+        }
         add_box(mesh, f.at(x, y, z - 0.02f), {0.16f, 0.055f, 0.05f}, car.yaw, PropPart::light);
         add_box(mesh, f.at(side * 0.66f, s.boot - 0.2f, -s.half_length + 0.04f), {0.1f, 0.08f, 0.05f},
                 car.yaw, PropPart::red);
-        if (!mesh.is_far)
-            add_box(mesh, f.at(side * (s.half_width + 0.07f), s.belt + 0.04f, s.screen_foot - 0.28f),
-                    {0.08f, 0.06f, 0.05f}, car.yaw, PropPart::paint);
+        add_box(mesh, f.at(side * (s.half_width + 0.07f), s.belt + 0.04f, s.screen_foot - 0.28f),
+                {0.08f, 0.06f, 0.05f}, car.yaw, PropPart::paint);
     }
 }
 

@@ -28,7 +28,8 @@ void add_fountain(PropMesh& mesh, const Prop& fountain) {
                 {bowl * 0.8f, top * 0.94f},
                 {bowl, top},
                 {bowl - 0.1f, top + 0.03f},
-                {bowl - 0.14f, top - 0.06f}},
+                {bowl - 0.14f, top - 0.06f},
+                {0.12f, top - 0.06f}},
                16, PropPart::stone);
     add_turned(mesh, foot, {{bowl - 0.12f, top - 0.03f}, {0.1f, top - 0.02f}}, 16, PropPart::water);
     float upper = bowl * 0.45f, peak = h * 0.84f;

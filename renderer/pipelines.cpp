@@ -305,7 +305,8 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
                          .attributes = {city_attributes()[0]},
                          .stride = sizeof(CityVertex),
                          .depth = k_shadow_format,
-                         .is_shadow = true};
+                         .is_shadow = true,
+                         .cull = VK_CULL_MODE_BACK_BIT};
     FLANEUR_TRY(make(shadow, p.shadow_city));
     shadow.vertex = k_spirv_shadow_scenery_vert;
     shadow.fragment = k_spirv_shadow_scenery_frag;

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <ctime>
 
 #include "tools/flaneur/bench.h"
@@ -40,6 +41,19 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     return {};
 }
 
+// The time that went by in the frame, and what it went into.
+std::string first_frame(const Figures& first) {
+    std::string total, parts;
+    for (const Series& series : first.series) {
+        const std::string ms = std::to_string(std::lround(series.ms.front())) + " ms";
+        if (series.name == "frame")
+            total = ms;
+        else if (series.name.starts_with("gpu ") || series.name == "record" || series.name == "all threads")
+            parts += (parts.empty() ? "" : ", ") + series.name + " " + ms;
+    }
+    return total + " (" + parts + ")";
+}
+
 }  // namespace
 
 double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -71,6 +85,7 @@ Result<Figures> bench_frame(const Options& options) {
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);
+    add_counts(first, frame_stats(*show->renderer));
     for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
         if (options.camera.kind == CameraChoice::Kind::follow)
             camera = choose_camera(world, show->sun, options.camera, 1);
@@ -84,7 +99,8 @@ Result<Figures> bench_frame(const Options& options) {
     figures.setting.emplace_back("quality", quality_name(*show->renderer));
     figures.setting.emplace_back(
         "size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height));
-    figures.setting.emplace_back("first frame", std::to_string(first.series.back().ms.front()) + " ms");
+    for (auto& [n, v] : first.counts) std::printf("F %s %.0f\n", n.c_str(), v);
+    figures.setting.emplace_back("first frame", first_frame(first));
     add_counts(figures, frame_stats(*show->renderer));
     return figures;
 }
