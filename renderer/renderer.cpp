@@ -7,6 +7,7 @@
 
 #include "renderer/check.h"
 #include "renderer/frame.h"
+#include "renderer/warm_up.h"
 
 namespace flaneur {
 namespace {
@@ -92,6 +93,7 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     FLANEUR_TRY(make_descriptor_sets(r));
     FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.shadows));
     FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
+    if (options.warms_up) FLANEUR_TRY(warm_up(r));
     return renderer;
 }
 

@@ -23,6 +23,7 @@ struct RendererOptions {
     bool validation =
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
+    bool warms_up = false;  // has the driver compile what it puts off until something is drawn, meanwhile
 };
 
 struct Image {

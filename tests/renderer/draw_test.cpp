@@ -220,6 +220,23 @@ TEST(Draw, EveryQualityShowsTheSamePicture) {
     EXPECT_LT(luma_about(images[3], 160, 90, 80), luma_about(images[2], 160, 90, 80)) << "corners are darker";
 }
 
+TEST(Draw, WarmingUpLeavesNoTrace) {
+    const SyntheticScene scene = synthetic_scene(40);
+    for (const char* name : {"medium", "ultra"}) {
+        Image images[2];
+        for (const bool warms_up : {false, true}) {
+            RendererOptions options = validated();
+            options.quality = quality_named(name);
+            options.warms_up = warms_up;
+            const RendererPtr renderer = std::move(*make_renderer(options));
+            ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+            images[warms_up] = draw(*renderer, scene.frame(street_camera()));
+            EXPECT_EQ(validation_messages(*renderer), 0u);
+        }
+        EXPECT_EQ(images[0].rgba, images[1].rgba) << name;
+    }
+}
+
 TEST(Draw, FourBonesBendAndOneMoves) {
     // The same walker, near (level 0, four joints) and far (level 2, one joint): a picture of each, where
     // expected.

@@ -13,7 +13,7 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
         clear_progress();
         std::fprintf(stderr, "%s\n", message.c_str());
     };
-    return {options.device, quality_named(options.quality), options.validate, count};
+    return {options.device, quality_named(options.quality), options.validate, count, true};
 }
 
 Result<void> check_messages(uint32_t messages) {
