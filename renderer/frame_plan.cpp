@@ -22,8 +22,8 @@ constexpr float k_bounce = 1.5f, k_noon_bounce = 2;
 
 // Against pavement at mid-grey the model's sky comes out dim and mauve, at noon most, and too bright about a
 // sun that sets.
-const vec3 k_sky_tint(1.38f, 1.76f, 2.12f), k_noon_sky_tint(1.75f, 2.45f, 3.1f),
-    k_dusk_sky_tint(0.82f, 0.66f, 0.66f);
+const vec3 k_sky_tint(1.3f, 1.95f, 2.8f), k_noon_sky_tint(1.75f, 2.45f, 3.1f),
+    k_dusk_sky_tint(0.8f, 0.72f, 0.84f);
 
 // What a white pavement below a street lamp reflects, kcd/m2: 32 lux over pi. Against it: how much of it eyes
 // grow used to, and how bright lit rooms are.
