@@ -414,6 +414,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     FLANEUR_TRY(fit_targets(renderer, target.extent));
     if (plan.is_night && !renderer.pipelines.lit[1].sky)
         FLANEUR_TRY(make_night_pipelines(renderer.device, renderer.pipelines));
+    FLANEUR_TRY(skin_crowd(renderer, slot, input, target.extent, plan));
     FLANEUR_TRY(upload_frame(renderer, slot, input, plan, target.extent));
     slot.stages.clear();
     FLANEUR_TRY(record_frame({renderer, slot, plan, target, slot.commands}));

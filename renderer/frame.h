@@ -32,7 +32,9 @@ struct FramePlan {
     ShadowBox near_box, far_box;
     std::optional<vec3> backdrop;                    // see FrameInput
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
-    DrawRange facades, surfaces[3], scenery, shades, crowd_smooth, crowd_rigid, casters;
+    DrawRange facades, surfaces[3], scenery, shades, casters;
+    DrawRange crowd, crowd_skinned;  // of people: skinned by the device, and by the host
+    SkinPlan skin;
     DrawRange near_city, far_city, near_scenery, far_scenery;  // what throws shadows into the maps
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;
@@ -51,6 +53,10 @@ struct FrameRecord {
 
 // Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
+
+// Skins those people whom the host skins, into the slot's buffers, and completes their draws.
+Result<void> skin_crowd(Renderer& renderer, FrameSlot& slot, const FrameInput& input, VkExtent2D extent,
+                        FramePlan& plan);
 
 // What the shaders are told.
 FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent);

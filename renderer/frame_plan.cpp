@@ -111,8 +111,10 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     if (!plan.backdrop) find_contacts(crowd, input.palette, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
-    plan.crowd_smooth = append(plan.draws, people.first(renderer.crowd.smooth_draws), 0);
-    plan.crowd_rigid = append(plan.draws, people.subspan(renderer.crowd.smooth_draws), 0);
+    if (renderer.workers && input.surfaces == Surfaces::lit && !input.are_ghosts)
+        plan.skin = plan_skin(people, scene.skin_meshes);
+    plan.crowd_skinned = append(plan.draws, std::vector<DrawCommand>(plan.skin.batches.size()), 0);
+    plan.crowd = append(plan.draws, people.subspan(plan.skin.draws), 0);
     plan.casters =
         append(plan.draws, renderer.casters.draws, static_cast<uint32_t>(renderer.crowd.instances.size()));
 

@@ -145,6 +145,10 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
         for (size_t lod = 0; lod < std::min<size_t>(mesh.lods.size(), k_max_lods); ++lod) {
             ranges.lods.push_back(
                 {static_cast<uint32_t>(indices.size()), static_cast<uint32_t>(mesh.lods[lod].size())});
+            if (!mesh.lods[lod].empty())
+                scene.skin_meshes.push_back(
+                    make_skin_mesh(std::span(vertices).subspan(vertices.size() - mesh.vertices.size()),
+                                   mesh.lods[lod], ranges.lods.back().first_index));
             indices.insert(indices.end(), mesh.lods[lod].begin(), mesh.lods[lod].end());
         }
         ranges.soles[0] = find_sole(mesh, k_left_foot);

@@ -3,6 +3,7 @@
 
 #include "renderer/city_mesh.h"
 #include "renderer/impostors.h"
+#include "renderer/skin.h"
 
 namespace flaneur {
 
@@ -13,6 +14,7 @@ struct GpuScene {
     std::vector<Wall> walls;
     std::vector<WallGroup> wall_groups;
     std::vector<PersonRanges> people;
+    std::vector<SkinMesh> skin_meshes;  // every level of people's meshes
     Impostors impostors;
     GpuImage lamps;         // LampMap, in half floats
     glm::vec4 lamp_map{0};  // FrameConstants::lamp_map

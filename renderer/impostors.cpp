@@ -14,8 +14,8 @@ namespace {
 
 constexpr uint32_t k_tallest_cell = 40, k_lowest_cell = 20;  // texels
 constexpr float k_cell_aspect = 0.55f;                       // width over height
-constexpr size_t k_baked_lod = 3;  // the last one before impostors; skinned by one joint, as when it is drawn
-constexpr float k_largest = 3;     // metres about the centre; what reaches farther has no impostor
+constexpr size_t k_baked_lod = 3;                            // the last one before impostors
+constexpr float k_largest = 3;  // metres about the centre; what reaches farther has no impostor
 
 struct Angle {
     float sine, cosine;
@@ -38,7 +38,11 @@ void skin(const PersonMesh& mesh, std::span<const uint32_t> drawn, const JointTr
     places.clear();
     for (uint32_t index : drawn) {
         const PersonVertex& vertex = mesh.vertices[index];
-        places.push_back(moved_by(pose[vertex.joints[0]], vertex.position));
+        glm::vec3 place(0);
+        for (int k = 0; k < 4 && vertex.weights[k] > 0; ++k)
+            place += moved_by(pose[vertex.joints[k]], vertex.position) *
+                     (static_cast<float>(vertex.weights[k]) / 255);
+        places.push_back(place);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "renderer/check.h"
 #include "renderer/scene.h"
+#include "renderer/skin.h"
 #include "spirv/city.vert.h"
 #include "spirv/city_facade.frag.h"
 #include "spirv/city_surface.frag.h"
@@ -32,6 +33,7 @@
 #include "spirv/shadow_impostor.vert.h"
 #include "spirv/shadow_scenery.frag.h"
 #include "spirv/shadow_scenery.vert.h"
+#include "spirv/skinned.vert.h"
 #include "spirv/sky.frag.h"
 #include "spirv/sky.vert.h"
 
@@ -256,12 +258,17 @@ Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool
     crowd.fragment = k_spirv_crowd_frag;
     crowd.attributes = person_attributes();
     crowd.stride = sizeof(PersonVertex);
+    PipelineShape skinned = crowd;
+    skinned.vertex = k_spirv_skinned_vert;
+    skinned.attributes = {{0, 0, VK_FORMAT_R32G32B32A32_UINT, offsetof(SkinnedVertex, place)},
+                          {1, 0, VK_FORMAT_R32G32B32A32_UINT, offsetof(SkinnedVertex, uv)},
+                          {2, 0, VK_FORMAT_R32_UINT, offsetof(SkinnedVertex, layer)}};
+    skinned.stride = sizeof(SkinnedVertex);
     for (int textured = 0; textured < 2; ++textured) {
         crowd.constants[k_constant_textured] = textured;
-        crowd.constants[k_constant_bones] = 4;
-        FLANEUR_TRY(make(crowd, lit.crowd_smooth[textured]));
-        crowd.constants[k_constant_bones] = 1;
-        FLANEUR_TRY(make(crowd, lit.crowd_rigid[textured]));
+        skinned.constants[k_constant_textured] = textured;
+        FLANEUR_TRY(make(crowd, lit.crowd[textured]));
+        FLANEUR_TRY(make(skinned, lit.crowd_skinned[textured]));
     }
     const PipelineShape impostor{.vertex = k_spirv_impostor_vert,
                                  .fragment = k_spirv_impostor_frag,
@@ -327,14 +334,13 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
     FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
     FLANEUR_TRY(make_lit_pipelines(device, p, false));
-    PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
-                       .fragment = k_spirv_impostor_bake_frag,
-                       .attributes = person,
-                       .stride = sizeof(PersonVertex),
-                       .colour = k_atlas_format,
-                       .depth = k_shadow_format,
-                       .cull = VK_CULL_MODE_BACK_BIT};
-    bake.constants[k_constant_bones] = 1;
+    const PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
+                             .fragment = k_spirv_impostor_bake_frag,
+                             .attributes = person,
+                             .stride = sizeof(PersonVertex),
+                             .colour = k_atlas_format,
+                             .depth = k_shadow_format,
+                             .cull = VK_CULL_MODE_BACK_BIT};
     FLANEUR_TRY(make(bake, p.impostor_bake));
     if (quality.has_occlusion) {
         PipelineShape occlusion{.vertex = k_spirv_fullscreen_vert,
@@ -370,8 +376,8 @@ void destroy_pipelines(const Device& device, Pipelines& p) {
                                    p.occlude,        p.fxaa_image,    p.fxaa_window};
     for (const LitPipelines& lit : p.lit)
         all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor,
-                               lit.crowd_smooth[0], lit.crowd_smooth[1], lit.crowd_rigid[0],
-                               lit.crowd_rigid[1], lit.shade, lit.contact, lit.sky});
+                               lit.crowd[0], lit.crowd[1], lit.crowd_skinned[0], lit.crowd_skinned[1],
+                               lit.shade, lit.contact, lit.sky});
     for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     for (VkPipeline pipeline : p.views)

@@ -22,7 +22,7 @@ inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors;
 // Those that draw what is lit.
 struct LitPipelines {
     VkPipeline city_surface = {}, city_facade = {}, city_scenery = {}, impostor = {};
-    VkPipeline crowd_smooth[2] = {}, crowd_rigid[2] = {};  // without and with textures
+    VkPipeline crowd[2] = {}, crowd_skinned[2] = {};  // without and with textures; skinned on the host
     VkPipeline shade = {}, contact = {}, sky = {};
 };
 
@@ -89,7 +89,7 @@ struct PipelineShape {
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
     VkPolygonMode fill = VK_POLYGON_MODE_FILL;
     uint32_t samples = 1;
-    int32_t constants[k_constants] = {4, 0, 0, 1};  // by k_constant_*
+    int32_t constants[k_constants] = {0, 0, 1};  // by k_constant_*
 };
 Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
                            VkPipeline& pipeline);

@@ -49,8 +49,9 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 }
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws,
-                           &slot.contacts, &slot.lines, &slot.fills})
+    for (Buffer* buffer :
+         {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws, &slot.contacts,
+          &slot.lines, &slot.fills, &slot.skinned_vertices, &slot.skinned_indices})
         destroy_buffer(device, *buffer);
     if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
     if (slot.counters) vkDestroyQueryPool(device.handle, slot.counters, nullptr);
@@ -88,6 +89,7 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     if (window) FLANEUR_TRY(choose_surface_format(r.device, r.swapchain));
     const bool is_cpu = r.device.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     r.quality = quality_level(options.quality.value_or(is_cpu ? Quality::medium : Quality::ultra));
+    if (options.skins_on_host.value_or(is_cpu)) r.workers = make_workers(0);
     FLANEUR_TRY(make_pipelines(r.device, r.quality, r.swapchain.format, r.pipelines));
     for (FrameSlot& slot : r.slots) FLANEUR_TRY(make_slot(r.device, slot));
     FLANEUR_TRY(make_descriptor_sets(r));

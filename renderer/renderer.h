@@ -24,6 +24,8 @@ struct RendererOptions {
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
     bool warms_up = false;  // has the driver compile what it puts off until something is drawn, meanwhile
+    std::optional<bool> skins_on_host =
+        {};  // whether the host skins people; default: where the device is a CPU
 };
 
 struct Image {

@@ -4,8 +4,10 @@
 #include "renderer/gpu_scene.h"
 #include "renderer/pipelines.h"
 #include "renderer/renderer.h"
+#include "renderer/skin.h"
 #include "renderer/swapchain.h"
 #include "renderer/targets.h"
+#include "sim/base/parallel_for.h"
 
 namespace flaneur {
 
@@ -22,8 +24,9 @@ struct FrameSlot {
     VkQueryPool timestamps = {};  // at the start, and at the end of each stage
     VkQueryPool counters = {};    // of each stage: vertices and fragments shaded
     Buffer constants, instances, palette, impostors, draws, contacts, lines, fills;
-    std::vector<std::string> stages;  // names of those timed
-    bool is_pending = false;          // submitted, and not yet waited for
+    Buffer skinned_vertices, skinned_indices;  // SkinnedVertex, and uint32_t counted from each draw's first
+    std::vector<std::string> stages;           // names of those timed
+    bool is_pending = false;                   // submitted, and not yet waited for
 };
 
 struct Renderer {
@@ -42,6 +45,8 @@ struct Renderer {
     Swapchain swapchain;
     bool is_swapchain_stale = true;
     CrowdDraws crowd, casters;
+    WorkersPtr workers;                     // that skin people; null where the device does
+    std::vector<SkinScratch> skin_scratch;  // one a thread
     OcclusionMap hidden;
     View last_view{};  // of the frame before
     FrameStats stats;

@@ -88,11 +88,10 @@ FLANEUR_CONST int k_binding_occlusion = 12; // half as wide and high, 1 where no
 FLANEUR_CONST int k_bindings = 13;          // up to k_binding_cells buffers, then images
 
 // Specialisation constants.
-FLANEUR_CONST int k_constant_bones = 0;     // joints that move a vertex: 1 or 4
-FLANEUR_CONST int k_constant_textured = 1;  // whether people have textures
-FLANEUR_CONST int k_constant_night = 2;     // whether lamps are lit
-FLANEUR_CONST int k_constant_smooth = 3;    // whether edges are smoothed
-FLANEUR_CONST int k_constants = 4;
+FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
+FLANEUR_CONST int k_constant_night = 1;     // whether lamps are lit
+FLANEUR_CONST int k_constant_smooth = 2;    // whether edges are smoothed
+FLANEUR_CONST int k_constants = 3;
 
 // What the views for work paint instead of light: a push constant.
 FLANEUR_CONST uint k_paint_normals = 0;

@@ -43,7 +43,7 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
     out.firsts.assign(bucket_count + 1, 0);
     out.draws.clear();
     out.impostors.clear();
-    out.smooth_draws = out.triangles = 0;
+    out.triangles = 0;
     for (size_t i = 0; i < input.walkers.size(); ++i) {
         const WalkerDraw& walker = input.walkers[i];
         if (!is_drawable(input, walker)) continue;
@@ -68,7 +68,6 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
         const MeshRange& range = person.lods[level];
         out.draws.push_back(
             {range.index_count, count, range.first_index, person.vertex_offset, out.firsts[bucket]});
-        if (level < k_first_rigid_lod) ++out.smooth_draws;
         out.triangles += range.index_count / 3 * count;
     }
     out.triangles += static_cast<uint32_t>(2 * out.impostors.size());

@@ -27,8 +27,6 @@ inline constexpr uint32_t k_max_lods = 5;
 // A body whose sphere is smaller than these many pixels takes the next coarser level. A person stands 0.8 of
 // it high.
 inline constexpr float k_lod_pixels[k_max_lods - 1] = {420, 150, 70, 32};
-// Levels before this one are skinned by four joints, the others by one.
-inline constexpr uint32_t k_first_rigid_lod = 2;
 
 // The level after those of meshes: an impostor.
 inline constexpr uint32_t k_impostor_level = k_max_lods;
@@ -48,7 +46,6 @@ struct CrowdDraws {
     std::vector<WalkerInstance> instances;
     std::vector<ImpostorInstance> impostors;  // in the order of the walkers
     std::vector<DrawCommand> draws;
-    uint32_t smooth_draws = 0;  // the first of `draws`, to be skinned by four joints
     uint32_t triangles = 0;
     std::vector<uint8_t> levels;    // of each walker, k_unseen for those left out: kept for hysteresis
     std::vector<uint16_t> buckets;  // scratch: one a walker

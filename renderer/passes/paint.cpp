@@ -17,8 +17,7 @@ void bind(const FrameRecord& record, ViewPipeline pipeline, uint32_t paint) {
 void draw_people(const FrameRecord& record) {
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.person_vertices.handle, &offset);
-    draw_indirect(record, record.plan.crowd_smooth);
-    draw_indirect(record, record.plan.crowd_rigid);
+    draw_indirect(record, record.plan.crowd);
 }
 
 void draw_ground_and_houses(const FrameRecord& record) {
