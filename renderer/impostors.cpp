@@ -12,7 +12,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_tallest_cell = 40, k_lowest_cell = 20;  // texels
+constexpr uint32_t k_tallest_cell = 36, k_lowest_cell = 20;  // texels
 constexpr float k_cell_aspect = 0.55f;                       // width over height
 constexpr size_t k_baked_lod = 3;                            // the last one before impostors
 constexpr float k_largest = 3;  // metres about the centre; what reaches farther has no impostor

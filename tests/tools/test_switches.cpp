@@ -94,7 +94,7 @@ TEST(Switches, LookAlikeOnBothSides) {
     People people = walking_people();
     constexpr size_t k_watched = 8;
     ASSERT_GE(people.frame.walkers.size(), k_watched);
-    for (Border border : {Border{420, 0.075}, {150, 0.15}, {70, 0.15}, {39, 0.125}}) {
+    for (Border border : {Border{420, 0.065}, {150, 0.125}, {70, 0.14}, {35, 0.125}}) {
         double mean = 0;
         for (size_t i = 0; i < k_watched; ++i) {
             // Near its border a level is kept, from whichever side one comes.
