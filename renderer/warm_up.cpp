@@ -45,9 +45,9 @@ Result<void> warm_up(Renderer& renderer) {
     meshes.people = {triangle()};
     FLANEUR_TRY(upload_scene(renderer, meshes));
 
-    // Levels go by the sizes of spheres: of four joints, of one, and an impostor.
+    // Levels go by the sizes of spheres: a mesh and an impostor.
     std::vector<WalkerDraw> walkers;
-    for (const float radius : {30.0f, 3.0f, 0.2f}) walkers.push_back({.centre = {0, 0, 1}, .radius = radius});
+    for (const float radius : {30.0f, 0.2f}) walkers.push_back({.centre = {0, 0, 1}, .radius = radius});
     const std::vector<JointTransform> palette(k_palette_joints, {{0, 0, 0, 1}, {0, 0, 0, 0}});
     FrameInput frame;
     frame.camera = {.eye = {0, 0, 60}, .target = {0, 0, 0}, .vertical_fov = 0.05f};
