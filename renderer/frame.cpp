@@ -141,8 +141,8 @@ void depth_barrier(const FrameRecord& record, Access from) {
 constexpr Access k_old_depth = {k_sampled.stage | k_depth_target.stage,
                                 VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED};
 
-// Crowd, city and sky, lit and tone-mapped. Each is a stage of its own that waits for the one before, so that
-// each one's time is its own on a device that draws lazily, as lavapipe does.
+// Crowd, city and sky, lit and tone-mapped: one stage, or, where each one's time is asked for, one each that
+// waits for the one before, for lavapipe draws lazily.
 void draw_scene(const FrameRecord& record) {
     const PictureTargets& targets = record.renderer.targets;
     auto colour_barrier = [&](Access from, Access to) {
@@ -164,25 +164,23 @@ void draw_scene(const FrameRecord& record) {
         end_stage(record);
         return;
     }
-    begin_stage(record, "crowd");
-    begin_picture(record, true);
+    const bool is_split = record.plan.times_passes;
+    auto next_pass = [&](const char* name, bool is_end) {
+        if (!is_split) return;
+        vkCmdEndRendering(record.commands);
+        colour_barrier(k_colour_target, k_colour_target);
+        depth_barrier(record, k_depth_target);
+        end_stage(record);
+        begin_stage(record, name);
+        begin_picture(record, false, is_end && is_last);
+    };
+    begin_stage(record, is_split ? "crowd" : "scene");
+    begin_picture(record, true, !is_split && is_last);
     if (!record.plan.are_ghosts) draw_crowd(record);
     draw_impostors(record);
-    vkCmdEndRendering(record.commands);
-    colour_barrier(k_colour_target, k_colour_target);
-    depth_barrier(record, k_depth_target);
-    end_stage(record);
-
-    begin_stage(record, "city");
-    begin_picture(record, false);
+    next_pass("city", false);
     draw_city(record);
-    vkCmdEndRendering(record.commands);
-    colour_barrier(k_colour_target, k_colour_target);
-    depth_barrier(record, k_depth_target);
-    end_stage(record);
-
-    begin_stage(record, "sky");
-    begin_picture(record, false, is_last);
+    next_pass("sky", true);
     draw_contacts(record);
     draw_sky(record);
     vkCmdEndRendering(record.commands);

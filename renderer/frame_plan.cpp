@@ -76,6 +76,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.view = make_view(input.camera, extent.width, extent.height);
     plan.light = make_daylight(input.sun, input.is_overcast);
     plan.backdrop = input.backdrop;
+    plan.times_passes = input.times_passes;
     plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
     plan.is_night = plan.light.lamps > 0;
     plan.lit_windows = input.lit_windows;

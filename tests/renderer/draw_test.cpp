@@ -115,11 +115,15 @@ TEST(Draw, EveryStageIsTimed) {
         }
         return out;
     };
-    draw(*renderer, scene.frame(street_camera()));
-    EXPECT_EQ(names(), (std::vector<std::string>{"city shadows", "crowd shadows", "crowd", "city", "sky",
-                                                 "fxaa", "copy"}));
-    draw(*renderer, scene.frame(street_camera()));  // the city's shadows are kept
+    FrameInput frame = scene.frame(street_camera());
+    draw(*renderer, frame);
+    EXPECT_EQ(names(), (std::vector<std::string>{"city shadows", "crowd shadows", "scene", "fxaa", "copy"}));
+    const Image image = draw(*renderer, frame);  // the city's shadows are kept
+    EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "scene", "fxaa", "copy"}));
+    frame.times_passes = true;
+    EXPECT_EQ(draw(*renderer, frame).rgba, image.rgba);
     EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "crowd", "city", "sky", "fxaa", "copy"}));
+    EXPECT_EQ(validation_messages(*renderer), 0u);
 }
 
 TEST(Draw, SunlitPavementIsMidGrey) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -9,6 +10,8 @@
 namespace flaneur {
 
 namespace {
+
+constexpr uint32_t k_timed_frames = 20;  // whose passes are timed
 
 using Clock = std::chrono::steady_clock;
 
@@ -38,6 +41,19 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
         add_sample(figures, "gpu " + stage.name, stage.gpu_ms);
     add_sample(figures, "frame", ms_since(start));
     add_sample(figures, "all threads", cpu_ms() - cpu_start);
+    return {};
+}
+
+// What crowd, city and sky take of the scene's time, in a frame that draws one after the other.
+Result<void> measure_passes(Show& show, const Options& options, const Camera& camera, Figures& figures) {
+    FrameInput frame = extract_frame(show, camera, options.size, 1);
+    frame.times_passes = true;
+    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.size.width),
+                                     static_cast<uint32_t>(options.size.height));
+    if (!image) return image.error();
+    for (const FrameStats::Stage& stage : frame_stats(*show.renderer).stages)
+        if (stage.name == "crowd" || stage.name == "city" || stage.name == "sky")
+            add_sample(figures, "gpu " + stage.name, stage.gpu_ms);
     return {};
 }
 
@@ -91,6 +107,8 @@ Result<Figures> bench_frame(const Options& options) {
             camera = choose_camera(world, show->sun, options.camera, 1);
         done = measure_frame(*show, options, camera, figures);
     }
+    for (uint32_t i = 0; i < std::min(options.bench_frames, k_timed_frames) && done; ++i)
+        done = measure_passes(*show, options, camera, figures);
     if (done) done = check_messages(messages);
     if (!done) return done.error();
 
