@@ -367,7 +367,7 @@ void end_stage(const FrameRecord& record) {
 }
 
 const LitPipelines& lit_pipelines(const FrameRecord& record) {
-    return record.renderer.pipelines.lit[record.plan.is_night];
+    return record.renderer.pipelines.lit[record.plan.light_kind];
 }
 
 void draw_indirect(const FrameRecord& record, DrawRange range) {
@@ -410,8 +410,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     plan_frame(renderer, input, target.extent, plan);
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(fit_targets(renderer, target.extent));
-    if (plan.is_night && !renderer.pipelines.lit[1].sky)
-        FLANEUR_TRY(make_night_pipelines(renderer.device, renderer.pipelines));
+    FLANEUR_TRY(make_lit_pipelines(renderer.device, plan.light_kind, renderer.pipelines));
     FLANEUR_TRY(skin_crowd(renderer, slot, input, target.extent, plan));
     FLANEUR_TRY(upload_frame(renderer, slot, input, plan, target.extent));
     slot.stages.clear();

@@ -26,8 +26,8 @@ struct FramePlan {
     View view;
     Daylight light;
     float lit_windows = 0;
-    bool has_shadows = false;  // of sun or moon
-    bool is_night = false;     // lamps are lit
+    bool has_shadows = false;      // of sun or moon
+    int light_kind = k_light_day;  // k_light_*
     Slice slice;
     ShadowBox near_box, far_box;
     std::optional<vec3> backdrop;                    // see FrameInput

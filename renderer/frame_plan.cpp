@@ -78,7 +78,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.backdrop = input.backdrop;
     plan.times_passes = input.times_passes;
     plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
-    plan.is_night = plan.light.lamps > 0;
+    plan.light_kind = plan.backdrop ? k_light_plain : plan.light.lamps > 0 ? k_light_night : k_light_day;
     plan.lit_windows = input.lit_windows;
     const vec3 to_light = plan.light.to_light;
     const uint32_t resolution = renderer.quality.shadow_resolution;
@@ -218,11 +218,6 @@ FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, 
     // Against a sky that is still light, rooms are those whose lamps are brightest.
     const float windows = lamps * (k_window_level + k_dusk_windows * (1 - k_lamps_seen * lamps / seen));
     out.window_light = v4(k_window_colour * (windows * exposure));
-    if (plan.backdrop) {  // all lies beside the maps, in the sun
-        out.shadow_from_world = mat4(0);
-        out.shadow_from_world[3] = out.far_offset = {2, 2, 0, 1};
-        out.haze_towards.w = 0;
-    }
     const vec2 size(extent.width, extent.height);
     out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
     return out;

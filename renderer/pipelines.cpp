@@ -220,13 +220,12 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     return result;
 }
 
-namespace {
-
-Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool is_night) {
-    LitPipelines& lit = pipelines.lit[is_night];
+Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipelines) {
+    LitPipelines& lit = pipelines.lit[light];
+    if (lit.sky) return {};  // made last
     auto make = [&](PipelineShape shape, VkPipeline& out) {
         shape.samples = pipelines.samples;
-        shape.constants[k_constant_night] = is_night;
+        shape.constants[k_constant_light] = light;
         return make_pipeline(device, pipelines.layout, shape, out);
     };
     PipelineShape city{.vertex = k_spirv_city_vert,
@@ -297,8 +296,6 @@ Result<void> make_lit_pipelines(const Device& device, Pipelines& pipelines, bool
     return make(sky, lit.sky);
 }
 
-}  // namespace
-
 Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
                             Pipelines& p) {
     p.samples = quality.samples;
@@ -333,7 +330,7 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
     shadow.attributes = {};
     FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
-    FLANEUR_TRY(make_lit_pipelines(device, p, false));
+    FLANEUR_TRY(make_lit_pipelines(device, k_light_day, p));
     const PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
                              .fragment = k_spirv_impostor_bake_frag,
                              .attributes = person,
@@ -364,10 +361,6 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
     if (window_format == VK_FORMAT_UNDEFINED) return {};
     fxaa.colour = window_format;
     return make(fxaa, p.fxaa_window);
-}
-
-Result<void> make_night_pipelines(const Device& device, Pipelines& p) {
-    return make_lit_pipelines(device, p, true);
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {

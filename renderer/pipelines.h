@@ -49,7 +49,7 @@ struct Pipelines {
     VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {}, lamp_sampler = {};
     VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {}, shadow_scenery = {};
     VkPipeline impostor_bake = {};
-    LitPipelines lit[2];  // by day, and where lamps are lit; the latter made when first wanted
+    LitPipelines lit[k_lights];               // by k_light_*; night's and plain ones made when first wanted
     VkPipeline occlusion = {}, occlude = {};  // made where the quality has occlusion
     uint32_t samples = 1;                     // of what lit ones draw into
     VkPipeline fxaa_image = {}, fxaa_window = {};
@@ -60,8 +60,8 @@ struct Pipelines {
 // made.
 Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
                             Pipelines& pipelines);
-// Makes pipelines.lit[1].
-Result<void> make_night_pipelines(const Device& device, Pipelines& pipelines);
+// Makes pipelines.lit[light] if there are none yet.
+Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipelines);
 void destroy_pipelines(const Device& device, Pipelines& pipelines);
 
 // Makes those of `wanted` that there are not yet.

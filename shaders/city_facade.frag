@@ -121,7 +121,7 @@ void main() {
     float in_window = inside(at - slide, low, high, pixel);
     sun *= mix(1.0, in_window, open);
     vec3 light = albedo * (frame.sun_light.xyz * facing * sun + ambient(normal) * ao);
-    if (k_night == 1) {
+    if (k_light == k_light_night) {
         light += albedo * lamplight(lamps_at(in_place, normal), normal) * occluded;
         light += 1.2 * sign_colour * frame.window_light.xyz * sign_band;
     }
@@ -135,7 +135,7 @@ void main() {
         float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
         float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
         vec3 indoors = ambient(normal), tone = vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop);
-        if (k_night == 1) {
+        if (k_light == k_light_night) {
             // Lamps of many colours behind some windows and in every shop; ceilings are brighter than floors.
             vec2 home = floor(in_colour.xz * 4095.0);
             float drawn = hash(vec2(bay + 61.0 * storey + home.x, home.y + 7.0 * storeys));
@@ -153,7 +153,7 @@ void main() {
             float goods = hash(floor(vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6)));
             float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
             float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
-            room += indoors * (1.0 + 1.5 * float(k_night) * is_shop) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+            room += indoors * (1.0 + 1.5 * float(k_light == k_light_night) * is_shop) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);

@@ -17,6 +17,11 @@ const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of 
 
 void main() {
     vec3 normal = normalize(in_normal);
+    float facing = dot(normal, frame.sun_direction.xyz);
+    if (k_light == k_light_plain) {
+        out_picture = picture(in_colour * (frame.sun_light.xyz * saturate(facing) + ambient(normal)));
+        return;
+    }
     vec3 ray = in_place - frame.eye.xyz;
     float distance = length(ray);
     ray /= distance;
@@ -50,16 +55,15 @@ void main() {
         albedo = mix(k_asphalt, albedo, paint);
     }
 
-    float facing = dot(normal, frame.sun_direction.xyz);
     float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));
     float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
-    if (k_night == 1) light += albedo * lamplight(lamps_at(in_place, normal), normal);
+    if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
     ONLY_IF(in_pattern.w > 0.0) {
         float grazing = 1.0 - saturate(-dot(ray, normal));
         grazing *= grazing;
         light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
     }
-    if (k_night == 1 && edge > k_light_edge) light = frame.window_light.xyz * 6.0;
+    if (k_light == k_light_night && edge > k_light_edge) light = frame.window_light.xyz * 6.0;
     out_picture = picture(through_air(light, ray, distance));
 }

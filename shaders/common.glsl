@@ -4,6 +4,8 @@
 
 layout(std140, set = 0, binding = k_binding_frame) uniform Frame { FrameConstants frame; };
 
+layout(constant_id = k_constant_light) const int k_light = k_light_day;
+
 // The sRGB curve within 0.3 %, without a power.
 vec3 linear_from_srgb(vec3 c) { return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878); }
 

@@ -23,6 +23,6 @@ void main() {
     vec3 seen = normal_of(texel), normal = axes_of(in_view.xy, in_view.zw) * seen;
     float sun = wrapped(dot(normal, frame.sun_direction.xyz)) * in_lit;
     vec3 albedo = base_of(texel) * tint, light = light_from(albedo, normal, sun, seen.z);
-    if (k_night == 1) light += albedo * lamplight(in_lamps, normal);
+    if (k_light == k_light_night) light += albedo * lamplight(in_lamps, normal);
     out_picture = picture(light * in_air.w + in_air.xyz);
 }

@@ -27,7 +27,7 @@ void main() {
     out_view = vec4(quad.side, quad.tilt);
     vec3 dark = through_air(vec3(0), ray, distance);
     out_air = vec4(dark, through_air(vec3(1), ray, distance).x - dark.x);
-    out_lamps = k_night == 1 ? lamps_at(walker.place.xyz, vec3(0)) : vec3(0);
+    out_lamps = k_light == k_light_night ? lamps_at(walker.place.xyz, vec3(0)) : vec3(0);
     vec4 at = frame.clip_from_world * vec4(quad.place, 1);
     at.z *= at.w / max(at.w - k_nearer * walker.place.w, k_nearer);
     gl_Position = at;

@@ -3,14 +3,13 @@
 layout(set = 0, binding = k_binding_shadow) uniform sampler2DArrayShadow shadow_map;
 layout(set = 0, binding = k_binding_lamps) uniform sampler2D lamp_map;
 
-layout(constant_id = k_constant_night) const int k_night = 0;
-
 const float k_fine_texel = 3.0;  // pixels: shadow texels wider than this are filtered twice as wide
 
 // How much of the sun reaches a place: 3x3 bilinear taps by four gathers over 4x4 texels, or, where texels are
 // small on the picture, one tap by one gather. `bias` is how far, in texels, the place is moved along its normal
 // so that a surface does not shade itself; `facing` the cosine to the sun: where it is not above 0 all is dark.
 float sunlit(vec3 place, vec3 normal, float facing, float distance, float bias) {
+    if (k_light == k_light_plain) return 1.0;
     mat3 turn = mat3(frame.shadow_from_world);
     vec3 near = turn * place + frame.shadow_from_world[3].xyz;
     vec3 from_middle = abs(near - 0.5);
@@ -73,6 +72,7 @@ vec3 street_towards(vec3 direction) {
 
 // Aerial perspective: beyond some metres the air shines, and hides what is behind. `ray` is a unit vector.
 vec3 through_air(vec3 light, vec3 ray, float distance) {
+    if (k_light == k_light_plain) return light;
     float depth = max(distance - frame.haze_away.w, 0.0) * frame.haze_towards.w;
     float air = depth / (1.0 + depth);
     float towards = dot(ray.xz, frame.sun_direction.xz) * 0.5 + 0.5;

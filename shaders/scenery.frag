@@ -25,6 +25,6 @@ void main() {
     float facing = dot(normal, frame.sun_direction.xyz);
     float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, 2.0);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
-    if (k_night == 1) light += albedo * lamplight(lamps_at(in_place, normal), normal);
+    if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
     out_picture = picture(through_air(light, ray, distance));
 }

@@ -89,9 +89,16 @@ FLANEUR_CONST int k_bindings = 13;          // up to k_binding_cells buffers, th
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
-FLANEUR_CONST int k_constant_night = 1;     // whether lamps are lit
+FLANEUR_CONST int k_constant_light = 1;     // one of k_light_*
 FLANEUR_CONST int k_constant_smooth = 2;    // whether edges are smoothed
 FLANEUR_CONST int k_constants = 3;
+
+// What lights a scene: sun and sky; these and lamps; the sun alone, everywhere, with neither shadows nor haze, and
+// surfaces without patterns.
+FLANEUR_CONST int k_light_day = 0;
+FLANEUR_CONST int k_light_night = 1;
+FLANEUR_CONST int k_light_plain = 2;
+FLANEUR_CONST int k_lights = 3;
 
 // What the views for work paint instead of light: a push constant.
 FLANEUR_CONST uint k_paint_normals = 0;

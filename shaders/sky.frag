@@ -3,8 +3,6 @@
 #include "shaders/common.glsl"
 #include "shaders/pattern.glsl"
 
-layout(constant_id = k_constant_night) const int k_night = 0;
-
 layout(location = 0) in vec3 in_ray;
 layout(location = 1) in vec3 in_light;
 
@@ -25,8 +23,8 @@ void main() {
     float cos_gamma = dot(in_ray, frame.sun_direction.xyz) * inversesqrt(dot(in_ray, in_ray));
     float disc = saturate((cos_gamma - 0.99985) * 12000.0);
     vec3 light = in_light + frame.sun_light.xyz * (frame.sun_light.w * disc);
-    if (k_night == 1) light += 0.5 * frame.sky_dusk.w * stars(normalize(in_ray));
+    if (k_light == k_light_night) light += 0.5 * frame.sky_dusk.w * stars(normalize(in_ray));
     out_picture = picture(light);
     // Half a step of noise, or dark skies show bands.
-    if (k_night == 1) out_picture.rgb += (hash(gl_FragCoord.xy) - 0.5) * (1.0 / 255.0);
+    if (k_light == k_light_night) out_picture.rgb += (hash(gl_FragCoord.xy) - 0.5) * (1.0 / 255.0);
 }

@@ -187,7 +187,7 @@ SceneMeshes scene_of(Dancers& d) {
         v.colour = 0xff808080u;
         v.uv = {0.6f, 0.6f};
         v.normal[1] = 127;
-        v.material = static_cast<uint16_t>(k_material_scenery);
+        v.material = static_cast<uint16_t>(k_material_plaza);
         scene.city.vertices.push_back(v);
     }
     scene.city.indices = {0, 1, 2, 0, 2, 3};
