@@ -87,6 +87,15 @@ float rise(const House& house, float width, float depth, float right, float back
     return house.roof_height * std::min(from_edge / ridge, 1.0f);
 }
 
+// An upright box as of add_box, where all of its foot is over the house.
+void add_on_roof(City& city, const House& house, Vec3 foot, Vec2 along, Vec2 half, float height,
+                 uint32_t building) {
+    Vec2 at = on_ground(foot), u = along * half.x, v = Vec2{-along.z, along.x} * half.z;
+    Ring box =
+        positive({to_point(at - u - v), to_point(at + u - v), to_point(at + u + v), to_point(at - u + v)});
+    if (area(subtract({box}, {house.footprint})) < 0.01) add_box(city, foot, along, half, height, building);
+}
+
 }  // namespace
 
 void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, Vec2 a, Vec2 b, float depth) {
@@ -99,8 +108,8 @@ void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, 
             float in = house.roof == RoofKind::hip ? 0.26f * wall.width : 0.06f * wall.width + 0.5f;
             float right = i == 0 ? in : wall.width - in, back = depth * dice.between(0.35f, 0.6f);
             float sunk = std::max(rise(house, wall.width, depth, right, back) - 0.8f, 0.0f);
-            add_box(d.city, wall.at(right, -back, eaves + sunk), wall.out, {0.75f, 0.33f},
-                    house.roof_height + 0.9f - sunk, building);
+            add_on_roof(d.city, house, wall.at(right, -back, eaves + sunk), wall.out, {0.75f, 0.33f},
+                        house.roof_height + 0.9f - sunk, building);
         }
     }
     bool takes_dormers =
@@ -124,9 +133,10 @@ void dress_roof(District& d, Dice& dice, const House& house, uint32_t building, 
     Vec2 half{dice.between(1, 1.8f), dice.between(0.9f, 1.4f)};
     float height = dice.between(1.6f, 2.4f);
     if (wall.width > 6)
-        add_box(d.city, wall.at(aside * wall.width, -depth * share, floor), wall.along, half, height,
+        add_on_roof(d.city, house, wall.at(aside * wall.width, -depth * share, floor), wall.along, half,
+                    height, building);
+    add_on_roof(d.city, house, wall.at(0.5f, -depth * 0.55f, floor - 0.2f), wall.out, {0.7f, 0.3f}, 1.7f,
                 building);
-    add_box(d.city, wall.at(0.5f, -depth * 0.55f, floor - 0.2f), wall.out, {0.7f, 0.3f}, 1.7f, building);
 }
 
 void dress_front(District& d, Dice& dice, const House& house, float foot, Vec2 a, Vec2 b) {
