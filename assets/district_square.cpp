@@ -71,10 +71,11 @@ void add_church(District& d, Dice& dice, const Frame& f, float north, float sout
     bells.cornice = 0.3f;
     bells.street_edges = {0, 1, 2, 3, 4, 5, 6, 7};
     add_upper(d, dice, bells, top);
-    // As wide as three of the ten bays of the aisle behind it, and lower, so that it cuts no window.
+    // As wide as three of the ten bays of the aisle behind it, and as high as its windows, so that it cuts
+    // none.
     constexpr float k_bay = 26.0f / 10, k_west = -12 + 3 * k_bay, k_east = -12 + 6 * k_bay;
-    House porch = part(f.box(k_west, middle + depth * 0.5f, k_east, middle + depth * 0.5f + 2.6f), 4.6f, 4.6f,
-                       RoofKind::gable, 1.5f);
+    House porch = part(f.box(k_west, middle + depth * 0.5f, k_east, middle + depth * 0.5f + 2.6f), 5.65f,
+                       5.65f, RoofKind::gable, 1.0f);
     porch.gable_across = true;
     porch.overhang = 0.25f;
     porch.door_edge = 2;

@@ -19,7 +19,7 @@ float reach(const Clump& c, Vec3 at) {
 }
 
 // Sprays of leaves are this long and half as wide as shares of a crown's radius.
-constexpr float k_spray = 0.19f, k_half_width = 0.12f;
+constexpr float k_spray = 0.17f, k_half_width = 0.11f;
 
 // A spray of leaves about `at`, folded along its length: two triangles seen from the side of `out`. All of a
 // crown's are lit as one, by normals that lean away from its middle.
@@ -48,7 +48,7 @@ void add_spray(PropMesh& mesh, Vec3 at, Vec3 out, float size, const Clump& crown
 
 // Clumps about a larger one, dark within, and sprays of leaves over all.
 void add_crown(PropMesh& mesh, const Clump& crown, RandomKey key) {
-    constexpr uint32_t k_clumps = 6, k_sprays = 210, k_far_sprays = 48;
+    constexpr uint32_t k_clumps = 6, k_sprays = 240, k_far_sprays = 48;
     std::array<Clump, k_clumps> clumps;
     clumps[0] = {crown.centre + Vec3{0, 0.14f * crown.size.y, 0}, crown.size * 0.70f};
     float turn = random_between(key, 0, 2 * k_pi, 1);
@@ -74,7 +74,7 @@ void add_crown(PropMesh& mesh, const Clump& crown, RandomKey key) {
         for (uint32_t k = 0; k < sprays; ++k, draw += 8) {
             float up = 1 - 2 * (static_cast<float>(k) + 0.5f) / static_cast<float>(sprays);
             SinCos around = sin_cos(2.399963f * static_cast<float>(k) + turn);
-            float flat = std::sqrt(1 - up * up), skin = random_between(key, 0.82f, 1.08f, draw + 5);
+            float flat = std::sqrt(1 - up * up), skin = random_between(key, 0.80f, 1.02f, draw + 5);
             Vec3 out{around.sine * flat, up, around.cosine * flat};
             Vec3 at =
                 clumps[i].centre +
@@ -99,8 +99,8 @@ void add_tree(PropMesh& mesh, const Prop& tree) {
     // Some are slender.
     float slender = lerp(0.8f, 1.04f, smoothstep(0.1f, 0.5f, random_unit(key, 103)));
     Clump crown{crown_foot + lean * half, {tree.radius * slender, half, tree.radius * slender}};
-    add_post(mesh, tree.position, crown_foot, thickness, thickness * 0.66f, 7, PropPart::trunk, false);
-    add_post(mesh, crown_foot, crown.centre, thickness * 0.66f, thickness * 0.3f, 5, PropPart::trunk, false);
+    add_post(mesh, tree.position, crown_foot, thickness, thickness * 0.66f, 6, PropPart::trunk, false);
+    add_post(mesh, crown_foot, crown.centre, thickness * 0.66f, thickness * 0.3f, 6, PropPart::trunk, false);
     if (!mesh.is_far) {
         float turn = random_between(key, 0, 2 * k_pi, 104);
         for (uint32_t i = 0; i < 3; ++i) {
