@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "assets/masses.h"
 #include "assets/osm_house.h"
@@ -291,16 +292,55 @@ void pave(OsmImport& in, const Rings& rings) {
     in.plan.areas.push_back(std::move(paved));
 }
 
+// What stands already, by squares of the map that its box touches.
+struct Standing {
+    static constexpr int64_t k_square = 64'000;                            // millimetres
+    std::map<std::pair<int64_t, int64_t>, std::vector<uint32_t>> squares;  // indices of OsmImport::masses
+
+    template <class Visit>
+    void visit(Point low, Point high, Visit&& each) {
+        for (int64_t x = low.X / k_square; x <= high.X / k_square; ++x)
+            for (int64_t y = low.Y / k_square; y <= high.Y / k_square; ++y) each(squares[{x, y}]);
+    }
+};
+
+// Maps draw some houses over others, where two walls in one place would flicker: what of a mass is inside
+// others as low and as high is left out.
+std::vector<Region> beside_others(const OsmImport& in, Standing& standing, const Found& f, const Mass& mass) {
+    constexpr double k_least = 0.5;  // square metres
+    constexpr float k_alike = 0.01f;
+    std::vector<uint32_t> near;
+    standing.visit(f.low, f.high, [&](auto& some) { near.insert(near.end(), some.begin(), some.end()); });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    Rings rings = rings_of(mass.footprint);
+    bool is_whole = true;
+    for (uint32_t i : near) {
+        const OsmMass& other = in.masses[i];
+        if (other.bottom > mass.bottom + k_alike || other.eaves < mass.eaves - k_alike) continue;
+        if (area(intersect(rings, other.rings)) < k_least) continue;
+        rings = subtract(rings, other.rings);
+        is_whole = false;
+    }
+    if (is_whole) return {mass.footprint};
+    std::vector<Region> left = regions_of(rings);
+    std::erase_if(left, is_sliver);
+    return left;
+}
+
 struct Context {
     Neighbourhood around;
     std::vector<Passage> passages;
     std::vector<Point> shops;
+    Standing standing{};
 };
 
-void build(OsmImport& in, const Found& f, const Context& context) {
-    auto id = static_cast<uint64_t>(f.id);
-    OsmSurroundings around = surroundings_of(context.around, f);
-    OsmHouse house = house_of(*f.tags, f.whole ? *f.whole->tags : *f.tags, f.region, around, id);
+OsmHouse house_of(const Found& f, const Context& context) {
+    return house_of(*f.tags, f.whole ? *f.whole->tags : *f.tags, f.region, surroundings_of(context.around, f),
+                    static_cast<uint64_t>(f.id));
+}
+
+void build(OsmImport& in, const Found& f, const OsmHouse& house, Context& context) {
     OsmCounts& counts = in.counts;
     count_built(counts, f.part ? OsmSort::part : OsmSort::building);
     if (!f.part && house.default_height) count_built(counts, OsmSort::without_height);
@@ -338,24 +378,30 @@ void build(OsmImport& in, const Found& f, const Context& context) {
     building.roof_colour = house.roof_colour;
     building.has_shop = on_ground && has_shop(f, context.shops);
     building.seed = static_cast<uint32_t>(
-        random_bits({f.whole ? static_cast<uint64_t>(f.whole->id) : id, 0, 0, Purpose::city}));
+        random_bits({static_cast<uint64_t>(f.whole ? f.whole->id : f.id), 0, 0, Purpose::city}));
 
     // What stands on the ground takes the ground away.
     auto add = [&](const Mass& m) {
-        Building b = building;
-        b.base = m.bottom;
-        b.top = m.eaves;
-        Mass own = m;
-        own.building = static_cast<uint32_t>(in.city.buildings.size());
-        in.city.buildings.push_back(b);
-        RoofKind got = add_mass(in.city, own);
-        in.masses.push_back({rings_of(m.footprint), m.bottom, m.eaves});
-        if (m.bottom > f.foot + 0.5f) return got;
-        Area solid;
-        solid.rank = k_rank_solid;
-        solid.solid = true;
-        solid.rings = rings_of(m.footprint);
-        in.plan.areas.push_back(std::move(solid));
+        RoofKind got = m.roof;
+        for (const Region& region : beside_others(in, context.standing, f, m)) {
+            Building b = building;
+            b.base = m.bottom;
+            b.top = m.eaves;
+            Mass own = m;
+            own.footprint = region;
+            own.building = static_cast<uint32_t>(in.city.buildings.size());
+            in.city.buildings.push_back(b);
+            got = add_mass(in.city, own);
+            auto index = static_cast<uint32_t>(in.masses.size());
+            context.standing.visit(f.low, f.high, [&](auto& some) { some.push_back(index); });
+            in.masses.push_back({rings_of(region), m.bottom, m.eaves});
+            if (m.bottom > f.foot + 0.5f) continue;
+            Area solid;
+            solid.rank = k_rank_solid;
+            solid.solid = true;
+            solid.rings = rings_of(region);
+            in.plan.areas.push_back(std::move(solid));
+        }
         return got;
     };
     Rings footprint = rings_of(mass.footprint), passages;
@@ -414,7 +460,15 @@ void add_osm_buildings(OsmImport& in) {
     std::vector<Found> all = find_buildings(in);
     assign_parts(all);
     Context context{look_around(in, all), find_passages(in), find_shops(in)};
-    for (const Found& f : all) build(in, f, context);
+    // The highest first: it keeps its shape where others overlap it.
+    std::vector<std::pair<const Found*, OsmHouse>> houses;
+    for (const Found& f : all) houses.push_back({&f, house_of(f, context)});
+    auto eaves = [](const auto& h) {
+        return h.first->foot + h.second.top - (h.second.roof == RoofKind::flat ? 0 : h.second.roof_height);
+    };
+    std::stable_sort(houses.begin(), houses.end(),
+                     [&](const auto& a, const auto& b) { return eaves(a) > eaves(b); });
+    for (const auto& [found, house] : houses) build(in, *found, house, context);
 }
 
 }  // namespace flaneur

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -230,6 +231,28 @@ TEST(Osm, PartsStandInPlaceOfTheirOutline) {
     EXPECT_FLOAT_EQ(std::min(city->buildings[0].top, city->buildings[1].top), 15);
     EXPECT_FLOAT_EQ(std::max(city->buildings[0].top, city->buildings[1].top), 30);
     EXPECT_TRUE(city->buildings[0].wall_colour || city->buildings[1].wall_colour);
+}
+
+// A house of 6 m drawn over the eastern half of one of 9 m, and on to the east of it.
+TEST(Osm, HousesDrawnOverOneAnotherShareNoWall) {
+    const char* over = R"(<node id="7" lat="0.0002" lon="0.0005"/><node id="8" lat="0.0002" lon="0.0007"/>
+<node id="9" lat="0.0004" lon="0.0007"/><node id="10" lat="0.0004" lon="0.0005"/>)";
+    const char* low = R"(<way id="3"><nd ref="7"/><nd ref="8"/><nd ref="9"/><nd ref="10"/><nd ref="7"/>
+<tag k="building" v="yes"/><tag k="height" v="6"/><tag k="roof:shape" v="flat"/></way>)";
+    Result<City> city =
+        load_text(map_of(std::string(k_nodes) + over + with_tags(k_street, "") +
+                         with_tags(k_house, "<tag k='height' v='9'/><tag k='roof:shape' v='flat'/>") + low));
+    ASSERT_TRUE(city) << city.error().message;
+    check_city(*city);
+    ASSERT_EQ(city->buildings.size(), 2u);
+    // The fronts to the north and south, by house: 22 m of the high one, 11 m of the low one.
+    float width[2] = {0, 0};
+    for (const Face& f : city->faces) {
+        if (f.kind != FaceKind::facade || std::abs(f.b.z - f.a.z) > 0.1f) continue;
+        width[f.a_top > 8 ? 0 : 1] += std::abs(f.b.x - f.a.x);
+    }
+    EXPECT_NEAR(width[0], 2 * 22.3f, 0.5f);
+    EXPECT_NEAR(width[1], 2 * 11.1f, 0.5f);
 }
 
 TEST(Osm, ColoursAreReadAndTamed) {
