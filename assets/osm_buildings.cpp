@@ -314,10 +314,11 @@ std::vector<Region> beside_others(const OsmImport& in, Standing& standing, const
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
     Rings rings = rings_of(mass.footprint);
+    const float top = mass.eaves + (mass.roof == RoofKind::flat ? 0 : mass.roof_height);
     bool is_whole = true;
     for (uint32_t i : near) {
         const OsmMass& other = in.masses[i];
-        if (other.bottom > mass.bottom + k_alike || other.eaves < mass.eaves - k_alike) continue;
+        if (other.bottom > mass.bottom + k_alike || other.eaves < top - k_alike) continue;
         if (area(intersect(rings, other.rings)) < k_least) continue;
         rings = subtract(rings, other.rings);
         is_whole = false;

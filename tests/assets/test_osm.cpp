@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -253,6 +254,21 @@ TEST(Osm, HousesDrawnOverOneAnotherShareNoWall) {
     }
     EXPECT_NEAR(width[0], 2 * 22.3f, 0.5f);
     EXPECT_NEAR(width[1], 2 * 11.1f, 0.5f);
+}
+
+// A spire of 20 m whose walls are lower than the house that it stands in.
+TEST(Osm, RoofsAboveOtherHousesStay) {
+    const char* spire = R"(<node id="7" lat="0.00025" lon="0.00045"/><node id="8" lat="0.00025" lon="0.0005"/>
+<node id="9" lat="0.0003" lon="0.0005"/><node id="10" lat="0.0003" lon="0.00045"/>
+<way id="3"><nd ref="7"/><nd ref="8"/><nd ref="9"/><nd ref="10"/><nd ref="7"/><tag k="building" v="yes"/>
+<tag k="height" v="20"/><tag k="roof:shape" v="pyramidal"/><tag k="roof:height" v="13"/></way>)";
+    Result<City> city = load_text(
+        map_of(std::string(k_nodes) + with_tags(k_street, "") +
+               with_tags(k_house, "<tag k='height' v='9'/><tag k='roof:shape' v='flat'/>") + spire));
+    ASSERT_TRUE(city) << city.error().message;
+    float peak = 0;
+    for (Vec3 v : city->roof_vertices) peak = std::max(peak, v.y);
+    EXPECT_NEAR(peak, 20, 0.2f);
 }
 
 TEST(Osm, ColoursAreReadAndTamed) {
