@@ -411,7 +411,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(fit_targets(renderer, target.extent));
     FLANEUR_TRY(make_lit_pipelines(renderer.device, plan.light_kind, renderer.pipelines));
-    FLANEUR_TRY(skin_crowd(renderer, slot, input, target.extent, plan));
+    FLANEUR_TRY(skin_people(renderer, slot, input, target.extent, plan));
     FLANEUR_TRY(upload_frame(renderer, slot, input, plan, target.extent));
     slot.stages.clear();
     FLANEUR_TRY(record_frame({renderer, slot, plan, target, slot.commands}));

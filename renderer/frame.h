@@ -35,7 +35,8 @@ struct FramePlan {
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
     DrawRange facades, surfaces[3], scenery, shades, casters;
     DrawRange crowd, crowd_skinned;  // of people: skinned by the device, and by the host
-    SkinPlan skin;
+    DrawRange casters_skinned;
+    SkinPlan crowd_skin, casters_skin;
     DrawRange near_city, far_city, near_scenery, far_scenery;  // what throws shadows into the maps
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;
@@ -55,9 +56,10 @@ struct FrameRecord {
 // Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
 
-// Skins those people whom the host skins, into the slot's buffers, and completes their draws.
-Result<void> skin_crowd(Renderer& renderer, FrameSlot& slot, const FrameInput& input, VkExtent2D extent,
-                        FramePlan& plan);
+// Skins those people whom the host skins, and their shadows' casters, into the slot's buffers, and completes
+// their draws.
+Result<void> skin_people(Renderer& renderer, FrameSlot& slot, const FrameInput& input, VkExtent2D extent,
+                         FramePlan& plan);
 
 // What the shaders are told.
 FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent);
@@ -73,6 +75,7 @@ Result<void> finish_slot(Renderer& renderer, FrameSlot& slot);
 void draw_shadows(const FrameRecord& record);  // leaves the shadow map ready for sampling
 void draw_city(const FrameRecord& record);
 void draw_crowd(const FrameRecord& record);
+void draw_crowd_shadows(const FrameRecord& record);  // into the map that is being drawn
 void draw_impostors(const FrameRecord& record);
 void draw_impostor_shadows(const FrameRecord& record);  // into the map that is being drawn
 void draw_contacts(const FrameRecord& record);

@@ -112,12 +112,20 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     if (!plan.backdrop) find_contacts(crowd, input.palette, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
-    if (renderer.workers && input.surfaces == Surfaces::lit && !input.are_ghosts)
-        plan.skin = plan_skin(people, scene.skin_meshes);
-    plan.crowd_skinned = append(plan.draws, std::vector<DrawCommand>(plan.skin.batches.size()), 0);
-    plan.crowd = append(plan.draws, people.subspan(plan.skin.draws), 0);
-    plan.casters =
-        append(plan.draws, renderer.casters.draws, static_cast<uint32_t>(renderer.crowd.instances.size()));
+    const std::span<const DrawCommand> casters(renderer.casters.draws);
+    if (renderer.workers) {
+        if (input.surfaces == Surfaces::lit && !input.are_ghosts)
+            plan.crowd_skin = plan_skin(people, scene.skin_meshes);
+        plan.casters_skin = plan_skin(casters, scene.skin_meshes);
+    }
+    auto skinned = [&](const SkinPlan& skin) {  // to be completed by skin_people()
+        return append(plan.draws, std::vector<DrawCommand>(skin.batches.size()), 0);
+    };
+    plan.crowd_skinned = skinned(plan.crowd_skin);
+    plan.casters_skinned = skinned(plan.casters_skin);
+    plan.crowd = append(plan.draws, people.subspan(plan.crowd_skin.draws), 0);
+    plan.casters = append(plan.draws, casters.subspan(plan.casters_skin.draws),
+                          static_cast<uint32_t>(renderer.crowd.instances.size()));
 
     auto chunks = [&](CityClass kind) {
         return std::span<const CityChunk>(scene.chunks[static_cast<size_t>(kind)]);

@@ -318,13 +318,17 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
     // Outlines drawn as hulls turned inside out must not shade what they outline.
     shadow.cull = VK_CULL_MODE_BACK_BIT;
     FLANEUR_TRY(make(shadow, p.shadow_scenery));
-    shadow.cull = VK_CULL_MODE_NONE;
     const Attributes person = person_attributes();
     shadow.fragment = {};
     shadow.vertex = k_spirv_shadow_crowd_vert;
     shadow.attributes = {person[0], person[4]};
     shadow.stride = sizeof(PersonVertex);
     FLANEUR_TRY(make(shadow, p.shadow_crowd));
+    shadow.vertex = k_spirv_shadow_city_vert;
+    shadow.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(SkinnedVertex, place)}};
+    shadow.stride = sizeof(SkinnedVertex);
+    FLANEUR_TRY(make(shadow, p.shadow_skinned));
+    shadow.cull = VK_CULL_MODE_NONE;
     shadow.vertex = k_spirv_shadow_impostor_vert;
     shadow.fragment = k_spirv_shadow_impostor_frag;
     shadow.attributes = {};
@@ -364,9 +368,9 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
-    std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor,
-                                   p.shadow_scenery, p.impostor_bake, p.occlusion,
-                                   p.occlude,        p.fxaa_image,    p.fxaa_window};
+    std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor, p.shadow_skinned,
+                                   p.shadow_scenery, p.impostor_bake, p.occlusion,       p.occlude,
+                                   p.fxaa_image,     p.fxaa_window};
     for (const LitPipelines& lit : p.lit)
         all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor,
                                lit.crowd[0], lit.crowd[1], lit.crowd_skinned[0], lit.crowd_skinned[1],

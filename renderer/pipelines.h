@@ -47,7 +47,8 @@ struct Pipelines {
     VkDescriptorSetLayout set_layout = {};
     VkPipelineLayout layout = {};
     VkSampler shadow_sampler = {}, texture_sampler = {}, atlas_sampler = {}, lamp_sampler = {};
-    VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_impostor = {}, shadow_scenery = {};
+    VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_skinned = {}, shadow_impostor = {},
+               shadow_scenery = {};
     VkPipeline impostor_bake = {};
     LitPipelines lit[k_lights];               // by k_light_*; night's and plain ones made when first wanted
     VkPipeline occlusion = {}, occlude = {};  // made where the quality has occlusion

@@ -49,9 +49,9 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 }
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer :
-         {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws, &slot.contacts,
-          &slot.lines, &slot.fills, &slot.skinned_vertices, &slot.skinned_indices})
+    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws,
+                           &slot.contacts, &slot.lines, &slot.fills, &slot.crowd.vertices,
+                           &slot.crowd.indices, &slot.casters.vertices, &slot.casters.indices})
         destroy_buffer(device, *buffer);
     if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
     if (slot.counters) vkDestroyQueryPool(device.handle, slot.counters, nullptr);

@@ -66,7 +66,7 @@ void skin_vertices(const SkinMesh& mesh, const float* palette, const SkinView& v
     const glm::mat4& m = view.clip_from_world;
     const size_t joint_stride = k_joint_rows * lane_count();
     const L scale = row_at(palette, k_palette_joints * k_joint_rows);
-    const L near(m[3][2]), none(std::numeric_limits<float>::quiet_NaN());
+    const L near(view.near), none(std::numeric_limits<float>::quiet_NaN());
     const L half_width(0.5f * view.width), half_height(0.5f * view.height), one(1.0f);
     auto clip = [&](int c, V3<L> p)
                     HWY_ATTR { return L(m[0][c]) * p.x + L(m[1][c]) * p.y + L(m[2][c]) * p.z + L(m[3][c]); };
@@ -76,11 +76,12 @@ void skin_vertices(const SkinMesh& mesh, const float* palette, const SkinView& v
         const Q4<L> own = turn_of(joint);
         V3<L> place = moved_by(joint, own, v);
         Q4<L> turn = own;
-        if (vertex.bones > 1) {
+        const uint32_t bones = std::min(vertex.bones, view.bones);
+        if (bones > 1) {
             L weight(vertex.weights[0]);
             place = place * weight;
             turn = {turn.x * weight, turn.y * weight, turn.z * weight, turn.w * weight};
-            for (uint32_t k = 1; k < vertex.bones; ++k) {
+            for (uint32_t k = 1; k < bones; ++k) {
                 joint = palette + vertex.joints[k] * joint_stride;
                 weight = L(vertex.weights[k]);
                 const Q4<L> q = turn_of(joint);
@@ -321,6 +322,19 @@ SkinPlan plan_skin(std::span<const DrawCommand> draws, std::span<const SkinMesh>
         }
     }
     return plan;
+}
+
+SkinView skin_view(const View& view, uint32_t width, uint32_t height, uint32_t samples) {
+    const float near = view.clip_from_world[3][2];  // the depth there is 1
+    return {view.clip_from_world, static_cast<float>(width), static_cast<float>(height), near, samples};
+}
+
+SkinView skin_view(const ShadowBox& box, uint32_t resolution) {
+    glm::mat4 clip_from_map(1);
+    clip_from_map[0][0] = clip_from_map[1][1] = 2;
+    clip_from_map[3] = {-1, -1, 0, 1};
+    const float size = static_cast<float>(resolution);
+    return {clip_from_map * box.map_from_world, size, size, 0, 1, 1};
 }
 
 DrawCommand skin_batch(const SkinPlan& plan, const SkinBatch& batch,

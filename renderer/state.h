@@ -14,6 +14,10 @@ namespace flaneur {
 inline constexpr uint32_t k_slots = 2;        // frames in flight in a window
 inline constexpr uint32_t k_max_stages = 16;  // timed ones of a frame
 
+struct SkinBuffers {
+    Buffer vertices, indices;  // SkinnedVertex; uint32_t, counted from the vertices of each draw
+};
+
 // What one frame in flight owns.
 struct FrameSlot {
     VkCommandPool pool = {};
@@ -24,9 +28,9 @@ struct FrameSlot {
     VkQueryPool timestamps = {};  // at the start, and at the end of each stage
     VkQueryPool counters = {};    // of each stage: vertices and fragments shaded
     Buffer constants, instances, palette, impostors, draws, contacts, lines, fills;
-    Buffer skinned_vertices, skinned_indices;  // SkinnedVertex, and uint32_t counted from each draw's first
-    std::vector<std::string> stages;           // names of those timed
-    bool is_pending = false;                   // submitted, and not yet waited for
+    SkinBuffers crowd, casters;       // skinned by the host
+    std::vector<std::string> stages;  // names of those timed
+    bool is_pending = false;          // submitted, and not yet waited for
 };
 
 struct Renderer {

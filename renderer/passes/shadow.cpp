@@ -79,13 +79,9 @@ void draw_shadows(const FrameRecord& record) {
     barrier(maps.map, discarded(k_sampled), k_copied_to, near_layer);
     copy_still_map(record);
     barrier(maps.map, k_copied_to, k_depth_target, near_layer);
-    if (plan.casters.count > 0 || !record.renderer.casters.impostors.empty()) {
+    if (!record.renderer.casters.instances.empty() || !record.renderer.casters.impostors.empty()) {
         begin_map(record, maps.layer_views[k_near_layer], plan.near_box, false);
-        vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          record.renderer.pipelines.shadow_crowd);
-        const VkDeviceSize offset = 0;
-        vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.person_vertices.handle, &offset);
-        draw_indirect(record, plan.casters);
+        draw_crowd_shadows(record);
         draw_impostor_shadows(record);
         vkCmdEndRendering(record.commands);
     }

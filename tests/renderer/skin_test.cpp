@@ -117,17 +117,18 @@ glm::dvec3 normal_of(const SkinnedVertex& vertex) {
 }
 
 // Whether a triangle covers the centre of a pixel of the picture, or reaches before the near plane.
-bool shows_something(const Crowd& crowd, uint32_t walker, uint32_t triangle,
-                     const glm::dmat4& clip_from_world, uint32_t width, uint32_t height) {
+bool shows_something(const Crowd& crowd, uint32_t walker, uint32_t triangle, const SkinView& view) {
+    const glm::dmat4 clip_from_world(view.clip_from_world);
+    const glm::dvec2 size(view.width, view.height);
     glm::dvec2 p[3], low(1e9), high(-1e9);
     for (uint32_t c = 0; c < 3; ++c) {
         const glm::dvec4 clip =
             clip_from_world * glm::dvec4(reference(crowd, walker, 3 * triangle + c).place, 1);
         if (clip.z >= clip.w) return true;
-        p[c] = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(width, height);
+        p[c] = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * size;
         low = glm::min(low, p[c]), high = glm::max(high, p[c]);
     }
-    low = glm::max(low - 0.5, 0.0), high = glm::min(high, glm::dvec2(width, height));
+    low = glm::max(low - 0.5, 0.0), high = glm::min(high, size);
     for (double y = std::ceil(low.y) + 0.5; y < high.y; ++y)
         for (double x = std::ceil(low.x) + 0.5; x < high.x; ++x) {
             auto is_inside = [&](glm::dvec2 a, glm::dvec2 b) {
@@ -144,7 +145,7 @@ TEST(Skin, PutsVerticesWhereTheFormulaDoes) {
     for (size_t i = 0; i < 3 * k_triangles; i += 3)
         for (size_t corner : {0, 2, 1}) crowd.indices.push_back(crowd.indices[i + corner]);
     const Camera camera{.eye = {0, 300, 0}, .target = {1, 0, 0}, .vertical_fov = 0.6f};
-    const Skinned out = skinned(crowd, {make_view(camera, 1000, 1000).clip_from_world, 30000, 30000, 1});
+    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000, 1));
     double place = 0, normal = 0;
     size_t drawn = 0;
     for (const DrawCommand& draw : out.draws) {
@@ -164,10 +165,9 @@ TEST(Skin, PutsVerticesWhereTheFormulaDoes) {
 
 TEST(Skin, LeavesOutOnlyWhatShowsNothing) {
     const Crowd crowd = random_crowd(0.08f);
-    constexpr uint32_t width = 640, height = 400;
     const Camera camera{.eye = {3, 2, 0}, .target = {30, 0, 10}, .vertical_fov = 0.6f};
-    const glm::mat4 clip_from_world = make_view(camera, width, height).clip_from_world;
-    const Skinned out = skinned(crowd, {clip_from_world, width, height, 1});
+    const SkinView view = skin_view(make_view(camera, 640, 400), 640, 400, 1);
+    const Skinned out = skinned(crowd, view);
     std::vector<uint8_t> is_kept(size_t{k_walkers} * k_triangles);
     size_t kept = 0, seen = 0;
     for (const DrawCommand& draw : out.draws)
@@ -175,7 +175,7 @@ TEST(Skin, LeavesOutOnlyWhatShowsNothing) {
             is_kept[out.at(draw, i).tint * k_triangles + out.at(draw, i).colour / 3] = 1;
     for (uint32_t walker = 0; walker < k_walkers; ++walker)
         for (uint32_t t = 0; t < k_triangles; ++t) {
-            const bool shows = shows_something(crowd, walker, t, glm::dmat4(clip_from_world), width, height);
+            const bool shows = shows_something(crowd, walker, t, view);
             seen += shows;
             ASSERT_TRUE(is_kept[walker * k_triangles + t] || !shows) << walker << " " << t;
         }
