@@ -150,9 +150,14 @@ void main() {
                     mix(tone, vec3(0.20, 0.19, 0.17), curtain);
         // Goods in a shop's window, in the light of its lamps.
         ONLY_IF(is_shop > 0.0) {
-            float goods = hash(floor(vec2(at.x * 3.0 + bay * 11.0, at.y * 2.6)));
+            // Each stands in a place of its own, narrower above.
+            float place = at.x * 2.5 + bay * 11.0, goods = hash(vec2(floor(place), storeys));
+            float up = (at.y - 0.5) / (0.3 + 1.1 * goods * goods);
+            float wide = (0.2 + 0.26 * fract(goods * 7.3)) * (1.0 - 0.55 * up * up * fract(goods * 17.0));
+            float thing = saturate((wide - abs(fract(place) - 0.5)) / (2.5 * pixel.x) + 0.5) *
+                          between(up, 0.0, 1.0, pixel.y);
             float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
-            float lit = between(at.y, 0.5, 1.35 + 0.6 * goods, pixel.y) * (0.25 + goods * goods * shown);
+            float lit = mix(0.3 * between(at.y, 0.5, 1.2, pixel.y), thing * (0.35 + 0.65 * fract(goods * 3.1)), shown);
             room += indoors * (1.0 + 1.5 * float(k_light == k_light_night) * is_shop) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
