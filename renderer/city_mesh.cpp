@@ -135,7 +135,7 @@ bool is_convex(const Wall& wall) {
 // Walls and roofs; two triangles that follow one another as halves of a quad are one.
 void gather_walls(PreparedCity& city) {
     auto corner = [&](size_t index) { return city.vertices[city.indices[index]].position; };
-    for (CityClass kind : {CityClass::facade, CityClass::roof, CityClass::detail})
+    for (CityClass kind : {CityClass::facade, CityClass::roof, CityClass::detail, CityClass::prop})
         for (const CityChunk& chunk : city.chunks[static_cast<size_t>(kind)]) {
             WallGroup group{chunk.low, chunk.high, static_cast<uint32_t>(city.walls.size())};
             const size_t end = chunk.near.first_index + chunk.near.index_count;
@@ -165,6 +165,7 @@ CityClass city_class(uint32_t material) {
     if (material == k_material_roof) return CityClass::roof;
     if (material == k_material_scenery) return CityClass::scenery;
     if (material == k_material_shade) return CityClass::shade;
+    if (material >= k_material_leaves) return CityClass::prop;
     return material < k_material_facade && material != k_material_steps ? CityClass::ground
                                                                         : CityClass::detail;
 }

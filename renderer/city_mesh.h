@@ -13,8 +13,8 @@ namespace flaneur {
 
 // What is drawn by one pipeline and culled together: roofs, which show over the houses before them, apart
 // from what stands below.
-enum class CityClass { ground, facade, roof, detail, scenery, shade };
-inline constexpr int k_city_classes = 6;
+enum class CityClass { ground, facade, roof, detail, prop, scenery, shade };
+inline constexpr int k_city_classes = 7;
 CityClass city_class(uint32_t material);
 
 struct PreparedCity {

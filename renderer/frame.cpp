@@ -340,8 +340,9 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
         stats.direct_draws += is_drawn;
     stats.direct_draws += (plan.fills > 0) + 2 * (plan.lines > 0);
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
-    for (DrawRange range : {plan.facades, plan.surfaces[0], plan.surfaces[1], plan.surfaces[2], plan.scenery,
-                            plan.shades, plan.near_city, plan.far_city, plan.near_scenery, plan.far_scenery})
+    for (DrawRange range :
+         {plan.facades, plan.props, plan.surfaces[0], plan.surfaces[1], plan.surfaces[2], plan.scenery,
+          plan.shades, plan.near_city, plan.far_city, plan.near_scenery, plan.far_scenery})
         for (uint32_t i = 0; i < range.count; ++i)
             stats.triangles += plan.draws[range.first + i].index_count / 3;
 }

@@ -33,7 +33,7 @@ struct FramePlan {
     std::optional<vec3> backdrop;                    // see FrameInput
     bool times_passes = false;                       // see FrameInput
     bool refresh_near = false, refresh_far = false;  // the city's shadows are to be drawn anew
-    DrawRange facades, surfaces[3], scenery, shades, casters;
+    DrawRange facades, props, surfaces[3], scenery, shades, casters;
     DrawRange crowd, crowd_skinned;  // of people: skinned by the device, and by the host
     DrawRange casters_skinned;
     SkinPlan crowd_skin, casters_skin;

@@ -141,8 +141,9 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
             range.count += cull_chunk_casters(chunks(kind), box, is_near, plan.draws);
         return range;
     };
-    const auto opaque = {CityClass::facade, CityClass::roof, CityClass::detail};
+    const auto opaque = {CityClass::facade, CityClass::roof, CityClass::detail, CityClass::prop};
     plan.facades = visible(CityClass::facade);
+    plan.props = visible(CityClass::prop);
     plan.surfaces[0] = visible(CityClass::detail);
     plan.surfaces[1] = visible(CityClass::roof);
     plan.surfaces[2] = visible(CityClass::ground);

@@ -23,6 +23,8 @@
 #include "spirv/impostor_bake.vert.h"
 #include "spirv/occlude.frag.h"
 #include "spirv/occlusion.frag.h"
+#include "spirv/prop.frag.h"
+#include "spirv/prop.vert.h"
 #include "spirv/scenery.frag.h"
 #include "spirv/scenery.vert.h"
 #include "spirv/shade.frag.h"
@@ -238,6 +240,11 @@ Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipe
     FLANEUR_TRY(make(city, lit.city_surface));
     city.fragment = k_spirv_city_facade_frag;
     FLANEUR_TRY(make(city, lit.city_facade));
+    PipelineShape prop = city;
+    prop.vertex = k_spirv_prop_vert;
+    prop.fragment = k_spirv_prop_frag;
+    std::erase_if(prop.attributes, [](const auto& attribute) { return attribute.location == 2; });  // no uv
+    FLANEUR_TRY(make(prop, lit.city_prop));
     PipelineShape scenery = city;
     scenery.vertex = k_spirv_scenery_vert;
     scenery.fragment = k_spirv_scenery_frag;
@@ -372,9 +379,9 @@ void destroy_pipelines(const Device& device, Pipelines& p) {
                                    p.shadow_scenery, p.impostor_bake, p.occlusion,       p.occlude,
                                    p.fxaa_image,     p.fxaa_window};
     for (const LitPipelines& lit : p.lit)
-        all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_scenery, lit.impostor,
-                               lit.crowd[0], lit.crowd[1], lit.crowd_skinned[0], lit.crowd_skinned[1],
-                               lit.shade, lit.contact, lit.sky});
+        all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_prop, lit.city_scenery,
+                               lit.impostor, lit.crowd[0], lit.crowd[1], lit.crowd_skinned[0],
+                               lit.crowd_skinned[1], lit.shade, lit.contact, lit.sky});
     for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     for (VkPipeline pipeline : p.views)

@@ -21,7 +21,7 @@ inline constexpr VkFormat k_atlas_format = VK_FORMAT_R32_UINT;  // of impostors;
 
 // Those that draw what is lit.
 struct LitPipelines {
-    VkPipeline city_surface = {}, city_facade = {}, city_scenery = {}, impostor = {};
+    VkPipeline city_surface = {}, city_facade = {}, city_prop = {}, city_scenery = {}, impostor = {};
     VkPipeline crowd[2] = {}, crowd_skinned[2] = {};  // without and with textures; skinned on the host
     VkPipeline shade = {}, contact = {}, sky = {};
 };

@@ -16,7 +16,7 @@ layout(location = 4) flat out vec4 out_pattern;  // surfaces: see below; facades
 
 // How a surface's slabs lie: edge in metres, width of the joints, how their lightness varies, and how much of the
 // sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1).
-const vec4 k_patterns[15] = {
+const vec4 k_patterns[11] = {
     vec4(0.035, 0.0, 0.16, 0.0),   // road: grains
     vec4(0.8, 0.012, 0.05, 0.0),   // sidewalk
     vec4(0.5, 0.0, 2.0, 0.0),      // crossing
@@ -27,11 +27,7 @@ const vec4 k_patterns[15] = {
     vec4(0.4, 0.0, 0.04, 0.6),     // water
     vec4(1.0, 0.0, 0.0, 0.0),      // facade
     vec4(0.9, 0.012, 0.05, 0.0),   // stone
-    vec4(0.6, 0.012, 0.05, 0.0),   // roof
-    vec4(0.11, 0.0, 0.30, 0.0),    // leaves
-    vec4(0.05, 0.0, 0.20, 0.0),    // trunk
-    vec4(1.0, 0.0, 0.0, 0.08),     // metal
-    vec4(100.0, 0.0, 0.0, 0.08)    // light: known by its edge
+    vec4(0.6, 0.012, 0.05, 0.0)    // roof
 };
 
 void main() {
@@ -39,7 +35,7 @@ void main() {
     out_uv = in_uv;
     out_normal = in_normal.xyz;
     out_colour = linear_from_srgb(in_colour.rgb);
-    uint material = min(in_material.x, k_material_light);
+    uint material = min(in_material.x, k_material_roof);
     out_pattern = k_patterns[material];
     if (material == k_material_facade)
         out_pattern = vec4(float(in_material.y & 0x1ffu) * 0.05, float(in_material.y >> 9 & 1u), in_normal.w * 127.0,

@@ -113,7 +113,7 @@ void main() {
     float distance = length(ray);
     ray /= distance;
     float facing = saturate(dot(normal, frame.sun_direction.xyz));
-    float sun = sunlit(in_place, normal, facing, distance, 2.0) * occluded;
+    float sun = sunlit_once(in_place, normal, 2.0) * occluded;
     // The reveal's shadow on the window: its rectangle, moved by the sun.
     vec3 along = vec3(-normal.z, 0, normal.x);
     float towards = max(facing, 0.15);

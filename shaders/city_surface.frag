@@ -12,7 +12,6 @@ layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 
 layout(location = 0) out vec4 out_picture;
 
-const float k_light_edge = 90.0;  // city.vert gives those of lamps a wider one
 const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
 
 void main() {
@@ -64,6 +63,5 @@ void main() {
         grazing *= grazing;
         light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
     }
-    if (k_light == k_light_night && edge > k_light_edge) light = frame.window_light.xyz * 6.0;
     out_picture = picture(through_air(light, ray, distance));
 }

@@ -14,19 +14,22 @@ const int k_reach = 8;  // how far along an edge its ends are looked for, pixels
 
 ivec2 last;
 vec4 at(ivec2 p) { return texelFetch(picture_before, clamp(p, ivec2(0), last), 0); }
-float luma(ivec2 p) { return at(p).a; }
+float luma_within(ivec2 p) { return texelFetch(picture_before, p, 0).a; }
 
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     last = ivec2(frame.screen.xy) - 1;
-    vec4 middle = at(p);
+    // Pixels of the picture's border stay as they are, so that no neighbour need be looked for outside.
+    bool is_within = all(greaterThan(p, ivec2(0))) && all(lessThan(p, last));
+    ivec2 q = is_within ? p : ivec2(1);
+    vec4 middle = texelFetch(picture_before, p, 0);
     float m = middle.a;
-    float n = luma(p + ivec2(0, -1)), s = luma(p + ivec2(0, 1));
-    float w = luma(p + ivec2(-1, 0)), e = luma(p + ivec2(1, 0));
+    float n = luma_within(q - ivec2(0, 1)), s = luma_within(q + ivec2(0, 1));
+    float w = luma_within(q - ivec2(1, 0)), e = luma_within(q + ivec2(1, 0));
     float high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
     float contrast = high - low;
     vec3 colour = middle.rgb;
-    ONLY_IF(k_smooth == 1 && contrast > max(0.04, high * 0.125)) {
+    ONLY_IF(k_smooth == 1 && is_within && contrast > max(0.04, high * 0.125)) {
         bool is_level = abs(n + s - 2.0 * m) > abs(w + e - 2.0 * m);  // the edge runs left to right
         float before = is_level ? n : w, after = is_level ? s : e;
         bool is_before = abs(before - m) >= abs(after - m);
@@ -39,13 +42,13 @@ void main() {
         ivec2 ends = ivec2(k_reach);
         vec2 deltas = vec2(0);
         [[dont_unroll]] for (int side = 0; side < 2; ++side) {
-            ivec2 q = p, stride = side == 0 ? -along : along;
+            ivec2 r = p, stride = side == 0 ? -along : along;
             int i = 0;
             float delta = 0.0;
             [[dont_unroll]] while (i < k_reach && abs(delta) < step_luma) {
                 ++i;
-                q += stride;
-                delta = 0.5 * (luma(q) + luma(q + across)) - edge_luma;
+                r += stride;
+                delta = 0.5 * (at(r).a + at(r + across).a) - edge_luma;
             }
             if (side == 0) ends.x = i, deltas.x = delta; else ends.y = i, deltas.y = delta;
         }

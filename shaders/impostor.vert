@@ -22,7 +22,7 @@ void main() {
     float distance = length(ray);
     ray /= distance;
     out_texel = quad.texel;
-    out_lit = sunlit(quad.middle + frame.sun_direction.xyz * k_girth, vec3(0), 1.0, distance, 0.0);
+    out_lit = sunlit_once(quad.middle + frame.sun_direction.xyz * k_girth, vec3(0), 0.0);
     out_number = gl_VertexIndex / 6;
     out_view = vec4(quad.side, quad.tilt);
     vec3 dark = through_air(vec3(0), ray, distance);

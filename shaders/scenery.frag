@@ -23,7 +23,7 @@ void main() {
     float distance = length(ray);
     ray /= distance;
     float facing = dot(normal, frame.sun_direction.xyz);
-    float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, 2.0);
+    float sun = saturate(facing) * sunlit_once(in_place, normal, 2.0);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
     if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
     out_picture = picture(through_air(light, ray, distance));

@@ -24,6 +24,7 @@ void draw_ground_and_houses(const FrameRecord& record) {
     const VkDeviceSize offset = 0;
     vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
     draw_indirect(record, record.plan.facades);
+    draw_indirect(record, record.plan.props);
     for (DrawRange range : record.plan.surfaces) draw_indirect(record, range);
     draw_indirect(record, record.plan.scenery);
 }
