@@ -54,7 +54,7 @@ void main() {
     glass *= 1.0 - is_door * (1.0 - between(at.y, high.y - 0.45, high.y - 0.12, pixel.y));
     // A railing before windows that reach the floor.
     float rail = 0.0;
-    ONLY_IF(is_french > 0.0) {
+    if (is_french > 0.0) {
         float bars = between(abs(fract(at.x * 8.0) - 0.5), 0.35, 0.5, 8.0 * pixel.x) +
                      between(at.y, 0.93, 1.0, pixel.y) + between(at.y, 0.1, 0.15, pixel.y);
         rail = inside(at, vec2(low.x, 0.1), vec2(high.x, 1.0), pixel) * is_open * mix(0.45, 1.0, saturate(bars));
@@ -79,7 +79,7 @@ void main() {
                   0.10 * is_shop - 0.2 * groove;
     float occluded = 1.0 - 0.30 * under_sill - 0.20 * under_course - 0.32 * under_cornice;
     vec3 albedo = in_colour * shade;
-    ONLY_IF(has_shutters > 0.0) {
+    if (has_shutters > 0.0) {
         float shutter = is_open * (1.0 - open) *
                         inside(vec2(abs(at.x), at.y), vec2(high.x + 0.05, low.y), vec2(high.x + 0.58, high.y), pixel);
         vec3 shutter_colour = taste < 0.4    ? vec3(0.09, 0.13, 0.11)
@@ -94,7 +94,7 @@ void main() {
                        : pick < 0.75 ? vec3(0.03, 0.035, 0.04) : vec3(0.35, 0.19, 0.04);
     albedo = mix(albedo, sign_colour, sign_band);
     vec3 frame_colour = is_shop > 0.5 ? vec3(0.045) : vec3(0.55, 0.53, 0.48);
-    ONLY_IF(is_door > 0.0) {
+    if (is_door > 0.0) {
         // Panels of a door's two leaves.
         float panel = inside(vec2(abs(at.x), fract(at.y * 0.9)), vec2(0.1, 0.1), vec2(0.48, 0.9), pixel);
         frame_colour = taste < 0.3   ? vec3(0.03, 0.055, 0.05)
@@ -127,7 +127,7 @@ void main() {
     }
 
     // Glass: dark rooms, some with curtains, behind a mirror of the sky.
-    ONLY_IF(open * glass > 0.0) {
+    if (open * glass > 0.0) {
         float lean = hash(vec2(bay * 3.0 + 1.0, storey + storeys * 17.0)) - 0.5;
         vec3 mirror = reflect(ray, normalize(normal + along * (0.05 * lean)));
         mirror.y = abs(mirror.y + 0.03 * lean);
@@ -149,7 +149,7 @@ void main() {
         vec3 room = indoors *
                     mix(tone, vec3(0.20, 0.19, 0.17), curtain);
         // Goods in a shop's window, in the light of its lamps.
-        ONLY_IF(is_shop > 0.0) {
+        if (is_shop > 0.0) {
             // Each stands in a place of its own, narrower above.
             float place = at.x * 2.5 + bay * 11.0, goods = hash(vec2(floor(place), storeys));
             float up = (at.y - 0.5) / (0.3 + 1.1 * goods * goods);
@@ -163,7 +163,7 @@ void main() {
         vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
         light = mix(light, pane, open * glass);
     }
-    ONLY_IF(rail > 0.0) {
+    if (rail > 0.0) {
         light = mix(light, vec3(0.03, 0.032, 0.035) * (ambient(normal) + frame.sun_light.xyz * facing * sun), rail);
     }
     out_picture = picture(through_air(light, ray, distance));

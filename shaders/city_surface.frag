@@ -31,10 +31,10 @@ void main() {
     vec2 slab = in_uv * inverse_edge;
     float shown = saturate(2.0 - 2.0 * max(pixel.x, pixel.y) * inverse_edge);
     float shade = 1.0;
-    ONLY_IF(shown > 0.0) {
+    if (shown > 0.0) {
         vec2 cell = floor(slab), within = abs(slab - cell - 0.5) * edge;
         shade += (hash(cell) - 0.5) * min(in_pattern.z, 1.0) * shown * (in_pattern.z > 1.0 ? 0.1 : 1.0);
-        ONLY_IF(in_pattern.y > 0.0) {
+        if (in_pattern.y > 0.0) {
             vec2 inverse = 1.0 / pixel;
             vec2 joint = clamp((within - (0.5 * edge - in_pattern.y)) * inverse + 0.5, 0.0, 1.0) *
                          clamp(2.0 * in_pattern.y * inverse, 0.0, 1.0);
@@ -47,7 +47,7 @@ void main() {
 
     vec3 albedo = in_colour * shade;
     // Stripes across the way of those who cross.
-    ONLY_IF(in_pattern.z > 1.0) {
+    if (in_pattern.z > 1.0) {
         float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
         float paint = saturate((swing - 0.5) * edge / pixel.x + 0.5);
         paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
@@ -58,7 +58,7 @@ void main() {
     float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
     vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
     if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
-    ONLY_IF(in_pattern.w > 0.0) {
+    if (in_pattern.w > 0.0) {
         float grazing = 1.0 - saturate(-dot(ray, normal));
         grazing *= grazing;
         light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
