@@ -20,7 +20,7 @@ void main() {
     float sun = saturate(facing) * sunlit_once(in_place, normal, 2.0);
     vec3 light = in_colour.rgb * (frame.sun_light.xyz * sun + ambient(normal));
     if (k_light == k_light_night) light += in_colour.rgb * lamplight(lamps_at(in_place, normal), normal);
-    ONLY_IF(in_colour.w > 0.0) {
+    if (in_colour.w > 0.0) {
         float grazing = 1.0 - saturate(-dot(ray, normal));
         grazing *= grazing;
         light = mix(light, sky_towards(reflect(ray, normal)),
