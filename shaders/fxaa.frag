@@ -19,13 +19,15 @@ float luma_within(ivec2 p) { return texelFetch(picture_before, p, 0).a; }
 void main() {
     ivec2 p = ivec2(gl_FragCoord.xy);
     last = ivec2(frame.screen.xy) - 1;
-    // Pixels of the picture's border stay as they are, so that no neighbour need be looked for outside.
+    // Pixels of the picture's border stay as they are, so that no neighbour need be looked for outside. Two of the
+    // four are in the pixel's own quad, and known by their difference.
     bool is_within = all(greaterThan(p, ivec2(0))) && all(lessThan(p, last));
-    ivec2 q = is_within ? p : ivec2(1);
+    ivec2 q = is_within ? p : ivec2(1), odd = p & 1, away = 2 * odd - 1;
     vec4 middle = texelFetch(picture_before, p, 0);
-    float m = middle.a;
-    float n = luma_within(q - ivec2(0, 1)), s = luma_within(q + ivec2(0, 1));
-    float w = luma_within(q - ivec2(1, 0)), e = luma_within(q + ivec2(1, 0));
+    float m = middle.a, to_x = dFdxFine(m), to_y = dFdyFine(m);
+    float beside = luma_within(q + ivec2(away.x, 0)), beyond = luma_within(q + ivec2(0, away.y));
+    float w = odd.x == 1 ? m - to_x : beside, e = odd.x == 1 ? beside : m + to_x;
+    float n = odd.y == 1 ? m - to_y : beyond, s = odd.y == 1 ? beyond : m + to_y;
     float high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
     float contrast = high - low;
     vec3 colour = middle.rgb;
