@@ -101,7 +101,6 @@ Result<Figures> bench_frame(const Options& options) {
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);
-    add_counts(first, frame_stats(*show->renderer));
     for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
         if (options.camera.kind == CameraChoice::Kind::follow)
             camera = choose_camera(world, show->sun, options.camera, 1);
@@ -117,7 +116,6 @@ Result<Figures> bench_frame(const Options& options) {
     figures.setting.emplace_back("quality", quality_name(*show->renderer));
     figures.setting.emplace_back(
         "size", std::to_string(options.size.width) + "x" + std::to_string(options.size.height));
-    for (auto& [n, v] : first.counts) std::printf("F %s %.0f\n", n.c_str(), v);
     figures.setting.emplace_back("first frame", first_frame(first));
     add_counts(figures, frame_stats(*show->renderer));
     return figures;
