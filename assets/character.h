@@ -109,7 +109,7 @@ Result<Character> load_character(const std::string& path);
 // A person made by the built-in generator. The same options give the same mesh.
 Character generate_person(const PersonOptions& options);
 
-// Appends the levels of detail after the first: about 1500, 500, 180 and 60 triangles, skipping those that
+// Appends the levels of detail after the first: about 3000, 1500, 500 and 180 triangles, skipping those that
 // would not be coarser than the one before; orders indices and vertices for the vertex cache.
 void build_lods(Character& character);
 

@@ -13,7 +13,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr std::array<size_t, 4> k_level_triangles = {1500, 500, 180, 60};
+constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
 constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
 constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
 constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew

@@ -26,7 +26,7 @@ struct PersonRanges {
 inline constexpr uint32_t k_max_lods = 5;
 // A body whose sphere is smaller than these many pixels takes the next coarser level. A person stands 0.8 of
 // it high.
-inline constexpr float k_lod_pixels[k_max_lods - 1] = {420, 150, 70, 32};
+inline constexpr float k_lod_pixels[k_max_lods - 1] = {840, 420, 150, 70};
 
 // The level after those of meshes: an impostor.
 inline constexpr uint32_t k_impostor_level = k_max_lods;

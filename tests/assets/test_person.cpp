@@ -177,7 +177,7 @@ TEST(Person, JointsMirror) {
 TEST(Person, LevelsOfDetailFall) {
     for (const auto& [options, c] : several()) {
         ASSERT_EQ(c.lods.size(), 5u);
-        const size_t wanted[] = {7600, 1500, 500, 180, 60};
+        const size_t wanted[] = {7600, 3000, 1500, 500, 180};
         for (size_t l = 0; l < 5; ++l) {
             size_t triangles = c.lods[l].size() / 3;
             EXPECT_LE(triangles, wanted[l] + wanted[l] / 10 + 4)

@@ -47,7 +47,7 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
         ++seen;
         const float pixels =
             2 * walker.radius * view.pixels_at_one_metre / glm::length(walker.centre - view.eye);
-        size_t lod = pixels >= 420 ? 0 : pixels >= 150 ? 1 : pixels >= 70 ? 2 : pixels >= 32 ? 3 : 4;
+        size_t lod = pixels >= 840 ? 0 : pixels >= 420 ? 1 : pixels >= 150 ? 2 : pixels >= 70 ? 3 : 4;
         lod = std::min(lod, people[walker.mesh].lods.size() - 1);
         expected[lod * 2 + walker.mesh].push_back(walker.instance.palette);
     }
@@ -154,7 +154,7 @@ TEST(Cull, ShadowCastersAreNearCoarserAndMayStandBehindTheEye) {
     const ShadowBox box = fit_shadow(view, to_sun, {0, 60}, 2048);
     std::vector<WalkerDraw> walkers = ring_of_walkers(3);
     for (WalkerDraw& walker : walkers) walker.mesh = 0;
-    walkers[0].centre = {0, 0.9f, 5};
+    walkers[0].centre = {0, 0.9f, 2};
     walkers[1].centre = {0, 0.9f, -1.2f};  // its shadow falls ahead of the eye
     walkers[2].centre = {0, 0.9f, 61};     // too far
     CrowdDraws out;

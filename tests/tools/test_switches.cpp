@@ -16,8 +16,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_width = 260, k_height = 400;
-constexpr float k_fov = 0.3f;
+constexpr float k_away = 40;  // metres
 const glm::vec3 k_backdrop(0.45f, 0.44f, 0.42f);
 
 struct People {
@@ -45,22 +44,24 @@ People walking_people() {
     return people;
 }
 
-// Walker `number` alone, as high as a sphere about it is `pixels` high, from a side of its own.
+// Walker `number` alone, so near that a sphere about it is `pixels` high, from a side of its own. The eye
+// stays where it is and looks closer, for a jump would be a cut.
 Image look_at(People& people, size_t number, float pixels) {
+    const uint32_t height = pixels < 380 ? 400 : 900, width = height * 2 / 3;
     const WalkerDraw& walker = people.frame.walkers[number];
-    const float across = k_height / (2 * std::tan(k_fov / 2));
     const float turn = 2.4f * static_cast<float>(number),
                 tilt = 0.05f + 0.3f * static_cast<float>(number % 3) / 2;
     const glm::vec3 way(std::sin(turn) * std::cos(tilt), std::sin(tilt), std::cos(turn) * std::cos(tilt));
     FrameInput frame;
-    frame.camera = {.eye = walker.centre + way * (2 * walker.radius * across / pixels),
-                    .target = walker.centre,
-                    .vertical_fov = k_fov,
-                    .near_plane = 0.1f};
+    frame.camera = {
+        .eye = walker.centre + way * k_away,
+        .target = walker.centre,
+        .vertical_fov = 2 * std::atan(static_cast<float>(height) * walker.radius / (pixels * k_away)),
+        .near_plane = 0.1f};
     frame.walkers = std::span(&walker, 1);
     frame.palette = people.frame.palette;
     frame.backdrop = k_backdrop;
-    return *draw_image(*people.renderer, frame, k_width, k_height);
+    return *draw_image(*people.renderer, frame, width, height);
 }
 
 // The mean over the box about what either shows.
@@ -72,16 +73,16 @@ double flip_about_body(const Image& a, const Image& b) {
                                            static_cast<int>(std::lround(255 * k_backdrop[c]))));
         return most > 2;
     };
-    uint32_t left = k_width, right = 0, top = k_height, bottom = 0;
-    for (uint32_t i = 0; i < k_width * k_height; ++i) {
+    uint32_t left = a.width, right = 0, top = a.height, bottom = 0;
+    for (uint32_t i = 0; i < a.width * a.height; ++i) {
         if (!shows(a, i) && !shows(b, i)) continue;
-        left = std::min(left, i % k_width), right = std::max(right, i % k_width);
-        top = std::min(top, i / k_width), bottom = std::max(bottom, i / k_width);
+        left = std::min(left, i % a.width), right = std::max(right, i % a.width);
+        top = std::min(top, i / a.width), bottom = std::max(bottom, i / a.width);
     }
-    const std::vector<float> errors = flip(a.rgba, b.rgba, static_cast<int>(k_width));
+    const std::vector<float> errors = flip(a.rgba, b.rgba, static_cast<int>(a.width));
     double sum = 0, count = 0;
     for (uint32_t y = top; y <= bottom; ++y)
-        for (uint32_t x = left; x <= right; ++x) sum += errors[y * k_width + x], ++count;
+        for (uint32_t x = left; x <= right; ++x) sum += errors[y * a.width + x], ++count;
     EXPECT_GT(count, 100);
     return sum / count;
 }
@@ -94,7 +95,7 @@ TEST(Switches, LookAlikeOnBothSides) {
     People people = walking_people();
     constexpr size_t k_watched = 8;
     ASSERT_GE(people.frame.walkers.size(), k_watched);
-    for (Border border : {Border{420, 0.065}, {150, 0.125}, {70, 0.14}, {35, 0.125}}) {
+    for (Border border : {Border{840, 0.04}, {420, 0.05}, {150, 0.125}, {70, 0.145}, {36, 0.16}}) {
         double mean = 0;
         for (size_t i = 0; i < k_watched; ++i) {
             // Near its border a level is kept, from whichever side one comes.
