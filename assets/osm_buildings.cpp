@@ -463,6 +463,7 @@ void add_osm_buildings(OsmImport& in) {
     Context context{look_around(in, all), find_passages(in), find_shops(in)};
     // The highest first: it keeps its shape where others overlap it.
     std::vector<std::pair<const Found*, OsmHouse>> houses;
+    houses.reserve(all.size());
     for (const Found& f : all) houses.push_back({&f, house_of(f, context)});
     auto eaves = [](const auto& h) {
         return h.first->foot + h.second.top - (h.second.roof == RoofKind::flat ? 0 : h.second.roof_height);

@@ -283,7 +283,7 @@ SkinMesh make_skin_mesh(std::span<const PersonVertex> vertices, std::span<const 
             }
             to.uv = from.uv;
             to.colour = from.colour;
-            to.tint = static_cast<uint32_t>(from.normal[3]);
+            to.tint = static_cast<uint8_t>(from.normal[3]);
             to.layer = from.texture;
             mesh.vertices.push_back(to);
         }
