@@ -109,8 +109,9 @@ Result<Character> load_character(const std::string& path);
 // A person made by the built-in generator. The same options give the same mesh.
 Character generate_person(const PersonOptions& options);
 
-// Appends the levels of detail after the first: about 3000, 1500, 500 and 180 triangles, skipping those that
-// would not be coarser than the one before; orders indices and vertices for the vertex cache.
+// Appends the levels of detail after the first: about 3000, 1500, 500 (1000 with textures) and 180 triangles,
+// skipping those that would not be coarser than the one before; orders indices and vertices for the vertex
+// cache.
 void build_lods(Character& character);
 
 }  // namespace flaneur

@@ -14,6 +14,8 @@ namespace flaneur {
 namespace {
 
 constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
+// Colours of vertices cannot show what a texture does: it is kept longer.
+constexpr std::array<size_t, 4> k_textured_triangles = {3000, 1500, 1000, 180};
 constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
 constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
 constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew
@@ -293,7 +295,7 @@ void build_lods(Character& c) {
     const size_t fine = c.vertices.size();
     std::vector<Vec3> places = weighed_places(c);
     const std::array<Weld, 2> welds = {weld(c, places, true), weld(c, places, false)};
-    for (size_t triangles : k_level_triangles) {
+    for (size_t triangles : c.textures.empty() ? k_level_triangles : k_textured_triangles) {
         const std::vector<uint32_t>& before = c.lods.back();
         if (before.size() / 3 <= triangles + triangles / 4) continue;
         auto fits = [&](const std::vector<uint32_t>& level) {
