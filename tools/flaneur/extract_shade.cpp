@@ -13,6 +13,7 @@ namespace {
 constexpr float k_lift = 0.012f;     // over the ground, metres
 constexpr float k_step_over = 0.7f;  // the ground is looked for so far above and below, metres
 constexpr float k_most_length = 6;   // of a piece along a wall, metres
+constexpr float k_gap = 0.004f;  // between a wall and its shade, so that there is ground below for certain
 
 // How wide and how dark the foot of a wall makes the ground before it.
 struct Strip {
@@ -57,7 +58,7 @@ void add_strip(Shades& out, const Face& f, Strip strip) {
         return hit ? hit->height : 1e6f;
     };
     bool is_even = true;
-    for (float off : {0.02f, strip.width}) {
+    for (float off : {k_gap, strip.width}) {
         float first = height_at(0, off), last = height_at(1, off);
         for (int i = 1; i < pieces; ++i) {
             float share = static_cast<float>(i) / static_cast<float>(pieces);
@@ -70,7 +71,7 @@ void add_strip(Shades& out, const Face& f, Strip strip) {
         float share = static_cast<float>(i) / static_cast<float>(pieces);
         Vec2 foot = a + along * share;
         float height = lerp(f.a.y, f.b.y, share);
-        std::optional<uint32_t> inner = add_vertex(out, foot + outwards * 0.02f, height, 0, strip.strength);
+        std::optional<uint32_t> inner = add_vertex(out, foot + outwards * k_gap, height, 0, strip.strength);
         std::optional<uint32_t> outer =
             add_vertex(out, foot + outwards * strip.width, height, 1, strip.strength);
         if (i > 0) add_quad(out, {before[0], inner, outer, before[1]});
