@@ -302,7 +302,7 @@ void build_lods(Character& c) {
             return !level.empty() && level.size() / 3 <= triangles + triangles / 4;
         };
         std::vector<uint32_t> level;
-        if (triangles > k_welded_below) level = simplify(before, places, triangles);
+        if (triangles > k_welded_below) level = simplify(c.lods[0], places, triangles);
         // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
         for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
             std::vector<uint32_t> whole;
