@@ -103,11 +103,11 @@ void draw(Scenery& s, const Ball& ball, uint64_t seed, Place place) {
 
 City make_stage(int walkers) {
     City city;
-    city.name = "asteroid";
+    city.ground.name = "asteroid";
     float half = std::sqrt(static_cast<float>(walkers) * k_room) / 2 + 10;
-    city.ground_vertices = {{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}};
-    city.ground_indices = {0, 1, 2, 0, 2, 3};
-    city.ground_kinds.assign(2, Surface::plaza);
+    city.ground.vertices = {{-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half}};
+    city.ground.indices = {0, 1, 2, 0, 2, 3};
+    city.ground.kinds.assign(2, Surface::plaza);
     city.ground_axes.assign(2, {1, 0});
     city.scenery.holds_ground = true;
     index_city(city);

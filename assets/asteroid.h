@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "sim/city/city.h"
+#include "assets/city.h"
 #include "sim/surface/compound.h"
 
 namespace flaneur {

@@ -1,4 +1,11 @@
-// People as the rest of the program takes them: a body for the simulation, a skinned mesh for the eye.
+// People as files and the built-in generator give them: a body for the simulation, a skinned mesh for the
+// eye.
+//
+//     Result<Character> me = load_character("me.glb");
+//     Character somebody = generate_person({.seed = 7, .height = 1.8f, .age = 65});
+//
+// Give `body` to the simulation (Kind::body in sim/sim.h); draw `vertices` by one of the triangle lists in
+// `lods`, skinned by the poses that it returns. Lengths are metres, +y is up, and who is at rest faces +z.
 #pragma once
 
 #include <array>
@@ -6,11 +13,38 @@
 #include <string>
 #include <vector>
 
+#include "assets/person.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
-#include "sim/pose/body.h"
+#include "sim/body/body.h"
 
 namespace flaneur {
+
+struct Character;
+
+struct CharacterOptions {
+    bool force = false;  // two legs will do: what lacks arms or a head is taken, stiff above them
+};
+
+// A glTF 2.0 or VRM file (.glb, .gltf, .vrm) with a skinned humanoid. Limbs and facing are found by geometry
+// with names as hints; units and axes are made canonical. Refuses, by name of what is missing, what cannot be
+// mapped; says in `notes` what was repaired.
+Result<Character> load_character(const std::string& path, const CharacterOptions& options = {});
+
+// Whether a glTF file can be read and has a skin: else there is nobody in it.
+bool has_skin(const std::string& path);
+
+// A person made by the built-in generator. The same options give the same mesh. Takes some tenths of a
+// second.
+Character generate_person(const PersonOptions& options);
+
+// For a character of one level that was made elsewhere: appends the levels of detail after the first, of
+// about 3000, 1500, 500 and 180 triangles where so few keep the person. Parts, limbs and what separates
+// colours are kept, and each level is measured against the finest, as large as it is drawn; where it differs
+// by too much more triangles are tried, and in the end the level before stands in. `found.levels` says what
+// came of it. Orders indices and vertices for the vertex cache. load_character has done so. Takes some tenths
+// of a second, of a million triangles two seconds.
+void build_lods(Character& character);
 
 // What a vertex is made of, so that walkers who share a mesh can differ in colour.
 enum class Tint : uint8_t { none, skin, hair, top, bottom, shoes, accent };
@@ -34,45 +68,14 @@ struct Texture {
     std::vector<uint8_t> rgba;
 };
 
-// How old somebody is and what is worn, of which the built-in generator makes a person.
-enum class Hair : uint8_t {
-    cropped,
-    parted,
-    full,
-    curly,
-    bald,  // but for a fringe round the back
-    bob,
-    bangs,
-    shoulder_length,
-    long_hair,
-    bun,
-    ponytail,
-};
-inline constexpr int k_hair_count = 11;
-enum class Beard : uint8_t { none, moustache, full };
-enum class Top : uint8_t { t_shirt, shirt, sweater, hoodie };
-enum class Over : uint8_t { none, jacket, open_jacket, coat, vest };
-enum class Bottom : uint8_t { slim, straight, wide, shorts, skirt, long_skirt, dress };
-enum class Shoes : uint8_t { sneakers, leather, boots, pumps };
-enum class Hat : uint8_t { none, cap, beanie, brimmed };
-enum class Bag : uint8_t { none, backpack, shoulder_bag, handbag };
-
-struct PersonOptions {
-    uint64_t seed = 1;     // draws the face
-    float height = 1.72f;  // metres, crown above ground
-    bool woman = false;    // or girl
-    float age = 30;        // years, 5..85
-    float build = 0;       // -1 slight .. 1 heavy
-    Hair hair = Hair::cropped;
-    Beard beard = Beard::none;
-    Top top = Top::sweater;
-    Over over = Over::none;
-    Bottom bottom = Bottom::straight;
-    Shoes shoes = Shoes::sneakers;
-    Hat hat = Hat::none;
-    Bag bag = Bag::none;
-    bool glasses = false, scarf = false, headphones = false;
-    bool phone = false, stick = false;  // in the right hand, one of them
+// A level of detail against the finest, in the worst of pictures from eight sides in three poses, as large as
+// it is seen from nearest.
+struct MeasuredLevel {
+    float pixels = 0;  // the body's height there
+    size_t triangles = 0;
+    float silhouette = 0;              // covered by one alone, of what the finest covers
+    float colour = 0;                  // mean distance, 0..1
+    std::vector<std::string> refused;  // what else was tried, and why it was not used
 };
 
 // What a file held and how it was read, for those who ask.
@@ -84,7 +87,8 @@ struct Found {
     float scale = 0;                   // metres a unit of the file; 0: no file
     size_t skins = 0, materials = 0;   // in use
     size_t triangles = 0;
-    std::vector<std::string> clips;  // animations, by name or "animation 3"
+    std::vector<std::string> clips;     // animations, by name or "animation 3"
+    std::vector<MeasuredLevel> levels;  // after the finest; none where that is coarse enough
 };
 
 struct Character {
@@ -95,23 +99,13 @@ struct Character {
     std::array<Vec3, k_joint_count> bind_joints;
     std::array<Quat, k_joint_count> bind_to_canonical;
     std::vector<CharacterVertex> vertices;
-    std::vector<std::vector<uint32_t>> lods;  // triangle lists over `vertices`, finest first, at least one
-    std::vector<Texture> textures;            // base colours
-    std::vector<std::string> notes;           // what was repaired or ignored, a sentence each
-    PersonOptions person;                     // what a built-in person was made of
-    Found found;                              // in its file; as it is when the generator made it
+    // Triangle lists over `vertices`, finest first, at least one. One that may not be coarser than the one
+    // before is the same; see sim/base/levels.h for when they are drawn.
+    std::vector<std::vector<uint32_t>> lods;
+    std::vector<Texture> textures;   // base colours
+    std::vector<std::string> notes;  // what was repaired or ignored, a sentence each
+    PersonOptions person;            // what a built-in person was made of
+    Found found;                     // in its file; as it is when the generator made it
 };
-
-// A glTF 2.0 file (.gltf or .glb) with a skinned humanoid. Limbs and facing are found by geometry with names
-// as hints; units and axes are made canonical. Refuses, by name of what is missing, what cannot be mapped.
-Result<Character> load_character(const std::string& path);
-
-// A person made by the built-in generator. The same options give the same mesh.
-Character generate_person(const PersonOptions& options);
-
-// Appends the levels of detail after the first: about 3000, 1500, 500 (1000 with textures) and 180 triangles,
-// skipping those that would not be coarser than the one before; orders indices and vertices for the vertex
-// cache.
-void build_lods(Character& character);
 
 }  // namespace flaneur

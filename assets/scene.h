@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "assets/look.h"
 #include "sim/base/result.h"
 
 namespace flaneur {
@@ -17,12 +19,16 @@ struct PeopleShare {
     float share = 1;        // of all walkers, against the others' shares: 0.001..1000
     bool operator==(const PeopleShare&) const = default;
 };
-inline constexpr float k_least_scale = 0.0001f, k_most_scale = 10'000;
-inline constexpr float k_least_share = 0.001f, k_most_share = 1000;
+inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
+inline constexpr double k_least_share = 0.001, k_most_share = 1000;
+inline constexpr int k_max_walkers = 100'000;
 
 struct Scene {
     std::string name = "district";
-    std::string city;                 // an OpenStreetMap or glTF file; empty: the built-in district
+    std::string about;               // one line on it
+    std::string city;                // an OpenStreetMap or glTF file; empty: the built-in district
+    std::optional<MapPlace> center;  // of an OpenStreetMap city: what is drawn lies about it
+    float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
     bool asteroid = false;            // people walk round the built-in asteroid, not in a city
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
     float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
@@ -30,27 +36,40 @@ struct Scene {
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..100,000
     uint64_t seed = 1;
-    int blocks = 4;                 // size of the built-in district
-    std::string camera = "street";  // as --camera takes it
-    float hour = 17.5f;             // of the day at the first tick, 0..24
+    int blocks = 4;      // size of the built-in district
+    float hour = 17.5f;  // of the day at the first tick, 0..24
     // Degrees above the horizon, and clockwise from north: where the sun stands, whatever the hour.
     std::optional<float> sun_height, sun_heading;
     bool is_overcast = false;
+    CameraChoice camera;
+    Size size;            // of the picture or the window
+    std::string quality;  // one of k_quality_names; empty: what suits the device
+    WorkViews views;
+    bool operator==(const Scene&) const = default;
 };
 
-// A built-in scene's name, or a path to a .json file. Unknown names, keys and values out of range are
-// refused. Relative paths in a file are relative to its folder.
+// What is wrong in the text of a scene file, and where: lines and columns from 1.
+struct SceneFault {
+    int line = 1, column = 1;
+    std::string what;  // a sentence without its full stop
+};
+
+// A built-in scene's name, or a path to a .json file of at most a megabyte. Unknown names, keys, values out
+// of range and what contradicts itself are refused. Relative paths in a file are relative to its folder.
 Result<Scene> load_scene(const std::string& name_or_path);
 
-// "17:30" as an hour of the day: 17.5. Refuses what is not HH:MM from 00:00 to 23:59.
-Result<float> parse_time(const std::string& text);
+// The same of the text of a scene file; its paths are left as they are. `name` is what errors call it.
+Result<Scene> parse_scene(std::string_view text, const std::string& name);
 
-// Whether "clear" or "overcast" is overcast. Refuses other weather.
-Result<bool> parse_weather(const std::string& text);
+// All that is wrong with a scene, named as load_scene takes it; nothing where load_scene would. Refuses what
+// cannot be read.
+Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path);
+
+// The JSON schema (draft 7) of scene files, from the table that reads them; assets/scenes/scene.schema.json
+// is a copy.
+std::string scene_schema();
 
 // Names of the built-in scenes, sorted.
 std::vector<std::string> scene_names();
-
-inline constexpr int k_max_walkers = 100'000;
 
 }  // namespace flaneur

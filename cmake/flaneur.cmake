@@ -1,38 +1,93 @@
-# Settings that every target of the project is built with.
-add_library(flaneur_settings INTERFACE)
-target_include_directories(flaneur_settings INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(flaneur_settings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
-    # The same bits from every compiler and instruction set: see docs/determinism.md.
-    -ffp-contract=off -fno-fast-math)
+# How every target of the project is built. Of this nothing reaches those who link the libraries.
+if((CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12) OR
+   (CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14))
+    message(FATAL_ERROR "flaneur takes GCC 12 or Clang 14, or newer; this is ${CMAKE_CXX_COMPILER_ID} "
+        "${CMAKE_CXX_COMPILER_VERSION}. Say which to use with -DCMAKE_CXX_COMPILER=...")
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+include_directories(${PROJECT_SOURCE_DIR})
+if(PROJECT_IS_TOP_LEVEL)
+    add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+endif()
+if(FLANEUR_WERROR)
+    add_compile_options(-Werror)
+endif()
+# The same bits from every compiler and instruction set: see docs/determinism.md.
+add_compile_options(-ffp-contract=off -fno-fast-math)
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)
     # What Highway compiles NEON kernels for; plain functions that call one on a single lane must agree.
-    target_compile_options(flaneur_settings INTERFACE -march=armv8-a+crypto)
+    add_compile_options(-march=armv8-a+crypto)
     # Vectors without a fixed size cannot be members of Lanes.
-    target_compile_definitions(flaneur_settings INTERFACE
-        "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+    add_compile_definitions("HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 endif()
 
 set(FLANEUR_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
 if(FLANEUR_SANITIZE)
-    target_compile_options(flaneur_settings INTERFACE
-        -fsanitize=${FLANEUR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-    target_link_options(flaneur_settings INTERFACE -fsanitize=${FLANEUR_SANITIZE})
+    add_compile_options(-fsanitize=${FLANEUR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${FLANEUR_SANITIZE})
     # One lane wide: the same formulas, and minutes less to compile with every operation instrumented.
-    target_compile_definitions(flaneur_settings INTERFACE HWY_COMPILE_ONLY_SCALAR)
+    add_compile_definitions(HWY_COMPILE_ONLY_SCALAR)
 endif()
 
-# flaneur_library(name SOURCES file... LINK target...)
-function(flaneur_library name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-    add_library(${name} STATIC ${ARG_SOURCES})
-    target_link_libraries(${name} PUBLIC flaneur_settings ${ARG_LINK})
-endfunction()
+# What is built with, all of it looked for before anything is said.
+find_package(Threads REQUIRED)
+include(cmake/dependencies.cmake)
+set(FLANEUR_MISSING "")
+flaneur_find(FLANEUR_MISSING sim)
+flaneur_find(FLANEUR_MISSING assets)
+if(FLANEUR_VULKAN)
+    flaneur_find(FLANEUR_MISSING renderer)
+endif()
+# flaneur_need(HEADER|PROGRAM name file package): FLANEUR_name is the header's folder or the program.
+macro(flaneur_need kind name file package)
+    if(${kind} STREQUAL PROGRAM)
+        find_program(FLANEUR_${name} ${file})
+    else()
+        find_path(FLANEUR_${name} ${file})
+    endif()
+    mark_as_advanced(FLANEUR_${name})
+    if(NOT FLANEUR_${name})
+        list(APPEND FLANEUR_MISSING ${package})
+    endif()
+endmacro()
+flaneur_need(HEADER OSMIUM_INCLUDE osmium/version.hpp libosmium2-dev)
+flaneur_need(HEADER JSON_INCLUDE nlohmann/json.hpp nlohmann-json3-dev)
+if(FLANEUR_VULKAN)
+    flaneur_need(HEADER VULKAN_INCLUDE vulkan/vulkan.h libvulkan-dev)  # volk loads the library at run time
+    flaneur_need(HEADER VOLK_INCLUDE volk.h libvulkan-volk-dev)
+    flaneur_need(PROGRAM GLSLANG glslangValidator glslang-tools)
+endif()
+if(FLANEUR_PROGRAM)
+    flaneur_need(HEADER CLI11_INCLUDE CLI/CLI.hpp libcli11-dev)
+endif()
+if(FLANEUR_TESTS)
+    flaneur_need(HEADER GTEST_INCLUDE gtest/gtest.h libgtest-dev)
+endif()
+if(FLANEUR_MISSING)
+    list(REMOVE_DUPLICATES FLANEUR_MISSING)
+    list(SORT FLANEUR_MISSING)
+    list(JOIN FLANEUR_MISSING " " FLANEUR_MISSING)
+    message(FATAL_ERROR "flaneur is built from libraries and programs that this machine lacks. On Debian:\n"
+        "  apt install ${FLANEUR_MISSING}\n"
+        "-DFLANEUR_VULKAN=OFF builds what draws nothing, and -DFLANEUR_TESTS=OFF no tests; each takes less.")
+endif()
 
-# flaneur_test(name SOURCES file... LINK target...): a GoogleTest program, each case a CTest test.
-function(flaneur_test name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-    add_executable(${name} ${ARG_SOURCES})
-    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest_main)
-    gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+# flaneur_library(name SOURCES file... LINK target... [PUBLIC target...] [HEADERS file...]): flaneur::name, in which
+# HEADERS are what users include, and what these include.
+function(flaneur_library name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PUBLIC;HEADERS" ${ARGN})
+    add_library(flaneur_${name} STATIC ${ARG_SOURCES})
+    add_library(flaneur::${name} ALIAS flaneur_${name})
+    set_target_properties(flaneur_${name} PROPERTIES EXPORT_NAME ${name})
+    target_compile_features(flaneur_${name} PUBLIC cxx_std_20)
+    target_link_libraries(flaneur_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_LINK})
+    if(NOT PROJECT_IS_TOP_LEVEL)
+        target_include_directories(flaneur_${name} INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+    endif()
+    list(TRANSFORM ARG_HEADERS PREPEND ${name}/)
+    set_property(GLOBAL APPEND PROPERTY FLANEUR_HEADERS ${ARG_HEADERS})
+    set_property(GLOBAL APPEND PROPERTY FLANEUR_LIBRARIES ${name})
 endfunction()

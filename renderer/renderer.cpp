@@ -5,79 +5,22 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/check.h"
-#include "renderer/frame.h"
-#include "renderer/warm_up.h"
+#include "renderer/device/check.h"
+#include "renderer/picture/draw.h"
+#include "renderer/picture/warm_up.h"
+#include "renderer/visible/contacts.h"
 
 namespace flaneur {
 namespace {
 
 constexpr uint32_t k_largest_picture = 8192;
 
-Result<void> make_image_ready(const Device& device, FrameSlot& slot) {
-    const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-    FLANEUR_VK(vkCreateSemaphore(device.handle, &info, nullptr, &slot.image_ready), "make a semaphore");
-    return {};
-}
-
-Result<void> make_slot(const Device& device, FrameSlot& slot) {
-    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    pool.queueFamilyIndex = device.queue_family;
-    FLANEUR_VK(vkCreateCommandPool(device.handle, &pool, nullptr, &slot.pool), "make a command pool");
-    VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    commands.commandPool = slot.pool;
-    commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    commands.commandBufferCount = 1;
-    FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &commands, &slot.commands), "make a command buffer");
-    const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    FLANEUR_VK(vkCreateFence(device.handle, &fence, nullptr, &slot.done), "make a fence");
-    FLANEUR_TRY(make_image_ready(device, slot));
-    VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-    if (device.has_timestamps) {
-        queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-        queries.queryCount = k_max_stages + 1;
-        FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.timestamps), "make timers");
-    }
-    if (device.has_counters) {
-        queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
-        queries.queryCount = k_max_stages;
-        queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
-                                     VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT;
-        FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &slot.counters), "make counters");
-    }
-    return {};
-}
-
-void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws,
-                           &slot.contacts, &slot.lines, &slot.fills, &slot.crowd.vertices,
-                           &slot.crowd.indices, &slot.casters.vertices, &slot.casters.indices})
-        destroy_buffer(device, *buffer);
-    if (slot.timestamps) vkDestroyQueryPool(device.handle, slot.timestamps, nullptr);
-    if (slot.counters) vkDestroyQueryPool(device.handle, slot.counters, nullptr);
-    if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
-    if (slot.done) vkDestroyFence(device.handle, slot.done, nullptr);
-    if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);
-}
-
-Result<void> make_descriptor_sets(Renderer& renderer) {
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_slots},
-                                          {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * k_slots},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8 * k_slots}};
-    VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    pool.maxSets = k_slots;
-    pool.poolSizeCount = 3;
-    pool.pPoolSizes = sizes;
-    FLANEUR_VK(vkCreateDescriptorPool(renderer.device.handle, &pool, nullptr, &renderer.descriptor_pool),
-               "make a descriptor pool");
-    for (FrameSlot& slot : renderer.slots) {
-        VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-        info.descriptorPool = renderer.descriptor_pool;
-        info.descriptorSetCount = 1;
-        info.pSetLayouts = &renderer.pipelines.set_layout;
-        FLANEUR_VK(vkAllocateDescriptorSets(renderer.device.handle, &info, &slot.set),
-                   "make a descriptor set");
-    }
+Result<void> make_slots(Renderer& renderer) {
+    for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(make_slot(renderer.device, slot));
+    VkDescriptorSet sets[k_slots] = {};
+    FLANEUR_TRY(
+        make_binding_sets(renderer.device, renderer.pipelines.bindings, renderer.descriptor_pool, sets));
+    for (size_t i = 0; i < k_slots; ++i) renderer.slots[i].set = sets[i];
     return {};
 }
 
@@ -91,11 +34,10 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     r.quality = quality_level(options.quality.value_or(is_cpu ? Quality::medium : Quality::ultra));
     if (options.skins_on_host.value_or(is_cpu)) r.workers = make_workers(0);
     FLANEUR_TRY(make_pipelines(r.device, r.quality, r.swapchain.format, r.pipelines));
-    for (FrameSlot& slot : r.slots) FLANEUR_TRY(make_slot(r.device, slot));
-    FLANEUR_TRY(make_descriptor_sets(r));
+    FLANEUR_TRY(make_slots(r));
     FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.shadows));
     FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
-    if (options.warms_up) FLANEUR_TRY(warm_up(r));
+    FLANEUR_TRY(warm_up(r, options.warms_up_by_day, options.warms_up_by_night));
     return renderer;
 }
 
@@ -198,7 +140,7 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     Result<void> made = make();
     if (made) {
         std::swap(renderer.scene, scene);
-        renderer.shadows.near_box = renderer.shadows.far_box = {};
+        renderer.shadows.held = {};
         renderer.last_view = {};
     }
     destroy_scene(renderer.device, scene);
@@ -224,19 +166,15 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     if (width < 1 || height < 1 || width > largest || height > largest)
         return Error{"A picture of " + std::to_string(width) + " x " + std::to_string(height) +
                      " cannot be drawn: each side must be 1 to " + std::to_string(largest) + " pixels."};
-    for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer, slot));
+    for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     FLANEUR_TRY(fit_picture(renderer, width, height));
-    PictureTarget target;
-    target.image = renderer.picture.handle;
-    target.view = renderer.picture.view;
-    target.fxaa = renderer.pipelines.fxaa_image;
-    target.extent = {width, height};
-    target.before = discarded(k_copied_from);
-    target.after = k_copied_from;
-    target.readback = renderer.readback.handle;
+    const PictureTarget target{.image = renderer.picture,
+                               .fxaa = renderer.pipelines.fxaa_image,
+                               .after = k_copied_from,
+                               .readback = renderer.readback.handle};
     FrameSlot& slot = renderer.slots[0];
     FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
-    FLANEUR_TRY(finish_slot(renderer, slot));
+    FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     Image image{width, height, {}};
     const auto* bytes = static_cast<const uint8_t*>(renderer.readback.mapped);
     image.rgba.assign(bytes, bytes + size_t{4} * width * height);
@@ -247,7 +185,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
     assert(renderer.window);
     Swapchain& swapchain = renderer.swapchain;
     FrameSlot& slot = renderer.slots[renderer.next_slot];
-    FLANEUR_TRY(finish_slot(renderer, slot));
+    FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     if (!slot.image_ready) FLANEUR_TRY(make_image_ready(renderer.device, slot));
     uint32_t index = 0;
     constexpr int tries = 4;  // a window may change again while its images are made anew
@@ -269,14 +207,13 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
         else
             return vulkan_error(result, "get an image of the window");
     }
-    PictureTarget target;
-    target.image = swapchain.images[index];
-    target.view = swapchain.views[index];
-    target.fxaa = renderer.pipelines.fxaa_window;
-    target.extent = swapchain.extent;
-    target.before = {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_NONE,
-                     VK_IMAGE_LAYOUT_UNDEFINED};
-    target.after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+    GpuImage& image = swapchain.images[index];
+    // Its semaphore is waited for before colours are written.
+    image.last.assign(1, {k_colour_target.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
+    const PictureTarget target{
+        .image = image,
+        .fxaa = renderer.pipelines.fxaa_window,
+        .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR}};
     if (Result<void> drawn =
             draw_frame(renderer, slot, frame, target, slot.image_ready, swapchain.drawn[index]);
         !drawn) {

@@ -1,5 +1,10 @@
-// What the renderer is handed: plain data, no simulation types. A scene is uploaded once; a frame is what
-// moves.
+// What the renderer is handed, all of it plain data. SceneMeshes is uploaded once: a city, the people who
+// walk in it, and its lamps. FrameInput is what moves: camera, sun, walkers. Either may be as empty as it is
+// made: a scene without people is a city, a scene without anything is sky. shapes.h has simple pieces of a
+// city to begin with.
+//
+// Metres, seconds, radians; right-handed, +y up. Triangles run counter-clockwise seen from their front, and
+// only fronts are seen. Colours are sRGB, R in the lowest byte: 0xff0000ff is red.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +14,8 @@
 #include <vector>
 
 #include "renderer/shared.h"
+#include "renderer/work_views.h"
+#include "sim/base/levels.h"
 
 namespace flaneur {
 
@@ -19,9 +26,10 @@ struct CityVertex {
     // that vertices joined by triangles span. Crossing: u along the way people cross. Other ground: the
     // ground plane. Scenery: of its texture, which repeats.
     glm::vec2 uv;
-    int8_t normal[4];   // unit vector * 127; [3] unused
-    uint16_t material;  // k_material_*
-    uint16_t extra;     // facades: facade_extra. Scenery: 1 + index into CityMesh::textures, or 0.
+    int8_t normal[4];    // unit vector * 127; [3] unused
+    uint16_t material;   // k_material_*
+    uint16_t extra;      // facades: facade_extra. Scenery: 1 + index into CityMesh::textures, or 0.
+    uint32_t house = 0;  // facades: any number; those of one house share their taste in windows and doors
 };
 
 // How a facade's windows look; at most four kinds.
@@ -30,10 +38,11 @@ enum class WindowKind : uint8_t { sash, shuttered, arched, wide };
 // and which bay the door is in, counted from u = 0 (up to the 15th; -1: none).
 inline uint16_t facade_extra(float storey, bool shop, int door_bay = -1,
                              WindowKind windows = WindowKind::sash) {
-    auto height = static_cast<uint32_t>(storey * 20 + 0.5f) & 0x1ffu;
-    auto door = static_cast<uint32_t>(door_bay >= 0 && door_bay < 15 ? door_bay + 1 : 0);
-    return static_cast<uint16_t>(height | (shop ? 0x200u : 0u) | door << 10 |
-                                 static_cast<uint32_t>(windows) << 14);
+    const uint32_t height = static_cast<uint32_t>(storey / k_storey_unit + 0.5f) & k_storey_mask;
+    const bool has_door = door_bay >= 0 && door_bay < static_cast<int>(k_door_mask);
+    const uint32_t door = has_door ? static_cast<uint32_t>(door_bay + 1) : 0;
+    return static_cast<uint16_t>(height | uint32_t{shop} << k_shop_shift | door << k_door_shift |
+                                 static_cast<uint32_t>(windows) << k_windows_shift);
 }
 
 struct PersonVertex {
@@ -51,7 +60,7 @@ struct RgbaImage {
     std::vector<uint8_t> rgba;  // sRGB, rows from the top
 };
 
-// From where a triangle of the city is drawn; see k_fine_pixels.
+// From where a triangle of the city is drawn: nearer or farther than where a metre is 25 pixels.
 enum class SeenFrom : uint8_t { near, anywhere, far };
 
 struct CityMesh {
@@ -61,9 +70,12 @@ struct CityMesh {
     std::vector<RgbaImage> textures;  // of scenery; nothing is seen where alpha is below a half
 };
 
+inline constexpr uint32_t k_max_lods = k_person_levels;
+
 struct PersonMesh {
     std::vector<PersonVertex> vertices;
-    std::vector<std::vector<uint32_t>> lods;  // triangle lists, finest first
+    std::vector<std::vector<uint32_t>>
+        lods;  // triangle lists, finest first, some equal; those after k_max_lods are not drawn
     std::vector<RgbaImage> textures;
     // What impostors are baked from: k_stride_poses poses of k_palette_joints transforms each, about
     // WalkerDraw::centre, facing +z: a walk at phases 0, 1/8 .. 7/8, then standing. Empty: the mesh has no
@@ -110,42 +122,6 @@ struct Camera {
 
 struct Sun {
     glm::vec3 direction{0.4f, 0.42f, 0.8f};  // towards the sun, unit; at night below the horizon
-};
-
-// What surfaces show: their light, or for work how they are made. Overdraw: brighter where a pixel is drawn
-// more often.
-enum class Surfaces : uint8_t { lit, wireframe, normals, overdraw };
-
-// What people are coloured by: their own colours; their tints alone, without textures; or one colour for each
-// level of detail (k_level_colours).
-enum class PeopleColours : uint8_t { own, tints, levels };
-// sRGB, R in the lowest byte: of meshes, finest first, then of impostors.
-inline constexpr uint32_t k_level_colours[] = {0xff5fae4eu, 0xff3cc4d8u, 0xff2f86e2u,
-                                               0xff3a45c8u, 0xffa04a9bu, 0xffd08a3fu};
-
-// A line drawn over the picture, with round ends, anti-aliased. As wide as it says in pixels, or as its radii
-// look from the eye, whichever is more; one with radii is shaded like a rod. A point is a line without
-// length.
-enum class GizmoPlace : uint32_t {
-    in_world,         // dimmed where things hide it
-    in_world_hidden,  // not drawn where things hide it
-    on_picture,  // x and y of both ends are shares of the picture's width and height, from the upper left
-};
-struct GizmoLine {
-    glm::vec3 a{0};      // metres
-    float radius_a = 0;  // metres
-    glm::vec3 b{0};
-    float radius_b = 0;
-    glm::vec2 shift_a{0}, shift_b{0};  // of the ends on the picture, pixels to the right and down
-    float pixels = 2;
-    uint32_t colour = ~0u;  // sRGB and alpha, R in the lowest byte
-    GizmoPlace place = GizmoPlace::in_world;
-};
-
-// A corner of a triangle laid over the scene, a little nearer to the eye than it is.
-struct GizmoCorner {
-    glm::vec3 place;      // metres
-    uint32_t colour = 0;  // sRGB and alpha, R in the lowest byte
 };
 
 // Everything that may change from frame to frame.

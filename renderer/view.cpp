@@ -6,18 +6,9 @@
 namespace flaneur {
 namespace {
 
+constexpr float k_least_tan_elevation = 0.1f;  // shadows are not followed farther than ten times the body
+
 bool is_finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-glm::mat4 from_rows(glm::vec4 a, glm::vec4 b, glm::vec4 c, glm::vec4 d) {
-    return glm::transpose(glm::mat4(a, b, c, d));
-}
-
-// A unit vector square to `v`, level where that is possible.
-glm::vec3 level_across(glm::vec3 v) {
-    const glm::vec3 across = glm::cross(v, glm::vec3(0, 1, 0));
-    const float length = glm::length(across);
-    return length > 1e-4f ? across / length : glm::vec3(1, 0, 0);
-}
 
 glm::vec4 plane_through(glm::vec3 point, glm::vec3 normal) {
     normal = glm::normalize(normal);
@@ -25,6 +16,16 @@ glm::vec4 plane_through(glm::vec3 point, glm::vec3 normal) {
 }
 
 }  // namespace
+
+glm::mat4 from_rows(glm::vec4 a, glm::vec4 b, glm::vec4 c, glm::vec4 d) {
+    return glm::transpose(glm::mat4(a, b, c, d));
+}
+
+glm::vec3 level_across(glm::vec3 v) {
+    const glm::vec3 across = glm::cross(v, glm::vec3(0, 1, 0));
+    const float length = glm::length(across);
+    return length > 1e-4f ? across / length : glm::vec3(1, 0, 0);
+}
 
 View make_view(const Camera& camera, uint32_t width, uint32_t height) {
     const bool is_sane = is_finite(camera.eye) && is_finite(camera.target);
@@ -58,51 +59,6 @@ View make_view(const Camera& camera, uint32_t width, uint32_t height) {
     return view;
 }
 
-glm::vec3 sun_direction(const Sun& sun) {
-    glm::vec3 direction = sun.direction;
-    const float length = glm::length(direction);
-    if (!std::isfinite(length) || length < 1e-6f) direction = Sun{}.direction;
-    return glm::normalize(direction);
-}
-
-glm::vec3 above_horizon(glm::vec3 direction, float lowest) {
-    if (direction.y >= std::sin(lowest)) return direction;
-    const glm::vec3 level(direction.x, 0, direction.z);
-    const float across = glm::length(level);
-    return (across > 1e-6f ? level / across : glm::vec3(1, 0, 0)) * std::cos(lowest) +
-           glm::vec3(0, std::sin(lowest), 0);
-}
-
-Slice fine_shadow_slice(const View& view, float height) {
-    constexpr float step = 4;
-    const float h = std::clamp(std::floor(height / step) * step, 0.0f, 200.0f);
-    const float fall = -(view.forward.y + view.down.y);  // of the lowest ray, for each metre ahead
-    float near = 2 * h;
-    if (fall > 0) near = std::min(near, std::floor(0.8f * h / fall / step) * step);
-    return {near, std::max(60 + 3 * h, near + 60)};
-}
-
-ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t resolution) {
-    // The sphere through the corners of both ends, or about the far end if that is smaller.
-    const float spread = glm::dot(view.right, view.right) + glm::dot(view.down, view.down);
-    const float ahead = std::min((slice.near + slice.far) / 2 * (1 + spread), slice.far);
-    const glm::vec3 centre = view.eye + view.forward * ahead;
-    const float rest = slice.far - ahead;
-    const float radius = std::ceil(std::sqrt(rest * rest + spread * slice.far * slice.far));
-
-    ShadowBox box;
-    const float step_wish = radius / 8;
-    box.size = 2 * radius + 2 * step_wish;
-    box.texel = box.size / static_cast<float>(resolution);
-    const float step = std::max(std::floor(step_wish / box.texel), 1.0f) * box.texel;
-    const glm::vec3 u = level_across(to_sun), v = glm::cross(u, to_sun);
-    auto snapped = [&](glm::vec3 axis) { return std::round(glm::dot(axis, centre) / step) * step; };
-    // From the axis' coordinate to 0..1 over the box.
-    auto row = [&](glm::vec3 axis) { return glm::vec4(axis / box.size, 0.5f - snapped(axis) / box.size); };
-    box.map_from_world = from_rows(row(u), row(v), row(-to_sun), {0, 0, 0, 1});
-    return box;
-}
-
 bool sees_sphere(const View& view, glm::vec3 centre, float radius) {
     return std::all_of(view.planes.begin(), view.planes.end(), [&](const glm::vec4& plane) {
         return glm::dot(glm::vec3(plane), centre) + plane.w >= -radius;
@@ -118,20 +74,20 @@ bool sees_box(const View& view, glm::vec3 low, glm::vec3 high) {
     });
 }
 
-bool casts_into(const ShadowBox& box, glm::vec3 low, glm::vec3 high) {
-    const glm::vec3 centre = (low + high) * 0.5f, half = (high - low) * 0.5f;
-    const glm::vec3 middle(box.map_from_world * glm::vec4(centre, 1));
-    glm::vec3 reach(0);
-    for (int axis = 0; axis < 3; ++axis) reach += glm::abs(glm::vec3(box.map_from_world[axis])) * half[axis];
-    return middle.x + reach.x >= 0 && middle.x - reach.x <= 1 && middle.y + reach.y >= 0 &&
-           middle.y - reach.y <= 1 && middle.z - reach.z <= 1;
+float pixels_of(const View& view, glm::vec3 centre, float radius) {
+    return 2 * radius * view.pixels_at_one_metre / glm::length(centre - view.eye);
 }
 
-bool casts_into(const ShadowBox& box, glm::vec3 centre, float radius) {
-    const glm::vec3 middle(box.map_from_world * glm::vec4(centre, 1));
-    const float reach = radius / box.size;
-    return middle.x + reach >= 0 && middle.x - reach <= 1 && middle.y + reach >= 0 && middle.y - reach <= 1 &&
-           middle.z - reach <= 1;
+BodySphere with_shadow(glm::vec3 centre, float radius, glm::vec3 to_sun) {
+    const float across = std::sqrt(to_sun.x * to_sun.x + to_sun.z * to_sun.z);
+    const float fall = 2 * radius / std::max(to_sun.y / std::max(across, 1e-3f), k_least_tan_elevation);
+    return {centre - glm::vec3(to_sun.x, 0, to_sun.z) * (fall / 2), radius + fall / 2};
+}
+
+bool needs_pose(const PoseNeeds& needs, glm::vec3 centre, float radius) {
+    if (!(pixels_of(needs.view, centre, radius) >= needs.pixels)) return false;
+    const BodySphere both = with_shadow(centre, radius, needs.to_sun);
+    return sees_sphere(needs.view, both.centre, both.radius);
 }
 
 }  // namespace flaneur

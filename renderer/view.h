@@ -1,4 +1,4 @@
-// Cameras and light as matrices. Pure functions; metres and radians.
+// What a camera sees, as matrices and planes, and who is seen how large. Pure functions; metres and radians.
 #pragma once
 
 #include <array>
@@ -21,39 +21,32 @@ struct View {
 // clamped.
 View make_view(const Camera& camera, uint32_t width, uint32_t height);
 
-// A unit vector towards the sun; for no direction at all, the default Sun's.
-glm::vec3 sun_direction(const Sun& sun);
-// A unit vector turned upwards to at least `lowest` radians above the horizon.
-glm::vec3 above_horizon(glm::vec3 direction, float lowest);
-
-// A part of the view, along `forward`, metres.
-struct Slice {
-    float near = 0, far = 60;
-};
-
-// The part that wants fine shadows: the 60 m ahead of an eye on the street, and more, from where the ground
-// comes into sight, for an eye `height` metres above it.
-Slice fine_shadow_slice(const View& view, float height);
-
-// A square map of depths seen from the sun.
-struct ShadowBox {
-    glm::mat4 map_from_world{0.0f};  // u, v and depth within 0..1; depth grows away from the sun
-    float texel = 1;                 // metres
-    float size = 0;                  // metres along each edge
-    bool operator==(const ShadowBox&) const = default;
-};
-
-// The box about a slice's bounding sphere. It moves in whole steps of an eighth of the sphere's radius, each
-// a whole number of texels, so shadows do not crawl and what is still can be kept from frame to frame.
-ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t resolution);
-
 // Whether a sphere is, at least in part, within the planes (may say yes for a sphere outside near a corner).
 bool sees_sphere(const View& view, glm::vec3 centre, float radius);
 bool sees_box(const View& view, glm::vec3 low, glm::vec3 high);
 
-// Whether a box may throw a shadow into the map: it overlaps it seen from the sun, and does not lie behind
-// it.
-bool casts_into(const ShadowBox& box, glm::vec3 low, glm::vec3 high);
-bool casts_into(const ShadowBox& box, glm::vec3 centre, float radius);
+// How many pixels high a sphere is seen.
+float pixels_of(const View& view, glm::vec3 centre, float radius);
+
+struct BodySphere {
+    glm::vec3 centre;
+    float radius;
+};
+// About the middle of a body and its shadow on the ground, both within it. Shadows longer than ten times the
+// body are not followed.
+BodySphere with_shadow(glm::vec3 centre, float radius, glm::vec3 to_sun);
+
+// Whose joints a frame asks for, as pose_needs() in renderer.h says: the others may be handed over with
+// k_no_palette, and the picture is the same. `centre` and `radius` as WalkerDraw's.
+struct PoseNeeds {
+    View view;
+    glm::vec3 to_sun{0, 1, 0};
+    float pixels = 0;  // bodies whose spheres are smaller are drawn without joints
+};
+bool needs_pose(const PoseNeeds& needs, glm::vec3 centre, float radius);
+
+// A unit vector square to `v`, level where that is possible.
+glm::vec3 level_across(glm::vec3 v);
+glm::mat4 from_rows(glm::vec4 a, glm::vec4 b, glm::vec4 c, glm::vec4 d);
 
 }  // namespace flaneur

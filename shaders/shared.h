@@ -31,9 +31,12 @@ struct WalkerInstance {
 FLANEUR_CONST int k_stride_phases = 8;
 FLANEUR_CONST int k_stride_poses = k_stride_phases + 1;  // the last one stands
 FLANEUR_CONST int k_impostor_sides = 16;                 // about the vertical, 0 in front, growing towards +x
-FLANEUR_CONST int k_impostor_tilts = 3;                  // how far the viewer is above, see impostor.glsl
+FLANEUR_CONST int k_impostor_tilts = 3;                  // how far the viewer is above the horizon
 FLANEUR_CONST int k_impostor_views = k_impostor_sides * k_impostor_tilts;
 FLANEUR_CONST int k_person_cells = k_stride_poses * k_impostor_views;
+
+// Sine and cosine of the tilts: 0, 22.5 and 50 degrees.
+FLANEUR_CONST vec2 k_tilts[k_impostor_tilts] = {vec2(0, 1), vec2(0.38268f, 0.92388f), vec2(0.76604f, 0.64279f)};
 
 struct ImpostorCell {
     vec4 box;  // what is seen, metres about the body's centre on the plane square to the view: left and lower
@@ -50,7 +53,7 @@ struct ImpostorInstance {
     uint unused[3];
 };
 
-// What a city vertex is made of; city.frag draws each by a procedure.
+// What a city vertex is made of; shaders/city/ draws each by a procedure.
 FLANEUR_CONST uint k_material_road = 0;
 FLANEUR_CONST uint k_material_sidewalk = 1;
 FLANEUR_CONST uint k_material_crossing = 2;
@@ -71,13 +74,30 @@ FLANEUR_CONST uint k_material_shade = 15;    // darkens the ground below it; u: 
                                              //   v: how much
 FLANEUR_CONST uint k_material_scenery = 16;  // u, v of a picture; extra: its layer, 0 for none
 
+// Facades. A wall is fitted with bays about so wide, each with one window, metres.
+FLANEUR_CONST float k_bay = 2.7f;
+// CityVertex::extra of one, from the lowest bit on: height of its storeys, in units of so many metres; whether it has
+// shop fronts; 1 + the bay of its door, or 0; its WindowKind.
+FLANEUR_CONST float k_storey_unit = 0.05f;
+FLANEUR_CONST uint k_storey_mask = 0x1ffu;
+FLANEUR_CONST uint k_shop_shift = 9u;
+FLANEUR_CONST uint k_door_shift = 10u;
+FLANEUR_CONST uint k_door_mask = 15u;
+FLANEUR_CONST uint k_windows_shift = 14u;
+
+// Layers of the shadow map: near, of city and people; far, of the city; near, of the city alone.
+FLANEUR_CONST int k_near_layer = 0;
+FLANEUR_CONST int k_far_layer = 1;
+FLANEUR_CONST int k_still_layer = 2;
+FLANEUR_CONST int k_shadow_layers = 3;
+
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
 FLANEUR_CONST int k_binding_instances = 1;  // WalkerInstance[]
 FLANEUR_CONST int k_binding_palette = 2;    // JointTransform[]
 FLANEUR_CONST int k_binding_impostors = 3;  // ImpostorInstance[]
 FLANEUR_CONST int k_binding_cells = 4;      // ImpostorCell[]
-FLANEUR_CONST int k_binding_shadow = 5;     // two layers: near (city and crowd), far (city)
+FLANEUR_CONST int k_binding_shadow = 5;     // k_shadow_layers
 FLANEUR_CONST int k_binding_textures = 6;   // base colours of people, layer 0 white
 FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing, luma in alpha
 FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
@@ -85,7 +105,7 @@ FLANEUR_CONST int k_binding_scenery = 9;    // pictures of the city's scenery, l
 FLANEUR_CONST int k_binding_lamps = 10;     // LampMap
 FLANEUR_CONST int k_binding_depth = 11;     // of the picture, four samples
 FLANEUR_CONST int k_binding_occlusion = 12; // half as wide and high, 1 where nothing is near
-FLANEUR_CONST int k_bindings = 13;          // up to k_binding_cells buffers, then images
+FLANEUR_CONST int k_bindings = 13;       
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
@@ -122,6 +142,7 @@ struct FrameConstants {
     vec4 far_scale;          // far map's u, v, depth = near map's * scale + offset
     vec4 far_offset;
     vec4 shadow_texels;  // metres a texel: near, far; resolution; 1 / resolution
+    vec4 people_shadows; // how plain people's are at d metres from the eye: x - y * d * d, within 0..1
     vec4 eye;            // metres
     vec4 ray_forward;    // the view ray through normalised device coordinates x, y is
     vec4 ray_right;      //   forward + x * right + y * down; w of forward: metres a pixel

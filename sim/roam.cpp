@@ -15,7 +15,7 @@ Roam::Frame frame_on(const SurfaceWalkers& w, size_t i) {
 Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed) {
     Roam roam;
     roam.compound = std::move(compound);
-    roam.walkers = place_on_surface(roam.compound, crowd.preferred_speed, seed);
+    roam.walkers = place_on_surface(roam.compound, crowd.identity.preferred_speed, seed);
     if (roam.walkers.position.size() != crowd.count)
         return Error{"There is nothing to walk on where walkers are set down; give it closed shapes."};
     for (size_t i = 0; i < crowd.count; ++i) roam.frames.push_back(frame_on(roam.walkers, i));
@@ -31,10 +31,10 @@ void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t 
         walk_on_surface(roam.compound, w, begin, end, seed, tick, k_tick);
         for (size_t i = begin; i < end; ++i) {
             roam.frames[i] = frame_on(w, i);
-            Vec2 way = heading_direction(crowd.heading[i]) * w.moved[i];
-            crowd.velocity[i] = crowd.chosen[i] = way / k_tick;
-            crowd.turn_rate[i] = w.turn_rate[i];
-            carry_feet(gait, i, crowd.position[i], -w.turn_rate[i] * k_tick, at_height(-way, 0));
+            Vec2 way = heading_direction(crowd.motion.heading[i]) * w.moved[i];
+            crowd.motion.velocity[i] = crowd.decision.chosen[i] = way / k_tick;
+            crowd.motion.turn_rate[i] = w.turn_rate[i];
+            carry_feet(gait, i, crowd.motion.position[i], -w.turn_rate[i] * k_tick, at_height(-way, 0));
         }
     });
 }

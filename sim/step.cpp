@@ -25,15 +25,29 @@ void add_idles(World& w) {
                  [&](size_t begin, size_t end, int) { apply_plays(w.idles, begin, end, w.poses); });
 }
 
+// Calls work(first, last) for each run of slots of [begin, end) that all have a walker.
+template <class Work>
+void for_those_there(const Crowd& crowd, size_t begin, size_t end, const Work& work) {
+    auto there = [&](size_t i) { return i < crowd.count && is_there(crowd, static_cast<uint32_t>(i)); };
+    for (size_t i = begin; i < end; ++i) {
+        size_t first = i;
+        while (i < end && there(i)) ++i;
+        if (i > first) work(first, i);
+    }
+}
+
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
-        RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
-                        w.crowd.turn_rate.data(), w.crowd.chosen.data()};
-        parallel_for(*w.workers, w.gait.count, k_blocks_a_chunk * k_block,
+        const CrowdMotion& m = w.crowd.motion;
+        RootMotion root{m.position.data(), m.velocity.data(), m.heading.data(), m.turn_rate.data(),
+                        w.crowd.decision.chosen.data()};
+        parallel_for(*w.workers, w.crowd.count, k_blocks_a_chunk * k_block,
                      [&](size_t begin, size_t end, int) {
-                         advance_gait(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);
-                         reach_for_walls(w.gait, begin, end, root, w.city, w.seed, w.tick, k_tick);
+                         for_those_there(w.crowd, begin, end, [&](size_t first, size_t last) {
+                             advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
+                             reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
+                         });
                      });
     });
     timed(w, Stage::pose, [&] {
@@ -49,16 +63,19 @@ void step_bodies(World& w) {
 
 }  // namespace
 
-void step(World& w) {
-    if (w.roam) {
-        timed(w, Stage::move, [&] { step_roam(*w.roam, w.crowd, w.gait, *w.workers, w.seed, w.tick); });
-        step_bodies(w);
-        return;
-    }
-    timed(w, Stage::think, [&] { think(w.crowd, w.city, *w.navmesh, *w.workers, w.tick, w.seed); });
+void drive_crowd(World& w) {
+    timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.city, *w.navmesh, *w.workers); });
+    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers); });
+}
+
+void drive_roam(World& w) {
+    timed(w, Stage::move, [&] { step_roam(*w.roam, w.crowd, w.gait, *w.workers, w.seed, w.tick); });
+}
+
+void step(World& w) {
+    w.drive(w);
     step_bodies(w);
 }
 

@@ -1,5 +1,7 @@
 #include "sim/world.h"
 
+#include <bit>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -8,70 +10,154 @@
 
 namespace flaneur {
 
-Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
-                                          const std::function<void(std::string_view, float)>& progress) {
-    auto mesh = build_navmesh(city, options.navmesh, options.threads, [&](float share) {
-        if (progress) progress("building the navigation mesh", share);
-    });
-    if (!mesh) return mesh.error();
-    return make_world(std::move(city), std::move(mesh).value(), options, progress);
+static Manner manner_of(const World& world, uint32_t walker) {
+    const Crowd& c = world.crowd;
+    Manner middle = manner_at_age(world.kinds[c.identity.body[walker]].age);
+    return draw_manner(middle, {world.seed, walker, c.slots.generation[walker], Purpose::style});
 }
 
-Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const WorldOptions& options,
-                                          const std::function<void(std::string_view, float)>& progress) {
+Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, const WorldOptions& options,
+                                          const std::function<bool(std::string_view, float)>& progress) {
+    const int threads = options.tasks.run ? 1 : options.threads;  // none of our own beside somebody's
+    auto mesh = build_navmesh(*ground, options.navmesh, threads, [&](float share) {
+        return !progress || progress("building the navigation mesh", share);
+    });
+    if (!mesh) return mesh.error();
+    return make_world(std::move(ground), std::move(mesh).value(), options, progress);
+}
+
+// As it is now, and as if it had been before.
+static void pose_everybody(World& w) {
+    pose_blocks(w.gait, 0, w.gait.blocks.size(), w.poses);
+    w.previous_poses = w.poses;
+}
+
+Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
+                                          const WorldOptions& options,
+                                          const std::function<bool(std::string_view, float)>& progress) {
     auto world = std::make_unique<World>();
-    world->city = std::move(city);
+    world->ground = std::move(ground);
+    world->around = options.around.ground ? options.around : surroundings_of(*world->ground);
     world->navmesh = std::move(mesh);
     world->seed = options.seed;
-    world->workers = make_workers(options.threads);
+    world->workers = options.tasks.run ? make_workers(options.tasks) : make_workers(options.threads);
+    world->drive = drive_crowd;
     prepare_queries(*world->navmesh, thread_count(*world->workers));
 
-    if (progress) progress("setting down the walkers", 0);
-    std::vector<Folk> folk;
+    if (progress && !progress("setting down the walkers", 0))
+        return Error{"the world of '" + world->ground->name + "' was given up"};
+    world->kinds = options.kinds;
+    std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
-        world->bodies.push_back(kind.body);
+        bodies.push_back(kind.body);
         float leg = leg_length(kind.body);
-        folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg)});
+        world->folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg)});
     }
-    auto crowd = populate(world->city, *world->navmesh, *world->workers, options.walkers, folk, options.seed,
-                          options.hour);
+    auto crowd =
+        populate(*world->ground, world->around, options.destinations, *world->navmesh, *world->workers,
+                 options.walkers, world->folk, options.seed, options.hour, options.capacity);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
 
-    RootMotion root{world->crowd.position.data(), world->crowd.velocity.data(), world->crowd.heading.data(),
-                    world->crowd.turn_rate.data(), world->crowd.chosen.data()};
+    RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),
+                    world->crowd.motion.heading.data(), world->crowd.motion.turn_rate.data(),
+                    world->crowd.decision.chosen.data()};
     std::vector<Manner> manners;
-    for (uint32_t i = 0; i < world->crowd.count; ++i) {
-        Manner middle = manner_at_age(options.kinds[world->crowd.body[i]].age);
-        manners.push_back(draw_manner(middle, {world->seed, i, 0, Purpose::style}));
-    }
-    start_gait(world->gait, world->crowd.count, world->bodies, world->crowd.body.data(),
-               world->crowd.scale.data(), root, world->city, world->seed, manners.data());
-    world->idles = make_layer(options.idles, world->crowd.count);
+    const CrowdIdentity& who = world->crowd.identity;
+    for (uint32_t i = 0; i < world->crowd.count; ++i) manners.push_back(manner_of(*world, i));
+    start_gait(world->gait, world->crowd.count, bodies, who.body.data(), who.scale.data(), root,
+               world->around, world->seed, manners.data());
+    reserve_gait(world->gait, world->crowd.capacity, bodies[0], world->seed);
+    world->newcomer.blocks.resize(1);
+    world->newcomer.people.resize(1);
+    world->newcomer_pose.resize(1);
+    world->idles = make_layer(options.idles, world->crowd.capacity);
     world->poses.resize(world->gait.blocks.size());
-    pose_blocks(world->gait, 0, world->gait.blocks.size(), world->poses);
-    world->previous_poses = world->poses;
+    pose_everybody(*world);
     if (progress) progress("setting down the walkers", 1);
     return world;
+}
+
+static void start_feet(World& w, uint32_t walker) {
+    const CrowdIdentity& who = w.crowd.identity;
+    start_walker(w.gait, walker, w.kinds[who.body[walker]].body, who.scale[walker],
+                 w.crowd.motion.position[walker], w.crowd.motion.heading[walker], w.around, w.seed,
+                 manner_of(w, walker));
 }
 
 Result<void> set_down(World& world, Compound compound) {
     auto roam = make_roam(std::move(compound), world.crowd, world.seed);
     if (!roam) return roam.error();
     world.roam = std::make_unique<Roam>(std::move(roam).value());
+    world.drive = drive_roam;
+    // On the mesh they have neither place nor goal any more: each walks at its middle, and is carried from
+    // there.
+    Crowd& crowd = world.crowd;
+    for (uint32_t i = 0; i < crowd.count; ++i) {
+        crowd.motion.position[i] = {0, crowd.motion.under[i].height, 0};
+        crowd.motion.heading[i] = 0;
+        crowd.journeys[i] = {};
+        start_feet(world, i);
+    }
+    pose_everybody(world);
     return {};
+}
+
+// Poses the walker's block as it is now, and writes its lane alone.
+static void pose_newcomer(World& w, uint32_t walker) {
+    size_t block = walker / k_block, lane = walker % k_block;
+    w.newcomer.blocks[0] = w.gait.blocks[block];
+    w.newcomer.people[0] = w.gait.people[block];
+    pose_blocks(w.newcomer, 0, 1, w.newcomer_pose);
+    const auto* from = reinterpret_cast<const unsigned char*>(&w.newcomer_pose[0]);
+    for (auto* poses : {&w.poses, &w.previous_poses}) {
+        auto* to = reinterpret_cast<unsigned char*>(&(*poses)[block]);
+        for (size_t row = 0; row < sizeof(PoseBlock) / (4 * k_block); ++row) {
+            size_t at = (row * k_block + lane) * 4;
+            std::memcpy(to + at, from + at, 4);
+        }
+    }
+    forget_plays(w.idles, walker);
+}
+
+void start_body(World& w, uint32_t walker) {
+    start_feet(w, walker);
+    pose_newcomer(w, walker);
+}
+
+void end_body(World& w, uint32_t walker) {
+    end_walker(w.gait, walker, w.kinds[0].body, w.seed);
+    pose_newcomer(w, walker);
+}
+
+JointPose joint_between(const World& w, size_t walker, Joint joint, float between) {
+    JointPose last = joint_pose(w.poses, walker, joint), before = joint_pose(w.previous_poses, walker, joint);
+    const Quat &a = before.rotation, &b = last.rotation;
+    float sign = dot(a, b) < 0 ? -1.0f : 1.0f;
+    return {lerp(before.position, last.position, between),
+            normalize(Quat{lerp(a.x, sign * b.x, between), lerp(a.y, sign * b.y, between),
+                           lerp(a.z, sign * b.z, between), lerp(a.w, sign * b.w, between)})};
 }
 
 uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
+    auto add = [&](const auto&... arrays) {
+        ((hash = hash_bytes(hash, arrays.data(), arrays.size() * sizeof(arrays[0]))), ...);
+    };
     if (world.roam) {
-        const auto& frames = world.roam->frames;
-        hash = hash_bytes(hash, frames.data(), frames.size() * sizeof(frames[0]));
+        const SurfaceWalkers& w = world.roam->walkers;
+        add(world.roam->frames, w.position, w.up, w.ahead, w.speed, w.pace, w.turn_rate, w.moved);
     }
     static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
-    hash = hash_bytes(hash, world.gait.blocks.data(), world.gait.blocks.size() * sizeof(GaitBlock));
-    return hash_bytes(hash, world.poses.data(), world.poses.size() * sizeof(PoseBlock));
+    add(world.gait.blocks, world.gait.people, world.poses);
+    add(world.idles.wanted, world.idles.playing, world.idles.stood);
+    for (const ClipPlay& play : world.idles.plays) {
+        for (uint32_t word : {play.walker, uint32_t{play.clip}, std::bit_cast<uint32_t>(play.phase),
+                              std::bit_cast<uint32_t>(play.fade)})
+            hash = mix(hash ^ word);
+    }
+    return hash;
 }
 
 }  // namespace flaneur

@@ -1,4 +1,5 @@
-// A city with people in it, and the tick that moves them on.
+// What lies behind a World of sim.h, for this project's own tools: ground with people on it, and the tick
+// that moves them on.
 #pragma once
 
 #include <cstdint>
@@ -7,36 +8,20 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/animation/layer.h"
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
-#include "sim/city/city.h"
-#include "sim/city/navmesh.h"
+#include "sim/body/body.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
-#include "sim/pose/body.h"
-#include "sim/pose/layer.h"
+#include "sim/ground/ground.h"
+#include "sim/ground/surroundings.h"
+#include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
 #include "sim/roam.h"
+#include "sim/sim.h"
 
 namespace flaneur {
-
-// A body that walkers have, and who has such a body.
-struct Kind {
-    Body body;
-    float share = 1;  // of all walkers, against the other kinds' shares; above 0
-    float age = 30;   // years: with sex and legs it sets how fast they walk, and with it how they move
-    bool woman = false;
-};
-
-struct WorldOptions {
-    uint32_t walkers = 500;
-    uint64_t seed = 1;
-    int threads = 0;                                  // 0: one a core
-    std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
-    std::vector<Clip> idles;  // of the humanoid, additive; each who stands a while plays one of them
-    NavmeshSettings navmesh;
-    float hour = 17.5f;  // of the day, 0..24, at the first tick
-};
 
 // The stages of a tick, in order.
 enum class Stage : int { think, neighbours, steer, move, gait, pose };
@@ -45,37 +30,52 @@ inline constexpr std::string_view k_stage_names[k_stage_count] = {"think", "neig
                                                                   "move",  "gait",       "pose"};
 
 struct World {
-    City city;
+    std::shared_ptr<const Ground> ground;
+    Surroundings around;  // what feet and hands ask
     NavmeshPtr navmesh;
     WorkersPtr workers;
-    std::vector<Body> bodies;  // one of each kind
+    std::vector<Kind> kinds;
+    std::vector<Folk> folk;  // who has such a body, one of each kind
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
 
+    void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
     Crowd crowd;
+    std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Gait gait;
-    std::unique_ptr<Roam> roam;  // of those who walk on a compound, with `city` as their stage; else null
     ClipLayer idles;
     std::vector<PoseBlock> poses, previous_poses;  // after the last tick and the one before
+
+    // One block, in which who comes or goes is posed.
+    Gait newcomer;
+    std::vector<PoseBlock> newcomer_pose;
 
     double stage_ms[k_stage_count] =
         {};  // wall time of the last tick; measured, never read by the simulation
 };
 
-// Sets the walkers down on a city's navigation mesh; without one, builds it. `progress`, if given, is called
-// with what is being done and how much of it, 0..1. Refuses a city that has no room for so many.
-Result<std::unique_ptr<World>> make_world(City city, NavmeshPtr mesh, const WorldOptions& options,
-                                          const std::function<void(std::string_view, float)>& progress = {});
-Result<std::unique_ptr<World>> make_world(City city, const WorldOptions& options,
-                                          const std::function<void(std::string_view, float)>& progress = {});
+// Sets the walkers down on the ground's navigation mesh; without one, builds it. `progress`, if given, is
+// called with what is being done and how much of it, 0..1; where it answers false, the world is given up with
+// an error. Refuses ground that has no room for so many.
+Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
+                                          const WorldOptions& options,
+                                          const std::function<bool(std::string_view, float)>& progress = {});
+Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, const WorldOptions& options,
+                                          const std::function<bool(std::string_view, float)>& progress = {});
 
-// Sets everybody down on a compound. The city is level ground and becomes their stage.
+// Sets everybody down on a compound. The ground is level and becomes their stage.
 Result<void> set_down(World& world, Compound compound);
 
-// One tick of k_tick seconds.
-void step(World& world);
+// The drives. People who go where they want to: think, find neighbours, steer, move.
+void drive_crowd(World& world);
+// People who roam all round a compound.
+void drive_roam(World& world);
 
-// The hash of the whole state, poses included: equal for equal runs on any machine.
-uint64_t hash_world(const World& world);
+// Gait, pose and idles of a walker that came, or is gone, in slot `walker`.
+void start_body(World& world, uint32_t walker);
+void end_body(World& world, uint32_t walker);
+
+// A joint `between` 0, the tick before the last, and 1, the last.
+JointPose joint_between(const World& world, size_t walker, Joint joint, float between);
 
 }  // namespace flaneur

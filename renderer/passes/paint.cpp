@@ -1,38 +1,32 @@
 // Surfaces without light, for the views that show how the picture is made.
-#include "renderer/frame.h"
+#include "renderer/passes/passes.h"
 
 namespace flaneur {
 namespace {
 
-VkPipeline pipeline_of(const FrameRecord& record, ViewPipeline pipeline) {
-    return record.renderer.pipelines.views[static_cast<size_t>(pipeline)];
-}
-
-void bind(const FrameRecord& record, ViewPipeline pipeline, uint32_t paint) {
-    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_of(record, pipeline));
+void begin_paint(const FrameRecord& record, ViewPipeline pipeline, uint32_t paint) {
+    bind(record, record.renderer.pipelines.views[static_cast<size_t>(pipeline)]);
     vkCmdPushConstants(record.commands, record.renderer.pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                        sizeof paint, &paint);
 }
 
-void draw_people(const FrameRecord& record) {
-    const VkDeviceSize offset = 0;
-    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.person_vertices.handle, &offset);
+void draw_meshes(const FrameRecord& record) {
+    bind_vertices(record, record.renderer.scene.person_vertices.handle);
     draw_indirect(record, record.plan.crowd);
 }
 
+// Shades have no surface of their own.
 void draw_ground_and_houses(const FrameRecord& record) {
-    const VkDeviceSize offset = 0;
-    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
-    draw_indirect(record, record.plan.facades);
-    draw_indirect(record, record.plan.props);
-    for (DrawRange range : record.plan.surfaces) draw_indirect(record, range);
-    draw_indirect(record, record.plan.scenery);
+    bind_vertices(record, record.renderer.scene.city_vertices.handle);
+    for (CityClass kind : {CityClass::facade, CityClass::prop, CityClass::detail, CityClass::roof,
+                           CityClass::ground, CityClass::scenery})
+        draw_indirect(record, record.plan.surfaces[static_cast<size_t>(kind)]);
 }
 
 void clear(const FrameRecord& record, glm::vec3 colour) {
     VkClearAttachment all{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}};
     for (int i = 0; i < 3; ++i) all.clearValue.color.float32[i] = colour[i];
-    const VkClearRect whole{{{0, 0}, record.target.extent}, 0, 1};
+    const VkClearRect whole{{{0, 0}, extent_of(record.target.image)}, 0, 1};
     vkCmdClearAttachments(record.commands, 1, &all, 1, &whole);
 }
 
@@ -59,23 +53,23 @@ void draw_paint(const FrameRecord& record) {
     const uint32_t paint = is_count ? k_paint_count : is_ink ? k_paint_paper : k_paint_normals;
     clear(record, is_ink ? glm::vec3(0.93f, 0.93f, 0.91f) : glm::vec3(0));
     const auto impostors = static_cast<uint32_t>(record.renderer.crowd.impostors.size());
-    bind(record, is_count ? count_crowd : paint_crowd, paint);
-    if (!record.plan.are_ghosts) draw_people(record);
-    bind(record, is_count ? count_impostor : paint_impostor, paint);
+    begin_paint(record, is_count ? count_crowd : paint_crowd, paint);
+    if (!record.plan.are_ghosts) draw_meshes(record);
+    begin_paint(record, is_count ? count_impostor : paint_impostor, paint);
     if (impostors > 0) vkCmdDraw(record.commands, 6 * impostors, 1, 0, 0);
-    bind(record, is_count ? count_city : paint_city, paint);
+    begin_paint(record, is_count ? count_city : paint_city, paint);
     draw_ground_and_houses(record);
     if (!is_ink) return;
-    bind(record, ink_city, k_paint_ink);
+    begin_paint(record, ink_city, k_paint_ink);
     draw_ground_and_houses(record);
     if (record.plan.are_ghosts) return;
-    bind(record, ink_crowd, k_paint_ink);
-    draw_people(record);
+    begin_paint(record, ink_crowd, k_paint_ink);
+    draw_meshes(record);
 }
 
 void draw_ghosts(const FrameRecord& record) {
-    bind(record, ViewPipeline::ghost_crowd, k_paint_ghost);
-    draw_people(record);
+    begin_paint(record, ViewPipeline::ghost_crowd, k_paint_ghost);
+    draw_meshes(record);
 }
 
 }  // namespace flaneur

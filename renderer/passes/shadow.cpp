@@ -1,4 +1,4 @@
-#include "renderer/frame.h"
+#include "renderer/passes/passes.h"
 
 namespace flaneur {
 namespace {
@@ -21,72 +21,67 @@ void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box
                        sizeof(mat4), &box.map_from_world);
 }
 
-void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox& box, DrawRange range,
-                    DrawRange scenery) {
+void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox& box,
+                    const CityCasters& casters) {
     begin_map(record, view, box, true);
-    vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      record.renderer.pipelines.shadow_city);
-    const VkDeviceSize offset = 0;
-    vkCmdBindVertexBuffers(record.commands, 0, 1, &record.renderer.scene.city_vertices.handle, &offset);
-    draw_indirect(record, range);
-    if (scenery.count > 0) {
-        vkCmdBindPipeline(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                          record.renderer.pipelines.shadow_scenery);
-        draw_indirect(record, scenery);
+    bind(record, record.renderer.pipelines.shadow_city);
+    bind_vertices(record, record.renderer.scene.city_vertices.handle);
+    draw_indirect(record, casters.opaque);
+    if (casters.scenery.count > 0) {
+        bind(record, record.renderer.pipelines.shadow_scenery);
+        draw_indirect(record, casters.scenery);
     }
     vkCmdEndRendering(record.commands);
 }
 
-void copy_still_map(const FrameRecord& record) {
+void draw_city_shadows(const FrameRecord& record) {
+    GpuImage& map = record.renderer.shadows.map;
+    const ShadowBoxes& boxes = record.plan.boxes;
+    auto draw = [&](uint32_t layer, const ShadowBox& box, const CityCasters& casters) {
+        image_freshly_to(record.commands, map, k_depth_target, {layer, 1});
+        draw_city_into(record, record.renderer.shadows.layer_views[layer], box, casters);
+    };
+    begin_stage(record, "city shadows");
+    if (boxes.is_near_new) draw(k_still_layer, boxes.near, record.plan.near_casters);
+    if (boxes.is_far_new) draw(k_far_layer, boxes.far, record.plan.far_casters);
+    end_stage(record);
+}
+
+void copy_still_layer(const FrameRecord& record) {
+    GpuImage& map = record.renderer.shadows.map;
+    image_to(record.commands, map, k_copied_from, {k_still_layer, 1});
+    image_freshly_to(record.commands, map, k_copied_to, {k_near_layer, 1});
     VkImageCopy region{};
-    region.srcSubresource = {k_depth_aspect, 0, 0, 1};
+    region.srcSubresource = {k_depth_aspect, 0, k_still_layer, 1};
     region.dstSubresource = {k_depth_aspect, 0, k_near_layer, 1};
-    const ShadowMaps& maps = record.renderer.shadows;
-    region.extent = {maps.still.width, maps.still.height, 1};
-    vkCmdCopyImage(record.commands, maps.still.handle, k_copied_from.layout, maps.map.handle,
-                   k_copied_to.layout, 1, &region);
+    region.extent = {map.width, map.height, 1};
+    vkCmdCopyImage(record.commands, map.handle, k_copied_from.layout, map.handle, k_copied_to.layout, 1,
+                   &region);
+}
+
+void draw_crowd_shadows(const FrameRecord& record) {
+    ShadowMaps& maps = record.renderer.shadows;
+    const CrowdDraws& casters = record.renderer.casters;
+    begin_stage(record, "crowd shadows");
+    copy_still_layer(record);
+    if (!casters.instances.empty() || !casters.impostors.empty()) {
+        image_to(record.commands, maps.map, k_depth_target, {k_near_layer, 1});
+        begin_map(record, maps.layer_views[k_near_layer], record.plan.boxes.near, false);
+        draw_people_shadows(record);
+        vkCmdEndRendering(record.commands);
+    }
+    end_stage(record);
 }
 
 }  // namespace
 
 void draw_shadows(const FrameRecord& record) {
-    const ShadowMaps& maps = record.renderer.shadows;
-    const FramePlan& plan = record.plan;
-    auto barrier = [&](const GpuImage& image, Access from, Access to, LayerRange range = {}) {
-        image_barrier(record.commands, image.handle, k_depth_aspect, from, to, range);
-    };
-    if (!plan.has_shadows) {  // nobody looks at the maps, but they must be such as can be looked at
-        barrier(maps.map, discarded(k_sampled), k_sampled);
-        return;
-    }
-    constexpr LayerRange near_layer{k_near_layer, 1}, far_layer{k_far_layer, 1};
-    if (plan.refresh_near || plan.refresh_far) {
-        begin_stage(record, "city shadows");
-        if (plan.refresh_near) {
-            barrier(maps.still, discarded(k_copied_from), k_depth_target);
-            draw_city_into(record, maps.still.view, plan.near_box, plan.near_city, plan.near_scenery);
-            barrier(maps.still, k_depth_target, k_copied_from);
-        }
-        if (plan.refresh_far) {
-            barrier(maps.map, discarded(k_sampled), k_depth_target, far_layer);
-            draw_city_into(record, maps.layer_views[k_far_layer], plan.far_box, plan.far_city,
-                           plan.far_scenery);
-            barrier(maps.map, k_depth_target, k_sampled, far_layer);
-        }
-        end_stage(record);
-    }
-    begin_stage(record, "crowd shadows");
-    barrier(maps.map, discarded(k_sampled), k_copied_to, near_layer);
-    copy_still_map(record);
-    barrier(maps.map, k_copied_to, k_depth_target, near_layer);
-    if (!record.renderer.casters.instances.empty() || !record.renderer.casters.impostors.empty()) {
-        begin_map(record, maps.layer_views[k_near_layer], plan.near_box, false);
+    if (record.plan.has_shadows) {
+        if (record.plan.boxes.is_near_new || record.plan.boxes.is_far_new) draw_city_shadows(record);
         draw_crowd_shadows(record);
-        draw_impostor_shadows(record);
-        vkCmdEndRendering(record.commands);
     }
-    barrier(maps.map, k_depth_target, k_sampled, near_layer);
-    end_stage(record);
+    // Also maps that nobody looks at must be such as can be looked at.
+    image_to(record.commands, record.renderer.shadows.map, k_sampled);
 }
 
 }  // namespace flaneur

@@ -47,47 +47,52 @@ HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.m, b.m)
 HWY_INLINE bool any(LaneMask m) { return !hn::AllFalse(LaneTag(), m.m); }
 
 HWY_INLINE Lanes select(LaneMask m, Lanes a, Lanes b) { return hn::IfThenElse(m.m, a.v, b.v); }
-HWY_INLINE Lanes root(Lanes a) { return hn::Sqrt(a.v); }
-HWY_INLINE Lanes absolute(Lanes a) { return hn::Abs(a.v); }
-HWY_INLINE Lanes rounded_down(Lanes a) { return hn::Floor(a.v); }
+HWY_INLINE Lanes sqrt(Lanes a) { return hn::Sqrt(a.v); }
+HWY_INLINE Lanes abs(Lanes a) { return hn::Abs(a.v); }
+HWY_INLINE Lanes floor(Lanes a) { return hn::Floor(a.v); }
 HWY_INLINE void load(Lanes& to, const float* from) { to.v = hn::Load(LaneTag(), from); }
 HWY_INLINE void store(Lanes from, float* to) { hn::Store(from.v, LaneTag(), to); }
 
 HWY_INLINE bool any(bool m) { return m; }
 HWY_INLINE float select(bool m, float a, float b) { return m ? a : b; }
-HWY_INLINE float root(float a) { return std::sqrt(a); }
-HWY_INLINE float absolute(float a) { return std::fabs(a); }
-HWY_INLINE float rounded_down(float a) { return std::floor(a); }
+HWY_INLINE float sqrt(float a) { return std::sqrt(a); }
+HWY_INLINE float abs(float a) { return std::fabs(a); }
+HWY_INLINE float floor(float a) { return std::floor(a); }
 HWY_INLINE void load(float& to, const float* from) { to = *from; }
 HWY_INLINE void store(float from, float* to) { *to = from; }
 
 // Of two equal zeros the second; NaN in either gives b.
 template <class T>
-HWY_INLINE T smaller(T a, T b) {
+HWY_INLINE T min(T a, T b) {
     return select(a < b, a, b);
 }
 template <class T>
-HWY_INLINE T larger(T a, T b) {
+HWY_INLINE T max(T a, T b) {
     return select(a > b, a, b);
 }
 #if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
 // One instruction that says just this.
-HWY_INLINE Lanes smaller(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
-HWY_INLINE Lanes larger(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
+HWY_INLINE Lanes min(Lanes a, Lanes b) { return hn::Min(a.v, b.v); }
+HWY_INLINE Lanes max(Lanes a, Lanes b) { return hn::Max(a.v, b.v); }
 #endif
 template <class T>
-HWY_INLINE T clamped(T v, T low, T high) {
-    return smaller(larger(v, low), high);
+HWY_INLINE T clamp(T v, T low, T high) {
+    return min(max(v, low), high);
 }
 template <class T>
-HWY_INLINE T mixed(T a, T b, T t) {
+HWY_INLINE T lerp(T a, T b, T t) {
     return a + (b - a) * t;
 }
 // 0 below 0, 1 above 1, 3t^2 - 2t^3 between.
 template <class T>
-HWY_INLINE T eased(T t) {
-    t = clamped(t, T(0.0f), T(1.0f));
+HWY_INLINE T smoothstep(T t) {
+    t = clamp(t, T(0.0f), T(1.0f));
     return t * t * (T(3.0f) - T(2.0f) * t);
+}
+// The same of where v lies between `low` and `high`; constant limits cost no division.
+template <class T>
+HWY_INLINE T smoothstep(T low, T high, T v) {
+    return smoothstep((v - low) * (T(1.0f) / (high - low)));
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

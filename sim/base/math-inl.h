@@ -7,19 +7,15 @@
 #endif
 
 #include "sim/base/lanes-inl.h"
+#include "sim/base/math.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-template <class T>
-struct SineCosine {
-    T sine, cosine;
-};
-
 // Quarter turns are taken off in three parts whose products with a small whole number are exact.
 template <class T>
-HWY_INLINE SineCosine<T> sine_cosine(T x) {
-    T quarter = rounded_down(x * T(0.636619772f) + T(0.5f));
+HWY_INLINE SinCosOf<T> sin_cos(T x) {
+    T quarter = floor(x * T(0.636619772f) + T(0.5f));
     T r = ((x - quarter * T(1.5703125f)) - quarter * T(4.837512969970703125e-4f)) -
           quarter * T(7.5497899548918e-8f);
     T r2 = r * r;
@@ -27,7 +23,7 @@ HWY_INLINE SineCosine<T> sine_cosine(T x) {
     T c = T(1.0f) - T(0.5f) * r2 +
           r2 * r2 *
               (T(4.166664568298827e-2f) + r2 * (T(-1.388731625493765e-3f) + r2 * T(2.443315711809948e-5f)));
-    T turn = quarter - T(4.0f) * rounded_down(quarter * T(0.25f));  // 0, 1, 2 or 3
+    T turn = quarter - T(4.0f) * floor(quarter * T(0.25f));  // 0, 1, 2 or 3
     auto odd = ((turn >= T(0.5f)) & (turn <= T(1.5f))) | (turn >= T(2.5f));
     T sine = select(odd, c, s), cosine = select(odd, s, c);
     sine = select(turn >= T(1.5f), -sine, sine);
@@ -38,7 +34,7 @@ HWY_INLINE SineCosine<T> sine_cosine(T x) {
 // Sine and cosine of half of `angle`, which lies within -pi .. pi: what a quaternion needs. Minimax
 // polynomials, error below 6e-7.
 template <class T>
-HWY_INLINE SineCosine<T> half_turn(T angle) {
+HWY_INLINE SinCosOf<T> sin_cos_half(T angle) {
     T h = angle * T(0.5f), h2 = h * h;
     T s = h * (T(9.99996616e-1f) +
                h2 * (T(-1.66648284e-1f) + h2 * (T(8.30632497e-3f) + h2 * T(-1.83636471e-4f))));
@@ -50,21 +46,21 @@ HWY_INLINE SineCosine<T> half_turn(T angle) {
 
 // Of the sum of two angles.
 template <class T>
-HWY_INLINE SineCosine<T> plus(SineCosine<T> a, SineCosine<T> b) {
+HWY_INLINE SinCosOf<T> plus(SinCosOf<T> a, SinCosOf<T> b) {
     return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
 }
 
 // Of the whole angle, from those of its half.
 template <class T>
-HWY_INLINE SineCosine<T> doubled(SineCosine<T> half) {
+HWY_INLINE SinCosOf<T> doubled(SinCosOf<T> half) {
     T twice = half.sine + half.sine;
     return {twice * half.cosine, T(1.0f) - twice * half.sine};
 }
 
 template <class T>
-HWY_INLINE T arc_tangent(T y, T x) {
-    T ax = absolute(x), ay = absolute(y);
-    T high = larger(ax, ay), low = smaller(ax, ay);
+HWY_INLINE T arctan2(T y, T x) {
+    T ax = abs(x), ay = abs(y);
+    T high = max(ax, ay), low = min(ax, ay);
     T t = low / select(high > T(0.0f), high, T(1.0f));
     // atan t = atan((t - k) / (1 + k t)) + atan k with k = tan(pi / 8) above that.
     auto upper = t > T(0.4142135623730950f);

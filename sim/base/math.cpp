@@ -6,18 +6,9 @@
 
 namespace flaneur {
 
-SinCos sin_cos(float x) {
-    auto r = HWY_NAMESPACE::sine_cosine(x);
-    return {r.sine, r.cosine};
-}
+SinCos sin_cos(float x) { return HWY_NAMESPACE::sin_cos(x); }
 
-void sin_cos(float x, float* sine, float* cosine) {
-    auto r = HWY_NAMESPACE::sine_cosine(x);
-    *sine = r.sine;
-    *cosine = r.cosine;
-}
-
-float arctan2(float y, float x) { return HWY_NAMESPACE::arc_tangent(y, x); }
+float arctan2(float y, float x) { return HWY_NAMESPACE::arctan2(y, x); }
 
 float arccos(float x) {
     x = clamp(x, -1, 1);

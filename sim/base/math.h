@@ -1,7 +1,7 @@
 // Elementary functions that give the same bits on every compiler, instruction set and optimisation level:
-// only
-// + - * / sqrt and comparisons inside. libm's differ between machines, so nothing that reaches simulation
-// state may use them. The formulas stand once, in math-inl.h, for single values and for lanes.
+// only + - * / sqrt and comparisons inside. libm's differ between machines, so nothing that reaches
+// simulation state may use them, and none of these has the name of one of libm's. The formulas stand once, in
+// math-inl.h, for single values and for lanes.
 #pragma once
 
 #include "sim/base/vec.h"
@@ -12,12 +12,15 @@ inline constexpr float k_pi = 3.14159265358979f;
 inline constexpr float k_radians = k_pi / 180;  // one degree
 inline constexpr float k_gravity = 9.81f;       // m/s2
 
-struct SinCos {
-    float sine, cosine;
+// The sine and cosine of one angle, of a float here, of float or Lanes in kernels.
+template <class T>
+struct SinCosOf {
+    T sine, cosine;
 };
+using SinCos = SinCosOf<float>;
+
 // For |x| <= 10,000; within 2e-7 for |x| <= 10.
 SinCos sin_cos(float x);
-void sin_cos(float x, float* sine, float* cosine);
 
 // In (-pi, pi]; within 4e-7. 0 for (0, 0).
 float arctan2(float y, float x);

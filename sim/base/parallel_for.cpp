@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -9,37 +10,47 @@
 
 namespace flaneur {
 
-struct Workers {
-    std::vector<std::thread> threads;
-    std::mutex mutex;
-    std::condition_variable work_ready, work_done;
-    uint64_t generation = 0;  // counts loops, so that a thread never takes part in one twice
-    int busy = 0;
-    bool quit = false;
+namespace {
 
-    // The loop being run. Written under the mutex before the generation goes up.
-    const std::function<void(size_t, size_t, int)>* body = nullptr;
+struct Loop {
+    LoopBody body;
     size_t count = 0, grain = 1;
     std::atomic<size_t> next = 0;
 };
 
-static void run_chunks(Workers& w, int thread) {
-    for (size_t begin; (begin = w.next.fetch_add(w.grain)) < w.count;) {
-        (*w.body)(begin, std::min(begin + w.grain, w.count), thread);
+void run_chunks(Loop& loop, int thread) {
+    for (size_t begin; (begin = loop.next.fetch_add(loop.grain)) < loop.count;) {
+        loop.body.call(loop.body.context, begin, std::min(begin + loop.grain, loop.count), thread);
     }
 }
+
+}  // namespace
+
+struct Workers {
+    TaskSystem tasks;  // instead of threads, if it can run
+    std::vector<std::thread> threads;
+    std::mutex mutex;
+    std::condition_variable loop_opened, loop_left;
+    // Under the mutex:
+    Loop* loop = nullptr;     // open to who wakes; its owner closes it when no chunk is left to take
+    uint64_t generation = 0;  // counts loops, so that a thread never takes part in one twice
+    int inside = 0;           // threads that work on it
+    bool quit = false;
+};
 
 static void thread_main(Workers& w, int thread) {
     uint64_t seen = 0;
     std::unique_lock lock(w.mutex);
     while (true) {
-        w.work_ready.wait(lock, [&] { return w.quit || w.generation != seen; });
+        w.loop_opened.wait(lock, [&] { return w.quit || (w.loop && w.generation != seen); });
         if (w.quit) return;
         seen = w.generation;
+        Loop& loop = *w.loop;
+        ++w.inside;
         lock.unlock();
-        run_chunks(w, thread);
+        run_chunks(loop, thread);
         lock.lock();
-        if (--w.busy == 0) w.work_done.notify_one();
+        if (--w.inside == 0) w.loop_left.notify_one();
     }
 }
 
@@ -50,38 +61,49 @@ WorkersPtr make_workers(int threads) {
     return workers;
 }
 
+WorkersPtr make_workers(const TaskSystem& tasks) {
+    assert(tasks.run && tasks.threads >= 1);
+    WorkersPtr workers(new Workers);
+    workers->tasks = tasks;
+    return workers;
+}
+
 void WorkersDelete::operator()(Workers* w) const {
     {
         std::lock_guard lock(w->mutex);
         w->quit = true;
     }
-    w->work_ready.notify_all();
+    w->loop_opened.notify_all();
     for (auto& t : w->threads) t.join();
     delete w;
 }
 
-int thread_count(const Workers& w) { return static_cast<int>(w.threads.size()) + 1; }
+int thread_count(const Workers& w) {
+    return w.tasks.run ? w.tasks.threads : static_cast<int>(w.threads.size()) + 1;
+}
 
-void parallel_for(Workers& w, size_t count, size_t grain,
-                  const std::function<void(size_t, size_t, int)>& body) {
+void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
     if (count == 0) return;
-    if (w.threads.empty() || count <= grain) {
-        for (size_t begin = 0; begin < count; begin += grain) body(begin, std::min(begin + grain, count), 0);
+    Loop loop{body, count, grain};
+    if (thread_count(w) == 1 || count <= grain) return run_chunks(loop, 0);
+    if (w.tasks.run) {
+        size_t chunks = (count + grain - 1) / grain;
+        int tasks = static_cast<int>(std::min<size_t>(chunks, static_cast<size_t>(w.tasks.threads)));
+        auto task = [](void* context, int index) { run_chunks(*static_cast<Loop*>(context), index); };
+        w.tasks.run(w.tasks.user, tasks, task, &loop);
         return;
     }
     {
         std::lock_guard lock(w.mutex);
-        w.body = &body;
-        w.count = count;
-        w.grain = grain;
-        w.next = 0;
-        w.busy = static_cast<int>(w.threads.size());
+        w.loop = &loop;
         ++w.generation;
     }
-    w.work_ready.notify_all();
-    run_chunks(w, 0);
+    w.loop_opened.notify_all();
+    run_chunks(loop, 0);
+    // Only for those who took a chunk: who still sleeps finds the loop closed.
     std::unique_lock lock(w.mutex);
-    w.work_done.wait(lock, [&] { return w.busy == 0; });
+    w.loop = nullptr;
+    w.loop_left.wait(lock, [&] { return w.inside == 0; });
 }
 
 }  // namespace flaneur

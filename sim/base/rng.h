@@ -1,4 +1,4 @@
-// Random numbers by key, not by sequence: the same (seed, walker, tick, purpose) gives the same number on any
+// Random numbers by key, not by sequence: the same (seed, walker, when, purpose) gives the same number on any
 // thread in any order.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace flaneur {
 
-// What a random number is for. Two uses that could meet on one (seed, walker, tick) take different purposes.
+// What a random number is for. Two uses that could meet on one (seed, walker, when) take different purposes.
 enum class Purpose : uint32_t {
     body,
     style,
@@ -20,7 +20,8 @@ enum class Purpose : uint32_t {
     city,
     tree,
     touch,
-    errand
+    errand,
+    first_step
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.
@@ -34,14 +35,14 @@ constexpr uint64_t mix(uint64_t x) {
 struct RandomKey {
     uint64_t seed = 0;
     uint32_t walker = 0;
-    uint32_t tick = 0;
+    uint32_t when = 0;  // a tick, or a trip, an attempt, a mood: whatever counts for the purpose
     Purpose purpose = Purpose::body;
 };
 
 // 64 random bits; `index` numbers several draws under one key.
 constexpr uint64_t random_bits(RandomKey key, uint32_t index = 0) {
     uint64_t h = mix(key.seed);
-    h = mix(h ^ (uint64_t{key.walker} << 32 | key.tick));
+    h = mix(h ^ (uint64_t{key.walker} << 32 | key.when));
     return mix(h ^ (uint64_t{static_cast<uint32_t>(key.purpose)} << 32 | index));
 }
 

@@ -1,6 +1,5 @@
 // Where walkers want to go: goals, paths, and the velocity along them.
 #include <algorithm>
-#include <functional>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -15,22 +14,26 @@ static constexpr float k_corner_touch = 0.1f;   // a corner this near is passed,
 static constexpr float k_corner_reach = 0.5f;   // this near it is if the next one is in view,
 static constexpr float k_corner_view = 2.5f;    // and so it is this near if one is level with it
 static constexpr float k_goal_reach = 0.4f;     // a goal this near is reached
-static constexpr float k_far_off = 3.5f;        // from the leg, metres: another way is sought
+static constexpr float k_far_off = 3.5f;        // from the stretch, metres: another path is sought
 static constexpr float k_progress = 0.3f;       // metres nearer that count as progress
 static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
+static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
+static constexpr float k_past = 3;              // and metres that it gets on
+static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
-// Takes corners wider by the walker's own measure, so that a crowd does not queue for the same inch. The way
+// Takes corners wider by the walker's own measure, so that a crowd does not queue for the same inch. The path
 // turns about a corner's inner side, so its outer side is free; the mesh, the kind of ground and a clear view
-// along both legs have the last word.
+// along both stretches have the last word.
 static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
+    const Journey& j = c.journeys[i];
     Vec3* corners = &c.corners[size_t{i} * k_corners];
-    Vec3 previous = c.position[i];
+    Vec3 previous = c.motion.position[i];
     Vec3 before = previous;  // the corner before, as widened
-    for (int k = 0; k + 1 < c.corner_count[i]; ++k) {
+    for (int k = 0; k + 1 < j.corner_count; ++k) {
         Vec3 here = corners[k];
         Vec2 in = normalize_or(on_ground(here - previous), {0, 0});
         Vec2 out = normalize_or(on_ground(corners[k + 1] - here), {0, 0});
@@ -39,7 +42,7 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
         if (!place) return;
         Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
         bool cheap = is_cheap(surface_of(mesh, place->polygon));
-        for (float shift : {c.lateral[i], c.lateral[i] * 0.4f, 0.1f}) {
+        for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
             NavPoint moved = move_along(mesh, thread, *place, here + at_height(outward * shift, 0));
             if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
             if (!is_clear(mesh, before, moved.position) || !is_clear(mesh, moved.position, corners[k + 1])) {
@@ -54,65 +57,96 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
 
 static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     constexpr uint32_t k_tries = 6;
-    uint32_t trip = ++c.trip[i], home = island(mesh, c.polygon[i]);
-    NavPoint here{c.position[i], c.polygon[i]};
-    c.goal_facing[i] = {0, 0};
-    c.goal_stay[i] = k_stroll_stay;
+    Journey& j = c.journeys[i];
+    j.arrived = false;
+    uint32_t trip = ++j.trip, home = island(mesh, c.motion.polygon[i]);
+    NavPoint here{c.motion.position[i], c.motion.polygon[i]};
+    j.facing = {0, 0};
+    j.stay = k_stroll_stay;
     if (auto chosen = choose_trip(c.demand, mesh, thread, here, tick, {seed, i, trip, Purpose::errand})) {
-        c.goal[i] = chosen->place;
-        c.goal_facing[i] = chosen->facing;
-        c.goal_stay[i] = stay_at(chosen->kind);
+        j.goal = chosen->place;
+        j.facing = chosen->facing;
+        j.stay = stay_at(chosen->kind);
         return;
     }
     float farthest = -1;
     for (uint32_t t = 0; t < k_tries; ++t) {
         RandomKey key{seed, i, trip, Purpose::destination};
-        NavPoint p =
-            random_place_near(mesh, on_ground(c.position[i]), k_stroll_reach, random_unit(key, t * 3),
-                              random_unit(key, t * 3 + 1), random_unit(key, t * 3 + 2));
+        NavPoint p = random_place_near(mesh, thread, on_ground(c.motion.position[i]), k_stroll_reach,
+                                       random_unit(key, t * 3), random_unit(key, t * 3 + 1),
+                                       random_unit(key, t * 3 + 2));
         if (island(mesh, p.polygon) != home) continue;
-        float d = length(on_ground(p.position - c.position[i]));
+        float d = length(on_ground(p.position - c.motion.position[i]));
         if (d <= farthest) continue;
         farthest = d;
-        c.goal[i] = p;
+        j.goal = p;
         if (d >= k_least_stroll) break;
     }
-    if (farthest < 0) c.goal[i] = {c.position[i], c.polygon[i]};
+    if (farthest < 0) j.goal = {c.motion.position[i], c.motion.polygon[i]};
 }
 
-static void begin_leg(Crowd& c, uint32_t i, uint32_t tick) {
-    c.leg_start[i] = on_ground(c.position[i]);
-    c.closest[i] = 1e9f;
-    c.closest_tick[i] = tick;
+static void begin_stretch(Journey& j, Vec2 from, uint32_t tick) {
+    j.stretch_start = from;
+    j.closest = 1e9f;
+    j.closest_tick = tick;
 }
 
 void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
-    if (c.path_due[i] == static_cast<uint8_t>(PathDue::new_goal)) choose_goal(c, mesh, thread, i, tick, seed);
+    Journey& j = c.journeys[i];
+    if (j.path_due == PathDue::to_new_goal) choose_goal(c, mesh, thread, i, tick, seed);
     Vec3* corners = &c.corners[size_t{i} * k_corners];
-    int n = find_path(mesh, thread, {c.position[i], c.polygon[i]}, c.goal[i], corners, k_corners);
-    c.corner[i] = 0;
-    c.corner_count[i] = static_cast<uint8_t>(n);
-    c.path_due[i] = static_cast<uint8_t>(PathDue::no);
-    widen_corners(c, mesh, thread, i);
-    begin_leg(c, i, tick);
-}
-
-// At the end of the way: the goal, or as far as the path reached.
-static void arrive(Crowd& c, uint32_t i, uint32_t tick, uint64_t seed) {
-    c.stuck[i] = 0;
-    if (length(on_ground(c.goal[i].position - c.position[i])) > 2 * k_goal_reach &&
-        c.errand[i] == Errand::wander) {
-        c.path_due[i] = static_cast<uint8_t>(PathDue::same_goal);
-        // A way that got no nearer will not next time either.
-        if (length(on_ground(c.position[i]) - c.leg_start[i]) < 1)
-            c.path_due[i] = static_cast<uint8_t>(PathDue::new_goal);
+    NavPoint here{c.motion.position[i], c.motion.polygon[i]};
+    int n = find_path(mesh, thread, here, j.goal, corners, k_corners);
+    j.corner = 0;
+    j.corner_count = static_cast<uint8_t>(n);
+    j.path_start = on_ground(here.position);
+    begin_stretch(j, j.path_start, tick);
+    if (n == 0) {  // nowhere: later again
+        j.pause_until = tick + k_retry;
         return;
     }
-    if (c.errand[i] == Errand::arrive) return;
-    float pause =
-        random_between({seed, i, c.trip[i], Purpose::pause}, c.goal_stay[i].least, c.goal_stay[i].most);
-    c.pause_until[i] = tick + static_cast<uint32_t>(pause / k_tick);
-    c.path_due[i] = static_cast<uint8_t>(PathDue::new_goal);
+    j.path_due = PathDue::no;
+    widen_corners(c, mesh, thread, i);
+}
+
+// Stands at its goal, or as near as it gets.
+static void arrive(Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
+    j.arrived = true;
+    j.stuck = 0;
+    j.insists_since = k_never;
+    j.corner = j.corner_count;
+    if (j.errand == Errand::arrive) return;
+    float pause = random_between({seed, i, j.trip, Purpose::pause}, j.stay.least, j.stay.most);
+    j.pause_until = tick + static_cast<uint32_t>(pause / k_tick);
+    j.path_due = PathDue::to_new_goal;
+}
+
+// At the end of the path: the goal, or as far as a path of bounded length reached.
+static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
+    Vec2 p = on_ground(c.motion.position[i]);
+    if (length(on_ground(j.goal.position) - p) <= 2 * k_goal_reach) return arrive(j, i, tick, seed);
+    j.path_due = PathDue::to_goal;
+    if (length(p - j.path_start) >= 1) return;
+    // A path that got no nearer will not next time either.
+    if (j.errand == Errand::wander) j.path_due = PathDue::to_new_goal;
+    j.pause_until = tick + k_retry;
+}
+
+// Others stand where it would pass, or it has strayed: another path, right of way, or another goal.
+static void get_unstuck(Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t tick, uint64_t seed) {
+    j.closest_tick = tick;
+    j.path_due = PathDue::to_goal;
+    ++j.stuck;
+    // Who only cannot get to a place where somebody stands is in nobody's way.
+    if (!at_goal && j.insists_since == k_never) j.insists_since = tick, j.insists_from = p;
+    if (j.stuck <= k_most_stuck) return;
+    j.stuck = 0;
+    if (at_goal) {
+        j.path_due = PathDue::no;
+        arrive(j, i, tick, seed);
+    } else if (j.errand == Errand::wander) {
+        j.path_due = PathDue::to_new_goal;
+    }
 }
 
 static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
@@ -122,82 +156,78 @@ static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 }
 
 static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick, uint64_t seed) {
+    Journey& j = c.journeys[i];
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
-    Vec2 p = on_ground(c.position[i]);
-    while (c.corner[i] < c.corner_count[i]) {
-        Vec2 here = on_ground(corners[c.corner[i]]), to = here - p;
+    Vec2 p = on_ground(c.motion.position[i]);
+    bool is_past = length(p - j.insists_from) > k_past;
+    if (j.insists_since != k_never && (is_past || tick - j.insists_since > k_insist))
+        j.insists_since = k_never;
+    while (j.corner < j.corner_count) {
+        Vec2 here = on_ground(corners[j.corner]), to = here - p;
         float distance = length(to);
-        bool last = c.corner[i] + 1 == c.corner_count[i];
+        bool last = j.corner + 1 == j.corner_count;
         bool passed = distance < (last ? k_goal_reach : k_corner_touch);
         if (!last && !passed && distance < k_corner_view) {
-            // Near or level with the corner, seen along the way that leaves it, and the next one in view.
-            Vec3 next = corners[c.corner[i] + 1];
-            Vec2 in = normalize_or(here - c.leg_start[i], {0, 0}),
+            // Near or level with the corner, seen along the stretch that leaves it, and the next one in view.
+            Vec3 next = corners[j.corner + 1];
+            Vec2 in = normalize_or(here - j.stretch_start, {0, 0}),
                  out = normalize_or(on_ground(next) - here, {0, 0});
             bool level = dot(in + out, to) <= 0 && dot(out, to) <= 0.3f;
-            passed = (level || distance < k_corner_reach) && is_clear(mesh, c.position[i], next);
+            passed = (level || distance < k_corner_reach) && is_clear(mesh, c.motion.position[i], next);
         }
         if (!passed) {
-            if (distance < c.closest[i] - k_progress) {
-                if (c.closest[i] < 1e8f) {  // else a leg has only begun
-                    c.stuck[i] = 0;
-                    if (c.jam[i] > 0) --c.jam[i];
-                }
-                c.closest[i] = distance;
-                c.closest_tick[i] = tick;
+            if (distance < j.closest - k_progress) {
+                if (j.closest < 1e8f) j.stuck = 0;  // else a stretch has only begun
+                j.closest = distance;
+                j.closest_tick = tick;
             }
-            float off = distance_to_segment(p, c.leg_start[i], here);
-            if (tick - c.closest_tick[i] > k_patience || off > k_far_off) {
-                // Who only cannot get to a place where somebody stands is in no jam.
-                bool at_goal = last && distance < k_corner_view;
-                if (!at_goal && c.jam[i] < k_most_jam) ++c.jam[i];
-                bool give_up = ++c.stuck[i] > k_most_stuck && c.errand[i] == Errand::wander;
-                c.path_due[i] = static_cast<uint8_t>(give_up ? PathDue::new_goal : PathDue::same_goal);
-                c.closest_tick[i] = tick;
-                if (give_up) c.stuck[i] = 0;
+            float off = distance_to_segment(p, j.stretch_start, here);
+            if (tick - j.closest_tick > k_patience || off > k_far_off) {
+                bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
+                get_unstuck(j, i, p, at_goal, tick, seed);
             }
-            float speed = c.preferred_speed[i];
+            float speed = c.identity.preferred_speed[i];
             if (last) speed = std::min(speed, distance / 0.7f);
             return to * (speed / std::max(distance, 1e-4f));
         }
-        ++c.corner[i];
+        ++j.corner;
         if (last) {
-            arrive(c, i, tick, seed);
+            end_path(c, j, i, tick, seed);
         } else {
-            c.leg_start[i] = here;
-            c.closest[i] = 1e9f;
-            c.closest_tick[i] = tick;
+            begin_stretch(j, here, tick);
         }
     }
     return {0, 0};
 }
 
-void think(Crowd& c, const City&, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
+void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
     // Paths, for the first walkers due from where the last tick stopped.
-    c.requests.clear();
+    c.scratch.requests.clear();
     uint32_t last = c.next_path;
-    for (uint32_t k = 0; k < c.count && c.requests.size() < k_paths_a_tick; ++k) {
+    for (uint32_t k = 0; k < c.count && c.scratch.requests.size() < k_paths_a_tick; ++k) {
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
-        if (c.path_due[i] == static_cast<uint8_t>(PathDue::no) || tick < c.pause_until[i]) continue;
-        c.requests.push_back(i);
+        const Journey& j = c.journeys[i];
+        if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
+        c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }
     c.next_path = last;
     auto plan_some = [&](size_t begin, size_t end, int thread) {
-        for (size_t r = begin; r < end; ++r) plan_path(c, mesh, thread, c.requests[r], tick, seed);
+        for (size_t r = begin; r < end; ++r) plan_path(c, mesh, thread, c.scratch.requests[r], tick, seed);
     };
-    parallel_for(workers, c.requests.size(), 1, std::ref(plan_some));
+    parallel_for(workers, c.scratch.requests.size(), 1, plan_some);
 
     uint32_t phase = tick % k_decision_ticks;
     size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
     auto follow_some = [&](size_t begin, size_t end, int) {
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
-            c.looks[i] = tick < c.pause_until[i];
-            c.wanted[i] = c.looks[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
+            if (!is_there(c, i)) continue;
+            c.decision.looks[i] = tick < c.journeys[i].pause_until;
+            c.decision.wanted[i] = c.decision.looks[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
         }
     };
-    parallel_for(workers, due, 256, std::ref(follow_some));
+    parallel_for(workers, due, 256, follow_some);
 }
 
 }  // namespace flaneur

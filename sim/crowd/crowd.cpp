@@ -2,8 +2,10 @@
 
 #include <bit>
 #include <cassert>
+#include <cmath>
 
 #include "sim/base/hash.h"
+#include "sim/crowd/places.h"
 
 namespace flaneur {
 
@@ -11,76 +13,145 @@ Crowd make_crowd(uint32_t capacity) {
     Crowd c;
     c.capacity = capacity;
     size_t n = capacity;
-    auto reserve = [n](auto&... arrays) { (arrays.resize(n), ...); };
-    reserve(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.under, c.preferred_speed, c.radius,
-            c.lateral, c.body, c.scale, c.errand, c.goal, c.goal_facing, c.goal_stay, c.trip, c.pause_until,
-            c.corner, c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.jam,
-            c.wanted, c.looks, c.chosen, c.neighbour_count, c.next_position, c.next_velocity, c.next_polygon,
-            c.cell, c.sorted);
+    auto resize = [n](auto&... arrays) { (arrays.resize(n), ...); };
+    CrowdIdentity& who = c.identity;
+    resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale);
+    CrowdMotion& m = c.motion;
+    resize(m.position, m.velocity, m.heading, m.turn_rate, m.polygon, m.under);
+    CrowdDecision& d = c.decision;
+    resize(d.wanted, d.looks, d.chosen, d.claim);
+    CrowdScratch& s = c.scratch;
+    resize(c.journeys, s.sorted, s.cell, s.next_position, s.next_velocity, s.next_polygon);
     c.corners.resize(n * k_corners);
-    c.neighbours.resize(n * k_neighbours);
-    c.requests.reserve(n);
+    s.neighbours.resize(n * k_neighbours);
+    s.neighbour_count.resize(n);
+    s.requests.reserve(n);
+    c.slots.living.reserve(n);
+    c.slots.left.reserve(n);
+    c.slots.place.assign(n, k_nobody);
+    c.slots.generation.resize(n);
     // About two cells a walker, at least 32 x 32.
     uint32_t cells = std::max(1024u, std::bit_ceil(capacity * 2));
-    c.cells_x = 1u << ((std::bit_width(cells) - 1) / 2);
-    c.cells_z = cells / c.cells_x;
-    c.cell_first.resize(cells + 1);
+    s.cells_x = 1u << ((std::bit_width(cells) - 1) / 2);
+    s.cells_z = cells / s.cells_x;
+    s.cell_first.resize(cells + 1);
     return c;
 }
 
-uint32_t add_walker(Crowd& c, const City& city, const Walker& w) {
-    assert(c.count < c.capacity && w.place.polygon != 0);
-    uint32_t i = c.count++;
-    Vec3 p = w.place.position;
-    if (auto hit = ground(city, p, 1, 2)) {
-        p.y = hit->height;
-        c.under[i] = *hit;
+bool has_room(const Crowd& c, Vec3 place, float radius) {
+    for (WalkerId id : c.slots.living) {
+        float apart = radius + c.identity.radius[id.index];
+        Vec3 off = c.motion.position[id.index] - place;
+        if (length_squared(on_ground(off)) < apart * apart && std::fabs(off.y) < k_other_level) return false;
     }
-    c.position[i] = p;
-    c.polygon[i] = w.place.polygon;
-    c.heading[i] = w.heading;
-    c.preferred_speed[i] = w.preferred_speed;
-    c.radius[i] = w.radius;
-    c.lateral[i] = w.lateral;
-    c.body[i] = w.body;
-    c.scale[i] = w.scale;
-    c.errand[i] = w.errand;
-    c.goal[i] = {p, w.place.polygon};
-    c.path_due[i] = static_cast<uint8_t>(w.errand == Errand::wander ? PathDue::new_goal : PathDue::no);
+    return true;
+}
+
+static uint32_t take_slot(Crowd& c) {
+    CrowdSlots& slots = c.slots;
+    assert(slots.living.size() < c.capacity);
+    uint32_t i = c.count;
+    if (slots.left.empty()) {
+        ++c.count;
+    } else {
+        i = slots.left.back();
+        slots.left.pop_back();
+    }
+    slots.place[i] = static_cast<uint32_t>(slots.living.size());
+    slots.living.push_back({i, slots.generation[i]});
     return i;
 }
 
+uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
+    assert(w.place.polygon != 0 && w.preferred_speed > 0 && w.radius >= k_least_radius);
+    uint32_t i = take_slot(c);
+    Vec3 p = w.place.position;
+    c.motion.under[i] = {};
+    if (auto hit = ground_at(around, p, 1, 2)) {
+        p.y = hit->height;
+        c.motion.under[i] = *hit;
+    }
+    c.motion.position[i] = p;
+    c.motion.velocity[i] = {};
+    c.motion.heading[i] = w.heading;
+    c.motion.turn_rate[i] = 0;
+    c.motion.polygon[i] = w.place.polygon;
+    c.identity.preferred_speed[i] = w.preferred_speed;
+    c.identity.radius[i] = w.radius;
+    c.widest = std::max(c.widest, w.radius);
+    c.identity.lateral[i] = w.lateral;
+    c.identity.body[i] = w.body;
+    c.identity.scale[i] = w.scale;
+    c.decision.wanted[i] = c.decision.chosen[i] = {};
+    c.decision.looks[i] = 0;
+    c.decision.claim[i] = {};
+    Journey j;
+    j.errand = w.errand;
+    j.goal = {p, w.place.polygon};
+    j.path_due = w.errand == Errand::wander ? PathDue::to_new_goal : PathDue::no;
+    j.arrived = w.errand == Errand::arrive;
+    c.journeys[i] = j;
+    return i;
+}
+
+void remove_walker(Crowd& c, uint32_t i) {
+    CrowdSlots& slots = c.slots;
+    assert(is_there(c, i));
+    WalkerId last = slots.living.back();
+    slots.living[slots.place[i]] = last;
+    slots.place[last.index] = slots.place[i];
+    slots.living.pop_back();
+    slots.place[i] = k_nobody;
+    ++slots.generation[i];
+    slots.left.push_back(i);
+}
+
 void send_to(Crowd& c, uint32_t i, NavPoint goal) {
-    c.goal[i] = goal;
-    c.pause_until[i] = 0;
-    c.path_due[i] = static_cast<uint8_t>(PathDue::same_goal);
+    Journey& j = c.journeys[i];
+    Journey next;
+    next.goal = goal;
+    next.trip = j.trip + 1;
+    next.errand = j.errand;
+    next.path_due = PathDue::to_goal;
+    j = next;
 }
 
-bool has_arrived(const Crowd& c, uint32_t i) {
-    return c.path_due[i] == static_cast<uint8_t>(PathDue::no) && c.corner[i] >= c.corner_count[i];
-}
+bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }
 
-void step_crowd(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,
-                uint64_t seed) {
-    think(crowd, city, mesh, workers, tick, seed);
+void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
+                uint32_t tick, uint64_t seed) {
+    think(crowd, mesh, workers, tick, seed);
     find_neighbours(crowd, workers, tick);
     steer(crowd, mesh, workers, tick);
-    move(crowd, city, mesh, workers);
+    move(crowd, around, mesh, workers);
+}
+
+static uint64_t hash_journey(uint64_t h, const Journey& j, const Vec3* corners) {
+    auto add = [&](const auto&... values) { ((h = hash_bytes(h, &values, sizeof values)), ...); };
+    add(j.goal, j.facing, j.stay, j.trip, j.pause_until, j.path_start, j.stretch_start, j.closest,
+        j.closest_tick, j.insists_since, j.insists_from, j.errand, j.path_due, j.corner, j.corner_count,
+        j.stuck, j.arrived);
+    return hash_bytes(h, corners + j.corner, (j.corner_count - j.corner) * sizeof(Vec3));
 }
 
 uint64_t hash_crowd(const Crowd& c) {
+    const CrowdSlots& slots = c.slots;
     uint64_t h = mix(c.count ^ uint64_t{c.next_path} << 32);
-    auto add = [&](const auto&... arrays) {
-        ((h = hash_bytes(h, arrays.data(), c.count * sizeof(arrays[0]))), ...);
-    };
-    add(c.position, c.velocity, c.heading, c.turn_rate, c.polygon, c.preferred_speed, c.radius, c.lateral,
-        c.body, c.scale, c.errand, c.goal, c.goal_facing, c.goal_stay, c.trip, c.pause_until, c.corner,
-        c.corner_count, c.path_due, c.leg_start, c.closest, c.closest_tick, c.stuck, c.jam, c.wanted, c.looks,
-        c.chosen, c.neighbour_count);
+    h = hash_bytes(h, slots.generation.data(), c.count * sizeof(uint32_t));
+    h = hash_bytes(h, slots.left.data(), slots.left.size() * sizeof(uint32_t));
+    h = hash_bytes(h, slots.living.data(), slots.living.size() * sizeof(WalkerId));
+    const CrowdIdentity& who = c.identity;
+    const CrowdMotion& m = c.motion;
+    const CrowdDecision& d = c.decision;
+    auto add = [&](const auto&... values) { ((h = hash_bytes(h, &values, sizeof values)), ...); };
     for (uint32_t i = 0; i < c.count; ++i) {
-        const Vec3* corners = &c.corners[size_t{i} * k_corners];
-        h = hash_bytes(h, corners + c.corner[i], (c.corner_count[i] - c.corner[i]) * sizeof(Vec3));
-        h = hash_bytes(h, &c.neighbours[size_t{i} * k_neighbours], c.neighbour_count[i] * sizeof(uint32_t));
+        if (!is_there(c, i)) continue;
+        const GroundHit& under = m.under[i];
+        add(who.preferred_speed[i], who.radius[i], who.lateral[i], who.body[i], who.scale[i]);
+        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.polygon[i]);
+        add(under.height, under.normal, under.kind);
+        add(d.wanted[i], d.looks[i], d.chosen[i], d.claim[i]);
+        h = hash_journey(h, c.journeys[i], &c.corners[size_t{i} * k_corners]);
     }
     return h;
 }

@@ -1,5 +1,4 @@
-// The walkers: who they are, where they are, and the stages that move them. Structure of arrays, index =
-// walker id.
+// The walkers: who they are, where they are, and the stages that move them; arrays parted by who reads what.
 //
 // One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Stages read the state of the tick
 // before and write to arrays of their own; `move` writes the next state and swaps it in. So the result
@@ -15,14 +14,15 @@
 
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
+#include "sim/base/tick.h"
 #include "sim/base/vec.h"
-#include "sim/city/city.h"
-#include "sim/city/navmesh.h"
 #include "sim/crowd/demand.h"
+#include "sim/crowd/walker_id.h"
+#include "sim/ground/surroundings.h"
+#include "sim/navigation/navmesh.h"
 
 namespace flaneur {
 
-inline constexpr float k_tick = 1.0f / 60;       // seconds
 inline constexpr uint32_t k_decision_ticks = 4;  // a walker decides every so many ticks
 inline constexpr int k_corners = 32;             // of a path, at most
 inline constexpr int k_neighbours = 12;          // that a walker minds, at most
@@ -31,77 +31,118 @@ inline constexpr float k_neighbour_reach = 4;    // metres
 // What a walker does at its goal.
 enum class Errand : uint8_t { wander, arrive };  // pause and go somewhere else; stand there
 
-struct Crowd {
-    uint32_t count = 0, capacity = 0;
+// Who they are; constant.
+struct CrowdIdentity {
+    std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
+    std::vector<float> radius;           // of the body, metres
+    std::vector<float> lateral;          // how far out corners are taken, metres
+    std::vector<uint32_t> body;          // index into the bodies that the program has
+    std::vector<float> scale;            // of that body
+};
 
-    // State, hashed. Velocity and position are those at the end of the last tick.
+// Where they are and how they move, at the end of the last tick. Gait and pictures read it.
+struct CrowdMotion {
     std::vector<Vec3> position;     // on the ground, between the feet
     std::vector<Vec2> velocity;     // metres a second
     std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;   // of the heading, radians a second
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there
+};
 
-    // Identity, constant.
-    std::vector<float> preferred_speed;  // metres a second, 0.7 .. 1.9
-    std::vector<float> radius;           // of the body, metres
-    std::vector<float> lateral;          // how far out corners are taken, metres
-    std::vector<uint32_t> body;          // index into the bodies that the program has
-    std::vector<float> scale;            // of that body
-    std::vector<Errand> errand;
+// Whether a walker waits for a path to be found: to its goal, or to one that is chosen first.
+enum class PathDue : uint8_t { no, to_goal, to_new_goal };
 
-    // Errands.
-    Demand demand;  // what draws them; constant
-    std::vector<NavPoint> goal;
-    std::vector<Vec2> goal_facing;      // the way to look there; (0, 0): no matter
-    std::vector<Stay> goal_stay;        // how long to stand there
-    std::vector<uint32_t> trip;         // how many goals it has had
-    std::vector<uint32_t> pause_until;  // tick; stands before it
-    std::vector<Vec3> corners;          // k_corners a walker: the way ahead
-    std::vector<uint8_t> corner,
-        corner_count;               // corners[corner] is walked to; corner == corner_count: no way
-    std::vector<uint8_t> path_due;  // PathDue
-    std::vector<Vec2> leg_start;    // where the leg to the current corner began
-    std::vector<float> closest;     // to the current corner so far, metres, for noticing that one is stuck
-    std::vector<uint32_t> closest_tick;
-    std::vector<uint8_t> stuck;  // replans in a row that did not help
-    std::vector<uint8_t> jam;    // all that did not, less progress made since; 0..k_most_jam
-    uint32_t next_path = 0;      // the walker from which path requests are served next
+inline constexpr uint32_t k_never = ~0u;  // a tick
 
-    // Decisions.
-    std::vector<Vec2> wanted;          // velocity that the errand asks for
-    std::vector<uint8_t> looks;        // 1: stands at its goal, and looks the way one does there
-    std::vector<Vec2> chosen;          // velocity that steering allows
-    std::vector<uint32_t> neighbours;  // k_neighbours a walker, nearest first, as of its last decision
+// Where one walker goes and how it gets on. `think` alone writes it.
+struct Journey {
+    NavPoint goal;
+    Vec2 facing;               // the direction to look in there; (0, 0): no matter
+    Stay stay{};               // how long to stand there
+    uint32_t trip = 0;         // how many goals it has had
+    uint32_t pause_until = 0;  // tick; stands before it
+    Vec2 path_start;           // where the walker was when its path was found
+    Vec2 stretch_start;        // where the stretch of path to the current corner began
+    float closest = 0;         // to the current corner so far, metres, for noticing that one is stuck
+    uint32_t closest_tick = 0;
+    uint32_t insists_since = k_never;  // has a claim of its own since that tick,
+    Vec2 insists_from;                 // and was here then
+    Errand errand = Errand::wander;
+    PathDue path_due = PathDue::no;
+    uint8_t corner = 0, corner_count = 0;  // the path's; `corner` is walked to; equal: no path
+    uint8_t stuck = 0;                     // replans in a row that did not help
+    bool arrived = false;                  // is at its goal, or as near as those who stand there let it
+};
+
+// The right of way of one who does not get on: whose own it is, and since when. Who stands in such a one's
+// way inherits it to get out of there, and so do those in whose way that one comes, as in "Priority
+// inheritance with backtracking" (Okumura et al., IJCAI 2019): so the oldest claim always gets on.
+struct Claim {
+    uint32_t since = k_never, owner = 0, heirs = 0;                 // heirs: how many took it over before
+    friend auto operator<=>(const Claim&, const Claim&) = default;  // smaller goes before larger
+};
+
+// What they have decided, the last time each did.
+struct CrowdDecision {
+    std::vector<Vec2> wanted;    // velocity that the errand asks for
+    std::vector<uint8_t> looks;  // 1: stands at its goal, and looks where one looks there
+    std::vector<Vec2> chosen;    // velocity that steering allows
+    std::vector<Claim> claim;
+};
+
+// What others need to know of a walker to keep clear of it.
+struct Seen {
+    Vec3 position;
+    uint32_t id;
+    Vec2 velocity;  // of one with a claim, what it asks for; else what it has
+    float radius;
+    Claim claim;
+};
+
+// Written and read within one tick.
+struct CrowdScratch {
+    std::vector<Seen> sorted;           // by cell of the plane, so that those who are near lie near
+    std::vector<uint32_t> cell_first;   // cell c holds sorted[cell_first[c] .. cell_first[c + 1])
+    uint32_t cells_x = 0, cells_z = 0;  // powers of two; the plane is wrapped onto them
+    std::vector<uint32_t> cell;         // of each walker
+    // Of those who decide, where in `sorted` their neighbours lie: k_neighbours a walker, nearest first.
+    std::vector<uint32_t> neighbours;
     std::vector<uint8_t> neighbour_count;
-
-    // Scratch of one tick.
+    std::vector<uint32_t> requests;  // walkers whose path is sought
     std::vector<Vec3> next_position;
     std::vector<Vec2> next_velocity;
     std::vector<uint32_t> next_polygon;
-    std::vector<uint32_t> cell;  // of each walker
-    std::vector<uint32_t>
-        cell_first;  // walkers sorted by cell: cell c holds [cell_first[c], cell_first[c + 1])
-    struct Seen {
-        Vec3 position;
-        uint32_t id;
-    };
-    std::vector<Seen> sorted;
-    uint32_t cells_x = 0, cells_z = 0;  // powers of two; the plane is wrapped onto them
-    std::vector<uint32_t> requests;     // walkers whose path is sought this tick
 };
 
-inline constexpr uint8_t k_most_jam = 8;
+// Which slots are taken by whom.
+struct CrowdSlots {
+    std::vector<WalkerId> living;      // in no particular order
+    std::vector<uint32_t> place;       // by slot: where in `living` its walker is, or k_nobody
+    std::vector<uint32_t> generation;  // by slot: how often it was left
+    std::vector<uint32_t> left;        // slots to be taken again, the last first
+};
+inline constexpr uint32_t k_nobody = ~0u;
 
-// Metres that the middles of two walkers keep apart. One on a stroll or a trip whom a jam holds longer than
-// any queue, some 15 s and more, turns its shoulders ever further, others theirs for it, and at last it slips
-// past.
-inline float room_between(const Crowd& c, uint32_t i, uint32_t j) {
-    auto held = [&](uint32_t k) { return c.errand[k] == Errand::wander ? std::max(c.jam[k] - 4, 0) : 0; };
-    return (c.radius[i] + c.radius[j]) * (1 - 0.25f * static_cast<float>(std::max(held(i), held(j))));
-}
+// Index = slot. Those at `count` and above were never taken; of those below, some may be empty (is_there).
+struct Crowd {
+    uint32_t count = 0, capacity = 0;
+    CrowdSlots slots;
+    float widest = 0;  // radius of any of them, metres
+    CrowdIdentity identity;
+    CrowdMotion motion;
+    std::vector<Journey> journeys;
+    std::vector<Vec3> corners;  // k_corners a walker: the path ahead
+    CrowdDecision decision;
+    uint32_t next_path = 0;  // the walker from which path requests are served next
+    Demand demand;           // what draws them; constant
+    CrowdScratch scratch;
+};
 
-enum class PathDue : uint8_t { no, same_goal, new_goal };
+// Bodies may press into each other by this much and never more, metres.
+inline constexpr float k_most_overlap = 0.04f;
+
+inline constexpr float k_least_radius = 0.1f, k_widest_radius = 0.5f;  // of bodies, metres
 
 struct Walker {
     NavPoint place;
@@ -117,13 +158,21 @@ struct Walker {
 // An empty crowd with room for `capacity` walkers.
 Crowd make_crowd(uint32_t capacity);
 
-// Adds a walker that stands still; returns its id. `place` must be on the mesh, and there must be room.
-uint32_t add_walker(Crowd& crowd, const City& city, const Walker& walker);
+inline bool is_there(const Crowd& crowd, uint32_t slot) { return crowd.slots.place[slot] != k_nobody; }
+
+// Whether a body of `radius` fits in at `place` without touching anybody.
+bool has_room(const Crowd& crowd, Vec3 place, float radius);
+
+// Adds a walker that stands still; returns its slot. `place` must be on the mesh, and there must be room for
+// it there and in the crowd.
+uint32_t add_walker(Crowd& crowd, const Surroundings& around, const Walker& walker);
+
+void remove_walker(Crowd& crowd, uint32_t walker);
 
 // Gives a walker a goal; its path is found in the next ticks.
 void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 
-// Whether a walker stands where it was sent.
+// Whether a walker stands at its goal, or next to others who stand there.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
 // The walkers who share a body.
@@ -133,31 +182,39 @@ struct Folk {
     float most = 1.9f;    // nobody prefers to go faster
 };
 
-// A crowd of `walkers` spread over the city's sidewalks, plazas and paths without touching (in a large city
+// One of them by chance: all but its place.
+Walker draw_walker(std::span<const Folk> folk, RandomKey key);
+
+// A crowd of `walkers` spread over the ground's sidewalks, plazas and paths without touching (on large ground
 // over those about the middle of its houses, one walker to some 60 square metres), under way to where people
-// go at that `hour` of the day (0..24), or to random goals where the city has no destinations.
-// Each belongs by chance to one of the folk, whose place in the list is its body. Refuses more walkers than
-// fit.
-Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       std::span<const Folk> folk, uint64_t seed, float hour = 17.5f);
+// go at that `hour` of the day (0..24), or to random goals where there are no destinations.
+// Each belongs by chance to one of the folk, whose place in the list is its body. There is room for
+// `capacity` walkers in all. Refuses more walkers than fit.
+Result<Crowd> populate(const Ground& ground, const Surroundings& around,
+                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
+                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
+                       uint32_t capacity = 0);
 
 // Goals, paths and the velocity that each walker would like. Serves a bounded number of path requests a tick.
-void think(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,
-           uint64_t seed);
+void think(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed);
 
 // Sorts everyone by place; then the k_neighbours nearest others within k_neighbour_reach, ties by id.
 void find_neighbours(Crowd& crowd, Workers& workers, uint32_t tick);
+
+// How deep any two bodies press into each other where find_neighbours saw them, metres; negative where nobody
+// touches. Of no more than the widest body's reach.
+float deepest_overlap(const Crowd& crowd);
 
 // A velocity near the wanted one that avoids others and the mesh's border: optimal reciprocal collision
 // avoidance (van den Berg et al. 2011), then a speed that keeps headway (Tordeux et al. 2016).
 void steer(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick);
 
 // Turns and moves everyone by one tick, on the mesh, within what legs can do. Comes after find_neighbours.
-void move(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers);
+void move(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers);
 
 // All four.
-void step_crowd(Crowd& crowd, const City& city, const Navmesh& mesh, Workers& workers, uint32_t tick,
-                uint64_t seed);
+void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
+                uint32_t tick, uint64_t seed);
 
 // Of everything that the next tick depends on.
 uint64_t hash_crowd(const Crowd& crowd);

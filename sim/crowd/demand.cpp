@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "sim/crowd/crowd.h"
+#include "sim/base/tick.h"
 
 namespace flaneur {
 
@@ -40,13 +40,14 @@ float demand_at(DestinationKind kind, float hour) {
 
 Stay stay_at(DestinationKind kind) { return k_stays[static_cast<int>(kind)]; }
 
-Demand make_demand(const City& city, const Navmesh& mesh, float hour) {
+Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
+                   float hour) {
     Demand demand;
     demand.hour = hour;
     for (int k = 0; k < k_destination_count; ++k) {
         std::vector<Attraction> found;
         std::vector<float> weights;
-        for (const Destination& d : city.destinations) {
+        for (const Destination& d : destinations) {
             if (static_cast<int>(d.kind) != k || !(d.weight > 0)) continue;
             auto place = nearest(mesh, 0, d.position, {3, 1.5f, 3});
             if (!place || !is_worth_walking(mesh, place->polygon)) continue;
@@ -54,8 +55,7 @@ Demand make_demand(const City& city, const Navmesh& mesh, float hour) {
             weights.push_back(d.weight);
         }
         demand.grids[k] = make_weighted_grid(
-            city.low, city.high, k_cell, found.size(),
-            [&](uint32_t i) { return on_ground(found[i].place.position); },
+            low, high, k_cell, found.size(), [&](uint32_t i) { return on_ground(found[i].place.position); },
             [&](uint32_t i) { return weights[i]; });
         for (uint32_t i : demand.grids[k].grid.items) demand.attractions[k].push_back(found[i]);
     }

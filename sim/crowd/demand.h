@@ -1,15 +1,28 @@
 // Where people want to go: by what is there, how far it is, and the time of day.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/base/rng.h"
-#include "sim/city/city.h"
-#include "sim/city/navmesh.h"
-#include "sim/city/weighted_grid.h"
+#include "sim/base/vec.h"
+#include "sim/navigation/navmesh.h"
+#include "sim/navigation/weighted_grid.h"
 
 namespace flaneur {
+
+// Where people come from and go to.
+enum class DestinationKind : uint8_t { door, shop, bench, stop, edge, square };
+inline constexpr int k_destination_count = 6;
+
+struct Destination {
+    DestinationKind kind = DestinationKind::door;
+    Vec3 position;     // on the ground, where one stands
+    Vec2 facing;       // unit, the way one looks there: at the door, off the bench, out of the map
+    float weight = 1;  // of its kind: how often it is chosen against others
+};
 
 // A destination on the mesh.
 struct Attraction {
@@ -24,9 +37,10 @@ struct Demand {
     WeightedGrid grids[k_destination_count];
 };
 
-// Sets the city's destinations on the mesh; those farther than 3 m from it are left out, as are those on
-// pieces of mesh too small to walk about in.
-Demand make_demand(const City& city, const Navmesh& mesh, float hour);
+// Sets destinations on the mesh, which lies between `low` and `high` on the ground plane; those farther than
+// 3 m from it are left out, as are those on pieces of mesh too small to walk about in.
+Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
+                   float hour);
 
 // How much people want to be at such a place at an hour of the day (0..24, wrapped), against other kinds:
 // homes and work at the rush hours, shops by day, squares and benches in the evening.
@@ -44,7 +58,7 @@ struct Trip {
     Vec2 facing;
 };
 // A trip of 40 m to some 500 m, as the crow flies, for one who is at `from`; none if nothing draws them, as
-// where the city has no destinations: then they stroll. `ticks` counts from the beginning.
+// where there are no destinations: then they stroll. `ticks` counts from the beginning.
 std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
                                 uint32_t ticks, RandomKey key);
 

@@ -5,7 +5,7 @@
 
 namespace flaneur {
 
-// Finds the way that the walker's path_due asks for, choosing a new goal first where it asks for one.
+// Finds the path that the walker's path_due asks for, choosing a new goal first where it asks for one.
 void plan_path(Crowd& crowd, const Navmesh& mesh, int thread, uint32_t walker, uint32_t tick, uint64_t seed);
 
 }  // namespace flaneur

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "sim/base/vec.h"
-#include "sim/city/city.h"
+#include "sim/ground/ground.h"
 
 namespace flaneur {
 

@@ -1,62 +1,108 @@
 // Everyone moves as legs can follow the chosen velocity, and never off the mesh.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <functional>
 
+#include "sim/base/tick.h"
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/half_planes.h"
 #include "sim/crowd/locomotion.h"
+#include "sim/crowd/places.h"
 
 namespace flaneur {
 
-static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other
-static constexpr float k_push = 0.008f;     // metres that they are parted by in a tick, at most
-static constexpr size_t k_together = 64;    // walkers whose ground is asked for at once
-static constexpr int k_pushers = 6;         // the nearest neighbours that can press
+static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other for long
+static constexpr float k_push = 0.5f;       // m/s that they are parted by, at most
+static constexpr float k_step_reach =
+    0.1f;                                 // metres that two who walk can near each other in a tick, at most
+static constexpr size_t k_together = 64;  // walkers whose ground is asked for at once
+static constexpr int k_contacts = 32;
 
-static Vec2 push_apart(const Crowd& c, uint32_t i) {
-    Vec2 push{0, 0};
-    const uint32_t* ids = &c.neighbours[size_t{i} * k_neighbours];
-    for (int k = 0; k < std::min<int>(c.neighbour_count[i], k_pushers); ++k) {
-        uint32_t j = ids[k];
-        Vec2 away = on_ground(c.position[i] - c.position[j]);
-        float touching = std::max(room_between(c, i, j) - k_overlap, 0.0f);
-        float d2 = length_squared(away);
-        if (d2 >= touching * touching) continue;
-        float d = std::sqrt(d2);
-        Vec2 direction = d > 1e-5f ? away / d : Vec2{i < j ? 1.0f : -1.0f, 0};
-        push += direction * ((touching - d) * 0.5f);
+namespace {
+
+// What those who are so near that one might step into them leave of a walker's velocities.
+struct Contacts {
+    HalfPlane planes[k_contacts];
+    int count = 0;
+    Vec2 push{0, 0};  // m/s, that parts those who overlap
+};
+
+}  // namespace
+
+// Each of two who are near takes half of the gap between them at most, along the line between them: so no
+// step brings them nearer than k_most_overlap allows, whatever both do.
+static Contacts contacts_of(const Crowd& c, const Seen& me) {
+    Contacts out;
+    float reach = me.radius + c.widest + k_step_reach;
+    for_seen_near(c.scratch, me.position, reach, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t k = begin; k < end; ++k) {
+            const Seen& other = c.scratch.sorted[k];
+            Vec2 away = on_ground(me.position - other.position);
+            float touching = me.radius + other.radius, d2 = length_squared(away);
+            if (d2 > (touching + k_step_reach) * (touching + k_step_reach) || other.id == me.id) continue;
+            if (std::fabs(me.position.y - other.position.y) > k_other_level) continue;
+            float d = std::sqrt(d2);
+            Vec2 direction = d > 1e-5f ? away / d : Vec2{me.id < other.id ? 1.0f : -1.0f, 0};
+            float gap = std::max(d - (touching - k_most_overlap), 0.0f);
+            assert(out.count < k_contacts);  // more do not fit round one body
+            if (out.count < k_contacts) out.planes[out.count++] = {direction, -0.5f * gap / k_tick};
+            float overlap = touching - k_overlap - d;
+            if (overlap > 0) out.push += direction * (0.5f * overlap / k_tick);
+        }
+    });
+    float l = length(out.push);
+    if (l > k_push) out.push = out.push * (k_push / l);
+    return out;
+}
+
+// The largest share, 0..1, of velocity `v` that keeps to all planes.
+static float share_within(const Contacts& near, Vec2 v) {
+    float share = 1;
+    for (int k = 0; k < near.count; ++k) {
+        float along = dot(v, near.planes[k].normal), most = near.planes[k].offset;
+        if (along < most - 1e-4f) share = std::min(share, most / along);
     }
-    float l = length(push);
-    return l > k_push ? push * (k_push / l) : push;
+    return share;
 }
 
 // All but the height of the ground where it comes to.
-static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
+static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
+    uint32_t i = me.id;
+    CrowdMotion& m = c.motion;
     Motion motion =
-        next_motion({c.velocity[i], c.heading[i], c.turn_rate[i]}, wish_on(c.under[i], c.chosen[i]), k_tick,
-                    c.looks[i] ? c.goal_facing[i] : Vec2{0, 0});
-    c.heading[i] = motion.heading;
-    c.turn_rate[i] = motion.turn_rate;
+        next_motion({m.velocity[i], m.heading[i], m.turn_rate[i]}, wish_on(m.under[i], c.decision.chosen[i]),
+                    k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0});
+    m.heading[i] = motion.heading;
+    m.turn_rate[i] = motion.turn_rate;
     Vec2 v = motion.velocity;
     float speed = length(v);
 
-    Vec3 from = c.position[i];
-    Vec2 step = v * k_tick + push_apart(c, i);
-    NavPoint to = move_along(mesh, thread, {from, c.polygon[i]}, from + at_height(step, 0));
-    Vec2 moved = on_ground(to.position - from);
-    // Stopped or turned aside by the border: velocity is what became of it.
-    if (length_squared(moved - step) > 1e-8f) {
-        Vec2 real = moved / k_tick;
+    Contacts near = contacts_of(c, me);
+    Vec2 step = v + near.push;
+    if (share_within(near, step) < 1)
+        step = best_velocity(near.planes, near.count, near.count, length(step), step);
+    NavPoint from{m.position[i], m.polygon[i]};
+    NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0));
+    Vec2 real = on_ground(to.position - from.position) / k_tick;
+    // Along a wall one may have slid into somebody.
+    for (int attempt = 0; share_within(near, real) < 1; ++attempt) {
+        real = real * (attempt == 0 ? share_within(near, real) : 0);
+        to =
+            attempt == 0 ? move_along(mesh, thread, from, from.position + at_height(real * k_tick, 0)) : from;
+        real = on_ground(to.position - from.position) / k_tick;
+    }
+    // Stopped or turned aside by the border or by others: velocity is what became of it.
+    if (length_squared(real - v - near.push) > 1e-4f * 0.36f) {
         float r = length(real);
         v = r > speed ? real * (speed / r) : real;
     }
-    to.position.y = from.y;
-    c.next_position[i] = to.position;
-    c.next_velocity[i] = v;
-    c.next_polygon[i] = to.polygon;
+    to.position.y = from.position.y;
+    c.scratch.next_position[i] = to.position;
+    c.scratch.next_velocity[i] = v;
+    c.scratch.next_polygon[i] = to.polygon;
 }
 
-void move(Crowd& c, const City& city, const Navmesh& mesh, Workers& workers) {
+void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers) {
     // In the order of places, so that walkers who share ground and mesh find them in the cache.
     auto move_some = [&](size_t begin, size_t end, int thread) {
         Vec3 places[k_together];
@@ -64,23 +110,23 @@ void move(Crowd& c, const City& city, const Navmesh& mesh, Workers& workers) {
         for (size_t first = begin; first < end; first += k_together) {
             size_t count = std::min(k_together, end - first);
             for (size_t k = 0; k < count; ++k) {
-                uint32_t i = c.sorted[first + k].id;
-                move_walker(c, mesh, thread, i);
-                places[k] = c.next_position[i];
+                const Seen& me = c.scratch.sorted[first + k];
+                move_walker(c, mesh, thread, me);
+                places[k] = c.scratch.next_position[me.id];
             }
-            ground(city, {places, count}, 0.5f, 1.5f, hits);
+            ground_at(around, {places, count}, 0.5f, 1.5f, hits);
             for (size_t k = 0; k < count; ++k) {
                 if (!hits[k]) continue;
-                uint32_t i = c.sorted[first + k].id;
-                c.next_position[i].y = hits[k]->height;
-                c.under[i] = *hits[k];
+                uint32_t i = c.scratch.sorted[first + k].id;
+                c.scratch.next_position[i].y = hits[k]->height;
+                c.motion.under[i] = *hits[k];
             }
         }
     };
-    parallel_for(workers, c.count, 256, std::ref(move_some));
-    c.position.swap(c.next_position);
-    c.velocity.swap(c.next_velocity);
-    c.polygon.swap(c.next_polygon);
+    parallel_for(workers, c.slots.living.size(), 256, move_some);
+    c.motion.position.swap(c.scratch.next_position);
+    c.motion.velocity.swap(c.scratch.next_velocity);
+    c.motion.polygon.swap(c.scratch.next_polygon);
 }
 
 }  // namespace flaneur

@@ -3,74 +3,93 @@
 #include <cmath>
 
 #include "sim/crowd/crowd.h"
-#include "sim/crowd/deciders.h"
+#include "sim/crowd/places.h"
 
 namespace flaneur {
 
-static constexpr float k_cell = 2;            // metres
-static constexpr float k_other_level = 1.8f;  // metres above or below: not in the way
+static constexpr float k_insistence = 0.6f;  // m/s, at most, that one with a claim asks for
 
-// The plane is wrapped onto the grid, so that its size follows the crowd's, not the city's. Walkers from afar
-// that share a cell are sorted out by distance.
-static int column(float v) { return static_cast<int>(std::floor(v * (1 / k_cell))); }
-
-static void sort_by_cell(Crowd& c) {
-    std::fill(c.cell_first.begin(), c.cell_first.end(), 0);
-    for (uint32_t i = 0; i < c.count; ++i) {
-        uint32_t x = static_cast<uint32_t>(column(c.position[i].x)) & (c.cells_x - 1);
-        uint32_t z = static_cast<uint32_t>(column(c.position[i].z)) & (c.cells_z - 1);
-        c.cell[i] = z * c.cells_x + x;
-        ++c.cell_first[c.cell[i] + 1];
+static Seen seen(const Crowd& c, uint32_t i) {
+    const CrowdDecision& d = c.decision;
+    Seen seen{c.motion.position[i], i, c.motion.velocity[i], c.identity.radius[i], d.claim[i]};
+    if (seen.claim.since != k_never) {
+        Vec2 asked = seen.claim.heirs > 0 ? d.chosen[i] : d.wanted[i];
+        seen.velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));
     }
-    for (size_t k = 1; k < c.cell_first.size(); ++k) c.cell_first[k] += c.cell_first[k - 1];
-    // Filled from the back, with the ends as cursors: afterwards each cursor stands at its cell's first
-    // walker.
-    for (uint32_t i = c.count; i-- > 0;) c.sorted[--c.cell_first[c.cell[i] + 1]] = {c.position[i], i};
-    std::rotate(c.cell_first.begin(), c.cell_first.begin() + 1, c.cell_first.end());
-    c.cell_first.back() = c.count;
+    return seen;
 }
 
-static void nearest_walkers(Crowd& c, uint32_t i) {
-    Vec3 p = c.position[i];
+static void sort_by_cell(Crowd& c) {
+    CrowdScratch& s = c.scratch;
+    const CrowdMotion& m = c.motion;
+    std::fill(s.cell_first.begin(), s.cell_first.end(), 0);
+    for (uint32_t i = 0; i < c.count; ++i) {
+        if (!is_there(c, i)) continue;
+        uint32_t x = static_cast<uint32_t>(seen_column(m.position[i].x)) & (s.cells_x - 1);
+        uint32_t z = static_cast<uint32_t>(seen_column(m.position[i].z)) & (s.cells_z - 1);
+        s.cell[i] = z * s.cells_x + x;
+        ++s.cell_first[s.cell[i] + 1];
+    }
+    for (size_t k = 1; k < s.cell_first.size(); ++k) s.cell_first[k] += s.cell_first[k - 1];
+    // Filled from the back, with the ends as cursors: afterwards each cursor stands at its cell's first
+    // walker.
+    for (uint32_t i = c.count; i-- > 0;)
+        if (is_there(c, i)) s.sorted[--s.cell_first[s.cell[i] + 1]] = seen(c, i);
+    std::rotate(s.cell_first.begin(), s.cell_first.begin() + 1, s.cell_first.end());
+    s.cell_first.back() = static_cast<uint32_t>(c.slots.living.size());
+}
+
+static void nearest_walkers(Crowd& c, const Seen& me) {
+    const CrowdScratch& s = c.scratch;
+    Vec3 p = me.position;
+    uint32_t i = me.id;
     float distances[k_neighbours];
-    uint32_t* ids = &c.neighbours[size_t{i} * k_neighbours];
+    uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
     int count = 0;
     float reach = k_neighbour_reach * k_neighbour_reach;
     auto look_at = [&](uint32_t begin, uint32_t end) {
         for (uint32_t k = begin; k < end; ++k) {
-            const Crowd::Seen& other = c.sorted[k];
+            const Seen& other = s.sorted[k];
             float d = length_squared(on_ground(other.position) - on_ground(p));
             if (d > reach || other.id == i || std::fabs(other.position.y - p.y) > k_other_level) continue;
             int at = count;
-            while (at > 0 && (distances[at - 1] > d || (distances[at - 1] == d && ids[at - 1] > other.id)))
+            while (at > 0 && (distances[at - 1] > d ||
+                              (distances[at - 1] == d && s.sorted[slots[at - 1]].id > other.id)))
                 --at;
             if (at == k_neighbours) continue;
             if (count < k_neighbours) ++count;
-            for (int m = count - 1; m > at; --m) distances[m] = distances[m - 1], ids[m] = ids[m - 1];
+            for (int m = count - 1; m > at; --m) {
+                distances[m] = distances[m - 1];
+                slots[m] = slots[m - 1];
+            }
             distances[at] = d;
-            ids[at] = other.id;
+            slots[at] = k;
             if (count == k_neighbours) reach = distances[count - 1];
         }
     };
-    int low_x = column(p.x - k_neighbour_reach), high_x = column(p.x + k_neighbour_reach);
-    int low_z = column(p.z - k_neighbour_reach), high_z = column(p.z + k_neighbour_reach);
-    for (int z = low_z; z <= high_z; ++z) {
-        uint32_t row = (static_cast<uint32_t>(z) & (c.cells_z - 1)) * c.cells_x;
-        uint32_t a = static_cast<uint32_t>(low_x) & (c.cells_x - 1),
-                 b = static_cast<uint32_t>(high_x) & (c.cells_x - 1);
-        if (a <= b) {
-            look_at(c.cell_first[row + a], c.cell_first[row + b + 1]);
-        } else {
-            look_at(c.cell_first[row + a], c.cell_first[row + c.cells_x]);
-            look_at(c.cell_first[row], c.cell_first[row + b + 1]);
-        }
+    for_seen_near(s, p, k_neighbour_reach, look_at);
+    c.scratch.neighbour_count[i] = static_cast<uint8_t>(count);
+}
+
+float deepest_overlap(const Crowd& c) {
+    const CrowdScratch& s = c.scratch;
+    float deepest = -1;
+    for (const Seen& me : std::span(s.sorted).first(c.slots.living.size())) {
+        for_seen_near(s, me.position, me.radius + c.widest, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t k = begin; k < end; ++k) {
+                const Seen& other = s.sorted[k];
+                Vec3 off = other.position - me.position;
+                if (other.id == me.id || std::fabs(off.y) > k_other_level) continue;
+                deepest = std::max(deepest, me.radius + other.radius - length(on_ground(off)));
+            }
+        });
     }
-    c.neighbour_count[i] = static_cast<uint8_t>(count);
+    return deepest;
 }
 
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
     sort_by_cell(c);
-    for_deciders(c, workers, tick, [&](uint32_t i) { nearest_walkers(c, i); });
+    for_deciders(c, workers, tick, [&](const Seen& me) { nearest_walkers(c, me); });
 }
 
 }  // namespace flaneur

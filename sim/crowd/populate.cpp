@@ -37,7 +37,7 @@ static bool is_free(const Placed& placed, const Crowd& c, Vec3 p) {
     for (int z = column(p.z) - 1; z <= column(p.z) + 1; ++z) {
         for (int x = column(p.x) - 1; x <= column(p.x) + 1; ++x) {
             for (uint32_t i = placed.head[placed.cell(x, z)]; i != Placed::k_none; i = placed.next[i]) {
-                if (length_squared(c.position[i] - p) < k_spacing * k_spacing) return false;
+                if (length_squared(c.motion.position[i] - p) < k_spacing * k_spacing) return false;
             }
         }
     }
@@ -59,60 +59,70 @@ static float median(std::vector<float>& values) {
 
 // A crowd too thin for its city keeps to the streets where the city is densest, about the median of its
 // facades, so that one meets people there.
-static Neighbourhood find_neighbourhood(const City& city, const Navmesh& mesh, uint32_t walkers) {
+static Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint32_t walkers) {
     constexpr double k_room = 60;  // square metres a walker
     std::vector<float> xs, zs;
-    for (const Face& f : city.faces) {
+    for (const Face& f : ground.faces) {
         if (f.kind != FaceKind::facade) continue;
         xs.push_back((f.a.x + f.b.x) * 0.5f);
         zs.push_back((f.a.z + f.b.z) * 0.5f);
     }
-    Neighbourhood n{(city.low + city.high) * 0.5f, 20};
+    Neighbourhood n{(ground.low + ground.high) * 0.5f, 20};
     if (!xs.empty()) n.centre = {median(xs), median(zs)};
-    float widest = length(city.high - city.low);
+    float widest = length(ground.high - ground.low);
     while (n.radius < widest && place_area_near(mesh, n.centre, n.radius) < walkers * k_room)
         n.radius *= 1.25f;
     return n;
 }
 
-Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, uint32_t walkers,
-                       std::span<const Folk> folk, uint64_t seed, float hour) {
+Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
+    float total = 0;
+    for (const Folk& f : folk) total += f.share;
+    float drawn = random_unit(key, 0) * total, before = 0;
+    Walker w;
+    while (w.body + 1 < folk.size() && drawn >= (before += folk[w.body].share)) ++w.body;
+    w.preferred_speed = clamp(folk[w.body].speed * (1 + k_speed_deviation * random_normal(key, 1)),
+                              k_least_speed, folk[w.body].most);
+    w.radius = k_body_radius;
+    w.scale = random_between(key, 0.95f, 1.05f, 2);
+    key.purpose = Purpose::lateral;
+    w.lateral = random_between(key, 0.15f, 2.2f);
+    return w;
+}
+
+Result<Crowd> populate(const Ground& ground, const Surroundings& around,
+                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
+                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
+                       uint32_t capacity) {
     assert(!folk.empty() || walkers == 0);
-    std::vector<float> shares;  // of each folk and all before
-    for (const Folk& f : folk) shares.push_back(f.share + (shares.empty() ? 0 : shares.back()));
-    Crowd c = make_crowd(walkers);
-    c.demand = make_demand(city, mesh, hour);
+    Crowd c = make_crowd(std::max(walkers, capacity));
+    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
     placed.next.resize(walkers);
-    Neighbourhood home = find_neighbourhood(city, mesh, walkers);
+    Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
     constexpr uint32_t k_attempts = 64;
     for (uint32_t i = 0; i < walkers; ++i) {
         Walker w;
         for (uint32_t attempt = 0; attempt < k_attempts && w.place.polygon == 0; ++attempt) {
             RandomKey key{seed, i, attempt, Purpose::spawn};
-            NavPoint p = random_place_near(mesh, home.centre, home.radius, random_unit(key, 0),
+            NavPoint p = random_place_near(mesh, 0, home.centre, home.radius, random_unit(key, 0),
                                            random_unit(key, 1), random_unit(key, 2));
-            auto hit = ground(city, p.position, 1, 2);
+            auto hit = ground_at(around, p.position, 1, 2);
             if (!hit) continue;
             p.position.y = hit->height;
             if (is_free(placed, c, p.position)) w.place = p;
         }
         if (w.place.polygon == 0) {
             return Error{"only about " + std::to_string(i) + " of " + std::to_string(walkers) +
-                         " walkers fit on the sidewalks of '" + city.name + "': take fewer or a larger city"};
+                         " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
+                         "': take fewer, or more ground"};
         }
-        RandomKey body{seed, i, 0, Purpose::body};
-        float drawn = random_unit(body, 0) * shares.back();
-        auto found = std::upper_bound(shares.begin(), shares.end() - 1, drawn);
-        w.body = static_cast<uint32_t>(found - shares.begin());
-        w.preferred_speed = clamp(folk[w.body].speed * (1 + k_speed_deviation * random_normal(body, 1)),
-                                  k_least_speed, folk[w.body].most);
-        w.radius = k_body_radius;
-        w.scale = random_between(body, 0.95f, 1.05f, 2);
-        w.lateral = random_between({seed, i, 0, Purpose::lateral}, 0.15f, 2.2f);
-        add_walker(c, city, w);
+        NavPoint place = w.place;
+        w = draw_walker(folk, {seed, i, 0, Purpose::body});
+        w.place = place;
+        add_walker(c, around, w);
         uint32_t& head = placed.head[placed.cell(column(w.place.position.x), column(w.place.position.z))];
         placed.next[i] = head;
         head = i;
@@ -120,9 +130,9 @@ Result<Crowd> populate(const City& city, const Navmesh& mesh, Workers& workers, 
     parallel_for(workers, c.count, 16, [&](size_t begin, size_t end, int thread) {
         for (size_t i = begin; i < end; ++i) {
             plan_path(c, mesh, thread, static_cast<uint32_t>(i), 0, seed);
-            Vec2 ahead = on_ground(c.corners[i * k_corners] - c.position[i]);
-            if (c.corner_count[i] == 0 || length_squared(ahead) < 1e-6f) continue;
-            c.heading[i] = heading_of(ahead);
+            Vec2 ahead = on_ground(c.corners[i * k_corners] - c.motion.position[i]);
+            if (c.journeys[i].corner_count == 0 || length_squared(ahead) < 1e-6f) continue;
+            c.motion.heading[i] = heading_of(ahead);
         }
     });
     return c;

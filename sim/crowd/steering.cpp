@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "sim/crowd/crowd.h"
-#include "sim/crowd/deciders.h"
 #include "sim/crowd/half_planes.h"
+#include "sim/crowd/places.h"
 
 namespace flaneur {
 
@@ -18,10 +18,13 @@ static constexpr float k_headway = 0.5f;      // seconds: a walker needs this lo
 static constexpr float k_keep_right = 0.15f;  // of the speed, where others come the other way
 static constexpr float k_patience = 0.7f;     // seconds without getting nearer before one gives way
 static constexpr float k_give_way = 0.6f;     // of the speed, to the right, for each second of that
-static constexpr float k_haste = 1.1f;        // times the preferred speed, at most
+static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
+static constexpr uint32_t k_most_heirs = 16;
+static constexpr float k_haste = 1.1f;  // times the preferred speed, at most
 
-// Walkers who meet head-on must not both wait: half the change each, on the side where it is smallest.
-static HalfPlane avoid(Vec2 between, Vec2 velocity, Vec2 other_velocity, float radius) {
+// Walkers who meet head-on must not both wait: each takes its share of the change, on the side where it is
+// smallest.
+static HalfPlane avoid(Vec2 between, Vec2 velocity, Vec2 other_velocity, float radius, float share) {
     Vec2 relative = velocity - other_velocity, change;
     Vec2 normal;
     float distance_squared = length_squared(between);
@@ -36,48 +39,69 @@ static HalfPlane avoid(Vec2 between, Vec2 velocity, Vec2 other_velocity, float r
         normal = l > 1e-6f ? w / l : Vec2{1, 0};
         change = normal * (radius / horizon - l);
     } else {
-        // The nearer leg of the cone that touches the other's circle.
-        float leg = std::sqrt(distance_squared - radius * radius);
+        // The nearer side of the cone that touches the other's circle.
+        float tangent = std::sqrt(distance_squared - radius * radius);
         Vec2 side;
         if (cross(between, w) > 0) {
-            side = Vec2{between.x * leg - between.z * radius, between.x * radius + between.z * leg} /
+            side = Vec2{between.x * tangent - between.z * radius, between.x * radius + between.z * tangent} /
                    distance_squared;
             normal = {-side.z, side.x};
         } else {
-            side = Vec2{between.x * leg + between.z * radius, -between.x * radius + between.z * leg} /
+            side = Vec2{between.x * tangent + between.z * radius, -between.x * radius + between.z * tangent} /
                    distance_squared;
             normal = {side.z, -side.x};
         }
         change = side * dot(relative, side) - relative;
     }
-    return {normal, dot(velocity + change * 0.5f, normal)};
+    return {normal, dot(velocity + change * share, normal)};
 }
 
 // V(s) = (s - l) / T with s the distance to the first body in the way (Tordeux, Chraibi and Seyfried 2016,
 // without their force: ORCA has done that). Those who walk ahead at a like speed leave room as they go.
-static float headway_speed(const Crowd& c, uint32_t i, Vec2 direction) {
+static float headway_speed(const Crowd& c, const Seen& me, const Claim& claim, Vec2 direction) {
     float speed = 1e9f;
-    const uint32_t* ids = &c.neighbours[size_t{i} * k_neighbours];
-    for (int k = 0; k < c.neighbour_count[i]; ++k) {
-        uint32_t j = ids[k];
-        Vec2 between = on_ground(c.position[j] - c.position[i]);
+    const uint32_t* slots = &c.scratch.neighbours[size_t{me.id} * k_neighbours];
+    for (int k = 0; k < c.scratch.neighbour_count[me.id]; ++k) {
+        const Seen& other = c.scratch.sorted[slots[k]];
+        if (claim < other.claim) continue;  // makes way
+        Vec2 between = on_ground(other.position - me.position);
         float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
-        float l = room_between(c, i, j);
+        float l = me.radius + other.radius;
         if (ahead <= 0 || aside >= l) continue;
         float gap = ahead - std::sqrt(l * l - aside * aside);
-        float leaving = std::max(0.0f, dot(c.velocity[j], direction));
+        float leaving = std::max(0.0f, dot(other.velocity, direction));
         speed = std::min(speed, std::max(0.0f, gap / k_headway) + 0.9f * leaving);
     }
     return speed;
 }
 
-static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick) {
+// One's own claim, or a better one of somebody into whose way one has come.
+static Claim claim_of(const Crowd& c, const Seen& me) {
+    Claim claim;
+    if (c.journeys[me.id].insists_since != k_never) claim = {c.journeys[me.id].insists_since, me.id, 0};
+    const uint32_t* slots = &c.scratch.neighbours[size_t{me.id} * k_neighbours];
+    for (int k = 0; k < c.scratch.neighbour_count[me.id]; ++k) {
+        const Seen& other = c.scratch.sorted[slots[k]];
+        Claim inherited = other.claim;
+        if (++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
+        Vec2 to_me = on_ground(me.position - other.position);
+        float distance = length(to_me), speed = length(other.velocity);
+        float gap = distance - me.radius - other.radius;
+        bool in_the_way = gap < k_in_the_way && dot(other.velocity, to_me) > 0.4f * distance * speed;
+        if (in_the_way) claim = inherited;
+    }
+    return claim;
+}
+
+static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,
+                            uint32_t tick) {
     HalfPlane planes[k_borders + k_neighbours];
-    Vec2 p = on_ground(c.position[i]), velocity = c.velocity[i], wish = c.wanted[i];
+    uint32_t i = me.id;
+    Vec2 p = on_ground(me.position), velocity = c.motion.velocity[i], wish = c.decision.wanted[i];
 
     int count = 0;
     BorderLine lines[k_borders];
-    int borders = borders_near(mesh, c.position[i], k_border_reach, lines, k_borders);
+    int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
         float t = clamp(dot(p - a, ab) / length_squared(ab), 0, 1);
@@ -90,32 +114,38 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, uint32_t i, uin
     }
     int firm = count;
 
-    const uint32_t* ids = &c.neighbours[size_t{i} * k_neighbours];
+    const uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
     float oncoming = 0;
-    for (int k = 0; k < c.neighbour_count[i]; ++k) {
-        uint32_t j = ids[k];
-        Vec2 between = on_ground(c.position[j] - c.position[i]);
-        // Those who slip past each other keep a smaller margin too.
-        float radii = c.radius[i] + c.radius[j], apart = room_between(c, i, j);
-        apart += k_margin * apart / radii;
-        planes[count++] = avoid(between, velocity, c.velocity[j], apart);
-        if (dot(c.velocity[j], wish) < 0 && dot(between, wish) > 0) oncoming = 1;
+    for (int k = 0; k < c.scratch.neighbour_count[i]; ++k) {
+        const Seen& other = c.scratch.sorted[slots[k]];
+        Vec2 between = on_ground(other.position - me.position);
+        // Who has the better claim goes as far as there is room, and the others make way.
+        if (!(claim < other.claim)) {
+            float share = other.claim < claim ? 1.0f : 0.5f;
+            planes[count++] =
+                avoid(between, velocity, other.velocity, me.radius + other.radius + k_margin, share);
+        }
+        if (dot(other.velocity, wish) < 0 && dot(between, wish) > 0) oncoming = 1;
     }
     // Those who do not get on in a jam give way to the right, ever more, until two streams have sorted
     // themselves.
-    float waited = static_cast<float>(tick - c.closest_tick[i]) * k_tick;
+    float waited = static_cast<float>(tick - c.journeys[i].closest_tick) * k_tick;
     float right = oncoming * (k_keep_right + k_give_way * clamp(waited - k_patience, 0, 2));
     wish += Vec2{-wish.z, wish.x} * right;
 
-    float most = std::max(c.preferred_speed[i], 0.3f) * k_haste;
+    float most = std::max(c.identity.preferred_speed[i], 0.3f) * k_haste;
     Vec2 v = best_velocity(planes, count, firm, most, wish);
     float speed = length(v);
     if (speed < 1e-4f) return {0, 0};
-    return v * std::min(1.0f, headway_speed(c, i, v / speed) / speed);
+    return v * std::min(1.0f, headway_speed(c, me, claim, v / speed) / speed);
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
-    for_deciders(c, workers, tick, [&](uint32_t i) { c.chosen[i] = choose_velocity(c, mesh, i, tick); });
+    for_deciders(c, workers, tick, [&](const Seen& me) {
+        Claim claim = claim_of(c, me);
+        c.decision.chosen[me.id] = choose_velocity(c, mesh, me, claim, tick);
+        c.decision.claim[me.id] = claim;
+    });
 }
 
 }  // namespace flaneur

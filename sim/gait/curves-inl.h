@@ -22,7 +22,7 @@ struct Harmonics {
 template <int N, class T>
 HWY_INLINE Harmonics<T, N> harmonics(T phase) {
     // sin(x + pi) = -sin x, so that the half turn stays within its range.
-    SineCosine<T> shifted = doubled(half_turn((phase - T(0.5f)) * T(2 * k_pi)));
+    SinCosOf<T> shifted = doubled(sin_cos_half((phase - T(0.5f)) * T(2 * k_pi)));
     Harmonics<T, N> h;
     h.cosine[0] = T(0.0f) - shifted.cosine;
     h.sine[0] = T(0.0f) - shifted.sine;
@@ -46,23 +46,18 @@ HWY_INLINE T curve_at(const HarmonicCurve<N>& curve, const Harmonics<T, M>& wave
     return value;
 }
 
-template <class T>
-HWY_INLINE T ramp(T low, T high, T v) {
-    return eased((v - low) * (T(1.0f) / (high - low)));  // constant limits cost no division
-}
-
 // max(a, b), rounded over a width of `k`.
 template <class T>
-HWY_INLINE T soft_larger(T a, T b, T k) {
+HWY_INLINE T soft_max(T a, T b, T k) {
     T d = a - b;
-    return (a + b + root(d * d + k * k)) * T(0.5f);
+    return (a + b + sqrt(d * d + k * k)) * T(0.5f);
 }
 
 // min(a, b), rounded over a width of `k`.
 template <class T>
-HWY_INLINE T soft_smaller(T a, T b, T k) {
+HWY_INLINE T soft_min(T a, T b, T k) {
     T d = a - b;
-    return (a + b - root(d * d + k * k)) * T(0.5f);
+    return (a + b - sqrt(d * d + k * k)) * T(0.5f);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

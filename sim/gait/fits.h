@@ -6,10 +6,11 @@
 namespace flaneur {
 
 // The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, r = 1 - u, h = 16 u^2
-// r^2. Its way is 3u^2 - 2u^3 - way_late u^6 r^2 - way h; its lowest point, found among heel, ball and tip
-// with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h metres above the ground; its
-// toes hang droop h radians lower than in the norm and have a share of its pitch, so that they stay bent up.
-inline constexpr float k_way_late = 4.437f, k_way = -0.03416f;
+// r^2. Its progress is 3u^2 - 2u^3 - progress_late u^6 r^2 - progress_hop h; its lowest point, found among
+// heel, ball and tip with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h metres
+// above the ground; its toes hang droop h radians lower than in the norm and have a share of its pitch, so
+// that they stay bent up.
+inline constexpr float k_progress_late = 4.437f, k_progress_hop = -0.03416f;
 inline constexpr float k_clear_early = 1.001f, k_clear = 0.004182f;
 inline constexpr float k_soft = 0.02199f, k_droop = -0.09998f, k_toes = 0.4717f;
 
@@ -58,7 +59,7 @@ inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 // from its push and brings down into the landing. Cosine of the knee at the mean height of the hips; half the
 // way that they bounce.
 inline constexpr float k_heel_kick = 3.5f, k_run_heel = 0.32f;
-inline constexpr float k_run_rise = 0.44f, k_run_fall = 0.3f, k_run_way = 0.25f;
+inline constexpr float k_run_rise = 0.44f, k_run_fall = 0.3f, k_run_progress = 0.25f;
 inline constexpr float k_run_knee_cosine = 0.64f, k_bounce = 0.027f;
 inline constexpr float k_run_elbow = 1.85f, k_run_lean = 0.12f;
 

@@ -2,20 +2,20 @@
 #pragma once
 
 #include "sim/base/vec.h"
-#include "sim/city/city.h"
 #include "sim/gait/gait.h"
+#include "sim/ground/surroundings.h"
 
 namespace flaneur {
 
-// Where one foot stands; see FootBlock::Place.
-struct Place {
+// Where one foot stands; see FootPlaces.
+struct FootPlace {
     Vec3 position;
     float yaw = 0;
     Vec3 normal{0, 1, 0};
 };
 
-Place get_place(const FootBlock::Place& from, int lane);
-void set_place(FootBlock::Place& to, int lane, const Place& p);
+FootPlace get_place(const FootPlaces& from, int lane);
+void set_place(FootPlaces& to, int lane, const FootPlace& p);
 
 // Along the foot from the ground point below the ankle: heel behind it, ball and tip of the toes ahead.
 struct FootSize {
@@ -27,7 +27,7 @@ FootSize foot_size(const PersonBlock& person, int lane);
 inline constexpr float k_step_up = 0.45f, k_step_down = 0.8f;
 
 struct Footing {
-    Place place;
+    FootPlace place;
     bool found = false;    // else there is no ground within k_step_up and k_step_down
     bool whole = false;    // one surface carries the whole sole
     bool stepped = false;  // an edge of a kerb or step lies near
@@ -35,30 +35,31 @@ struct Footing {
 // The place nearest to `wanted` where a whole foot finds one surface, shifted along the foot by 0.22 m at
 // most to keep off an edge. On a tread too short for the foot, the one that ends highest: the heel or the
 // toes hang over.
-Footing find_footing(const City& city, const Place& wanted, const FootSize& size);
+Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size);
 
-// `down`, a footing below the one before, moved along `way` until its heel stands well clear of the edge that
-// it passes, if the ground there lets it.
-Footing clear_of_edge(const City& city, const Footing& down, Vec2 way, const FootSize& size);
+// `down`, a footing below the one before, moved along `direction` until its heel stands well clear of the
+// edge that it passes, if the ground there lets it.
+Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size);
 
 // Metres that a swing from one place to the other has to rise above the way that the pose gives it, so that
-// neither toes nor heel meet the ground between; at most 0.35.
-float obstacle_between(const City& city, const Place& from, const Place& to, const FootSize& size);
+// neither toes nor heel meet the ground between; at most 0.35. `running` as in GaitBlock.
+float obstacle_between(const Surroundings& around, const FootPlace& from, const FootPlace& to,
+                       const FootSize& size, float running);
 
-// The first level after the one at `from`, along the unit direction `way`, which begins and ends within
+// The first level after the one at `from`, along `direction`, unit, which begins and ends within
 // `reach` metres: distances of its edges from `from`. Empty (begin == end) where the ground ahead has fewer
 // than two edges.
 struct Tread {
     float begin = 0, end = 0;
     bool down = false;  // it lies lower than `from`
 };
-Tread next_tread(const City& city, Vec3 from, Vec2 way, float reach);
+Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach);
 
-// The first ground ahead after a gap, or on a ledge too high to step on: metres along the unit direction
-// `way`, and its height. Distance 0: there is nothing to jump to, or nothing to jump over.
+// The first ground ahead after a gap, or on a ledge too high to step on: metres along
+// `direction`, unit, and its height. Distance 0: there is nothing to jump to, or nothing to jump over.
 struct FarSide {
     float distance = 0, height = 0;
 };
-FarSide far_side(const City& city, Vec3 from, Vec2 way, float reach);
+FarSide far_side(const Surroundings& around, Vec3 from, Vec2 direction, float reach);
 
 }  // namespace flaneur

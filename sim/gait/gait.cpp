@@ -1,6 +1,7 @@
 #include "sim/gait/gait.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -21,97 +22,126 @@ float run_frequency(float v, float leg) { return (1.29f + 0.023f * v) * std::sqr
 
 float run_duty(float v) { return clamp(0.41f - 0.03f * (v - 3.1f), 0.33f, 0.43f); }
 
-static Stepper stepper_at(Gait& gait, size_t i, const City& city, Vec3 root, float heading) {
-    int lane = static_cast<int>(i % k_block);
-    const PersonBlock& person = gait.people[i / k_block];
-    return {gait.blocks[i / k_block],
-            person,
-            lane,
-            city,
-            root,
-            {},
-            {},
-            heading,
-            0,
-            heading_direction(heading),
-            person.joints[left_upper_leg][1][lane],
-            0,
-            false};
+// Every row of a block is of lanes of four bytes.
+static void clear_lane(GaitBlock& block, int lane) {
+    auto* rows = reinterpret_cast<unsigned char*>(&block);
+    for (size_t row = 0; row < sizeof(GaitBlock) / (4 * k_block); ++row)
+        std::memset(rows + (row * k_block + static_cast<size_t>(lane)) * 4, 0, 4);
 }
 
-void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
-                const float* scale, const RootMotion& root, const City& city, uint64_t seed,
-                const Manner* manner) {
-    gait.count = count;
-    gait.blocks.assign(block_count(count), {});
-    gait.people.assign(block_count(count), {});
-    // Lanes past the last walker hold a body too, so that kernels meet only sound numbers.
-    for (size_t i = 0; i < gait.blocks.size() * k_block; ++i) {
-        PersonBlock& person = gait.people[i / k_block];
-        GaitBlock& g = gait.blocks[i / k_block];
-        int lane = static_cast<int>(i % k_block);
-        bool real = i < count;
-        const Body& b = bodies[real ? body[i] : 0];
-        float s = real ? scale[i] : 1;
-        for (int j = 0; j < k_joint_count; ++j) {
-            person.joints[j][0][lane] = b.joints[j].x * s;
-            person.joints[j][1][lane] = b.joints[j].y * s;
-            person.joints[j][2][lane] = b.joints[j].z * s;
-        }
-        RandomKey key{seed, static_cast<uint32_t>(i), 0, Purpose::style};
-        Manner m = manner && real ? manner[i] : draw_manner({}, key);
-        person.heel[lane] = b.heel * s;
-        person.toe[lane] = b.toe * s;
-        person.stride[lane] = m.stride;
-        person.lead[lane] = m.lead;
-        person.arm_swing[lane] = m.arm_swing;
-        person.sway[lane] = m.sway;
-        person.toe_out[lane] = m.toe_out;
-        // Never so near that the thighs would meet.
-        person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * s;
-        person.lean[lane] = m.lean;
-        person.carriage[lane] = std::max(m.carriage, b.carriage);
-        person.crouch[lane] = m.crouch * leg_length(b) * s;
+// Standing still.
+static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around, Vec3 root, float heading) {
+    int lane = static_cast<int>(i % k_block);
+    const PersonBlock& person = gait.people[i / k_block];
+    return {.person = person,
+            .lane = lane,
+            .around = around,
+            .root = root,
+            .heading = heading,
+            .facing = heading_direction(heading),
+            .leg_length = person.joints[left_upper_leg][1][lane]};
+}
 
-        g.duty[lane] = duty_factor(0);
-        g.phase[lane] = random_unit(key, 200) < 0.5f ? 0.05f : 0.55f;
-        g.load[lane] = 0.5f;
-        g.course[lane] = 1;
-        g.standing[lane] = 1;
-        Vec3 at = real ? root.position[i] : Vec3{};
-        float heading = real ? root.heading[i] : 0;
-        g.x[lane] = at.x;
-        g.z[lane] = at.z;
-        g.base[lane] = at.y;
-        g.heading[lane] = heading;
-        g.first[lane] = -1;
-        g.frequency[lane] = 1;
-        Stepper stepper = stepper_at(gait, i, city, at, heading);
-        for (Side side : {k_left, k_right}) {
-            g.feet[side].phase[lane] = k_rest;
-            if (real) {
-                replant(stepper, side);
-            } else {
-                set_place(g.feet[side].goal, lane, home(person, lane, side, at, heading));
-                touch_down(stepper, side);
-            }
+static void set_person(PersonBlock& person, int lane, const Body& b, float scale, const Manner& m) {
+    for (int j = 0; j < k_joint_count; ++j) {
+        person.joints[j][0][lane] = b.joints[j].x * scale;
+        person.joints[j][1][lane] = b.joints[j].y * scale;
+        person.joints[j][2][lane] = b.joints[j].z * scale;
+    }
+    person.heel[lane] = b.heel * scale;
+    person.toe[lane] = b.toe * scale;
+    person.stride[lane] = m.stride;
+    person.lead[lane] = m.lead;
+    person.arm_swing[lane] = m.arm_swing;
+    person.sway[lane] = m.sway;
+    person.toe_out[lane] = m.toe_out;
+    // Never so near that the thighs would meet.
+    person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * scale;
+    person.lean[lane] = m.lean;
+    person.carriage[lane] = std::max(m.carriage, b.carriage);
+    person.crouch[lane] = m.crouch * leg_length(b) * scale;
+}
+
+// Without `around`, nobody: a lane that holds a body all the same, so that kernels meet only sound numbers.
+static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3 at, float heading,
+                       const Surroundings* around, uint64_t seed, const Manner& manner) {
+    GaitBlock& g = gait.blocks[i / k_block];
+    PersonBlock& person = gait.people[i / k_block];
+    int lane = static_cast<int>(i % k_block);
+    set_person(person, lane, body, scale, manner);
+    clear_lane(g, lane);
+    g.duty[lane] = duty_factor(0);
+    g.phase[lane] =
+        random_unit({seed, static_cast<uint32_t>(i), 0, Purpose::first_step}) < 0.5f ? 0.05f : 0.55f;
+    g.load[lane] = 0.5f;
+    g.course[lane] = 1;
+    g.standing[lane] = 1;
+    g.x[lane] = at.x;
+    g.z[lane] = at.z;
+    g.base[lane] = at.y;
+    g.heading[lane] = heading;
+    g.first[lane] = -1;
+    g.frequency[lane] = 1;
+    const Surroundings nowhere;
+    Stepper stepper = stepper_at(gait, i, around ? *around : nowhere, at, heading);
+    for (Side side : {k_left, k_right}) {
+        g.feet[side].phase[lane] = k_rest;
+        if (around) {
+            replant(g, stepper, side);
+        } else {
+            set_place(g.feet[side].goal, lane, home(person, lane, side, at, heading));
+            touch_down(g, stepper, side);
         }
     }
 }
 
-void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const City& city,
+void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
+                const float* scale, const RootMotion& root, const Surroundings& around, uint64_t seed,
+                const Manner* manner) {
+    gait.count = count;
+    gait.blocks.assign(block_count(count), {});
+    gait.people.assign(block_count(count), {});
+    for (size_t i = 0; i < gait.blocks.size() * k_block; ++i) {
+        RandomKey key{seed, static_cast<uint32_t>(i), 0, Purpose::style};
+        bool real = i < count;
+        start_lane(gait, i, bodies[real ? body[i] : 0], real ? scale[i] : 1, real ? root.position[i] : Vec3{},
+                   real ? root.heading[i] : 0, real ? &around : nullptr, seed,
+                   manner && real ? manner[i] : draw_manner({}, key));
+    }
+}
+
+void reserve_gait(Gait& gait, size_t capacity, const Body& body, uint64_t seed) {
+    size_t before = gait.blocks.size() * k_block;
+    gait.count = std::max(gait.count, capacity);
+    gait.blocks.resize(block_count(gait.count));
+    gait.people.resize(block_count(gait.count));
+    for (size_t i = before; i < gait.blocks.size() * k_block; ++i) end_walker(gait, i, body, seed);
+}
+
+void start_walker(Gait& gait, size_t walker, const Body& body, float scale, Vec3 position, float heading,
+                  const Surroundings& around, uint64_t seed, const Manner& manner) {
+    start_lane(gait, walker, body, scale, position, heading, &around, seed, manner);
+}
+
+void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed) {
+    RandomKey key{seed, static_cast<uint32_t>(walker), 0, Purpose::style};
+    start_lane(gait, walker, body, 1, {}, 0, nullptr, seed, draw_manner({}, key));
+    gait.blocks[walker / k_block].standing[walker % k_block] = 0;  // wants to do nothing meanwhile
+}
+
+void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt) {
     for (size_t i = begin; i < end; ++i) {
         // What a walker looks at changes every two seconds, not for all at once.
         uint32_t glance = (tick + static_cast<uint32_t>(i) * 37) / 120;
         RandomKey key{seed, static_cast<uint32_t>(i), glance, Purpose::look};
-        Stepper stepper = stepper_at(gait, i, city, root.position[i], root.heading[i]);
+        Stepper stepper = stepper_at(gait, i, around, root.position[i], root.heading[i]);
         stepper.velocity = root.velocity[i];
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
         stepper.turn_rate = root.turn_rate[i];
         stepper.dt = dt;
         stepper.replans = (tick + i) % 3 == 0;
-        advance_walker(stepper, key);
+        advance_walker(gait.blocks[i / k_block], stepper, key);
     }
 }
 
@@ -128,7 +158,7 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
         return Vec2{dx * turn.cosine + dz * turn.sine, dz * turn.cosine - dx * turn.sine};
     };
     for (FootBlock& foot : g.feet) {
-        for (FootBlock::Place* p : {&foot.from, &foot.to, &foot.goal}) {
+        for (FootPlaces* p : {&foot.from, &foot.to, &foot.goal}) {
             Vec2 place = carried(p->x[lane], p->z[lane]) + on_ground(pivot + by);
             p->x[lane] = place.x;
             p->y[lane] += by.y;

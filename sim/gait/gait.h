@@ -9,86 +9,11 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/city/city.h"
+#include "sim/gait/blocks.h"
 #include "sim/gait/manner.h"
-#include "sim/pose/body.h"
+#include "sim/ground/surroundings.h"
 
 namespace flaneur {
-
-inline constexpr int k_block = 16;  // walkers in a block
-enum Side : int { k_left = 0, k_right = 1 };
-
-constexpr size_t block_count(size_t walkers) { return (walkers + k_block - 1) / k_block; }
-
-// One foot of each walker of a block. A foot's place is the point of the ground below its ankle when it is
-// flat, a yaw about +y, and the ground's normal (whose y follows from its length).
-struct FootBlock {
-    struct Place {
-        float x[k_block], y[k_block], z[k_block], yaw[k_block], normal_x[k_block], normal_z[k_block];
-    };
-    Place from;               // where it stands, or stood before this swing
-    Place to;                 // where it stands, or will land
-    float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
-                              // way
-    float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
-    float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
-    int32_t swinging[k_block];  // 1 from toe-off to contact
-    // The gait's own.
-    Place goal;                                  // what `to` moves to, the ground's last word
-    float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
-    float wished_yaw[k_block];
-};
-
-// What a hand reaches for.
-struct HandBlock {
-    float x[k_block], y[k_block], z[k_block];    // where the palm rests, in the world
-    float normal_x[k_block], normal_z[k_block];  // out of the wall, horizontal, unit
-    float reach[k_block];                        // 0: hangs and swings .. 1: rests there
-};
-
-// State of the gait, and what the pose reads.
-struct alignas(64) GaitBlock {
-    // Copied from the crowd each tick.
-    float x[k_block], z[k_block];  // root on the ground plane
-    float heading[k_block];        // yaw of the body
-    // The gait's own.
-    float phase[k_block];      // of pelvis and arms, [0, 1): the left foot's, or half a cycle from the right
-                               // foot's, and between both where these differ
-    float duty[k_block];       // share of the cycle that a foot stands
-    float load[k_block];       // share of the body that the left leg carries
-    float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
-    float running[k_block];    // 0 walking .. 1 running
-    float course[k_block];     // cosine between the way walked and the heading: 1 ahead, 0 aside, -1 back
-    float rise[k_block];       // metres climbed for each metre walked, smoothed
-    float lift[k_block];       // metres that a jump carries the body and both feet above their ways
-    float crouch[k_block];     // metres that the pelvis sinks, before and after a jump
-    float base[k_block];       // smoothed height of the ground that the pelvis rides on
-    float base_velocity[k_block];
-    float look[k_block];        // yaw of the head against the body
-    int32_t standing[k_block];  // 1: both feet down and the phases at rest
-    float frequency[k_block];   // cycles a second
-    int32_t first[k_block];     // Side that leaves first as soon as the other leg carries the body, or -1
-    float tread[k_block];       // metres from step to step of the stairs underfoot, 0: none
-    float jump[k_block];        // seconds since a jump began, 0: none
-    float flight[k_block];      // seconds that it is in the air, 0 until the feet leave
-    FootBlock feet[2];
-    HandBlock hands[2];
-};
-
-// What makes one walker's body and manner, constant over its life. Sizes are the body's joints, scaled.
-struct alignas(64) PersonBlock {
-    float joints[k_joint_count][3][k_block];  // canonical places, metres
-    float heel[k_block], toe[k_block];        // see Body
-    float stride[k_block];                    // factor on step length
-    float lead[k_block];                      // factor on how far ahead of the body a foot lands
-    float arm_swing[k_block];                 // factor
-    float sway[k_block];                      // factor on pelvic movements
-    float toe_out[k_block];                   // radians
-    float step_width[k_block];                // metres between the lines of both feet
-    float lean[k_block];                      // of the trunk, forward +, radians
-    float carriage[k_block];                  // arms away from the body, radians
-    float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
-};
 
 struct Gait {
     size_t count = 0;
@@ -110,12 +35,20 @@ struct RootMotion {
 // Walkers standing on both feet. `bodies[body[i]] * scale[i]` is walker i's, and so is `manner[i]`; without
 // manners they are drawn from (seed, i).
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
-                const float* scale, const RootMotion& root, const City& city, uint64_t seed,
+                const float* scale, const RootMotion& root, const Surroundings& around, uint64_t seed,
                 const Manner* manner = nullptr);
+
+// Room for `capacity` walkers, with nobody in the new places but `body`.
+void reserve_gait(Gait& gait, size_t capacity, const Body& body, uint64_t seed);
+// The same for one walker of a gait under way, in the place of whoever had that number.
+void start_walker(Gait& gait, size_t walker, const Body& body, float scale, Vec3 position, float heading,
+                  const Surroundings& around, uint64_t seed, const Manner& manner);
+// Nobody has that number any more; its lane keeps a body that stands at the origin.
+void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 
 // One tick of `dt` seconds for walkers [begin, end): phase, toe-offs, contacts and where the swinging feet
 // will land.
-void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const City& city,
+void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt);
 
 // Jumps, over a gap or up a ledge say: crouch, flight with both feet, crouch, up again; nothing while a jump

@@ -22,7 +22,7 @@ constexpr float k_lift_off = 0.1f;       // m/s away from the wall after letting
 constexpr float k_below_coping = 0.06f;  // of the palm on a wall lower than where it would rest, metres
 
 // What an arm needs to know of its walker.
-struct Arm {
+struct ReachingArm {
     Vec3 shoulder;
     Vec2 ahead, outward;  // of the body, unit; outward is to this arm's side
     float length;         // from shoulder to wrist
@@ -31,8 +31,8 @@ struct Arm {
     float speed;
 };
 
-Arm arm_of(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading,
-           float speed, float style) {
+ReachingArm arm_of(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root,
+                   float heading, float speed, float style) {
     int joint = side == k_left ? left_upper_arm : right_upper_arm;
     auto place = [&](int j) {
         return Vec3{person.joints[j][0][lane], person.joints[j][1][lane], person.joints[j][2][lane]};
@@ -53,9 +53,9 @@ Arm arm_of(const GaitBlock& g, const PersonBlock& person, int lane, Side side, V
 }
 
 // The side on which a wall is so near that the arm might touch it.
-std::optional<Side> side_of_wall(const City& city, const Arm& left) {
+std::optional<Side> side_of_wall(const Surroundings& around, const ReachingArm& left) {
     Vec2 inward = left.outward * -left.beside;
-    auto wall = closest_wall(city, at_height(on_ground(left.shoulder) + inward, left.wanted),
+    auto wall = closest_wall(around, at_height(on_ground(left.shoulder) + inward, left.wanted),
                              left.length + left.beside);
     if (!wall) return std::nullopt;
     return dot(on_ground(wall->normal), left.outward) < 0 ? k_left : k_right;
@@ -67,9 +67,9 @@ struct Touch {
 };
 
 // Where this arm would touch a wall now. One that is `held` already may be a little farther and more oblique.
-std::optional<Touch> find_touch(const City& city, const Arm& arm, bool held) {
+std::optional<Touch> find_touch(const Surroundings& around, const ReachingArm& arm, bool held) {
     Vec3 wanted = at_height(on_ground(arm.shoulder) + arm.ahead * (0.12f + 0.06f * arm.speed), arm.wanted);
-    auto wall = closest_wall(city, wanted, arm.length);
+    auto wall = closest_wall(around, wanted, arm.length);
     if (!wall) return std::nullopt;
     Touch touch{wall->point, on_ground(wall->normal)};
     if (touch.palm.y < arm.wanted - 1e-3f) touch.palm.y -= k_below_coping;
@@ -99,9 +99,9 @@ void touch_wall(HandBlock& hand, int lane, const Touch& touch, float speed, floa
         hand.normal_z[lane] = touch.normal.z;
         return;
     }
-    Vec3 palm = get_palm(hand, lane), way = touch.palm - palm;
-    float distance = length(way), most = (speed + k_catch_up) * dt;
-    set_palm(hand, lane, distance > most ? palm + way * (most / distance) : touch.palm);
+    Vec3 palm = get_palm(hand, lane), missing = touch.palm - palm;
+    float distance = length(missing), most = (speed + k_catch_up) * dt;
+    set_palm(hand, lane, distance > most ? palm + missing * (most / distance) : touch.palm);
     Vec2 normal{hand.normal_x[lane], hand.normal_z[lane]};
     normal = normalize_or(lerp(normal, touch.normal, std::min(1.0f, 10 * dt)), touch.normal);
     hand.normal_x[lane] = normal.x;
@@ -122,7 +122,7 @@ void move_reach(float& reach, bool touches, float dt) {
 
 }  // namespace
 
-void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const City& city,
+void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                      uint64_t seed, uint32_t tick, float dt) {
     for (size_t i = begin; i < end; ++i) {
         auto walker = static_cast<uint32_t>(i);
@@ -144,13 +144,13 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
         };
         Side side = g.hands[k_right].reach[lane] > 0 ? k_right : k_left;
         if (!busy) {
-            auto nearer = side_of_wall(city, arm(k_left));
+            auto nearer = side_of_wall(around, arm(k_left));
             if (!nearer) continue;
             side = *nearer;
         }
         HandBlock& hand = g.hands[side];
         std::optional<Touch> touch;
-        if (willing) touch = find_touch(city, arm(side), busy);
+        if (willing) touch = find_touch(around, arm(side), busy);
         // Another wall, round a corner say: the hand leaves this one first.
         Vec2 normal{hand.normal_x[lane], hand.normal_z[lane]};
         if (busy && touch && dot(touch->normal, normal) < 0.9f) touch.reset();

@@ -29,19 +29,19 @@ static float push_seconds(const GaitBlock& g, int lane) {
     return k_push_off * (1 - g.duty[lane]) / g.frequency[lane];
 }
 
-static float flight_seconds(const Stepper& s) {
-    float speed = std::max(length(s.velocity), k_standing), y = s.gait.base[s.lane];
-    Vec2 way = normalize_or(s.velocity, s.facing);
-    FarSide far = far_side(s.city, {s.root.x, y, s.root.z}, way, k_longest_jump);
+static float flight_seconds(const GaitBlock& g, const Stepper& s) {
+    float speed = std::max(length(s.velocity), k_standing), y = g.base[s.lane];
+    Vec2 direction = normalize_or(s.velocity, s.facing);
+    FarSide far = far_side(s.around, {s.root.x, y, s.root.z}, direction, k_longest_jump);
     if (far.distance <= 0) return k_usual;
-    float over = (far.distance + 0.15f - k_forward_reach) / speed - push_seconds(s.gait, s.lane);
+    float over = (far.distance + 0.15f - k_forward_reach) / speed - push_seconds(g, s.lane);
     return clamp(std::max(over, k_usual + 0.3f * std::max(far.height - y, 0.0f)), k_usual, k_longest);
 }
 
-void commit_leap(const Stepper& s, Side side) {
-    begin_jump(s.gait, s.lane);
-    s.gait.flight[s.lane] = flight_seconds(s);
-    s.gait.first[s.lane] = side;
+void commit_leap(GaitBlock& g, const Stepper& s, Side side) {
+    begin_jump(g, s.lane);
+    g.flight[s.lane] = flight_seconds(g, s);
+    g.first[s.lane] = side;
 }
 
 // The crouch before and after a flight of `flight` seconds: cubic curves that meet the parabola of the flight
@@ -54,8 +54,7 @@ static float crouch_after(float flight, float seconds, float share) {
 }
 
 // Both feet of one who stands.
-static bool advance_hop(const Stepper& s) {
-    GaitBlock& g = s.gait;
+static bool advance_hop(GaitBlock& g, const Stepper& s) {
     int lane = s.lane;
     float share = std::min(g.jump[lane] / k_jump_crouch, 1.0f);
     g.crouch[lane] = crouch_before(k_usual, k_jump_crouch, share);
@@ -67,14 +66,13 @@ static bool advance_hop(const Stepper& s) {
     g.first[lane] = -1;
     for (Side side : {k_left, k_right}) {
         g.feet[side].phase[lane] = g.duty[lane];
-        lift_off(s, side, k_usual, k_hop_steps);
+        lift_off(g, s, side, k_usual, k_hop_steps);
     }
     return true;
 }
 
 // From the leading foot's toe-off to the other's.
-static void advance_push(const Stepper& s, Side lead) {
-    GaitBlock& g = s.gait;
+static void advance_push(GaitBlock& g, const Stepper& s, Side lead) {
     int lane = s.lane;
     float duty = g.duty[lane], f = g.frequency[lane], swings = 1 - duty, flight = g.flight[lane];
     float &phase = g.feet[lead].phase[lane], &other = g.feet[1 - lead].phase[lane];
@@ -84,16 +82,15 @@ static void advance_push(const Stepper& s, Side lead) {
     g.crouch[lane] = crouch_before(flight, seconds, share);
     other = std::min(other + std::max(f, (duty - other) / std::max(seconds * (1 - share), s.dt)) * s.dt,
                      duty - 1e-4f);
-    swing(s, lead, seconds * (1 - share) + flight, f);
+    swing(g, s, lead, seconds * (1 - share) + flight, f);
     g.jump[lane] = 1e-4f;
     if (share < 1) return;
     g.jump[lane] = k_jump_crouch;
     other = duty;
-    lift_off(s, lead == k_left ? k_right : k_left, flight + (1 - k_follows) * swings / f, f);
+    lift_off(g, s, lead == k_left ? k_right : k_left, flight + (1 - k_follows) * swings / f, f);
 }
 
-static void fly(const Stepper& s, float up) {
-    GaitBlock& g = s.gait;
+static void fly(GaitBlock& g, const Stepper& s, float up) {
     int lane = s.lane;
     float duty = g.duty[lane], flight = g.flight[lane];
     g.crouch[lane] = k_bent * smoothstep(0.4f, 1, up / flight);
@@ -104,25 +101,23 @@ static void fly(const Stepper& s, float up) {
         float begin = hops || !leads ? 0 : k_push_off, end = leads ? 1 : k_follows;
         g.feet[side].phase[lane] = duty + (1 - duty) * lerp(begin, end, share);
         float after = leads ? 0 : (1 - k_follows) * (1 - duty) / g.frequency[lane];
-        swing(s, side, flight - up + after, hops ? k_hop_steps : g.frequency[lane]);
+        swing(g, s, side, flight - up + after, hops ? k_hop_steps : g.frequency[lane]);
     }
 }
 
-static void land(const Stepper& s) {
-    GaitBlock& g = s.gait;
+static void land(GaitBlock& g, const Stepper& s) {
     int lane = s.lane;
     g.lift[lane] = 0;
     for (Side side : {k_left, k_right}) {
         if (g.first[lane] >= 0 && side != g.first[lane]) continue;
         g.feet[side].phase[lane] = 0;
-        touch_down(s, side);
+        touch_down(g, s, side);
     }
     if (g.first[lane] < 0) g.standing[lane] = 1;
     g.first[lane] = -1;
 }
 
-bool advance_jump(const Stepper& s) {
-    GaitBlock& g = s.gait;
+bool advance_jump(GaitBlock& g, const Stepper& s) {
     int lane = s.lane;
     float &t = g.jump[lane], &flight = g.flight[lane];
     if (t <= 0) return false;
@@ -131,19 +126,19 @@ bool advance_jump(const Stepper& s) {
         // Asked for: one who walks goes on to the next toe-off.
         bool hops = !left && !right && (length(s.velocity) < k_standing || t > 2 * s.dt);
         if (hops) t += s.dt;
-        return hops && advance_hop(s);
+        return hops && advance_hop(g, s);
     }
     if (t < k_jump_crouch) {
-        advance_push(s, static_cast<Side>(g.first[lane]));
+        advance_push(g, s, static_cast<Side>(g.first[lane]));
         return true;
     }
     t += s.dt;
     float up = t - k_jump_crouch;
     if (up < flight) {
-        fly(s, up);
+        fly(g, s, up);
         return true;
     }
-    if (g.lift[lane] > 0 || (left && right)) land(s);
+    if (g.lift[lane] > 0 || (left && right)) land(g, s);
     float share = std::min((up - flight) / k_absorb, 1.0f);
     g.crouch[lane] = crouch_after(flight, k_absorb, share) + k_bent * (1 - smoothstep(0, 1, share));
     if (share >= 1) t = flight = 0;

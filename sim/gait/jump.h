@@ -9,9 +9,9 @@ namespace flaneur {
 void begin_jump(GaitBlock& gait, int lane);
 
 // The foot `side` is about to leave and shall lead a leap.
-void commit_leap(const Stepper& s, Side side);
+void commit_leap(GaitBlock& gait, const Stepper& s, Side side);
 
 // A tick of the jump under way, if any. True while the jump, not the walk, moves the feet.
-bool advance_jump(const Stepper& s);
+bool advance_jump(GaitBlock& gait, const Stepper& s);
 
 }  // namespace flaneur

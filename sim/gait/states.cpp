@@ -40,11 +40,10 @@ float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
 void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
 
 // Speed's slow followers: how much of a walk, of a run and which way.
-void advance_manner(const Stepper& s, float speed) {
-    GaitBlock& g = s.gait;
+void advance_manner(GaitBlock& g, const Stepper& s, float speed) {
     int lane = s.lane;
     approach(g.amplitude[lane], smoothstep(0.1f, 0.85f, speed), 2.6f * s.dt);
-    float froude = speed * speed / (k_gravity * s.leg);
+    float froude = speed * speed / (k_gravity * s.leg_length);
     approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
     float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
     approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
@@ -52,24 +51,23 @@ void advance_manner(const Stepper& s, float speed) {
     approach(g.course[lane], course, 4 * s.dt);
 }
 
-float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
-    const GaitBlock& g = s.gait;
+float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const Misfit (&off)[2]) {
     int lane = s.lane;
-    float stride = stride_length(std::max(speed, 0.05f), s.leg) * s.person.stride[lane];
+    float stride = stride_length(std::max(speed, 0.05f), s.leg_length) * s.person.stride[lane];
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
-    stride = std::min(stride, k_longest_stride * s.leg);
+    stride = std::min(stride, k_longest_stride * s.leg_length);
     if (g.tread[lane] > 0) {
         stride = 2 * g.tread[lane];
         if (speed > 1.3f * stride) stride *= 2;
         // A tread that lies farther than the foot would go is reached later.
-        Vec2 way = normalize_or(s.velocity, s.facing);
+        Vec2 direction = normalize_or(s.velocity, s.facing);
         for (const FootBlock& foot : g.feet) {
             if (!foot.swinging[lane]) continue;
             Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
-            stride *= 1 + clamp(1.5f * dot(beyond, way) / stride, -0.25f, 0.25f);
+            stride *= 1 + clamp(1.5f * dot(beyond, direction) / stride, -0.25f, 0.25f);
         }
     }
-    float f = lerp(speed / stride, run_frequency(speed, s.leg), g.running[lane]);
+    float f = lerp(speed / stride, run_frequency(speed, s.leg_length), g.running[lane]);
     float twist = std::max(off[k_left].twist, off[k_right].twist);
     f = std::max(f, twist > 0.5f || speed < 0.12f || g.course[lane] < 0.5f ? k_shuffle : k_slowest);
     // A foot left behind, by a push say, is fetched sooner.
@@ -77,40 +75,40 @@ float wanted_frequency(const Stepper& s, float speed, const Misfit (&off)[2]) {
     for (Side side : {k_left, k_right}) {
         if (!g.feet[side].swinging[lane]) behind = std::max(behind, off[side].distance);
     }
-    bool pushed = behind > k_out_of_reach * s.leg || (g.amplitude[lane] < 0.3f && behind > 2 * k_slack);
+    bool pushed =
+        behind > k_out_of_reach * s.leg_length || (g.amplitude[lane] < 0.3f && behind > 2 * k_slack);
     return pushed ? std::max(f, k_hasty) : f;
 }
 
 // The foot that begins: the one left behind, the inner one of a turn, the one on the side of a step aside.
 Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
     Vec2 left{s.facing.z, -s.facing.x};
-    Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
-    float bias = 0.15f * dot(normalize_or(way, {0, 0}), left) + 0.05f * clamp(s.turn_rate, -1, 1);
+    Vec2 motion = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
+    float bias = 0.15f * dot(normalize_or(motion, {0, 0}), left) + 0.05f * clamp(s.turn_rate, -1, 1);
     float l = off[k_left].behind, r = off[k_right].behind;
-    if (length_squared(way) < 0.01f) l = off[k_left].amount(slack), r = off[k_right].amount(slack);
+    if (length_squared(motion) < 0.01f) l = off[k_left].amount(slack), r = off[k_right].amount(slack);
     return l - r + bias >= 0 ? k_left : k_right;
 }
 
-bool may_leave(const Stepper& s, Side side) {
-    const FootBlock& other = s.gait.feet[1 - side];
-    if (s.gait.running[s.lane] > 0.5f) return true;
+bool may_leave(const GaitBlock& g, const Stepper& s, Side side) {
+    const FootBlock& other = g.feet[1 - side];
+    if (g.running[s.lane] > 0.5f) return true;
     return !other.swinging[s.lane] && other.phase[s.lane] > 0;
 }
 
-void leave(const Stepper& s, Side side) {
-    GaitBlock& g = s.gait;
+void leave(GaitBlock& g, const Stepper& s, Side side) {
     float duty = g.duty[s.lane], f = g.frequency[s.lane];
     float& phase = g.feet[side].phase[s.lane];
     phase = std::max(phase, duty);
-    if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(s, side);
-    if (lift_off(s, side, (1 - phase) / f, f)) return;
-    commit_leap(s, side);
-    lift_off(s, side, (1 - phase) / f, f);
+    if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(g, s, side);
+    if (lift_off(g, s, side, (1 - phase) / f, f)) return;
+    commit_leap(g, s, side);
+    lift_off(g, s, side, (1 - phase) / f, f);
 }
 
 // Stands, with the weight wandering, until a foot is wanted elsewhere; then gives the body to the other leg.
-void stand(const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)[2], float slack) {
-    GaitBlock& g = s.gait;
+void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)[2],
+           float slack) {
     int lane = s.lane;
     for (Side side : {k_left, k_right}) {
         // The heel of the foot that begins rises while the load leaves it.
@@ -128,18 +126,18 @@ void stand(const Stepper& s, bool wants_step, bool in_haste, const Misfit (&off)
     if ((carried > 0.15f && !in_haste) || g.feet[side].phase[lane] < g.duty[lane] - 1e-3f) return;
     g.standing[lane] = 0;
     g.first[lane] = -1;
-    g.frequency[lane] = wanted_frequency(s, length(s.velocity), off);
-    leave(s, side);
+    g.frequency[lane] = wanted_frequency(g, s, length(s.velocity), off);
+    leave(g, s, side);
 }
 
-void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2], float slack) {
-    GaitBlock& g = s.gait;
+void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
+                  float slack) {
     int lane = s.lane;
     float duty = g.duty[lane], f = g.frequency[lane], speed = length(s.velocity);
     // A foot is left this far behind by a steady walk or run; farther, the walker is stopping or was pushed.
     float soon = std::min(speed, lerp(speed, length(s.wish), 0.25f));
     float stride = std::max(soon, 0.05f) / f;
-    float reach = std::min(k_out_of_reach * s.leg, 0.08f + 0.7f * duty * stride);
+    float reach = std::min(k_out_of_reach * s.leg_length, 0.08f + 0.7f * duty * stride);
     // And this far when the other one lands, at most.
     float behind_at_contact = (0.5f - k_lead * k_norm_duty) * stride + k_late;
     const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
@@ -158,9 +156,9 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {
                 phase -= 1;
-                touch_down(s, side);
+                touch_down(g, s, side);
             } else {
-                swing(s, side, (1 - phase) / f, f);
+                swing(g, s, side, (1 - phase) / f, f);
             }
             continue;
         }
@@ -168,8 +166,8 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
         bool worse = off[side].distance >= off[1 - side].distance;
         float ahead = wrap_difference(phases[1 - side] + 0.5f - phase);
         float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
-        if (worse && may_leave(s, side)) {
-            rate += std::max(off[side].distance - reach, 0.0f) * (k_hurry / s.leg);
+        if (worse && may_leave(g, s, side)) {
+            rate += std::max(off[side].distance - reach, 0.0f) * (k_hurry / s.leg_length);
             if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);
         }
         if (wants_step) {
@@ -178,11 +176,11 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
             approach(phase, k_rest, 1.5f * s.dt);
         }
         bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
-        if (wants_step && due && may_leave(s, side)) {
-            leave(s, side);
+        if (wants_step && due && may_leave(g, s, side)) {
+            leave(g, s, side);
         } else {
             phase = std::min(phase, duty - k_just_below);
-            pivot(s, side);
+            pivot(g, s, side);
         }
     }
     if (!wants_step && !g.feet[k_left].swinging[lane] && !g.feet[k_right].swinging[lane])
@@ -190,8 +188,7 @@ void advance_feet(const Stepper& s, bool wants_step, bool slow, const Misfit (&o
 }
 
 // Pelvis and arms go with the feet, evenly.
-void advance_phase(const Stepper& s) {
-    GaitBlock& g = s.gait;
+void advance_phase(GaitBlock& g, const Stepper& s) {
     int lane = s.lane;
     float l = g.feet[k_left].phase[lane], r = g.feet[k_right].phase[lane];
     float both = l + wrap_difference(r - 0.5f - l) * 0.5f;
@@ -207,8 +204,7 @@ float taken_over(float phase, float duty) {
     return smoothstep(0, std::max((duty - 0.5f) * k_shift_width, 0.02f), phase + k_early);
 }
 
-void advance_load(const Stepper& s, RandomKey chance) {
-    GaitBlock& g = s.gait;
+void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     int lane = s.lane;
     const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
     float target = 0.5f, rate = lerp(5.0f, 25.0f, g.amplitude[lane]), duty = g.duty[lane];
@@ -234,7 +230,7 @@ void advance_load(const Stepper& s, RandomKey chance) {
 }
 
 // The height at the walker's place of the plane that a foot stands on.
-float height_here(const FootBlock::Place& foot, int lane, Vec3 root) {
+float height_here(const FootPlaces& foot, int lane, Vec3 root) {
     float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
     float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
     return foot.y[lane] - (nx * (root.x - foot.x[lane]) + nz * (root.z - foot.z[lane])) / ny;
@@ -260,8 +256,7 @@ float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
     return both || to < from ? lerp(from, to, u) : from;
 }
 
-void advance_base(const Stepper& s, float speed) {
-    GaitBlock& g = s.gait;
+void advance_base(GaitBlock& g, const Stepper& s, float speed) {
     int lane = s.lane;
     float w = k_base_stiffness, target = carrying_height(g, lane, s.root) + 1.2f / w * g.rise[lane] * speed;
     float& velocity = g.base_velocity[lane];
@@ -273,51 +268,50 @@ void advance_base(const Stepper& s, float speed) {
 
 // Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996): as far ahead of
 // the body as that is at the rate of its turns. And now and then to something of interest.
-void advance_look(const Stepper& s, RandomKey chance) {
+void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     float coming = s.turn_rate * 0.2f;
     if (length_squared(s.wish) > 0.0625f) coming = wrap_angle(heading_of(s.wish) - s.heading);
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
-    float& look = s.gait.look[s.lane];
+    float& look = g.look[s.lane];
     float change = (coming + interest * (1 - turns) - look) * lerp(3.5f, 9.0f, turns);
     look += clamp(change, -k_fastest_look, k_fastest_look) * s.dt;
 }
 
 }  // namespace
 
-void advance_walker(const Stepper& s, RandomKey chance) {
-    GaitBlock& g = s.gait;
+void advance_walker(GaitBlock& g, const Stepper& s, RandomKey chance) {
     int lane = s.lane;
     g.x[lane] = s.root.x;
     g.z[lane] = s.root.z;
     g.heading[lane] = s.heading;
     float speed = length(s.velocity);
-    advance_manner(s, speed);
+    advance_manner(g, s, speed);
 
-    Misfit off[2] = {misfit(s, k_left), misfit(s, k_right)};
+    Misfit off[2] = {misfit(g, s, k_left), misfit(g, s, k_right)};
     for (Side side : {k_left, k_right}) {
-        if (g.feet[side].swinging[lane] || off[side].distance < k_lost * s.leg) continue;
-        replant(s, side);
-        off[side] = misfit(s, side);
+        if (g.feet[side].swinging[lane] || off[side].distance < k_lost * s.leg_length) continue;
+        replant(g, s, side);
+        off[side] = misfit(g, s, side);
     }
     float slack = g.standing[lane] ? k_slack : k_stopping_slack;
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
     bool slow = speed < k_standing_speed, wants_step = !slow || worst > 1;
-    if (advance_jump(s)) {
+    if (advance_jump(g, s)) {
         // The jump has moved the feet.
     } else if (g.standing[lane]) {
-        stand(s, wants_step, worst > 2.2f || speed > 0.45f, off, slack);
+        stand(g, s, wants_step, worst > 2.2f || speed > 0.45f, off, slack);
     } else {
         // Steps stay quick while one slows down.
-        float f = wanted_frequency(s, speed, off);
+        float f = wanted_frequency(g, s, speed, off);
         approach(g.frequency[lane], f, (f > g.frequency[lane] ? 6 : 2) * s.dt);
-        advance_feet(s, wants_step, slow, off, slack);
+        advance_feet(g, s, wants_step, slow, off, slack);
     }
-    if (!g.standing[lane]) advance_phase(s);
-    advance_load(s, chance);
-    advance_base(s, speed);
-    advance_look(s, chance);
+    if (!g.standing[lane]) advance_phase(g, s);
+    advance_load(g, s, chance);
+    advance_base(g, s, speed);
+    advance_look(g, s, chance);
 }
 
 }  // namespace flaneur

@@ -25,7 +25,7 @@ static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metr
 static constexpr float k_off_riser = 0.02f;                              // metres
 static constexpr float k_reach_treads = 1.0f;                            // metres
 
-Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
+FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
     Vec2 ahead = heading_direction(heading);
     Vec3 left{ahead.z, 0, -ahead.x};
@@ -35,14 +35,14 @@ Place home(const PersonBlock& person, int lane, Side side, Vec3 root, float head
 
 float Misfit::amount(float slack) const { return std::max(distance / slack, twist / k_home_twist); }
 
-Misfit misfit(const Stepper& s, Side side) {
+Misfit misfit(const GaitBlock& g, const Stepper& s, Side side) {
     float mirror = side == k_left ? 1.0f : -1.0f;
     float across = 0.5f * mirror * s.person.step_width[s.lane];
-    const FootBlock::Place& is = s.gait.feet[side].to;
+    const FootPlaces& is = g.feet[side].to;
     Vec2 off = on_ground(s.root) + Vec2{s.facing.z, -s.facing.x} * across - Vec2{is.x[s.lane], is.z[s.lane]};
-    Vec2 way = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
+    Vec2 motion = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
     float yaw = s.heading + mirror * s.person.toe_out[s.lane];
-    return {length(off), std::fabs(wrap_angle(yaw - is.yaw[s.lane])), dot(off, normalize_or(way, {0, 0}))};
+    return {length(off), std::fabs(wrap_angle(yaw - is.yaw[s.lane])), dot(off, normalize_or(motion, {0, 0}))};
 }
 
 namespace {
@@ -50,10 +50,9 @@ namespace {
 Side other(Side side) { return side == k_left ? k_right : k_left; }
 
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
-Place wished_landing(const Stepper& s, Side side, float seconds, float frequency) {
-    float duty = s.gait.duty[s.lane];
-    float stands =
-              lerp(k_lead * s.person.lead[s.lane], k_run_lead, s.gait.running[s.lane]) * duty / frequency,
+FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
+    float duty = g.duty[s.lane];
+    float stands = lerp(k_lead * s.person.lead[s.lane], k_run_lead, g.running[s.lane]) * duty / frequency,
           until = seconds + stands;
     Vec2 change = s.wish - s.velocity;
     float l = length(change), most = k_reaction * seconds;
@@ -73,20 +72,20 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     }
     turn = clamp(turn, -1.2f, 1.2f);
     // No farther ahead of the root than the other foot will be behind it: so high does the pelvis stand.
-    const FootBlock::Place& to = s.gait.feet[other(side)].to;
+    const FootPlaces& to = g.feet[other(side)].to;
     Vec2 there{to.x[s.lane], to.z[s.lane]};
     Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = later * stands;
     float leads = length(lead),
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
     float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f;
-    bool alone = !s.gait.feet[other(side)].swinging[s.lane] && s.gait.flight[s.lane] <= 0;
-    most_lead = std::min(most_lead, lerp(k_longest_lead, 1.0f, s.gait.running[s.lane]) * s.leg);
+    bool alone = !g.feet[other(side)].swinging[s.lane] && g.flight[s.lane] <= 0;
+    most_lead = std::min(most_lead, lerp(k_longest_lead, 1.0f, g.running[s.lane]) * s.leg_length);
     if (alone && leads > most_lead) lead = lead * (most_lead / leads);
     ahead += lead;
     SinCos half = sin_cos(turn * 0.5f);
     ahead = {ahead.x * half.cosine + ahead.z * half.sine, ahead.z * half.cosine - ahead.x * half.sine};
     float heading = s.heading + turn;
-    Place place = home(s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
+    FootPlace place = home(s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
 
     // On its own side of the other foot, and within a step of it.
     Vec2 facing = heading_direction(heading);
@@ -95,8 +94,7 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
     if (missing > 0) apart += outward * missing;
     float step = length(apart);
-    float longest =
-        s.leg * lerp(k_longest_step, 1.6f, s.gait.flight[s.lane] > 0 ? 1 : s.gait.running[s.lane]);
+    float longest = s.leg_length * lerp(k_longest_step, 1.6f, g.flight[s.lane] > 0 ? 1 : g.running[s.lane]);
     if (alone && step > longest) apart = apart * (longest / step);
     place.position.x = there.x + apart.x;
     place.position.z = there.z + apart.z;
@@ -108,16 +106,16 @@ Place wished_landing(const Stepper& s, Side side, float seconds, float frequency
 }
 
 // On stairs one tread is a step: the foot lands on the next one after the other foot's.
-void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wished) {
-    Place there = get_place(s.gait.feet[other(side)].to, s.lane);
-    Vec2 way = normalize_or(s.velocity, s.facing);
-    Tread next = next_tread(s.city, there.position, way, k_reach_treads);
-    float& tread = s.gait.tread[s.lane];
+void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& size, FootPlace& wished) {
+    FootPlace there = get_place(g.feet[other(side)].to, s.lane);
+    Vec2 direction = normalize_or(s.velocity, s.facing);
+    Tread next = next_tread(s.around, there.position, direction, k_reach_treads);
+    float& tread = g.tread[s.lane];
     if (next.end <= next.begin) {
         tread = 0;
         return;
     }
-    float along = dot(on_ground(wished.position - there.position), way);
+    float along = dot(on_ground(wished.position - there.position), direction);
     float low = next.begin + size.heel + k_off_riser,
           high = next.end - size.tip - (next.down ? 0 : k_off_riser);
     // Down, the toes come near the next edge, and the heel passes clear of the last one.
@@ -127,75 +125,75 @@ void keep_to_treads(const Stepper& s, Side side, const FootSize& size, Place& wi
     // Long treads take two steps.
     tread = fit - along < k_farthest_shift ? next.end - next.begin : 0;
     if (tread <= 0) return;
-    wished.position += at_height(way * (fit - along), 0);
+    wished.position += at_height(direction * (fit - along), 0);
 }
 
 // Finds the landing for `wished`; false if a jump has to.
-bool plan(const Stepper& s, Side side, Place wished, bool leaves) {
-    FootBlock& foot = s.gait.feet[side];
+bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leaves) {
+    FootBlock& foot = g.feet[side];
     FootSize size = foot_size(s.person, s.lane);
     foot.wished_x[s.lane] = wished.position.x;
     foot.wished_z[s.lane] = wished.position.z;
     foot.wished_yaw[s.lane] = wished.yaw;
-    const FootBlock::Place& there = s.gait.feet[other(side)].to;
-    Vec2 way = normalize_or(s.velocity, s.facing);
+    const FootPlaces& there = g.feet[other(side)].to;
+    Vec2 direction = normalize_or(s.velocity, s.facing);
     Vec3 here{s.root.x, there.y[s.lane], s.root.z};
-    if (s.gait.flight[s.lane] > 0) {
-        FarSide far = far_side(s.city, here, way, k_longest_jump);
-        float short_of = far.distance + size.heel + 0.05f - dot(on_ground(wished.position - here), way);
+    if (g.flight[s.lane] > 0) {
+        FarSide far = far_side(s.around, here, direction, k_longest_jump);
+        float short_of = far.distance + size.heel + 0.05f - dot(on_ground(wished.position - here), direction);
         if (far.distance > 0) wished.position.y = far.height;
-        if (far.distance > 0 && short_of > 0) wished.position += at_height(way * short_of, 0);
+        if (far.distance > 0 && short_of > 0) wished.position += at_height(direction * short_of, 0);
     }
-    if (s.gait.tread[s.lane] > 0) keep_to_treads(s, side, size, wished);
-    Footing footing = find_footing(s.city, wished, size);
-    if (footing.found && footing.stepped && s.gait.tread[s.lane] <= 0 && s.gait.running[s.lane] < 0.5f &&
+    if (g.tread[s.lane] > 0) keep_to_treads(g, s, side, size, wished);
+    Footing footing = find_footing(s.around, wished, size);
+    if (footing.found && footing.stepped && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
         std::fabs(footing.place.position.y - there.y[s.lane]) > k_stair) {
-        keep_to_treads(s, side, size, wished);
-        if (s.gait.tread[s.lane] > 0) footing = find_footing(s.city, wished, size);
+        keep_to_treads(g, s, side, size, wished);
+        if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
     }
-    if (footing.found && s.gait.tread[s.lane] <= 0 && footing.place.position.y < there.y[s.lane] - k_stair)
-        footing = clear_of_edge(s.city, footing, way, size);
+    if (footing.found && g.tread[s.lane] <= 0 && footing.place.position.y < there.y[s.lane] - k_stair)
+        footing = clear_of_edge(s.around, footing, direction, size);
     if (!footing.found) {
-        bool jumps = leaves && s.gait.flight[s.lane] <= 0 && s.gait.amplitude[s.lane] > 0.3f;
-        if (jumps && far_side(s.city, here, way, k_longest_jump).distance > 0) return false;
+        bool jumps = leaves && g.flight[s.lane] <= 0 && g.amplitude[s.lane] > 0.3f;
+        if (jumps && far_side(s.around, here, direction, k_longest_jump).distance > 0) return false;
         // Nearer to the root, which is known to stand on ground.
         for (float pull : {0.35f, 0.7f, 1.0f}) {
-            Place nearer = wished;
+            FootPlace nearer = wished;
             nearer.position = lerp(wished.position, Vec3{s.root.x, wished.position.y, s.root.z}, pull);
-            footing = find_footing(s.city, nearer, size);
+            footing = find_footing(s.around, nearer, size);
             if (footing.found) break;
         }
         if (!footing.found) footing.place.position.y = s.root.y;
     }
-    Place from = get_place(foot.from, s.lane), landing = footing.place;
+    FootPlace from = get_place(foot.from, s.lane), landing = footing.place;
     landing.yaw = from.yaw + wrap_angle(landing.yaw - from.yaw);
     set_place(foot.goal, s.lane, landing);
     if (leaves) foot.obstacle[s.lane] = 0;
     if (leaves || footing.stepped) {
-        foot.obstacle[s.lane] =
-            std::max(foot.obstacle[s.lane], obstacle_between(s.city, from, landing, size));
+        foot.obstacle[s.lane] = std::max(foot.obstacle[s.lane],
+                                         obstacle_between(s.around, from, landing, size, g.running[s.lane]));
     }
     return true;
 }
 
 }  // namespace
 
-bool lift_off(const Stepper& s, Side side, float seconds, float frequency) {
-    FootBlock& foot = s.gait.feet[side];
-    if (!plan(s, side, wished_landing(s, side, seconds, frequency), true)) return false;
+bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
+    FootBlock& foot = g.feet[side];
+    if (!plan(g, s, side, wished_landing(g, s, side, seconds, frequency), true)) return false;
     foot.swinging[s.lane] = 1;
     set_place(foot.to, s.lane, get_place(foot.goal, s.lane));
     return true;
 }
 
-void swing(const Stepper& s, Side side, float seconds, float frequency) {
-    FootBlock& foot = s.gait.feet[side];
+void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
+    FootBlock& foot = g.feet[side];
     if (s.replans && seconds > k_settled) {
-        Place wished = wished_landing(s, side, seconds, frequency);
+        FootPlace wished = wished_landing(g, s, side, seconds, frequency);
         float moved = std::max(std::fabs(wished.position.x - foot.wished_x[s.lane]),
                                std::fabs(wished.position.z - foot.wished_z[s.lane]));
         float turned = std::fabs(wished.yaw - foot.wished_yaw[s.lane]);
-        if (moved > k_moved || turned > k_turned) plan(s, side, wished, false);
+        if (moved > k_moved || turned > k_turned) plan(g, s, side, wished, false);
     }
     // Swiftly enough to be there in time.
     float share = std::min(1.0f, s.dt * std::max(k_following, 2.5f / std::max(seconds, s.dt)));
@@ -208,26 +206,26 @@ void swing(const Stepper& s, Side side, float seconds, float frequency) {
     follow(foot.to.normal_z, foot.goal.normal_z);
 }
 
-void touch_down(const Stepper& s, Side side) {
-    FootBlock& foot = s.gait.feet[side];
+void touch_down(GaitBlock& g, const Stepper& s, Side side) {
+    FootBlock& foot = g.feet[side];
     foot.swinging[s.lane] = 0;
     foot.obstacle[s.lane] = 0;
-    Place landed = get_place(foot.goal, s.lane);
+    FootPlace landed = get_place(foot.goal, s.lane);
     landed.yaw = wrap_angle(landed.yaw);
     set_place(foot.from, s.lane, landed);
     set_place(foot.to, s.lane, landed);
 }
 
-void replant(const Stepper& s, Side side) {
+void replant(GaitBlock& g, const Stepper& s, Side side) {
     Footing footing =
-        find_footing(s.city, home(s.person, s.lane, side, s.root, s.heading), foot_size(s.person, s.lane));
-    set_place(s.gait.feet[side].goal, s.lane, footing.place);
-    touch_down(s, side);
+        find_footing(s.around, home(s.person, s.lane, side, s.root, s.heading), foot_size(s.person, s.lane));
+    set_place(g.feet[side].goal, s.lane, footing.place);
+    touch_down(g, s, side);
 }
 
-void pivot(const Stepper& s, Side side) {
-    FootBlock& foot = s.gait.feet[side];
-    Place is = get_place(foot.from, s.lane);
+void pivot(GaitBlock& g, const Stepper& s, Side side) {
+    FootBlock& foot = g.feet[side];
+    FootPlace is = get_place(foot.from, s.lane);
     float toe_out = side == k_left ? s.person.toe_out[s.lane] : -s.person.toe_out[s.lane];
     float off = wrap_angle(s.heading + toe_out - is.yaw);
     float excess = off > 0 ? std::max(off - k_most_twist, 0.0f) : std::min(off + k_most_twist, 0.0f);

@@ -25,11 +25,11 @@ inline constexpr float k_aim_rounding = 0.05f;
 // `v` within [-low, high], with its corners rounded over k_aim_rounding on both sides; low, high >= that.
 // Unchanged where it is as much or more within.
 template <class T>
-HWY_INLINE T soft_clamped(T v, float low, float high) {
+HWY_INLINE T soft_clamp(T v, float low, float high) {
     constexpr float w = k_aim_rounding;
-    T over = clamped(v - T(high - w), T(0.0f), T(2 * w));
-    T under = clamped(T(w - low) - v, T(0.0f), T(2 * w));
-    return clamped(v, T(0.0f - low - w), T(high + w)) + (under * under - over * over) * T(0.25f / w);
+    T over = clamp(v - T(high - w), T(0.0f), T(2 * w));
+    T under = clamp(T(w - low) - v, T(0.0f), T(2 * w));
+    return clamp(v, T(0.0f - low - w), T(high + w)) + (under * under - over * over) * T(0.25f / w);
 }
 
 // The turns of N joints against the body, from the body outwards, that share `turn`. The outermost takes its
@@ -41,7 +41,7 @@ HWY_INLINE void share_turn(const AimJoint (&chain)[N], float AimJoint::*low, flo
     T left = T(0.0f), sum = T(0.0f);
     for (int i = N - 1; i >= 0; --i) {
         T wanted = turn * T(chain[i].share) + left;
-        turns[i] = soft_clamped(wanted, chain[i].*low, chain[i].*high);
+        turns[i] = soft_clamp(wanted, chain[i].*low, chain[i].*high);
         left = wanted - turns[i];
     }
     for (T& t : turns) t = sum = sum + t;
@@ -56,15 +56,15 @@ HWY_INLINE void share_turn(const AimJoint (&chain)[N], float AimJoint::*low, flo
 // the aim is exact as far as the limits allow, which are rounded over 0.05 radians to both sides.
 template <int N, class T>
 HWY_INLINE void aim(const AimJoint (&chain)[N], V3<T> direction, Q4<T> (&rotations)[N]) {
-    T flat = root(direction.x * direction.x + direction.z * direction.z);
-    T yaw = arc_tangent(direction.x, direction.z), pitch = arc_tangent(direction.y, flat);
-    T ahead = eased((T(k_pi) - absolute(yaw)) * T(4 / k_pi));
-    T level = eased((T(0.5f * k_pi) - absolute(pitch)) * T(1 / (20 * k_radians)));
+    T flat = sqrt(direction.x * direction.x + direction.z * direction.z);
+    T yaw = arctan2(direction.x, direction.z), pitch = arctan2(direction.y, flat);
+    T ahead = smoothstep((T(k_pi) - abs(yaw)) * T(4 / k_pi));
+    T level = smoothstep((T(0.5f * k_pi) - abs(pitch)) * T(1 / (20 * k_radians)));
     T yaws[N], pitches[N];
     share_turn(chain, &AimJoint::yaw, &AimJoint::yaw, yaw * ahead * level, yaws);
-    share_turn(chain, &AimJoint::down, &AimJoint::up, pitch * mixed(T(1.0f), ahead, level), pitches);
+    share_turn(chain, &AimJoint::down, &AimJoint::up, pitch * lerp(T(1.0f), ahead, level), pitches);
     for (int i = 0; i < N; ++i) {
-        auto y = sine_cosine(yaws[i] * T(0.5f)), p = sine_cosine(pitches[i] * T(-0.5f));
+        auto y = sin_cos(yaws[i] * T(0.5f)), p = sin_cos(pitches[i] * T(-0.5f));
         rotations[i] = {y.cosine * p.sine, y.sine * p.cosine, -(y.sine * p.sine), y.cosine * p.cosine};
     }
 }

@@ -2,6 +2,8 @@
 // 2011, "FABRIK: a fast, iterative solver for the inverse kinematics problem", Graphical Models 73), over
 // float, Lanes or Wide: one chain a lane.
 //
+// Everything of one chain is in one space, whichever the caller's is.
+//
 // A chain is joints p[0 .. joints), the first at rest, and bones[i] the length from p[i] to p[i + 1].
 // One iteration draws the joints along from the target inwards, then back from the base outwards; the
 // outward pass is last, so bone lengths are kept to rounding whatever the input. An iteration depends on the
@@ -23,9 +25,9 @@ inline constexpr float k_speck = 1e-18f;
 
 // The unit vector along `a`.
 template <class T>
-HWY_INLINE V3<T> way(V3<T> a) {
+HWY_INLINE V3<T> direction_of(V3<T> a) {
     a.y = a.y + T(k_speck);
-    return a * (T(1.0f) / root(dot(a, a)));
+    return a * (T(1.0f) / sqrt(dot(a, a)));
 }
 
 // The point `length` away from `anchor`, towards `p`.
@@ -33,15 +35,15 @@ template <class T>
 HWY_INLINE V3<T> drawn(V3<T> anchor, V3<T> p, T length) {
     V3<T> a = p - anchor;
     a.y = a.y + T(k_speck);
-    return anchor + a * (length / root(dot(a, a)));
+    return anchor + a * (length / sqrt(dot(a, a)));
 }
 
 // A unit vector square to unit vector `a`.
 template <class T>
 HWY_INLINE V3<T> square_to(V3<T> a) {
-    auto steep = absolute(a.y) > T(0.9f);
+    auto steep = abs(a.y) > T(0.9f);
     T x = select(steep, T(1.0f), T(0.0f)), y = select(steep, T(0.0f), T(1.0f));
-    return unit(cross(a, V3<T>{x, y, T(0.0f)}));
+    return normalize(cross(a, V3<T>{x, y, T(0.0f)}));
 }
 
 // Unit vector `a` brought into the cone about unit vector `axis` whose half angle has this cosine.
@@ -52,47 +54,47 @@ HWY_INLINE V3<T> within_cone(V3<T> a, V3<T> axis, T cosine) {
     T side2 = dot(side, side);
     auto opposite = side2 < T(1e-10f);
     if (any(opposite)) side = select(opposite, square_to(axis), side);
-    T sine = root(larger(T(1.0f) - cosine * cosine, T(0.0f)));
-    V3<T> rim = axis * cosine + side * (sine / root(select(opposite, T(1.0f), side2)));
+    T sine = sqrt(max(T(1.0f) - cosine * cosine, T(0.0f)));
+    V3<T> rim = axis * cosine + side * (sine / sqrt(select(opposite, T(1.0f), side2)));
     return select(along < cosine, rim, a);
 }
 
 // From the base to the target.
 template <class T>
-struct Line {
-    V3<T> way;           // unit
+struct TargetLine {
+    V3<T> direction;     // unit
     T distance, length;  // of the target; of the stretched chain
     V3<T> target;
 };
 // From `soft` short of its length the chain gives way: the distance follows the parabola of two_bone-inl.h,
 // and the target is drawn in as far.
 template <class T>
-HWY_INLINE Line<T> line_to(const V3<T>* p, const T* bones, int joints, V3<T> target, T soft) {
+HWY_INLINE TargetLine<T> line_to(const V3<T>* p, const T* bones, int joints, V3<T> target, T soft) {
     V3<T> to_target = target - p[0];
     T length = bones[0];
     for (int i = 1; i + 1 < joints; ++i) length = length + bones[i];
-    T distance = root(dot(to_target, to_target));
-    soft = larger(soft, T(1e-7f));
-    T excess = clamped(distance - (length - soft), T(0.0f), soft + soft);
+    T distance = sqrt(dot(to_target, to_target));
+    soft = max(soft, T(1e-7f));
+    T excess = clamp(distance - (length - soft), T(0.0f), soft + soft);
     T d = distance - excess * excess * T(0.25f) / soft;
-    V3<T> w = way(to_target);
-    return {w, d, length, select(excess > T(0.0f), p[0] + w * d, target)};
+    V3<T> direction = direction_of(to_target);
+    return {direction, d, length, select(excess > T(0.0f), p[0] + direction * d, target)};
 }
 
 // A chain that lies on the line to its target would never leave it. It is bowed by about what the way to the
 // target needs: an arc of length l over a chord c rises by sqrt(3/8 l (l - c)) for c near l.
 template <class T>
-HWY_INLINE void bow(V3<T>* p, int joints, const Line<T>& line) {
+HWY_INLINE void bow(V3<T>* p, int joints, const TargetLine<T>& line) {
     T off2 = T(0.0f);
     for (int i = 1; i + 1 < joints; ++i) {
         V3<T> a = p[i] - p[0];
-        V3<T> side = a - line.way * dot(a, line.way);
-        off2 = larger(off2, dot(side, side));
+        V3<T> side = a - line.direction * dot(a, line.direction);
+        off2 = max(off2, dot(side, side));
     }
-    T rise2 = T(0.375f) * line.length * larger(line.length - line.distance, T(0.0f));
+    T rise2 = T(0.375f) * line.length * max(line.length - line.distance, T(0.0f));
     auto straight = off2 < rise2 * T(1e-4f);
     if (!any(straight)) return;
-    V3<T> side = square_to(line.way) * root(rise2);
+    V3<T> side = square_to(line.direction) * sqrt(rise2);
     for (int i = 1; i + 1 < joints; ++i) {
         float t = static_cast<float>(i) / static_cast<float>(joints - 1);
         p[i] = select(straight, p[i] + side * T(4 * t * (1 - t)), p[i]);
@@ -108,7 +110,7 @@ HWY_INLINE void bow(V3<T>* p, int joints, const Line<T>& line) {
 // degrees and more off the line; `soft`, in metres and 0 for none, spreads that opening.
 template <class T>
 HWY_INLINE void fabrik(V3<T>* p, const T* bones, int joints, V3<T> target, T soft, int iterations) {
-    Line<T> line = line_to(p, bones, joints, target, soft);
+    TargetLine<T> line = line_to(p, bones, joints, target, soft);
     target = line.target;
     bow(p, joints, line);
     int last = joints - 1;
@@ -123,7 +125,7 @@ HWY_INLINE void fabrik(V3<T>* p, const T* bones, int joints, V3<T> target, T sof
     if (!any(far)) return;
     V3<T> at = p[0];
     for (int i = 1; i <= last; ++i) {
-        at = at + line.way * bones[i - 1];
+        at = at + line.direction * bones[i - 1];
         p[i] = select(far, at, p[i]);
     }
 }
@@ -135,15 +137,15 @@ HWY_INLINE void fabrik(V3<T>* p, const T* bones, int joints, V3<T> target, T sof
 template <class T>
 HWY_INLINE void fabrik_limited(V3<T>* p, const T* bones, const T* limits, V3<T> axis, int joints,
                                V3<T> target, T soft, int iterations) {
-    Line<T> line = line_to(p, bones, joints, target, soft);
+    TargetLine<T> line = line_to(p, bones, joints, target, soft);
     bow(p, joints, line);
-    target = p[0] + line.way * smaller(line.distance, line.length);
+    target = p[0] + line.direction * min(line.distance, line.length);
     int last = joints - 1;
     for (int k = 0; k < iterations; ++k) {
-        V3<T> inner = way(target - p[last - 1]);
+        V3<T> inner = direction_of(target - p[last - 1]);
         V3<T> at = p[last - 1] = target - inner * bones[last - 1];
         for (int i = last - 2; i >= 0; --i) {
-            inner = within_cone(way(at - p[i]), inner, limits[i + 1]);
+            inner = within_cone(direction_of(at - p[i]), inner, limits[i + 1]);
             at = at - inner * bones[i];
             if (i > 0) p[i] = at;
         }
@@ -151,7 +153,7 @@ HWY_INLINE void fabrik_limited(V3<T>* p, const T* bones, const T* limits, V3<T> 
         at = p[0];
         V3<T> outer = axis;
         for (int i = 1; i <= last; ++i) {
-            outer = within_cone(way(p[i] - at), outer, limits[i - 1]);
+            outer = within_cone(direction_of(p[i] - at), outer, limits[i - 1]);
             p[i] = at = at + outer * bones[i - 1];
         }
     }
@@ -161,12 +163,12 @@ HWY_INLINE void fabrik_limited(V3<T>* p, const T* bones, const T* limits, V3<T> 
 // within half a turn of each other.
 template <class T>
 struct HingeLimit {
-    SineCosine<T> middle;
+    SinCosOf<T> middle;
     T cosine;  // of half the range
 };
 template <class T>
 HWY_INLINE HingeLimit<T> hinge_limit(T low, T high) {
-    return {sine_cosine((low + high) * T(0.5f)), sine_cosine((high - low) * T(0.5f)).cosine};
+    return {sin_cos((low + high) * T(0.5f)), sin_cos((high - low) * T(0.5f)).cosine};
 }
 
 // The unit vector along `a` in the plane of unit vector `hinge`, brought into the limit against `before`,
@@ -177,10 +179,10 @@ HWY_INLINE V3<T> within_hinge(V3<T> a, V3<T> before, V3<T> hinge, HingeLimit<T> 
     V3<T> side = cross(hinge, middle);
     T along = dot(a, middle), across = dot(a, side), length2 = along * along + across * across;
     auto none = length2 < T(1e-14f);
-    T scale = T(1.0f) / root(select(none, T(1.0f), length2));
+    T scale = T(1.0f) / sqrt(select(none, T(1.0f), length2));
     along = select(none, T(1.0f), along * scale);
     across = select(none, T(0.0f), across * scale);
-    T sine = root(larger(T(1.0f) - limit.cosine * limit.cosine, T(0.0f)));
+    T sine = sqrt(max(T(1.0f) - limit.cosine * limit.cosine, T(0.0f)));
     auto over = along < limit.cosine;
     T rim = select(across < T(0.0f), T(0.0f) - sine, sine);
     return middle * select(over, limit.cosine, along) + side * select(over, rim, across);
@@ -196,8 +198,8 @@ template <class T>
 HWY_INLINE void fabrik_hinged(V3<T>* p, const T* bones, const HingeLimit<T>* limits, V3<T> hinge, V3<T> axis,
                               int joints, V3<T> target, T soft, int iterations) {
     target = target - hinge * dot(target - p[0], hinge);
-    Line<T> line = line_to(p, bones, joints, target, soft);
-    target = p[0] + line.way * smaller(line.distance, line.length);
+    TargetLine<T> line = line_to(p, bones, joints, target, soft);
+    target = p[0] + line.direction * min(line.distance, line.length);
     int last = joints - 1;
     for (int k = 0; k < iterations; ++k) {
         V3<T> at = target;

@@ -3,7 +3,8 @@
 //
 // Inwards, each joint is drawn towards where its children have gone; a sub-base, which has several, takes the
 // centroid of the places that they propose. The root then goes back to its place, and outwards each joint is
-// drawn towards its parent. A chain is the case without sub-bases.
+// drawn towards its parent. A chain is the case without sub-bases. All of one tree is in one space, the
+// caller's.
 #if defined(FLANEUR_SIM_IK_FABRIK_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLANEUR_SIM_IK_FABRIK_TREE_INL_H
 #undef FLANEUR_SIM_IK_FABRIK_TREE_INL_H

@@ -33,8 +33,8 @@ HWY_INLINE Wide select(WideMask m, Wide x, Wide y) {
     return {select(m.a, x.a, y.a), select(m.b, x.b, y.b), select(m.c, x.c, y.c), select(m.d, x.d, y.d)};
 }
 HWY_INLINE bool any(WideMask m) { return any(m.a | m.b | m.c | m.d); }
-HWY_INLINE Wide root(Wide x) { return {root(x.a), root(x.b), root(x.c), root(x.d)}; }
-HWY_INLINE Wide absolute(Wide x) { return {absolute(x.a), absolute(x.b), absolute(x.c), absolute(x.d)}; }
+HWY_INLINE Wide sqrt(Wide x) { return {sqrt(x.a), sqrt(x.b), sqrt(x.c), sqrt(x.d)}; }
+HWY_INLINE Wide abs(Wide x) { return {abs(x.a), abs(x.b), abs(x.c), abs(x.d)}; }
 HWY_INLINE void load(Wide& to, const float* from) {
     size_t n = lane_count();
     load(to.a, from);

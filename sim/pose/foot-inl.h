@@ -1,4 +1,13 @@
 // One foot of a chunk of walkers: where it is, how it is pitched, over float or Lanes.
+//
+// Spaces, here, in trunk-inl.h and in walk-inl.h, by the ends of names:
+//   _ws  the world's axes and, of places, the world's origin
+//   _os  places from `origin_ws`, the ground below the walker, along the world's axes: as exact far out in a
+//        city as at its middle. Directions and rotations are the world's.
+//   _bs  the body's: from the same origin, turned with the heading, +z ahead
+//   _cs  the chest's axes, from the shoulder
+//   _ms  the model's: the canonical pose, see sim/body/body.h
+// Names without an end are numbers that need none, or places in a plane that their struct describes.
 #if defined(FLANEUR_SIM_POSE_FOOT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLANEUR_SIM_POSE_FOOT_INL_H
 #undef FLANEUR_SIM_POSE_FOOT_INL_H
@@ -7,9 +16,10 @@
 #endif
 
 #include "sim/base/vec-inl.h"
+#include "sim/gait/blocks.h"
 #include "sim/gait/curves-inl.h"
 #include "sim/gait/fits.h"
-#include "sim/gait/gait.h"
+#include "sim/gait/swing-inl.h"
 #include "sim/ik/foot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,21 +42,38 @@ struct FootSizes {
 
 // What the gait wants of a walker now, shared by both feet.
 template <class T>
-struct Stride {
+struct WalkNow {
     T duty, over_duty, over_swing;  // duty; its norm's share over it; the same of the swing
     T amplitude, ahead, running, lift;
 };
 
-// The foot moves in the plane of its own `up` and `ahead`, in which places have two coordinates.
+// Where a foot is in its cycle and in its swing.
+template <class T>
+struct FootTime {
+    decltype(T() < T()) planted;
+    T norm;  // phase in the cycle of the norms, whose share of stance is its own
+    Harmonics<T, 6> wave;
+    SwingTime<T> swing;  // u is 0 on the ground
+};
+template <class T>
+HWY_INLINE FootTime<T> foot_time(T phase, const WalkNow<T>& walk) {
+    auto planted = phase < walk.duty;
+    T u = select(planted, T(0.0f), (phase - walk.duty) * walk.over_swing);
+    T norm = select(planted, phase * walk.over_duty, T(k_norm_toe_off) + u * T(1.0f - k_norm_toe_off));
+    return {planted, norm, harmonics<6>(norm), swing_time(u)};
+}
+
+// The foot moves in the plane of its own `up` and `ahead`, in which places have two coordinates, metres from
+// `place_os`.
 template <class T>
 struct Foot {
-    Q4<T> flat;       // of the foot if it stood flat
-    V3<T> place;      // on the ground below the flat foot's ankle
-    V3<T> up, ahead;  // axes of the flat foot
+    Q4<T> flat_ws;          // of the foot if it stood flat
+    V3<T> place_os;         // on the ground below the flat foot's ankle
+    V3<T> up_ws, ahead_ws;  // axes of the flat foot
     T ankle_up, ankle_ahead;
-    SineCosine<T> half, toe_half;  // of the turns of foot and toes about x, toes down +
-    T knee;                        // cosine of the flexion that the normal walk has now
-    T leaving;                     // 0 while the body rests on it .. 1 at toe-off
+    SinCosOf<T> half, toe_half;  // of the turns of foot and toes about x, toes down +
+    T knee;                      // cosine of the flexion that the normal walk has now
+    T leaving;                   // 0 while the body rests on it .. 1 at toe-off
     T slack;   // metres that the leg may fall short: none as it lands and stands, some as it leaves
     T give;    // metres before its reach from which on a swinging leg gives way
     T swings;  // 1 in the swing, 0 on the ground
@@ -54,175 +81,200 @@ struct Foot {
 
 template <class T>
 HWY_INLINE V3<T> from_place(const Foot<T>& foot, T up, T ahead) {
-    return foot.place + foot.up * up + foot.ahead * ahead;
+    return foot.place_os + foot.up_ws * up + foot.ahead_ws * ahead;
 }
 template <class T>
 HWY_INLINE V3<T> ankle_of(const Foot<T>& foot) {
     return from_place(foot, foot.ankle_up, foot.ankle_ahead);
 }
-// The toe joint, for the ankle at `ankle`.
+// The toe joint, for the ankle at `ankle_os`.
 template <class T>
-HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> ankle) {
-    SineCosine<T> tilt = doubled(foot.half);
+HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> ankle_os) {
+    SinCosOf<T> tilt = doubled(foot.half);
     T down = size.ball_height - size.ankle;
-    return ankle + foot.up * (down * tilt.cosine - size.ball * tilt.sine) +
-           foot.ahead * (size.ball * tilt.cosine + down * tilt.sine);
+    return ankle_os + foot.up_ws * (down * tilt.cosine - size.ball * tilt.sine) +
+           foot.ahead_ws * (size.ball * tilt.cosine + down * tilt.sine);
 }
 
-// Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
-// the heel has left, and neither point moves. In the swing the pivot wanders from ball back to heel while the
-// foot goes from one place to the next, its lowest point just above the ground. Places are from `origin`.
+// How far a foot has gone over to landing on its ball, 0..1: one who does points the foot down before and
+// sets the heel down after.
 template <class T>
-HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t lane, const Stride<T>& s,
-                             const FootSizes<T>& size, V3<T> origin) {
-    T zero = T(0.0f), one = T(1.0f);
-    T phase = at<T>(f.phase + lane);
-    auto planted = phase < s.duty;
-    T u = select(planted, zero, (phase - s.duty) * s.over_swing);
-    T norm = select(planted, phase * s.over_duty, T(k_norm_toe_off) + u * T(1.0f - k_norm_toe_off));
-    Harmonics<T, 6> wave = harmonics<6>(norm);
+HWY_INLINE T landing_on_ball(const FootTime<T>& time, T forefoot) {
+    T one = T(1.0f);
+    return select(time.planted, one - smoothstep(T(0.0f), T(0.16f), time.norm),
+                  smoothstep(T(0.45f), T(0.9f), time.swing.u)) *
+           forefoot;
+}
 
-    Foot<T> out;
-    T pitch = curve_at(k_norm_foot_pitch, wave) * s.ahead;
-    T rolling = one - ramp(T(0.06f), T(0.12f), norm) * (one - ramp(T(k_heel_off_0), T(k_heel_off_1), norm));
-    T rest = one - u, product = u * rest;
-    T hop = T(16.0f) * product * product;  // 0 at both ends, 1 in the middle
-    pitch = select(planted, pitch * rolling, pitch - T(k_droop) * hop * s.ahead);
+// The pitch of the foot against the flat one, toes up +, radians: the norm's, with what standing flat, steps
+// down (`drop` metres to the other foot), a run and landing on the ball make of it.
+template <class T>
+HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing) {
+    T zero = T(0.0f), one = T(1.0f), norm = time.norm;
+    T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead;
+    T rolling = one - smoothstep(T(0.06f), T(0.12f), norm) *
+                          (one - smoothstep(T(k_heel_off_0), T(k_heel_off_1), norm));
+    pitch = select(time.planted, pitch * rolling, pitch - T(k_droop) * time.swing.hop * walk.ahead);
     pitch = select(pitch > zero, pitch * T(k_heel_strike), pitch);
-    T rises = ramp(T(0.36f), T(0.48f), norm) * (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
-    pitch = pitch - rises * T(k_heel_rise) * s.ahead;
+    T before_toe_off = one - smoothstep(T(0.5f), T(k_norm_toe_off), norm);
+    T rises = smoothstep(T(0.36f), T(0.48f), norm) * before_toe_off;
+    pitch = pitch - rises * T(k_heel_rise) * walk.ahead;
     // Who lets the body down onto a lower step stands on the ball meanwhile: shins tilt only so far.
-    T drop = at<T>(f.from.y + lane) - at<T>(other.to.y + lane);
-    auto lets_down = planted & (drop > T(k_drop_0));
+    auto lets_down = time.planted & (drop > T(k_drop_0));
     if (any(lets_down)) {
-        T tiptoe = ramp(T(k_drop_0), T(k_drop_1), drop) * ramp(T(0.18f), T(0.42f), norm) *
-                   (one - ramp(T(0.5f), T(k_norm_toe_off), norm));
+        T tiptoe = smoothstep(T(k_drop_0), T(k_drop_1), drop) * smoothstep(T(0.18f), T(0.42f), norm) *
+                   before_toe_off;
         pitch = select(lets_down, pitch - tiptoe * T(k_tiptoe), pitch);
     }
-    if (any(s.running > zero)) {
-        T more = s.running * T(k_run_heel) *
-                 select(planted, ramp(T(0.26f), T(k_norm_toe_off), norm), one - ramp(zero, T(0.7f), u));
-        pitch = select(s.running > zero, pitch - more, pitch);
+    if (any(walk.running > zero)) {
+        T more = walk.running * T(k_run_heel) *
+                 select(time.planted, smoothstep(T(0.26f), T(k_norm_toe_off), norm),
+                        one - smoothstep(zero, T(0.7f), time.swing.u));
+        pitch = select(walk.running > zero, pitch - more, pitch);
     }
-    // One who lands on the forefoot points the foot down before and sets the heel down after.
-    T landing = select(planted, one - ramp(zero, T(0.16f), norm), ramp(T(0.45f), T(0.9f), u)) *
-                at<T>(f.forefoot + lane);
-    pitch = mixed(pitch, T(k_forefoot_pitch), landing);
+    return lerp(pitch, T(k_forefoot_pitch), landing);
+}
+
+// Metres between the lowest point of a swinging foot and the ground below its way.
+template <class T>
+HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) {
+    T u = swing.u, rest = swing.rest;
+    T clearance =
+        lerp(swing.hop * T(0.05f),
+             (T(k_clear_early) + T(k_heel_kick) * walk.running) * swing.product2 * rest * rest * rest +
+                 T(k_clear) * swing.hop,
+             walk.amplitude);
+    if (!any(walk.running > T(0.0f))) return clearance;
+    T rising = u * rest * rest * rest * rest * T(k_run_rise), falling = u * u * rest * T(k_run_fall);
+    return select(walk.running > T(0.0f), clearance + walk.running * (rising + falling), clearance);
+}
+
+// Sets turns and ankle of a foot with this pitch whose lowest point, among heel, ball and tip of the toes, is
+// `clearance` above the ground. Planted, it has its pivot where that stands on the ground: the heel while the
+// toes point up, else the ball. In the swing the pivot wanders from ball back to heel.
+//
+// The ankle is `ankle` above the sole: turned by `pitch` about the heel it comes to stand ankle cos + heel
+// sin above the ground, about the ball ankle cos - ball sin.
+template <class T>
+HWY_INLINE void pitch_foot(Foot<T>& out, const FootTime<T>& time, const FootSizes<T>& size, T pitch,
+                           T landing, T clearance) {
+    T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
     auto toes_up = pitch > zero;
-    T toe_pitch = select(toes_up, pitch, pitch * eased(u * T(2.5f)) * (one - landing) * T(k_toes));
-    out.half = half_turn(zero - pitch);
-    out.toe_half = half_turn(zero - toe_pitch);
-    SineCosine<T> tilt = doubled(out.half);
+    T toe_pitch = select(toes_up, pitch, pitch * smoothstep(u * T(2.5f)) * (one - landing) * T(k_toes));
+    out.half = sin_cos_half(zero - pitch);
+    out.toe_half = sin_cos_half(zero - toe_pitch);
+    SinCosOf<T> tilt = doubled(out.half);
     T cosine = tilt.cosine, sine = zero - tilt.sine;
 
-    // How high the ankle stands over heel, ball and tip of the toes, each on the ground.
     T level = size.ankle * cosine;
     T over_heel = level + size.heel * sine;
     T over_ball = level - size.ball * sine;
     T over_tip = over_ball + size.toe * doubled(out.toe_half).sine;
-    T soft = T(k_soft) * hop;
-    T over = soft_larger(over_heel, soft_larger(over_ball, over_tip, soft), soft);
-    T square = product * product;
-    T clearance = mixed(
-        hop * T(0.05f),
-        (T(k_clear_early) + T(k_heel_kick) * s.running) * square * rest * rest * rest + T(k_clear) * hop,
-        s.amplitude);
-    if (any(s.running > zero)) {
-        T rising = u * rest * rest * rest * rest * T(k_run_rise), falling = u * u * rest * T(k_run_fall);
-        clearance = select(s.running > zero, clearance + s.running * (rising + falling), clearance);
-    }
-    out.ankle_up = over + clearance;
+    T soft = T(k_soft) * time.swing.hop;
+    out.ankle_up = soft_max(over_heel, soft_max(over_ball, over_tip, soft), soft) + clearance;
 
     T back = size.ankle * sine;
     T from_heel = size.heel * cosine - back - size.heel;
     T from_ball = size.ball - size.ball * cosine - back;
-    out.ankle_ahead = mixed(from_ball, from_heel, select(planted, select(toes_up, one, zero), eased(u)));
+    out.ankle_ahead =
+        lerp(from_ball, from_heel, select(time.planted, select(toes_up, one, zero), smoothstep(u)));
+}
 
-    // The way from place to place: along the ground's slope, and over its steps.
-    T from_x = at<T>(f.from.x + lane), from_y = at<T>(f.from.y + lane), from_z = at<T>(f.from.z + lane);
-    T far_x = at<T>(f.to.x + lane) - from_x, far_z = at<T>(f.to.z + lane) - from_z;
-    T rise = at<T>(f.to.y + lane) - from_y;
-    from_x = from_x - origin.x, from_y = from_y - origin.y, from_z = from_z - origin.z;
+// The swing's ends, from `origin_ws`.
+template <class T>
+HWY_INLINE SwingEnds<T> swing_ends(const FootBlock& f, size_t lane, V3<T> origin_ws) {
+    V3<T> from_ws{at<T>(f.from.x + lane), at<T>(f.from.y + lane), at<T>(f.from.z + lane)};
+    V3<T> to_ws{at<T>(f.to.x + lane), at<T>(f.to.y + lane), at<T>(f.to.z + lane)};
     T from_nx = at<T>(f.from.normal_x + lane), from_nz = at<T>(f.from.normal_z + lane);
-    T far_nx = at<T>(f.to.normal_x + lane) - from_nx, far_nz = at<T>(f.to.normal_z + lane) - from_nz;
-    T way = eased(u) - T(k_way_late) * square * (u * u) * (u * u) - T(k_way) * hop;
-    way = way + s.running * T(k_run_way) * u * rest * rest * rest;
-    T climb = way;
-    // A foot climbs before it goes on, so that its toes pass the edges, and goes on before it comes down, so
-    // that its heel does.
-    T mean_nx = from_nx + far_nx * T(0.5f), mean_nz = from_nz + far_nz * T(0.5f);
-    T step = rise +
-             (mean_nx * far_x + mean_nz * far_z) * (one + T(0.5f) * (mean_nx * mean_nx + mean_nz * mean_nz));
-    T height = larger(step, zero - step), steep = ramp(T(k_step_0), T(k_step_1), height);
-    if (any(steep > zero)) {
-        auto up = step > zero;
-        // Up, knees rise high; down, the way itself is clear of the ground left.
-        out.ankle_up = out.ankle_up - select(up, hop * steep * T(-0.02f), clearance * steep);
-        T v = select(up, u, rest), climbs = smaller(T(k_step_climbs) + height, one);
-        T far2 = far_x * far_x + far_z * far_z + T(0.01f);
-        T waits = select(up, steep, smaller(T(k_step_waits) * step * step / far2, one) * steep);
-        climbs = select(up, climbs, mixed(T(k_step_falls), climbs, waits));
-        T onward = eased((v - T(k_step_wait)) * T(1 / (1 - k_step_wait))), upward = eased(v / climbs);
-        way = select(steep > zero, mixed(way, select(up, onward, one - onward), waits), way);
-        climb = select(steep > zero, mixed(climb, select(up, upward, one - upward), steep), climb);
-    }
-    T over_step = select(steep > zero, step * (climb - way), zero);
-    out.place = {from_x + far_x * way,
-                 from_y + rise * way + over_step + at<T>(f.obstacle + lane) * hop + s.lift,
-                 from_z + far_z * way};
-    T yaw = mixed(at<T>(f.from.yaw + lane), at<T>(f.to.yaw + lane), way);
-    T nx = from_nx + far_nx * way, nz = from_nz + far_nz * way;
+    return {from_ws - origin_ws,
+            to_ws - from_ws,
+            from_nx,
+            from_nz,
+            at<T>(f.to.normal_x + lane) - from_nx,
+            at<T>(f.to.normal_z + lane) - from_nz};
+}
 
-    out.flat = flat_on_ground(nx, nz, sine_cosine(yaw * T(0.5f)));
-    Axes<T> axes = axes_of(out.flat);
-    out.up = axes.y;
-    out.ahead = axes.z;
-
-    T knee = mixed(T(0.09f), larger(curve_at(k_norm_knee, wave) + T(k_knee_more), T(0.03f)), s.amplitude);
-    out.knee = doubled(half_turn(knee)).cosine;
-    out.swings = select(planted, zero, one);
-    out.leaving = select(planted, ramp(T(0.38f), T(0.55f), norm), zero);
-    out.give =
-        select(planted, zero, T(k_give) * ramp(zero, T(0.15f), u) * (one - ramp(T(0.7f), T(0.92f), u)));
+// How far the leg of this foot may be from what its place asks for; see Foot.
+template <class T>
+HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, const WalkNow<T>& walk) {
+    T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
+    T knee = lerp(T(0.09f), max(curve_at(k_norm_knee, time.wave) + T(k_knee_more), T(0.03f)), walk.amplitude);
+    out.knee = doubled(sin_cos_half(knee)).cosine;
+    out.swings = select(time.planted, zero, one);
+    out.leaving = select(time.planted, smoothstep(T(0.38f), T(0.55f), time.norm), zero);
+    out.give = select(time.planted, zero,
+                      T(k_give) * smoothstep(zero, T(0.15f), u) * (one - smoothstep(T(0.7f), T(0.92f), u)));
     // Let go little by little, and bound again before it lands.
-    T free = T(k_landing_slack) * (one - ramp(T(k_landing), one, u)) +
-             T(0.3f) * (one - ramp(T(0.5f), T(k_landing), u));
-    out.slack = select(planted, out.leaving * T(k_leaving_slack),
-                       mixed(T(k_leaving_slack), free, ramp(zero, T(0.35f), u)));
+    T free = T(k_landing_slack) * (one - smoothstep(T(k_landing), one, u)) +
+             T(0.3f) * (one - smoothstep(T(0.5f), T(k_landing), u));
+    out.slack = select(time.planted, out.leaving * T(k_leaving_slack),
+                       lerp(T(k_leaving_slack), free, smoothstep(zero, T(0.35f), u)));
+}
+
+// Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
+// the heel has left, and neither point moves. In the swing the foot goes from one place to the next, its
+// lowest point just above the ground.
+template <class T>
+HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t lane, const WalkNow<T>& walk,
+                             const FootSizes<T>& size, V3<T> origin_ws) {
+    FootTime<T> time = foot_time(at<T>(f.phase + lane), walk);
+    T landing = landing_on_ball(time, at<T>(f.forefoot + lane));
+    T drop = at<T>(f.from.y + lane) - at<T>(other.to.y + lane);
+    T pitch = foot_pitch(time, walk, drop, landing);
+    T clearance = swing_clearance(time.swing, walk);
+
+    Foot<T> out;
+    pitch_foot(out, time, size, pitch, landing, clearance);
+    SwingEnds<T> ends = swing_ends(f, lane, origin_ws);
+    SwingPath<T> path = swing_path(ends, time.swing, walk.running);
+    // Up a step, knees rise high; down, the way itself is clear of the ground left.
+    if (any(path.steep > T(0.0f)))
+        out.ankle_up = out.ankle_up - select(path.step > T(0.0f), time.swing.hop * path.steep * T(-0.02f),
+                                             clearance * path.steep);
+    out.place_os = path.place;
+    out.place_os.y = path.place.y + at<T>(f.obstacle + lane) * time.swing.hop + walk.lift;
+
+    T yaw = lerp(at<T>(f.from.yaw + lane), at<T>(f.to.yaw + lane), path.progress);
+    T nx = ends.from_nx + ends.far_nx * path.progress, nz = ends.from_nz + ends.far_nz * path.progress;
+    out.flat_ws = flat_on_ground(nx, nz, sin_cos(yaw * T(0.5f)));
+    Axes<T> axes_ws = axes_of(out.flat_ws);
+    out.up_ws = axes_ws.y;
+    out.ahead_ws = axes_ws.z;
+    bind_leg(out, time, walk);
     return out;
 }
 
 // Shins tilt over a foot only so far: beyond the first angle ever less, to the second at most (sines of 26
-// and 36 degrees). Half the turn, toes down, by which `shin`, a unit vector up along it, is tilted farther,
-// in the lanes that become `tilted`.
+// and 36 degrees). Half the turn, toes down, by which `shin_ws`, a unit vector up along it, is tilted
+// farther, in the lanes that become `tilted`.
 inline constexpr float k_tilt_free = 0.438f, k_tilt_gives = 0.15f;
 template <class T, class M>
-HWY_INLINE SineCosine<T> over_tilt(const Foot<T>& foot, V3<T> shin, M& tilted) {
-    SineCosine<T> tilt = doubled(foot.half);
-    T up = dot(foot.up, shin), ahead = dot(foot.ahead, shin);
+HWY_INLINE SinCosOf<T> over_tilt(const Foot<T>& foot, V3<T> shin_ws, M& tilted) {
+    SinCosOf<T> tilt = doubled(foot.half);
+    T up = dot(foot.up_ws, shin_ws), ahead = dot(foot.ahead_ws, shin_ws);
     T sine = ahead * tilt.cosine - up * tilt.sine, cosine = up * tilt.cosine + ahead * tilt.sine;
     T excess = sine - T(k_tilt_free);
     tilted = excess > T(0.0f);
     if (!any(tilted)) return {};
     T over = T(1.0f) / (sine * sine + cosine * cosine);
-    excess = smaller(select(cosine > T(0.0f), excess, T(1.0f)), T(2 * k_tilt_gives));
+    excess = min(select(cosine > T(0.0f), excess, T(1.0f)), T(2 * k_tilt_gives));
     T allowed = T(k_tilt_free) + excess - excess * excess * T(0.25f / k_tilt_gives);
-    T rest = root(larger(sine * sine + cosine * cosine - allowed * allowed, T(0.0f)));
-    T half = root(larger(T(0.5f) + T(0.5f) * over * (cosine * rest + sine * allowed), T(1e-6f)));
+    T rest = sqrt(max(sine * sine + cosine * cosine - allowed * allowed, T(0.0f)));
+    T half = sqrt(max(T(0.5f) + T(0.5f) * over * (cosine * rest + sine * allowed), T(1e-6f)));
     return {T(0.5f) * over * (sine * rest - cosine * allowed) / half, half};
 }
 
 template <class T, class M>
-HWY_INLINE void turn_if(M turns, SineCosine<T>& half, SineCosine<T> by) {
-    SineCosine<T> turned = plus(half, by);
+HWY_INLINE void turn_if(M turns, SinCosOf<T>& half, SinCosOf<T> by) {
+    SinCosOf<T> turned = plus(half, by);
     half = {select(turns, turned.sine, half.sine), select(turns, turned.cosine, half.cosine)};
 }
 
 // Turns a foot on the ground toes down over its ball, by twice `half`.
 template <class T, class M>
-HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SineCosine<T> half) {
+HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SinCosOf<T> half) {
     turn_if(turns, foot.half, half);
-    SineCosine<T> tilt = doubled(foot.half);
+    SinCosOf<T> tilt = doubled(foot.half);
     foot.ankle_up = select(turns, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
     foot.ankle_ahead =
         select(turns, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
@@ -231,19 +283,19 @@ HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size,
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
 // the angle.
 template <class T>
-HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip, T reach) {
-    V3<T> to_hip = hip - ankle_of(foot);
+HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os, T reach) {
+    V3<T> to_hip = hip_os - ankle_of(foot);
     T distance2 = dot(to_hip, to_hip);
     auto short_leg = (foot.leaving > T(0.0f)) & (foot.half.sine >= T(0.0f)) & (distance2 > reach * reach);
     if (!any(short_leg)) return;
-    T distance = root(distance2);
+    T distance = sqrt(distance2);
     // How fast the ankle nears the hip as the heel rises: d/dpitch of its place in the foot's plane.
-    SineCosine<T> tilt = doubled(foot.half);
+    SinCosOf<T> tilt = doubled(foot.half);
     T cosine = tilt.cosine, sine = T(0.0f) - tilt.sine;
     T move_up = size.ankle * sine + size.ball * cosine, move_ahead = size.ankle * cosine - size.ball * sine;
-    T gain = (dot(foot.up, to_hip) * move_up + dot(foot.ahead, to_hip) * move_ahead) / distance;
-    T angle = smaller((distance - reach) / larger(gain, T(0.03f)), T(0.3f));
-    turn_over_ball(short_leg, foot, size, half_turn(angle));
+    T gain = (dot(foot.up_ws, to_hip) * move_up + dot(foot.ahead_ws, to_hip) * move_ahead) / distance;
+    T angle = min((distance - reach) / max(gain, T(0.03f)), T(0.3f));
+    turn_over_ball(short_leg, foot, size, sin_cos_half(angle));
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

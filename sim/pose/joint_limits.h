@@ -5,7 +5,7 @@
 
 namespace flaneur {
 
-struct Span {
+struct DegreeSpan {
     float low, high;
 };
 
@@ -15,7 +15,7 @@ struct Span {
 // and bend forward and up. `twist` is about the part's own length. Knees and elbows have only a bend, which
 // is the whole angle between both bones, negative for a knee that bends as knees do, and a twist.
 struct JointLimits {
-    Span bend, side, twist;
+    DegreeSpan bend, side, twist;
 };
 
 // After the American Academy of Orthopaedic Surgeons (Joint Motion, 1965) and Kapandji (The Physiology of the

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "assets/city.h"
-#include "city_checks.h"
+#include "assets/cities.h"
+#include "tests/assets/city_checks.h"
 
 namespace flaneur {
 namespace {
@@ -28,7 +28,8 @@ TEST(District, IsSoundForSizesAndSeeds) {
 TEST(District, StaysSmall) {
     for (uint64_t seed = 1; seed <= 4; ++seed) {
         City city = generate_district({seed, 4});
-        EXPECT_LT(city.ground_kinds.size() + city.faces.size() * 2 + city.roof_buildings.size(), 60'000u);
+        EXPECT_LT(city.ground.kinds.size() + city.ground.faces.size() * 2 + city.roof_buildings.size(),
+                  60'000u);
     }
 }
 
@@ -36,27 +37,28 @@ TEST(District, StaysSmall) {
 TEST(District, GroundLiesNowhereTwice) {
     City city = generate_district({3, 3});
     double ground_area = 0;
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) ground_area += map_area(city, t);
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) ground_area += map_area(city, t);
     size_t samples = 0, covered = 0, twice = 0;
     for (uint32_t i = 0; i < 40'000; ++i) {
         RandomKey key{5, i, 0, Purpose::spawn};
-        Vec2 p{random_between(key, city.low.x, city.high.x, 0),
-               random_between(key, city.low.z, city.high.z, 1)};
+        Vec2 p{random_between(key, city.ground.low.x, city.ground.high.x, 0),
+               random_between(key, city.ground.low.z, city.ground.high.z, 1)};
         int n = triangles_at(city, p);
         ++samples;
         covered += n > 0;
         twice += n > 1;
     }
     EXPECT_EQ(twice, 0u);
-    double whole = static_cast<double>((city.high.x - city.low.x) * (city.high.z - city.low.z));
+    double whole = static_cast<double>((city.ground.high.x - city.ground.low.x) *
+                                       (city.ground.high.z - city.ground.low.z));
     EXPECT_NEAR(static_cast<double>(covered) / static_cast<double>(samples), ground_area / whole, 0.01);
 }
 
 TEST(District, HasWhatItPromises) {
     City city = generate_district({1, 4});
     std::array<double, k_surface_count> areas{};
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t)
-        areas[static_cast<size_t>(city.ground_kinds[t])] += map_area(city, t);
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t)
+        areas[static_cast<size_t>(city.ground.kinds[t])] += map_area(city, t);
     for (Surface kind : {Surface::road, Surface::sidewalk, Surface::crossing, Surface::plaza, Surface::path,
                          Surface::steps, Surface::grass, Surface::water}) {
         EXPECT_GT(areas[static_cast<size_t>(kind)], 10) << static_cast<int>(kind);
@@ -77,7 +79,7 @@ TEST(District, HasWhatItPromises) {
 TEST(District, FlightHasRealRisers) {
     City city = generate_district({1, 4});
     int risers = 0;
-    for (const Face& f : city.faces) {
+    for (const Face& f : city.ground.faces) {
         if (f.kind != FaceKind::riser) continue;
         ++risers;
         EXPECT_NEAR(f.a_top - f.a.y, 0.155f, 0.005f);
@@ -86,10 +88,10 @@ TEST(District, FlightHasRealRisers) {
     EXPECT_GE(risers, 14);
     // On the square and on the stair street: level treads, each a whole number of risers above the lowest.
     std::vector<float> heights;
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        if (city.ground_kinds[t] != Surface::steps) continue;
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
+        if (city.ground.kinds[t] != Surface::steps) continue;
         EXPECT_GT(triangle_normal(city, t).y, 0.9999f);
-        heights.push_back(city.ground_vertices[city.ground_indices[t * 3]].y);
+        heights.push_back(city.ground.vertices[city.ground.indices[t * 3]].y);
     }
     std::sort(heights.begin(), heights.end());
     EXPECT_GT(heights.back() - heights.front(), 20 * 0.155f);
@@ -100,10 +102,10 @@ TEST(District, DestinationsCanBeStoodOn) {
     for (uint64_t seed : {1u, 2u, 3u}) {
         City city = generate_district({seed, 3});
         for (const Destination& place : city.destinations) {
-            std::optional<GroundHit> hit = ground(city, place.position, 0.1f, 0.1f);
+            std::optional<GroundHit> hit = ground_at(city.ground, place.position, 0.1f, 0.1f);
             ASSERT_TRUE(hit);
             EXPECT_NE(hit->kind, Surface::water);
-            EXPECT_FALSE(closest_wall(city, place.position + Vec3{0, 1, 0}, 0.2f));
+            EXPECT_FALSE(closest_wall(city.ground, place.position + Vec3{0, 1, 0}, 0.2f));
             EXPECT_NEAR(length(place.facing), 1, 1e-3f);
             EXPECT_GT(place.weight, 0);
         }
@@ -114,8 +116,8 @@ TEST(District, DestinationsCanBeStoodOn) {
 TEST(District, AStreetSlopes) {
     City city = generate_district({1, 4});
     float steepest = 0;
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        if (city.ground_kinds[t] != Surface::road || map_area(city, t) < 1) continue;
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
+        if (city.ground.kinds[t] != Surface::road || map_area(city, t) < 1) continue;
         Vec3 n = triangle_normal(city, t);
         steepest = std::max(steepest, std::sqrt(n.x * n.x + n.z * n.z) / n.y);
     }

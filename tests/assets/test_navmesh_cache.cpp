@@ -1,22 +1,17 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
-#include "assets/city.h"
-#include "assets/navmesh_cache.h"
+#include "assets/cache/navmesh_cache.h"
+#include "assets/cities.h"
+#include "tests/folder.h"
 
 namespace flaneur {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("flaneur-navmesh-" + std::to_string(getpid()));
-    ~Folder() { fs::remove_all(path); }
-};
 
 size_t files_in(const fs::path& folder) {
     return static_cast<size_t>(std::distance(fs::directory_iterator(folder), {}));
@@ -29,15 +24,15 @@ void expect_same(const Navmesh& a, const Navmesh& b) {
 }
 
 TEST(NavmeshCache, KeepsWhatIsBuiltAndTrustsNothingElse) {
-    Folder folder;
+    TestFolder folder;
     std::string kept = folder.path.string();
     City city = generate_district({1, 1});
-    auto built = build_navmesh(city, {}, 1);
+    auto built = build_navmesh(city.ground, {}, 1);
     ASSERT_TRUE(built);
     bool asked = false;
     auto get = [&] {
         asked = false;
-        auto mesh = cached_navmesh(city, {}, 1, kept, [&](float) { asked = true; });
+        auto mesh = cached_navmesh(city.ground, {}, 1, kept, [&](float) { return asked = true; });
         EXPECT_TRUE(mesh);
         expect_same(**built, **mesh);
     };
@@ -68,13 +63,13 @@ TEST(NavmeshCache, KeepsWhatIsBuiltAndTrustsNothingElse) {
     // Another city and other settings have files of their own.
     NavmeshSettings wide;
     wide.agent_radius = 0.5f;
-    ASSERT_TRUE(cached_navmesh(city, wide, 1, kept));
+    ASSERT_TRUE(cached_navmesh(city.ground, wide, 1, kept));
     EXPECT_EQ(files_in(folder.path), 2u);
-    city.props.pop_back();
-    ASSERT_TRUE(cached_navmesh(city, {}, 1, kept));
+    city.ground.obstacles.pop_back();
+    ASSERT_TRUE(cached_navmesh(city.ground, {}, 1, kept));
     EXPECT_EQ(files_in(folder.path), 3u);
-    ASSERT_TRUE(cached_navmesh(city, {}, 1, ""));
-    ASSERT_TRUE(cached_navmesh(city, {}, 1, "/proc/none"));
+    ASSERT_TRUE(cached_navmesh(city.ground, {}, 1, ""));
+    ASSERT_TRUE(cached_navmesh(city.ground, {}, 1, "/proc/none"));
 }
 
 }  // namespace

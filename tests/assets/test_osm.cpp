@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +8,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "assets/city.h"
-#include "assets/osm_house.h"
-#include "assets/osm_map.h"
-#include "assets/terrain.h"
-#include "city_checks.h"
+#include "assets/cities.h"
+#include "assets/osm/house.h"
+#include "assets/osm/map.h"
+#include "assets/terrain/terrain.h"
+#include "tests/assets/city_checks.h"
+#include "tests/folder.h"
 
 namespace flaneur {
 namespace {
@@ -26,13 +28,9 @@ fs::path corpus() { return fs::path(FLANEUR_SHARED_DIR) / "corpus" / "osm"; }
 
 // A file that goes when the test ends.
 struct Temporary {
+    TestFolder folder;
     fs::path path;
-    Temporary(const std::string& name, const std::string& content) {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        path = fs::temp_directory_path() / ("flaneur_" + std::string(test->name()) + "_" + name);
-        std::ofstream(path, std::ios::binary) << content;
-    }
-    ~Temporary() { fs::remove(path); }
+    Temporary(const std::string& name, const std::string& content) : path(folder.write(name, content)) {}
 };
 
 std::string read(const fs::path& path) {
@@ -91,8 +89,8 @@ TEST(Osm, StreetGetsWidthKerbsAndSidewalks) {
     check_city(*city);
     EXPECT_NEAR(city->latitude, 0.0002f, 1e-4f);
     // The box ends 6 m beyond the map; its middle is the street's and the house's: x from -61 to 61.
-    float z = city->high.z - 6;
-    auto at = [&](float south) { return ground(*city, {0, 0, z + south}, 1, 1); };
+    float z = city->ground.high.z - 6;
+    auto at = [&](float south) { return ground_at(city->ground, {0, 0, z + south}, 1, 1); };
     EXPECT_EQ(at(0)->kind, Surface::road);
     EXPECT_EQ(at(-3.9f)->kind, Surface::road);
     EXPECT_EQ(at(-4.1f)->kind, Surface::sidewalk);
@@ -105,7 +103,7 @@ TEST(Osm, SidewalkTagsAreObeyed) {
     auto kind = [&](const std::string& tags, float south) {
         Result<City> city = load_text(
             map_of(k_nodes + with_tags(k_street, "<tag k='width' v='8'/>" + tags) + with_tags(k_house, "")));
-        return ground(*city, {-40, 0, city->high.z - 6 + south}, 1, 1)->kind;
+        return ground_at(city->ground, {-40, 0, city->ground.high.z - 6 + south}, 1, 1)->kind;
     };
     EXPECT_EQ(kind("<tag k='sidewalk' v='left'/>", -4.5f), Surface::sidewalk);
     EXPECT_EQ(kind("<tag k='sidewalk' v='left'/>", 4.5f), Surface::grass);
@@ -131,9 +129,9 @@ TEST(Osm, PassageLeadsThroughTheHouse) {
         map_of(k_nodes + way + with_tags(k_street, "") + with_tags(k_house, "<tag k='height' v='15'/>")));
     ASSERT_TRUE(city) << city.error().message;
     check_city(*city);
-    Vec3 inside{0, 0, city->high.z - 6 - 33};
-    ASSERT_TRUE(ground(*city, inside, 1, 1));
-    EXPECT_FALSE(ground(*city, inside + Vec3{5, 0, 0}, 1, 1));
+    Vec3 inside{0, 0, city->ground.high.z - 6 - 33};
+    ASSERT_TRUE(ground_at(city->ground, inside, 1, 1));
+    EXPECT_FALSE(ground_at(city->ground, inside + Vec3{5, 0, 0}, 1, 1));
     // Overhead the house goes on.
     bool storeys_above = false;
     for (const Building& b : city->buildings) storeys_above |= b.base > 3 && b.top > 14;
@@ -146,11 +144,11 @@ TEST(Osm, CrossingLiesOnTheRoadWithDroppedKerbs) {
     Result<City> city = load_text(map_of(k_nodes + way + with_tags(k_house, "")));
     ASSERT_TRUE(city) << city.error().message;
     check_city(*city);
-    float x = city->low.x + 6 + 0.0003f * 111320, z = city->high.z - 6;
-    EXPECT_EQ(ground(*city, {x, 0, z + 3.5f}, 1, 1)->kind, Surface::crossing);
-    EXPECT_FLOAT_EQ(ground(*city, {x, 0, z + 3.5f}, 1, 1)->height, 0);
-    EXPECT_NEAR(ground(*city, {x, 0, z + 4.05f}, 1, 1)->height, 0.02f, 0.01f);
-    EXPECT_NEAR(ground(*city, {x, 0, z + 5.5f}, 1, 1)->height, 0.12f, 1e-3f);
+    float x = city->ground.low.x + 6 + 0.0003f * 111320, z = city->ground.high.z - 6;
+    EXPECT_EQ(ground_at(city->ground, {x, 0, z + 3.5f}, 1, 1)->kind, Surface::crossing);
+    EXPECT_FLOAT_EQ(ground_at(city->ground, {x, 0, z + 3.5f}, 1, 1)->height, 0);
+    EXPECT_NEAR(ground_at(city->ground, {x, 0, z + 4.05f}, 1, 1)->height, 0.02f, 0.01f);
+    EXPECT_NEAR(ground_at(city->ground, {x, 0, z + 5.5f}, 1, 1)->height, 0.12f, 1e-3f);
 }
 
 TEST(Osm, RefusesWhatIsNoCity) {
@@ -160,9 +158,74 @@ TEST(Osm, RefusesWhatIsNoCity) {
     Result<City> missing = load_osm("/nowhere/at all.osm");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().message.find("/nowhere/at all.osm"), std::string::npos);
-    EXPECT_FALSE(load_osm("/tmp"));
-    std::string wide = R"(<node id="1" lat="0" lon="0"/><node id="2" lat="3" lon="1"/>)";
-    EXPECT_FALSE(load_text(map_of(wide + with_tags(k_street, ""))));
+    EXPECT_FALSE(load_osm("/"));
+    // A street from here to the horizon, of which a part can be drawn, but not by who wants it all.
+    std::string wide =
+        map_of(R"(<node id="1" lat="0" lon="0"/><node id="2" lat="3" lon="1"/>)" + with_tags(k_street, ""));
+    EXPECT_TRUE(load_text(wide));
+    EXPECT_FALSE(city_of(*parse_osm(wide, "osm"), "wide", {}));
+}
+
+// As `gzip` packs it.
+std::string gzipped(const std::string& text) {
+    std::string out(compressBound(text.size()) + 64, '\0');
+    z_stream stream{};
+    EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 9, Z_DEFAULT_STRATEGY), Z_OK);
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+    stream.avail_in = static_cast<uInt>(text.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    out.resize(stream.total_out);
+    deflateEnd(&stream);
+    return out;
+}
+
+TEST(Osm, PackedMapsAreReadInCapitalsToo) {
+    std::string text = map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, ""));
+    TestFolder folder;
+    for (const char* name : {"a.osm", "A.OSM"}) EXPECT_TRUE(load_osm(folder.write(name, text))) << name;
+    for (const char* name : {"a.osm.gz", "A.Osm.GZ"})
+        EXPECT_TRUE(load_osm(folder.write(name, gzipped(text)))) << name;
+}
+
+// Refused before it is unpacked, or taken in, as a whole.
+TEST(Osm, BombsAreRefusedEarly) {
+    auto refused = [](const Result<OsmMap>& map, const std::string& why) {
+        ASSERT_FALSE(map);
+        EXPECT_NE(map.error().message.find(why), std::string::npos) << map.error().message;
+    };
+    std::string blank(100 << 20, ' '), bomb = gzipped(map_of(blank));
+    TestFolder folder;
+    refused(parse_osm(bomb, "osm.gz"), "a hundred times");
+    refused(read_osm(folder.write("blank.osm.gz", bomb)), "a hundred times");
+
+    std::string nodes, ways, members;
+    for (int i = 1; i <= 2000; ++i) {
+        std::string id = std::to_string(i);
+        nodes += "<node id=\"" + id + "\" lat=\"0." + id + "\" lon=\"0\"/>";
+        ways += "<way id=\"" + id + "\"><nd ref=\"1\"/><nd ref=\"2\"/><tag k=\"a\" v=\"b\"/></way>";
+        members += "<relation id=\"" + id + "\"><tag k=\"type\" v=\"route\"/></relation>";
+    }
+    for (const std::string& many : {nodes, ways, members}) {
+        refused(parse_osm(map_of(many), "osm", 30'000), "more nodes, ways and tags");
+        EXPECT_TRUE(parse_osm(map_of(many), "osm", 1'000'000));
+    }
+}
+
+TEST(Osm, TwentyEightKilometresAreSoManyOnEveryParallel) {
+    EXPECT_FALSE(is_too_wide({7, 43.7, 7.34, 43.94}));
+    EXPECT_TRUE(is_too_wide({7, 43.7, 7.36, 43.94})) << "29 km from west to east";
+    EXPECT_TRUE(is_too_wide({7, 43.7, 7.34, 43.96})) << "29 km from south to north";
+    EXPECT_FALSE(is_too_wide({7, 60, 7.49, 60.1}));
+}
+
+TEST(Osm, TheAntimeridianIsNoEdge) {
+    std::string nodes = R"(<bounds minlat="0" minlon="179.999" maxlat="0.001" maxlon="-179.999"/>
+        <node id="1" lat="0" lon="179.9996"/><node id="2" lat="0" lon="-179.9994"/>)";
+    Result<City> city = load_text(map_of(nodes + with_tags(k_street, "")));
+    ASSERT_TRUE(city) << city.error().message;
+    EXPECT_NEAR(city->ground.high.x - city->ground.low.x, 111.3f + 12, 1);
 }
 
 TEST(Osm, OddMapsDoNotCrash) {
@@ -248,7 +311,7 @@ TEST(Osm, HousesDrawnOverOneAnotherShareNoWall) {
     ASSERT_EQ(city->buildings.size(), 2u);
     // The fronts to the north and south, by house: 22 m of the high one, 11 m of the low one.
     float width[2] = {0, 0};
-    for (const Face& f : city->faces) {
+    for (const Face& f : city->ground.faces) {
         if (f.kind != FaceKind::facade || std::abs(f.b.z - f.a.z) > 0.1f) continue;
         width[f.a_top > 8 ? 0 : 1] += std::abs(f.b.x - f.a.x);
     }
@@ -330,7 +393,7 @@ TEST(Osm, HostileSizesStaySmall) {
                                          with_tags(k_house, "") + longest + star + far_away));
     ASSERT_TRUE(city) << city.error().message;
     check_city(*city);
-    EXPECT_LT(city->ground_kinds.size(), 200'000u);
+    EXPECT_LT(city->ground.kinds.size(), 200'000u);
 }
 
 // Flat, on the same map raised by a slope of one in ten.
@@ -340,18 +403,17 @@ TEST(Osm, TerrainCarriesHousesAndStreets) {
         size_t height = i % 1201 * 8;
         slope[2 * i] = static_cast<char>(height >> 8), slope[2 * i + 1] = static_cast<char>(height);
     }
-    fs::path tile = fs::temp_directory_path() / "N00E000.hgt";
-    std::ofstream(tile, std::ios::binary) << slope;
+    Temporary hgt("N00E000.hgt", slope);
+    const fs::path& tile = hgt.path;
     Temporary file("map.osm",
                    map_of(k_nodes + with_tags(k_street, "") + with_tags(k_house, "<tag k='height' v='9'/>")));
-    Result<City> city = load_osm(file.path.string(), {tile.string(), 1});
+    Result<City> city = load_osm(file.path.string(), {tile.string()});
     Result<Terrain> terrain = read_terrain(tile.string(), {0, 0, 0.001, 0.0004});
-    fs::remove(tile);
     auto filed = [&](float x) { return height_at(*terrain, 0.0005 + static_cast<double>(x) / 111'320, 0); };
     ASSERT_TRUE(city) << city.error().message;
     check_city(*city);
-    float z = city->high.z - 6;
-    auto height = [&](float x) { return ground(*city, {x, 5, z}, 20, 20)->height; };
+    float z = city->ground.high.z - 6;
+    auto height = [&](float x) { return ground_at(city->ground, {x, 5, z}, 20, 20)->height; };
     EXPECT_GT(height(30) - height(-30), 3);
     EXPECT_NEAR(height(30) - height(-30), filed(30) - filed(-30), 0.2f);
     EXPECT_NEAR(height(-54), 0.6f, 0.7f) << "y = 0 is the lowest ground";

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "assets/city.h"
-#include "assets/masses.h"
-#include "assets/osm_decks.h"
-#include "assets/osm_map.h"
-#include "assets/streets.h"
-#include "city_checks.h"
-#include "sim/city/navmesh.h"
+#include "assets/cities.h"
+#include "assets/osm/decks.h"
+#include "assets/osm/map.h"
+#include "assets/plan/masses.h"
+#include "assets/plan/streets.h"
+#include "sim/navigation/navmesh.h"
+#include "tests/assets/city_checks.h"
 
 namespace flaneur {
 namespace {
@@ -49,11 +49,7 @@ std::string tag(const std::string& key, const std::string& value) {
 
 // The streets of a drawing on a terrain, which is about (0, 0) if the drawing is. A frame keeps it so.
 City build(Drawing drawing, const std::function<float(Vec2)>& terrain = {}) {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    fs::path path = fs::temp_directory_path() / ("flaneur_streets_" + std::string(test->name()) + ".osm");
-    std::ofstream(path) << "<osm version=\"0.6\">" << drawing.nodes << drawing.ways << "</osm>";
-    Result<OsmMap> map = read_osm(path.string());
-    fs::remove(path);
+    Result<OsmMap> map = parse_osm("<osm version=\"0.6\">" + drawing.nodes + drawing.ways + "</osm>", "osm");
     EXPECT_TRUE(map) << map.error().message;
     OsmImport in{*map, projection_about(0, 0), {}, {}, {}};
     in.plan.low = {-60, -60};
@@ -65,7 +61,7 @@ City build(Drawing drawing, const std::function<float(Vec2)>& terrain = {}) {
 }
 
 float height(const City& city, Vec2 p, float about) {
-    std::optional<GroundHit> hit = ground(city, at_height(p, about), 1, 1);
+    std::optional<GroundHit> hit = ground_at(city.ground, at_height(p, about), 1, 1);
     EXPECT_TRUE(hit) << p.x << ", " << p.z << " about " << about;
     return hit ? hit->height : -99;
 }
@@ -81,7 +77,7 @@ float path_ends_short(const Navmesh& mesh, Vec3 from, Vec3 to) {
 }
 
 NavmeshPtr mesh_of(const City& city) {
-    Result<NavmeshPtr> mesh = build_navmesh(city, {}, 1);
+    Result<NavmeshPtr> mesh = build_navmesh(city.ground, {}, 1);
     EXPECT_TRUE(mesh) << mesh.error().message;
     return mesh ? std::move(*mesh) : nullptr;
 }
@@ -119,15 +115,15 @@ TEST(OsmStreets, StepsClimbTheHill) {
     EXPECT_NEAR(static_cast<float>(risers), 7.2f / 0.16f, 3);
     EXPECT_NEAR(lowest, 12 - 0.3f * 12 + 0.12f, 0.02f);
     int drawn = 0;
-    for (const Face& f : city.faces) {
+    for (const Face& f : city.ground.faces) {
         Vec2 middle = lerp(on_ground(f.a), on_ground(f.b), 0.5f);
         bool across =
             std::fabs(f.b.z - f.a.z) < 0.01f && std::fabs(middle.x) < 1.6f && std::fabs(middle.z) < 11.9f;
         drawn += f.kind == FaceKind::riser && across && length(on_ground(f.b) - on_ground(f.a)) > 0.2f;
     }
     EXPECT_GE(drawn, risers);
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        if (city.ground_kinds[t] == Surface::steps) {
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
+        if (city.ground.kinds[t] == Surface::steps) {
             EXPECT_LT(city.ground_axes[t].z, -0.99f) << "the way up is north";
         }
     }
@@ -168,16 +164,16 @@ TEST(OsmStreets, BridgeIsWalkedOverAndUnder) {
     // Railings on both sides of the deck stop walkers; nothing stops them along it.
     for (float x = -14; x < 14; x += 1.7f) {
         for (float side : {-1.0f, 1.0f}) {
-            std::optional<RayHit> rail = raycast(city, {x, deck + 0.6f, 0}, {0, 0, side}, 3);
+            std::optional<RayHit> rail = raycast(city.ground, {x, deck + 0.6f, 0}, {0, 0, side}, 3);
             ASSERT_TRUE(rail) << x;
             EXPECT_NEAR(rail->distance, 1.5f, 0.3f);
         }
     }
-    EXPECT_FALSE(raycast(city, {-14, deck + 0.6f, 0}, {1, 0, 0}, 28));
+    EXPECT_FALSE(raycast(city.ground, {-14, deck + 0.6f, 0}, {1, 0, 0}, 28));
     // Steps go up without a gap.
     float before = k_kerb;
     for (float x = -30; x < -14; x += 0.05f) {
-        std::optional<GroundHit> hit = ground(city, {x, before, 0.3f}, 0.3f, 0.3f);
+        std::optional<GroundHit> hit = ground_at(city.ground, {x, before, 0.3f}, 0.3f, 0.3f);
         ASSERT_TRUE(hit) << x;
         before = hit->height;
     }
@@ -199,7 +195,7 @@ TEST(OsmStreets, BridgeOverWaterStaysOnTheGround) {
     NavmeshPtr mesh = mesh_of(city);
     ASSERT_TRUE(mesh);
     EXPECT_LT(path_ends_short(*mesh, {-30, k_kerb, 0}, {30, k_kerb, 0}), 0.1f);
-    EXPECT_TRUE(raycast(city, {0, 0.6f, 0}, {0, 0, 1}, 3)) << "a railing";
+    EXPECT_TRUE(raycast(city.ground, {0, 0.6f, 0}, {0, 0, 1}, 3)) << "a railing";
 }
 
 TEST(OsmStreets, DoubledSidewalkIsLaidOnce) {
@@ -214,7 +210,7 @@ TEST(OsmStreets, DoubledSidewalkIsLaidOnce) {
         double width = 0;
         int levels = 0;
         for (float z = -20; z < 0; z += 0.05f) {
-            std::optional<GroundHit> hit = ground(city, {3, 0, z}, 1, 1);
+            std::optional<GroundHit> hit = ground_at(city.ground, {3, 0, z}, 1, 1);
             width += hit && hit->kind == Surface::sidewalk ? 0.05 : 0;
             levels = std::max(levels, triangles_at(city, {3.01f, z}));
         }
@@ -235,7 +231,7 @@ TEST(OsmStreets, WallsLeaveGapsForWays) {
     d.way({{0, -30}, {0, 40}}, tag("highway", "footway"));
     d.node(20, 10, tag("barrier", "gate"));
     City city = build(d);
-    auto blocked = [&](float x) { return raycast(city, {x, 1, 0}, {0, 0, 1}, 20).has_value(); };
+    auto blocked = [&](float x) { return raycast(city.ground, {x, 1, 0}, {0, 0, 1}, 20).has_value(); };
     EXPECT_TRUE(blocked(-30));
     EXPECT_TRUE(blocked(10));
     EXPECT_TRUE(blocked(30));
@@ -255,7 +251,7 @@ TEST(OsmStreets, PlacesLieOnTheGround) {
     int counts[k_destination_count] = {};
     for (const Destination& place : city->destinations) {
         ++counts[static_cast<size_t>(place.kind)];
-        std::optional<GroundHit> hit = ground(*city, place.position, 0.05f, 0.05f);
+        std::optional<GroundHit> hit = ground_at(city->ground, place.position, 0.05f, 0.05f);
         ASSERT_TRUE(hit);
         EXPECT_NE(hit->kind, Surface::water);
         EXPECT_NE(hit->kind, Surface::road);
@@ -277,14 +273,14 @@ TEST(OsmStreets, ArmsOfAJunctionAreCrossedWithoutStripes) {
     for (Vec2 way : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}}) {
         bool crossed = false;
         for (float off = 5; off < 15; off += 0.5f) {
-            std::optional<GroundHit> hit = ground(city, at_height(way * off, 0), 1, 1);
+            std::optional<GroundHit> hit = ground_at(city.ground, at_height(way * off, 0), 1, 1);
             crossed |= hit && hit->kind == Surface::crossing;
         }
         arms += crossed;
     }
     EXPECT_EQ(arms, 3);
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        if (city.ground_kinds[t] == Surface::crossing) {
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
+        if (city.ground.kinds[t] == Surface::crossing) {
             EXPECT_EQ(length(city.ground_axes[t]), 0);
         }
     }

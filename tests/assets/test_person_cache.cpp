@@ -1,21 +1,16 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
-#include "assets/person_cache.h"
+#include "assets/cache/person_cache.h"
+#include "tests/folder.h"
 
 namespace flaneur {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("flaneur-people-" + std::to_string(getpid()));
-    ~Folder() { fs::remove_all(path); }
-};
 
 void expect_same(const Character& a, const Character& b) {
     EXPECT_EQ(a.name, b.name);
@@ -32,16 +27,17 @@ void expect_same(const Character& a, const Character& b) {
 }
 
 TEST(PersonCache, GivesWhatTheGeneratorMakes) {
-    Folder folder;
+    TestFolder folder;
     PersonOptions options;
     options.age = 40;
     Character made = generate_person(options);
     expect_same(made, cached_person(options, folder.path.string()));
     ASSERT_EQ(std::distance(fs::directory_iterator(folder.path), {}), 1);
     fs::path file = fs::directory_iterator(folder.path)->path();
-    auto written = fs::last_write_time(file);
+    fs::create_hard_link(file, folder / "same");
     expect_same(made, cached_person(options, folder.path.string()));
-    EXPECT_EQ(fs::last_write_time(file), written) << "read, not made anew";
+    EXPECT_EQ(fs::hard_link_count(file), 2u) << "read, not made anew";
+    fs::remove(folder / "same");
 
     // A byte changed, and a file cut short: made anew.
     {

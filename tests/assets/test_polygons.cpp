@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "assets/ground_plan.h"
-#include "assets/polygons.h"
+#include "assets/plan/ground_plan.h"
+#include "assets/plan/polygons.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 
@@ -259,8 +259,8 @@ TEST(GroundPlan, KerbStandsBetweenRoadAndSidewalk) {
     plan.areas = {road, sidewalk};
     City city;
     lay_ground(plan, city);
-    ASSERT_EQ(city.faces.size(), 1u);
-    const Face& kerb = city.faces[0];
+    ASSERT_EQ(city.ground.faces.size(), 1u);
+    const Face& kerb = city.ground.faces[0];
     EXPECT_EQ(kerb.kind, FaceKind::kerb);
     EXPECT_FLOAT_EQ(kerb.a.y, 0);
     EXPECT_FLOAT_EQ(kerb.a_top, k_kerb);

@@ -1,26 +1,18 @@
 #include <gtest/gtest.h>
-#include <stdlib.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
 
 #include "assets/scene.h"
+#include "tests/folder.h"
 
 namespace flaneur {
 namespace {
 
 struct SceneFile : testing::Test {
-    SceneFile() {
-        char name[] = "/tmp/flaneur-test-XXXXXX";
-        folder = mkdtemp(name);
-    }
-    ~SceneFile() override { std::filesystem::remove_all(folder); }
-    Result<Scene> load(const std::string& text) {
-        std::ofstream(folder / "mine.json") << text;
-        return load_scene(folder / "mine.json");
-    }
-    std::filesystem::path folder;
+    Result<Scene> load(const std::string& text) { return load_scene(folder.write("mine.json", text)); }
+    TestFolder folder;
 };
 
 TEST(Scenes, BuiltInOnesAreSortedAndSound) {
@@ -44,7 +36,7 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     EXPECT_EQ(scene->walkers, 12);
     EXPECT_EQ(scene->seed, ~uint64_t{0});
     EXPECT_FLOAT_EQ(scene->hour, 8.25f);
-    EXPECT_EQ(scene->camera, "overview");
+    EXPECT_EQ(scene->camera.kind, CameraChoice::Kind::overview);
     EXPECT_EQ(scene->city, folder / "maps/a.osm");
     EXPECT_EQ(scene->people, (std::vector<PeopleShare>{{folder / "a.glb", 2.5f}, {"/b.glb", 1}, {"", 9}}));
     EXPECT_EQ(scene->sun_height, 40.5f);
@@ -89,6 +81,61 @@ TEST_F(SceneFile, IsRefusedByKeyAndRange) {
     Result<Scene> unknown = load(R"({"walkers": 3, "wlakers": 3})");
     ASSERT_FALSE(unknown);
     EXPECT_NE(unknown.error().message.find("wlakers"), std::string::npos);
+}
+
+TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
+    for (auto [text, says] : {std::pair{R"({"asteroid": true, "city": "a.osm"})", "\"city\""},
+                              {R"({"asteroid": true, "terrain": "a.tif"})", "\"terrain\""},
+                              {R"({"scale": 2, "city": "A.OSM.PBF"})", "\"scale\""}}) {
+        Result<Scene> scene = load(text);
+        ASSERT_FALSE(scene) << text;
+        EXPECT_NE(scene.error().message.find(says), std::string::npos) << scene.error().message;
+    }
+    EXPECT_TRUE(load(R"({"asteroid": false, "city": "a.osm"})"));
+    EXPECT_TRUE(load(R"({"scale": 2, "city": "a.glb"})"));
+}
+
+// A sentence says which key and shows the beginning of its value; a parser's stack is not for a file to fill.
+TEST_F(SceneFile, IsRefusedInAShortSentenceHoweverDeepOrLong) {
+    auto nested = [](size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+    auto in_quotes = [](const std::string& text) {
+        std::ostringstream out;
+        out << '"' << text << '"';
+        return std::move(out).str();
+    };
+    auto scene_of = [](const std::string& key, const std::string& value) {
+        std::ostringstream out;
+        out << "{\"" << key << "\": " << value << "}";
+        return std::move(out).str();
+    };
+    std::string longest(50'000, 'a'), text = in_quotes(longest);
+    for (const std::string& value : {nested(200'000), nested(6), std::string(200'000, '['), text}) {
+        for (const char* key : {"city", "walkers", "people", "idles", "asteroid", "time"}) {
+            Result<Scene> scene = load(scene_of(key, value));
+            if (!scene) {
+                EXPECT_LT(scene.error().message.size(), 300u);
+            }
+            EXPECT_TRUE(!scene || (value == text && key == std::string("city"))) << key;
+        }
+    }
+    Result<Scene> scene = load(scene_of(longest, "1"));
+    ASSERT_FALSE(scene);
+    EXPECT_LT(scene.error().message.size(), 400u);
+    scene = load(R"({"\u001b[31mred\n": 1})");
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().message.find_first_of("\x1b\n"), std::string::npos) << scene.error().message;
+    EXPECT_FALSE(load("{\"seed\": 1}" + std::string(2 << 20, ' '))) << "two megabytes";
+}
+
+TEST_F(SceneFile, ThatIsNoFileIsNotWaitedFor) {
+    ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/zero", folder / "endless.json");
+    std::filesystem::create_directory(folder / "folder.json");
+    for (const char* name : {"pipe.json", "endless.json", "folder.json"}) {
+        Result<Scene> scene = load_scene(folder / name);
+        ASSERT_FALSE(scene) << name;
+        EXPECT_NE(scene.error().message.find("Cannot read the scene"), std::string::npos);
+    }
 }
 
 TEST_F(SceneFile, ThatIsNoJsonObjectIsRefused) {

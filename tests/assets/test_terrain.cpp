@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <tiffio.h>
 
 #include <cmath>
@@ -6,9 +7,10 @@
 #include <fstream>
 #include <functional>
 
-#include "assets/ground_plan.h"
-#include "assets/terrain.h"
-#include "city_checks.h"
+#include "assets/plan/ground_plan.h"
+#include "assets/terrain/terrain.h"
+#include "tests/assets/city_checks.h"
+#include "tests/folder.h"
 
 namespace flaneur {
 namespace {
@@ -16,15 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr LonLatBox k_box{7.41, 43.73, 7.42, 43.74};
-
-// A folder that goes when the test ends.
-struct Folder {
-    fs::path path = fs::temp_directory_path() /
-                    ("flaneur_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    std::string operator/(const std::string& name) const { return (path / name).string(); }
-};
 
 using HeightOf = std::function<int(int column, int row)>;
 
@@ -102,7 +95,7 @@ int slope_from(double west, double north, int column, int row, int steps) {
 }
 
 TEST(Terrain, TilesSayHowHighTheGroundIs) {
-    Folder folder;
+    TestFolder folder;
     std::string path = folder / "N43E007.hgt";
     write_hgt(path, 1201, [](int column, int row) { return slope_from(7, 44, column, row, 1200); });
     Result<Terrain> terrain = read_terrain(path, k_box);
@@ -112,7 +105,7 @@ TEST(Terrain, TilesSayHowHighTheGroundIs) {
 }
 
 TEST(Terrain, GeoTiffsOfAllKindsAgree) {
-    Folder folder;
+    TestFolder folder;
     for (bool floats : {false, true}) {
         for (bool tiled : {false, true}) {
             for (uint16_t compression : {uint16_t{COMPRESSION_NONE}, uint16_t{COMPRESSION_ADOBE_DEFLATE}}) {
@@ -128,7 +121,7 @@ TEST(Terrain, GeoTiffsOfAllKindsAgree) {
 }
 
 TEST(Terrain, HolesAreFilledAndTheFarSeaIsLevel) {
-    Folder folder;
+    TestFolder folder;
     std::string path = folder / "N43E007.hgt";
     write_hgt(path, 1201, [](int column, int) {
         return column > 496 ? -32768 : column == 490 ? -32768 : 40;
@@ -141,7 +134,7 @@ TEST(Terrain, HolesAreFilledAndTheFarSeaIsLevel) {
 }
 
 TEST(Terrain, WhatCannotBeUsedIsRefusedByName) {
-    Folder folder;
+    TestFolder folder;
     auto refused = [&](const std::string& name, const std::string& why) {
         Result<Terrain> terrain = read_terrain(folder / name, k_box);
         ASSERT_FALSE(terrain) << name;
@@ -160,6 +153,8 @@ TEST(Terrain, WhatCannotBeUsedIsRefusedByName) {
     refused("small.tif", "does not cover");
     write_tiff(folder / "utm.tif", 61, 50, {true, false, true, 1}, flat);
     refused("utm.tif", "EPSG:32632");
+    write_hgt(folder / "N43E007.hgt", 1201, [](int, int) { return -32768; });
+    refused("N43E007.hgt", "nothing but voids");
     for (const char* name : {"noise.tif", "noise.hgt.zip", "noise.asc"})
         std::ofstream(folder / name) << "neither a picture nor an archive";
     refused("noise.tif", "no TIFF");
@@ -167,8 +162,37 @@ TEST(Terrain, WhatCannotBeUsedIsRefusedByName) {
     refused("noise.asc", "GeoTIFF");
 }
 
+// A few kilobytes that claim to hold gigabytes of samples.
+TEST(Terrain, BombsAreRefusedEarly) {
+    TestFolder folder;
+    for (bool tiled : {false, true}) {
+        write_tiff(folder / "bomb.tif", 61, 50, {true, tiled, true, 2, COMPRESSION_ADOBE_DEFLATE},
+                   [](int, int) { return 3; });
+        TIFF* tiff = TIFFOpen((folder / "bomb.tif").c_str(), "r+");
+        ASSERT_TRUE(tiff);
+        TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 100'000);
+        TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 100'000);
+        if (tiled) {
+            TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 32'768);
+            TIFFSetField(tiff, TIFFTAG_TILELENGTH, 32'768);
+        } else {
+            TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 100'000);
+        }
+        TIFFRewriteDirectory(tiff);
+        TIFFClose(tiff);
+        rusage before{}, after{};
+        getrusage(RUSAGE_SELF, &before);
+        Result<Terrain> terrain = read_terrain(folder / "bomb.tif", k_box);
+        getrusage(RUSAGE_SELF, &after);
+        ASSERT_FALSE(terrain);
+        EXPECT_NE(terrain.error().message.find("strips that are not read"), std::string::npos)
+            << terrain.error().message;
+        EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100 << 10) << "kilobytes";
+    }
+}
+
 TEST(Terrain, SpoiltFilesDoNotCrash) {
-    Folder folder;
+    TestFolder folder;
     write_tiff(folder / "whole.tif", 61, 50, {true, true, true, 2, COMPRESSION_ADOBE_DEFLATE},
                [](int column, int row) { return column + row; });
     std::ifstream in(folder / "whole.tif", std::ios::binary);
@@ -233,8 +257,8 @@ TEST(Terrain, GroundLiesInPlanesAndHasNoGaps) {
     City city;
     lay_ground(plan, city);
     index_city(city);
-    EXPECT_TRUE(city.faces.empty()) << "both areas lie on the terrain";
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
+    EXPECT_TRUE(city.ground.faces.empty()) << "both areas lie on the terrain";
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
         if (map_area(city, t) > 0.01) {
             EXPECT_GT(triangle_normal(city, t).y, 0.93f);
         }
@@ -242,7 +266,7 @@ TEST(Terrain, GroundLiesInPlanesAndHasNoGaps) {
     for (uint64_t i = 0; i < 2000; ++i) {
         RandomKey key{i, 0, 0, Purpose::spawn};
         Vec2 p{random_between(key, -49.9f, 54.9f), random_between(key, -39.9f, 46.9f, 1)};
-        std::optional<GroundHit> hit = ground(city, at_height(p, terrain_at(plan, p)), 1, 1);
+        std::optional<GroundHit> hit = ground_at(city.ground, at_height(p, terrain_at(plan, p)), 1, 1);
         ASSERT_TRUE(hit);
         EXPECT_NEAR(hit->height, terrain_at(plan, p), 2e-3f);
         EXPECT_NEAR(hit->height, hill(p), 0.6f);

@@ -1,6 +1,7 @@
 #include "tests/assets/tiny_man.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace flaneur {
 
@@ -33,7 +34,7 @@ void put_word(Bytes& out, size_t word) {
 
 }  // namespace
 
-TinyMan tiny_man(Quat turn) {
+std::vector<TinyBone> tiny_bones() {
     Body body = standard_body(1.7f);
     auto places = body.joints;
     for (int j : {left_lower_arm, left_hand, right_lower_arm, right_hand}) {
@@ -41,33 +42,89 @@ TinyMan tiny_man(Quat turn) {
         Vec3 hanging = body.joints[size_t(j)] - body.joints[shoulder];
         places[size_t(j)] = body.joints[shoulder] + Vec3{j < right_shoulder ? -hanging.y : hanging.y, 0, 0};
     }
+    std::vector<TinyBone> bones;
+    for (int j = 0; j < k_joint_count; ++j) {
+        Vec3 place = places[size_t(j)], to = place + Vec3{0, 0.12f, 0};
+        for (int c = j + 1; c < k_joint_count; ++c)
+            if (k_joint_parents[size_t(c)] == j && c != left_shoulder && c != right_shoulder &&
+                c != left_upper_leg && c != right_upper_leg)
+                to = places[size_t(c)];
+        if (j == left_hand || j == right_hand) to = place + Vec3{j == left_hand ? 0.15f : -0.15f, 0, 0};
+        if (j == left_toes || j == right_toes) to = place + Vec3{0, 0, body.toe};
+        bones.push_back({std::string(k_joint_names[size_t(j)]), k_joint_parents[size_t(j)], place, to});
+    }
+    return bones;
+}
+
+int find_bone(const std::vector<TinyBone>& bones, const std::string& name) {
+    for (size_t j = 0; j < bones.size(); ++j)
+        if (bones[j].name == name) return int(j);
+    throw std::invalid_argument("no bone " + name);
+}
+
+void add_bone(std::vector<TinyBone>& bones, const std::string& name, const std::string& parent, Vec3 place,
+              Vec3 to) {
+    bones.push_back({name, parent.empty() ? -1 : find_bone(bones, parent), place, to});
+}
+void add_helper(std::vector<TinyBone>& bones, const std::string& name, const std::string& parent,
+                Vec3 place) {
+    bones.push_back({name, parent.empty() ? -1 : find_bone(bones, parent), place, place, false});
+}
+
+void drop_bone(std::vector<TinyBone>& bones, const std::string& name, bool keep_flesh) {
+    int gone = find_bone(bones, name), parent = bones[size_t(gone)].parent;
+    if (keep_flesh) bones[size_t(parent)].to = bones[size_t(gone)].to;
+    bones.erase(bones.begin() + gone);
+    for (TinyBone& bone : bones)
+        if (bone.parent == gone)
+            bone.parent = parent;
+        else if (bone.parent > gone)
+            --bone.parent;
+}
+
+std::vector<TinyBone> bones_below(const std::vector<TinyBone>& first, int parent,
+                                  std::vector<TinyBone> bones) {
+    std::vector<TinyBone> all = first;
+    for (TinyBone& bone : bones) {
+        bone.parent = bone.parent < 0 ? parent : bone.parent + int(first.size());
+        all.push_back(bone);
+    }
+    return all;
+}
+
+void split_bone(std::vector<TinyBone>& bones, const std::string& name) {
+    int first = find_bone(bones, name);
+    TinyBone& bone = bones[size_t(first)];
+    Vec3 half = lerp(bone.place, bone.to, 0.5f);
+    TinyBone second{name + ".001", first, half, bone.to};
+    bone.to = half;
+    bones.insert(bones.begin() + first + 1, second);
+    for (size_t j = size_t(first) + 2; j < bones.size(); ++j)
+        if (bones[j].parent >= first) ++bones[j].parent;
+}
+
+TinyMan tiny_rig(const std::vector<TinyBone>& bones, Quat turn) {
     TinyMan man;
     Json& gltf = man.gltf;
     Boxes boxes;
     std::vector<float> binds;
-    for (int j = 0; j < k_joint_count; ++j) {
-        int parent = k_joint_parents[size_t(j)];
-        Vec3 place = places[size_t(j)], from = parent < 0 ? Vec3{} : places[size_t(parent)];
-        Vec3 t = rotate(turn, place - from), bound = rotate(turn, place);
-        Json node = {{"name", k_joint_names[size_t(j)]}, {"translation", {t.x, t.y, t.z}}};
-        Vec3 to = place + Vec3{0, 0.12f, 0};
-        for (int c = j + 1; c < k_joint_count; ++c) {
-            if (k_joint_parents[size_t(c)] != j) continue;
-            node["children"].push_back(c);
-            if (c != left_shoulder && c != right_shoulder && c != left_upper_leg && c != right_upper_leg)
-                to = places[size_t(c)];
-        }
-        if (j == left_hand || j == right_hand) to = place + Vec3{j == left_hand ? 0.15f : -0.15f, 0, 0};
-        if (j == left_toes || j == right_toes) to = place + Vec3{0, 0, body.toe};
-        add_box(boxes, j, place, to, turn);
+    gltf["asset"]["version"] = "2.0";
+    gltf["scene"] = 0;
+    for (size_t j = 0; j < bones.size(); ++j) {
+        const TinyBone& bone = bones[j];
+        Vec3 from = bone.parent < 0 ? Vec3{} : bones[size_t(bone.parent)].place;
+        Vec3 t = rotate(turn, bone.place - from), bound = rotate(turn, bone.place);
+        gltf["nodes"].push_back({{"name", bone.name}, {"translation", {t.x, t.y, t.z}}});
+        if (bone.parent < 0)
+            gltf["scenes"][0]["nodes"].push_back(j);
+        else
+            gltf["nodes"][size_t(bone.parent)]["children"].push_back(j);
+        if (bone.carries_flesh) add_box(boxes, int(j), bone.place, bone.to, turn);
         binds.insert(binds.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -bound.x, -bound.y, -bound.z, 1});
-        gltf["nodes"].push_back(node);
         gltf["skins"][0]["joints"].push_back(j);
     }
-    gltf["asset"]["version"] = "2.0";
+    gltf["scenes"][0]["nodes"].push_back(bones.size());
     gltf["nodes"].push_back({{"mesh", 0}, {"skin", 0}});
-    gltf["scene"] = 0;
-    gltf["scenes"][0]["nodes"] = {0, k_tiny_mesh};
     Json& primitive = gltf["meshes"][0]["primitives"][0];
     primitive["attributes"]["POSITION"] = add_accessor(man, boxes.positions, "VEC3");
     primitive["attributes"]["JOINTS_0"] = add_accessor(man, boxes.joints, "VEC4");
@@ -76,6 +133,8 @@ TinyMan tiny_man(Quat turn) {
     gltf["skins"][0]["inverseBindMatrices"] = add_accessor(man, binds, "MAT4");
     return man;
 }
+
+TinyMan tiny_man(Quat turn) { return tiny_rig(tiny_bones(), turn); }
 
 int add_accessor(TinyMan& man, const void* data, size_t bytes, int component, const char* type,
                  size_t count) {

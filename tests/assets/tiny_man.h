@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "assets/gltf_file.h"
-#include "assets/gltf_json.h"
-#include "sim/pose/body.h"
+#include "assets/gltf/file.h"
+#include "assets/gltf/json.h"
+#include "sim/body/body.h"
 
 namespace flaneur {
 
@@ -21,7 +21,37 @@ struct TinyMan {
 inline constexpr int k_tiny_mesh = k_joint_count;  // node
 enum TinyAccessor { tiny_positions, tiny_joints, tiny_weights, tiny_indices, tiny_binds };
 
-// The file's axes may be turned as a whole.
+// A joint and the box of flesh that hangs from it.
+struct TinyBone {
+    std::string name;
+    int parent;      // -1: none; else one before it
+    Vec3 place, to;  // of the joint, and where its flesh ends
+    bool carries_flesh = true;
+};
+
+// The bones of the man; bone j is joint j of standard_body, which names it.
+std::vector<TinyBone> tiny_bones();
+
+// The number of a bone that is there.
+int find_bone(const std::vector<TinyBone>& bones, const std::string& name);
+
+// Appends a bone, or one without flesh; `parent` is a name, empty for none.
+void add_bone(std::vector<TinyBone>& bones, const std::string& name, const std::string& parent, Vec3 place,
+              Vec3 to);
+void add_helper(std::vector<TinyBone>& bones, const std::string& name, const std::string& parent, Vec3 place);
+
+// Takes out a bone; its flesh, if it is to stay, and its children go to its parent.
+void drop_bone(std::vector<TinyBone>& bones, const std::string& name, bool keep_flesh = false);
+
+// `bones` below one of others, which come first.
+std::vector<TinyBone> bones_below(const std::vector<TinyBone>& first, int parent,
+                                  std::vector<TinyBone> bones);
+
+// Cuts a limb's bone in two: the second half, NAME.001, carries what hung from the first.
+void split_bone(std::vector<TinyBone>& bones, const std::string& name);
+
+// Node j is bone j, the last one carries the mesh. The file's axes may be turned as a whole.
+TinyMan tiny_rig(const std::vector<TinyBone>& bones, Quat turn = {});
 TinyMan tiny_man(Quat turn = {});
 
 // Appends data as an accessor with a view of its own; returns its number.

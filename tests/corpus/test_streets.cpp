@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "assets/city.h"
+#include "assets/cities.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -38,15 +38,15 @@ void look_at_feet(const World& w, size_t i, const std::vector<Sole>& last,
             sums.drift.push_back(std::min(length(now.heel - last[k].heel), length(now.ball - last[k].ball)));
         float deepest = 0, lowest = 1;  // 1: no ground near by
         for (Vec3 p : {now.heel, now.ball, now.tip}) {
-            auto hit = ground(w.city, p + Vec3{0, 0.05f, 0}, 0.02f, 0.5f);
+            auto hit = ground_at(*w.ground, p + Vec3{0, 0.05f, 0}, 0.02f, 0.5f);
             if (!hit) continue;
             deepest = std::max(deepest, hit->height - p.y);
             lowest = std::min(lowest, p.y - hit->height);
         }
         sums.below.push_back(deepest);
         if (lowest < 1) sums.above.push_back(std::max(lowest, 0.0f));
-        const Body& body = w.bodies[w.crowd.body[i]];
-        float leg = (thigh_length(body) + shank_length(body)) * w.crowd.scale[i];
+        const Body& body = w.kinds[w.crowd.identity.body[i]].body;
+        float leg = (thigh_length(body) + shank_length(body)) * w.crowd.identity.scale[i];
         float reach =
             length(joint_pose(w.poses, i, side == k_left ? left_upper_leg : right_upper_leg).position -
                    joint_pose(w.poses, i, side == k_left ? left_foot : right_foot).position);
@@ -58,7 +58,8 @@ Sums walk(City city, uint32_t walkers, int ticks) {
     WorldOptions options;
     options.walkers = walkers;
     options.kinds = {{standard_body(1.62f)}, {standard_body(1.78f)}};
-    auto made = make_world(std::move(city), options);
+    options.destinations = city.destinations;
+    auto made = make_world(std::make_shared<Ground>(std::move(city.ground)), options);
     EXPECT_TRUE(made) << (made ? "" : made.error().message);
     Sums sums;
     if (!made) return sums;
@@ -74,14 +75,14 @@ Sums walk(City city, uint32_t walkers, int ticks) {
                 planted[k] = w.gait.blocks[i / k_block].feet[side].swinging[i % k_block] == 0;
                 last[k] = sole(w.poses, w.gait, i, side);
             }
-            Vec3 p = w.crowd.position[i];
-            auto hit = ground(w.city, p, 0.2f, 0.5f);
+            Vec3 p = w.crowd.motion.position[i];
+            auto hit = ground_at(*w.ground, p, 0.2f, 0.5f);
             if (!hit) {
                 ++sums.lost;
             } else {
                 sums.off_ground = std::max(sums.off_ground, std::fabs(hit->height - p.y));
             }
-            if (t % 60 == 0 && closest_wall(w.city, p + Vec3{0, 1, 0}, 0.1f)) ++sums.in_wall;
+            if (t % 60 == 0 && closest_wall(*w.ground, p + Vec3{0, 1, 0}, 0.1f)) ++sums.in_wall;
         }
     }
     std::cout << "planted feet, mm a tick: drift p99 " << 1000 * share(sums.drift, 0.99) << ", worst "

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <random>
 
-#include "assets/gltf_character.h"
-#include "assets/gltf_city.h"
-#include "assets/gltf_clip.h"
-#include "assets/gltf_json.h"
+#include "assets/gltf/character/character.h"
+#include "assets/gltf/character/clip.h"
+#include "assets/gltf/city/city.h"
+#include "assets/gltf/json.h"
 
 namespace {
 

@@ -1,10 +1,9 @@
 // gltf_seeds FOLDER: small files for the fuzzer to begin with.
-#include <stb/stb_image_write.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 
+#include "assets/files/picture.h"
 #include "tests/assets/tiny_man.h"
 
 namespace {
@@ -35,20 +34,24 @@ int main(int argc, char** argv) {
     animate(swaying, chest, "scale", "CUBICSPLINE", {0}, {0, 0, 0, 1, 1, 1, 0, 0, 0});
     write(folder / "swaying.glb", as_glb(swaying));
 
+    std::vector<TinyBone> pieces = tiny_bones();
+    for (TinyBone& bone : pieces) bone.parent = -1;
+    pieces.push_back({"foot_ik", -1, pieces[left_foot].place, {}, false});
+    write(folder / "pieces.glb", as_glb(tiny_rig(pieces)));
+
     TinyMan dressed = tiny_man();
     const uint8_t k_texels[] = {200, 80, 60, 255, 200, 80, 60, 0};
-    Bytes png;
-    auto append = [](void* to, void* data, int size) {
-        auto from = static_cast<uint8_t*>(data);
-        static_cast<Bytes*>(to)->insert(static_cast<Bytes*>(to)->end(), from, from + size);
-    };
-    stbi_write_png_to_func(append, &png, 2, 1, 4, k_texels, 8);
+    std::string png = encode_png(k_texels, 2, 1, 4);
     std::vector<float> uvs(2 * dressed.gltf["accessors"][0]["count"].get<size_t>(), 0.5f);
     Json& primitive = dressed.gltf["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] = add_accessor(dressed, uvs, "VEC2");
     primitive["material"] = 0;
-    dressed.gltf["images"] = {{{"uri", "data:image/png;base64," + as_base64(png)}}};
+    dressed.gltf["images"] = {{{"uri", "data:image/png;base64," + as_base64({png.begin(), png.end()})}}};
+    // A texel of WebP, for whoever mutates it on.
+    dressed.gltf["images"].push_back(
+        {{"uri", "data:image/webp;base64,UklGRhoAAABXRUJQVlA4TA0AAAAvAAAAEAcQERGIiP4HAA=="}});
     dressed.gltf["textures"] = {{{"source", 0}}};
+    dressed.gltf["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
     Json texture = {{"index", 0},
                     {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}}}}}};
     dressed.gltf["materials"] = {{{"doubleSided", true},

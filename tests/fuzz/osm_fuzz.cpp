@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "assets/city.h"
-#include "assets/osm_map.h"
+#include "assets/cities.h"
+#include "assets/osm/map.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace flaneur;
@@ -13,13 +13,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (!map) return 0;
     auto city = city_of(*map, "fuzz", {});
     if (!city) return 0;
-    for (uint32_t i : city->ground_indices)
-        if (i >= city->ground_vertices.size()) std::abort();
+    for (uint32_t i : city->ground.indices)
+        if (i >= city->ground.vertices.size()) std::abort();
     for (uint32_t i : city->roof_indices)
         if (i >= city->roof_vertices.size()) std::abort();
     for (const Vec3& v : city->roof_vertices)
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) std::abort();
-    for (const Face& f : city->faces)
+    for (const Face& f : city->ground.faces)
         if (!std::isfinite(f.a.y) || !std::isfinite(f.b_top)) std::abort();
     return 0;
 }

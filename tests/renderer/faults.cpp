@@ -1,4 +1,4 @@
-#include "faults.h"
+#include "tests/renderer/faults.h"
 
 #include <gtest/gtest.h>
 

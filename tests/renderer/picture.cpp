@@ -8,7 +8,7 @@
 #include <stb/stb_image_write.h>
 
 #include "renderer/renderer.h"
-#include "synthetic_scene.h"
+#include "tests/renderer/synthetic_scene.h"
 
 // renderer_picture OUT.png [street|overview] [walkers] [width height] [frames]
 int main(int argc, char** argv) {

@@ -1,14 +1,16 @@
-#include "synthetic_scene.h"
+#include "tests/renderer/synthetic_scene.h"
 
 #include <array>
 #include <cmath>
+
+#include "renderer/shapes.h"
 
 namespace flaneur {
 namespace {
 
 constexpr float k_pi = 3.14159265f;
 
-uint32_t rgb(uint32_t hex) { return 0xff000000u | (hex & 0xff) << 16 | (hex & 0xff00) | hex >> 16; }
+constexpr uint32_t rgb(uint32_t hex) { return vertex_colour(hex); }
 
 uint32_t scaled(uint32_t colour, float factor) {
     uint32_t out = 0xff000000u;
@@ -30,51 +32,9 @@ void set_normal(int8_t (&out)[4], glm::vec3 n) {
     for (int i = 0; i < 3; ++i) out[i] = static_cast<int8_t>(std::lround(n[i] * 127));
 }
 
-// A quad whose corners run counter-clockwise seen from its front.
-void add_quad(CityMesh& mesh, const std::array<glm::vec3, 4>& corners, const std::array<glm::vec2, 4>& uv,
-              uint32_t material, uint32_t colour, uint32_t extra = 0) {
-    const uint32_t first = static_cast<uint32_t>(mesh.vertices.size());
-    const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    for (int i = 0; i < 4; ++i) {
-        CityVertex vertex{};
-        vertex.position = corners[i];
-        vertex.colour = colour;
-        vertex.uv = uv[i];
-        set_normal(vertex.normal, normal);
-        vertex.material = static_cast<uint16_t>(material);
-        vertex.extra = static_cast<uint16_t>(extra);
-        mesh.vertices.push_back(vertex);
-    }
-    for (uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + k);
-}
-
-void add_ground(CityMesh& mesh, glm::vec2 low, glm::vec2 high, float y, uint32_t material, uint32_t colour) {
-    const glm::vec2 a(low.x, high.y), b(high.x, high.y), c(high.x, low.y), d(low.x, low.y);
-    add_quad(mesh, {glm::vec3(a.x, y, a.y), {b.x, y, b.y}, {c.x, y, c.y}, {d.x, y, d.y}}, {a, b, c, d},
-             material, colour);
-}
-
-void add_wall(CityMesh& mesh, glm::vec3 a, glm::vec3 b, float height, uint32_t material, uint32_t colour,
-              uint32_t extra) {
-    const glm::vec3 up(0, height, 0);
-    const float length = glm::length(b - a);
-    add_quad(mesh, {a, b, b + up, a + up}, {glm::vec2(0, 0), {length, 0}, {length, height}, {0, height}},
-             material, colour, extra);
-}
-
-void add_block(CityMesh& mesh, glm::vec2 low, glm::vec2 high, float y, float height, uint32_t material,
-               uint32_t colour, uint32_t extra, uint32_t roof) {
-    const glm::vec3 a(low.x, y, high.y), b(high.x, y, high.y), c(high.x, y, low.y), d(low.x, y, low.y);
-    add_wall(mesh, a, b, height, material, colour, extra);
-    add_wall(mesh, b, c, height, material, colour, extra);
-    add_wall(mesh, c, d, height, material, colour, extra);
-    add_wall(mesh, d, a, height, material, colour, extra);
-    add_ground(mesh, low, high, y + height, material == k_material_facade ? k_material_roof : material, roof);
-}
-
 void add_tree(CityMesh& mesh, glm::vec3 foot) {
     add_block(mesh, {foot.x - 0.14f, foot.z - 0.14f}, {foot.x + 0.14f, foot.z + 0.14f}, foot.y, 2.4f,
-              k_material_trunk, rgb(0x6b5a48), 0, rgb(0x6b5a48));
+              {k_material_trunk, rgb(0x6b5a48)}, {k_material_trunk, rgb(0x6b5a48)});
     constexpr int rings = 8, sectors = 12;
     const uint32_t first = static_cast<uint32_t>(mesh.vertices.size());
     for (int ring = 0; ring <= rings; ++ring)
@@ -101,7 +61,7 @@ void add_tree(CityMesh& mesh, glm::vec3 foot) {
 }
 
 // Joints of a body 1.74 m tall in its bind pose: hips, spine, chest, upper chest, neck, head, then arms and
-// legs, as sim/pose/body.h orders them.
+// legs, as sim/body/body.h orders them.
 constexpr int k_joints = k_palette_joints;
 const glm::vec3 k_bind[k_joints] = {
     {0, 0.95f, 0},      {0, 1.06f, 0},         {0, 1.18f, 0},         {0, 1.30f, 0},      {0, 1.46f, 0},
@@ -299,10 +259,10 @@ CityMesh synthetic_city() {
             const float height = 3.2f * static_cast<float>(3 + hash(key) % 4);
             const uint32_t wall = scaled(rgb(walls[hash(key + 77) % 5]), 0.94f + 0.12f * unit(key + 31));
             const glm::vec2 low(side > 0 ? 8.0f : -22.0f, z), high(side > 0 ? 22.0f : -8.0f, z + 15);
-            add_block(mesh, low, high, 0.12f, height, k_material_facade, wall,
-                      facade_extra(3.2f, hash(key + 5) % 3 != 0, key % 4 == 0 ? 1 : -1,
-                                   static_cast<WindowKind>(key % 4)),
-                      key % 3 ? rgb(0x8f979c) : rgb(0xb5694a));
+            const uint16_t windows = facade_extra(3.2f, hash(key + 5) % 3 != 0, key % 4 == 0 ? 1 : -1,
+                                                  static_cast<WindowKind>(key % 4));
+            add_block(mesh, low, high, 0.12f, height, {k_material_facade, wall, windows, key},
+                      {k_material_roof, key % 3 ? rgb(0x8f979c) : rgb(0xb5694a)});
         }
     add_ground(mesh, {8, 15}, {22, 30}, 0.12f, k_material_plaza, rgb(0xb0a898));
     add_ground(mesh, {11, 19}, {17, 26}, 0.14f, k_material_grass, rgb(0x6f8a4c));

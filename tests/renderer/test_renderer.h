@@ -1,4 +1,5 @@
-// A validated renderer for tests: any validation message fails the test that hears it.
+// Renderers for tests: Mesa's CPU driver draws, whatever else the machine has, in medium quality. What is
+// counted and compared is the same everywhere.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,11 +8,19 @@
 
 namespace flaneur {
 
+inline RendererOptions on_lavapipe() {
+    RendererOptions options;
+    options.device = "llvmpipe";
+    options.quality = Quality::medium;
+    return options;
+}
+
+// Any validation message fails the test that hears it.
 inline RendererOptions validated() {
-    return {.device = {},
-            .quality = Quality::medium,
-            .validation = true,
-            .on_message = [](const std::string& message) { ADD_FAILURE() << message; }};
+    RendererOptions options = on_lavapipe();
+    options.validation = true;
+    options.on_message = [](const std::string& message) { ADD_FAILURE() << message; };
+    return options;
 }
 
 }  // namespace flaneur

@@ -1,8 +1,8 @@
 // Random poses for tests of clips and blends.
 #pragma once
 
+#include "sim/animation/clip.h"
 #include "sim/base/rng.h"
-#include "sim/pose/clip.h"
 
 namespace flaneur {
 
@@ -16,8 +16,8 @@ inline LocalPose random_pose(RandomKey key, size_t joints, float bend, uint32_t 
         pose.rotations.push_back(normalize(Quat{x / 2, y / 2, z / 2, 1}));
         at += 3;
     }
-    pose.way = {random_between(key, -1, 1, at), random_between(key, -1, 1, at + 1),
-                random_between(key, -1, 1, at + 2)};
+    pose.offset = {random_between(key, -1, 1, at), random_between(key, -1, 1, at + 1),
+                   random_between(key, -1, 1, at + 2)};
     return pose;
 }
 

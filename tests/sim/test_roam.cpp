@@ -5,25 +5,25 @@
 #include <cmath>
 
 #include "sim/world.h"
+#include "tests/sim/allocations.h"
 
 namespace flaneur {
 namespace {
 
-City level_stage() {
-    City city;
-    city.ground_vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
-    city.ground_indices = {0, 1, 2, 0, 2, 3};
-    city.ground_kinds.assign(2, Surface::plaza);
-    city.ground_axes.assign(2, {1, 0});
-    index_city(city);
-    return city;
+Ground level_stage() {
+    Ground ground;
+    ground.vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
+    ground.indices = {0, 1, 2, 0, 2, 3};
+    ground.kinds.assign(2, Surface::plaza);
+    index_ground(ground);
+    return ground;
 }
 
 std::unique_ptr<World> roaming(Compound compound, uint32_t walkers, int threads) {
     WorldOptions options;
     options.walkers = walkers;
     options.threads = threads;
-    auto world = make_world(level_stage(), options);
+    auto world = make_world(std::make_shared<Ground>(level_stage()), options);
     EXPECT_TRUE(world) << world.error().message;
     Result<void> set = set_down(**world, std::move(compound));
     EXPECT_TRUE(set) << set.error().message;
@@ -31,7 +31,8 @@ std::unique_ptr<World> roaming(Compound compound, uint32_t walkers, int threads)
 }
 
 Vec3 on_surface(const World& w, size_t walker, Vec3 p) {
-    return set_onto(w.roam->frames[walker], w.crowd.position[walker], w.crowd.heading[walker], {p, {}})
+    return set_onto(w.roam->frames[walker], w.crowd.motion.position[walker], w.crowd.motion.heading[walker],
+                    {p, {}})
         .position;
 }
 
@@ -77,10 +78,23 @@ TEST(Roam, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_NE(hash_world(*one), start);
 }
 
+TEST(Roam, StepAllocatesNothingAndTheHashKnowsItsWalkers) {
+    Compound ball;
+    ball.spheres.push_back({{0, 0, 0}, 9});
+    auto w = roaming(ball, 70, 2);
+    step(*w);
+    size_t before = allocations();
+    for (int tick = 0; tick < 60; ++tick) step(*w);
+    EXPECT_EQ(allocations() - before, 0u);
+    uint64_t hash = hash_world(*w);
+    w->roam->walkers.pace[3] += 0.1f;
+    EXPECT_NE(hash_world(*w), hash);
+}
+
 TEST(Roam, NothingToWalkOnIsRefused) {
     WorldOptions options;
     options.walkers = 3;
-    auto world = make_world(level_stage(), options);
+    auto world = make_world(std::make_shared<Ground>(level_stage()), options);
     ASSERT_TRUE(world);
     EXPECT_FALSE(set_down(**world, {}));
 }

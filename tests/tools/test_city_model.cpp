@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/city.h"
-#include "assets/gltf_city.h"
-#include "assets/gltf_read.h"
+#include "assets/cities.h"
+#include "assets/gltf/city/city.h"
+#include "assets/gltf/read.h"
 #include "sim/base/rng.h"
-#include "tools/flaneur/city_model.h"
+#include "tools/flaneur/city/model.h"
 
 namespace flaneur {
 namespace {
@@ -23,10 +23,10 @@ Result<City> read_back(const City& city) {
 // Random places on ground triangles, by number.
 Vec3 place_on(const City& city, uint32_t n) {
     RandomKey key{7, n, 0, Purpose::colour};
-    size_t t = std::min(static_cast<size_t>(random_unit(key) * static_cast<float>(city.ground_kinds.size())),
-                        city.ground_kinds.size() - 1);
+    size_t t = std::min(static_cast<size_t>(random_unit(key) * static_cast<float>(city.ground.kinds.size())),
+                        city.ground.kinds.size() - 1);
     Vec3 p[3];
-    for (size_t k = 0; k < 3; ++k) p[k] = city.ground_vertices[city.ground_indices[3 * t + k]];
+    for (size_t k = 0; k < 3; ++k) p[k] = city.ground.vertices[city.ground.indices[3 * t + k]];
     return lerp(lerp(p[0], p[1], random_unit(key, 1)), p[2], 0.1f + 0.8f * random_unit(key, 2));
 }
 
@@ -39,10 +39,10 @@ TEST(CityModel, ComesBackAsTheSameGround) {
     uint32_t tried = 0, there = 0, alike = 0;
     for (uint32_t n = 0; n < k_places; ++n) {
         Vec3 p = place_on(city, n);
-        auto own = ground(city, p, 0.05f, 0.05f);
+        auto own = ground_at(city.ground, p, 0.05f, 0.05f);
         if (!own || own->kind == Surface::water) continue;
         ++tried;
-        auto other = ground(*back, p, 0.05f, 0.05f);
+        auto other = ground_at(back->ground, p, 0.05f, 0.05f);
         there += other && std::fabs(other->height - own->height) < 0.005f;
         alike += other && other->kind == own->kind;
     }
@@ -53,7 +53,7 @@ TEST(CityModel, ComesBackAsTheSameGround) {
     uint32_t more = 0;
     for (uint32_t n = 0; n < k_places; ++n) {
         Vec3 p = place_on(*back, n);
-        more += !ground(city, p, 0.02f, 0.3f);
+        more += !ground_at(city.ground, p, 0.02f, 0.3f);
     }
     EXPECT_LE(more, k_places / 1000);
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/city.h"
-#include "tools/flaneur/extract.h"
+#include "assets/cities.h"
+#include "tools/flaneur/extract/extract.h"
 
 namespace flaneur {
 namespace {
@@ -45,12 +45,12 @@ TEST(Lamps, DoNotShineThroughHouses) {
     lamp.height = 5;
     lamp.position = {0, 0, 0};
     open.props = {lamp};
-    open.ground_vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
-    open.ground_indices = {0, 1, 2, 0, 2, 3};
-    open.ground_kinds = {Surface::plaza, Surface::plaza};
+    open.ground.vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
+    open.ground.indices = {0, 1, 2, 0, 2, 3};
+    open.ground.kinds = {Surface::plaza, Surface::plaza};
     open.ground_axes = {{1, 0}, {1, 0}};
     City walled = open;
-    walled.faces = {{{4, 0, 20}, {4, 0, -20}, 8, 8, FaceKind::garden_wall, ~0u}};
+    walled.ground.faces = {{{4, 0, 20}, {4, 0, -20}, 8, 8, FaceKind::garden_wall, ~0u}};
     index_city(open);
     index_city(walled);
     const LampMap before = extract_lamps(open), after = extract_lamps(walled);
@@ -68,7 +68,7 @@ TEST(Lamps, HangUnseenOverKerbsThatHaveNone) {
     std::erase_if(city.props, [](const Prop& prop) { return prop.kind == PropKind::lamp; });
     const LampMap map = extract_lamps(city);
     int kerbs = 0, lit = 0;
-    for (const Face& face : city.faces) {
+    for (const Face& face : city.ground.faces) {
         if (face.kind != FaceKind::kerb) continue;
         ++kerbs;
         lit += light_at(map, face.a).y > 0;
@@ -84,7 +84,7 @@ TEST(Shades, LieOnTheGround) {
     EXPECT_LT(*std::max_element(mesh.indices.begin(), mesh.indices.end()), mesh.vertices.size());
     for (const CityVertex& vertex : mesh.vertices) {
         const Vec3 place{vertex.position.x, vertex.position.y, vertex.position.z};
-        const std::optional<GroundHit> hit = ground(district(), place, 0.1f, 0.1f);
+        const std::optional<GroundHit> hit = ground_at(district().ground, place, 0.1f, 0.1f);
         ASSERT_TRUE(hit);
         EXPECT_NEAR(place.y - hit->height, 0.012f, 1e-3f);
         EXPECT_TRUE(vertex.uv.x == 0 || vertex.uv.x == 1);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/flaneur/figures.h"
+#include "tools/flaneur/output/figures.h"
 
 namespace flaneur {
 namespace {
@@ -18,12 +18,13 @@ TEST(Quantile, LiesBetweenTheClosestRanks) {
 
 TEST(Figures, AsJson) {
     Figures figures;
-    figures.setting = {{"walkers", "500"}};
+    figures.setting = {{"walkers", 500}, {"quality", "high"}};
     figures.counts = {{"triangles", 1000}};
     for (double ms : {1.0, 2.0, 6.0}) add_sample(figures, "steer", ms);
     add_sample(figures, "move", 4.0);
     nlohmann::json json = nlohmann::json::parse(figures_json(figures));
-    EXPECT_EQ(json["setting"]["walkers"], "500");
+    EXPECT_EQ(json["setting"]["walkers"], 500);
+    EXPECT_EQ(json["setting"]["quality"], "high");
     EXPECT_EQ(json["counts"]["triangles"], 1000);
     ASSERT_EQ(json["stages"].size(), 2u);
     EXPECT_EQ(json["stages"][0]["name"], "steer");

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tools/flaneur/flip.h"
+#include "tools/flaneur/output/flip.h"
 
 namespace flaneur {
 namespace {

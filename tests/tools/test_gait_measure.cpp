@@ -28,7 +28,7 @@ Walk made_up_walk(int ticks) {
         now.velocity = {0, 1.2f};
         for (size_t j = 0; j < k_joint_count; ++j) now.joints[j].position = rest[j] + now.root;
         for (Side side : {k_left, k_right}) {
-            const Limb& limb = k_limbs[side];
+            const LimbJoints& limb = k_limbs[side];
             int since = t + (side == k_left ? 0 : k_cycle / 2);
             int stride = since / k_cycle, at = since % k_cycle;
             float angle = 20 * k_radians * sin_cos(2 * k_pi * static_cast<float>(at) / k_cycle).cosine;
@@ -195,18 +195,18 @@ TEST(GaitLimits, KnowWhatJointsOfPeopleDo) {
 // A world of one who stands on level ground.
 World small_world() {
     World w;
-    w.city = strip([](float) { return 0.0f; }, {-20, 20}, false);
-    w.bodies = {standard_body(1.75f)};
-    w.crowd.position = {Vec3{}};
-    w.crowd.velocity = {Vec2{}};
-    w.crowd.heading = {0};
-    w.crowd.turn_rate = {0};
+    w.ground = std::make_shared<Ground>(strip([](float) { return 0.0f; }, {-20, 20}, false));
+    w.kinds = {{standard_body(1.75f)}};
+    w.crowd.motion.position = {Vec3{}};
+    w.crowd.motion.velocity = {Vec2{}};
+    w.crowd.motion.heading = {0};
+    w.crowd.motion.turn_rate = {0};
     w.crowd.count = 1;
     uint32_t body = 0;
     float scale = 1;
-    RootMotion root{w.crowd.position.data(), w.crowd.velocity.data(), w.crowd.heading.data(),
-                    w.crowd.turn_rate.data()};
-    start_gait(w.gait, 1, w.bodies, &body, &scale, root, w.city, 1);
+    RootMotion root{w.crowd.motion.position.data(), w.crowd.motion.velocity.data(),
+                    w.crowd.motion.heading.data(), w.crowd.motion.turn_rate.data()};
+    start_gait(w.gait, 1, {w.kinds[0].body}, &body, &scale, root, surroundings_of(*w.ground), 1);
     w.poses.resize(1);
     pose_blocks(w.gait, 0, 1, w.poses);
     return w;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "tools/flaneur/options.h"
+#include "tests/folder.h"
+#include "tools/flaneur/options/options.h"
 
 namespace flaneur {
 namespace {
@@ -37,16 +38,46 @@ TEST(Options, TheCommandLineOverridesTheScene) {
     EXPECT_FLOAT_EQ(parsed({"sim", "--city", "a.glb", "--scale", "0.01"}).scene.scale, 0.01f);
 }
 
+TEST(Options, TheCommandLineOverridesHowASceneIsLookedAt) {
+    TestFolder folder;
+    std::string file = folder.write("mine.json", R"({"camera": "follow:3", "size": "20x10", "quality": "low",
+        "view": ["trails"]})");
+    Options plain = parsed({"render", "--scene", file, "--out", "a.png"});
+    EXPECT_EQ(plain.scene.camera.walker, 3u);
+    EXPECT_EQ(plain.scene.size, (Size{20, 10}));
+    EXPECT_EQ(plain.scene.quality, "low");
+    EXPECT_TRUE(plain.scene.views[WorkView::trails]);
+    Options changed = parsed({"render", "--scene", file, "--out", "a.png", "--camera", "overview", "--size",
+                              "4x3", "--quality", "high", "--view", "speed"});
+    EXPECT_EQ(changed.scene.camera.kind, CameraChoice::Kind::overview);
+    EXPECT_EQ(changed.scene.size, (Size{4, 3}));
+    EXPECT_EQ(changed.scene.quality, "high");
+    EXPECT_FALSE(changed.scene.views[WorkView::trails]);
+    EXPECT_TRUE(changed.scene.views[WorkView::speed]);
+}
+
+// It is not the command line's fault.
+TEST(Options, ASceneIsToBlameForItsOwnCamera) {
+    TestFolder folder;
+    std::string file = folder.write("mine.json", R"({"walkers": 5, "camera": "follow:5"})");
+    auto refused = parse({"sim", "--scene", file});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("camera of the scene"), std::string::npos)
+        << refused.error().message;
+    EXPECT_EQ(refused.error().message.find("--camera"), std::string::npos) << refused.error().message;
+    EXPECT_TRUE(parse({"sim", "--scene", file, "--walkers", "6"}));
+}
+
 TEST(Options, ViewsForWorkGoTogetherWhereTheyCan) {
     Options options = parsed({"render", "--view", "trails,speed,wireframe", "--out", "a.png"});
-    EXPECT_TRUE(options.work_views[WorkView::trails] && options.work_views[WorkView::speed]);
-    EXPECT_FALSE(options.work_views[WorkView::lods]);
-    WorkViews changed = toggled(options.work_views, WorkView::normals);
+    EXPECT_TRUE(options.scene.views[WorkView::trails] && options.scene.views[WorkView::speed]);
+    EXPECT_FALSE(options.scene.views[WorkView::lods]);
+    WorkViews changed = toggled(options.scene.views, WorkView::normals);
     EXPECT_TRUE(changed[WorkView::normals] && changed[WorkView::trails]);
     EXPECT_FALSE(changed[WorkView::wireframe]);
     EXPECT_FALSE(toggled(changed, WorkView::normals)[WorkView::normals]);
     for (const char* text : {"trails,", "", "bones", "lods,speed", "wireframe,overdraw", "density,walkable"})
-        EXPECT_FALSE(parse_work_views(text)) << text;
+        EXPECT_FALSE(parse({"render", "--out", "a.png", "--view", text})) << text;
 }
 
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
@@ -56,10 +87,11 @@ TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
                 "a.png",  "--out",       "b.png",     "--size",      "10x20",     "--size", "30x40"});
     EXPECT_EQ(options.scene.people, (std::vector<PeopleShare>{{"a.glb"}, {"b.glb"}}));
     EXPECT_EQ(options.scene.idles, (std::vector<std::string>{"c.glb:Wave", "d.glb"}));
+    EXPECT_FALSE(options.force);
     EXPECT_EQ(options.scene.walkers, 2);
     EXPECT_EQ(options.out, "b.png");
-    EXPECT_EQ(options.size.width, 30);
-    EXPECT_EQ(options.size.height, 40);
+    EXPECT_EQ(options.scene.size.width, 30);
+    EXPECT_EQ(options.scene.size.height, 40);
 }
 
 TEST(Options, FramesMeanTicksForRenderAndACountElsewhere) {

@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <tuple>
 
-#include "tools/flaneur/output.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 namespace {
@@ -64,15 +68,74 @@ TEST_F(Files, AreRefusedWhereTheyCannotBe) {
     EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, ThatDoNotFitAreRefused) {
-    PartFilePtr full(new PartFile);
-    full->path = path / "text";
-    full->part = "/dev/full";
-    full->file = std::fopen("/dev/full", "wb");
-    ASSERT_TRUE(full->file);
-    std::fputs("words", full->file);
-    full->part = path / "part";  // so that /dev/full stays
-    EXPECT_FALSE(keep_file(std::move(full)));
+bool write_words(const fs::path& to, const std::string& words) {
+    Result<PartFilePtr> file = open_file(to);
+    EXPECT_TRUE(file) << file.error().message;
+    if (!file) return false;
+    std::fputs(words.c_str(), (*file)->file);
+    return static_cast<bool>(keep_file(std::move(*file)));
+}
+
+std::string words_of(const fs::path& from) {
+    std::string text;
+    std::ifstream(from) >> text;
+    return text;
+}
+
+TEST_F(Files, ThatAreDevicesStayDevices) {
+    for (auto [name, minor_number, takes] : {std::tuple{"null", 3u, true}, {"full", 7u, false}}) {
+        fs::path device = path / name;  // one of our own: a mistake would replace the system's
+        if (mknod(device.c_str(), S_IFCHR | 0600, makedev(1, minor_number)) != 0)
+            GTEST_SKIP() << "only root makes devices";
+        EXPECT_EQ(write_words(device, "words"), takes) << name;
+        EXPECT_TRUE(fs::is_character_file(device)) << name;
+        EXPECT_TRUE(open_file(device));
+        EXPECT_TRUE(fs::is_character_file(device)) << "given up: " << name;
+    }
+    EXPECT_EQ(entries(), 2u);
+}
+
+TEST_F(Files, ThatArePipesAreWrittenTo) {
+    fs::path pipe = path / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::string heard;
+    std::thread listener([&] { heard = words_of(pipe); });
+    EXPECT_TRUE(write_words(pipe, "words"));
+    listener.join();
+    EXPECT_EQ(heard, "words");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(Files, WrittenThroughLinksLeaveThem) {
+    fs::create_directory(path / "deep");
+    fs::create_symlink("deep/target", path / "link");  // where nothing is yet
+    fs::create_symlink(path / "link", path / "second");
+    for (const char* words : {"first", "again"}) {
+        EXPECT_TRUE(write_words(path / "second", words));
+        EXPECT_TRUE(fs::is_symlink(path / "link") && fs::is_symlink(path / "second"));
+        EXPECT_EQ(words_of(path / "deep" / "target"), words);
+    }
+    fs::create_symlink(path / "round", path / "round");
+    EXPECT_FALSE(open_file(path / "round"));
+}
+
+TEST_F(Files, ThatAreProtectedStay) {
+    std::ofstream(path / "text") << "old";
+    fs::permissions(path / "text", fs::perms(0444));
+    EXPECT_FALSE(open_file(path / "text"));
+    EXPECT_EQ(words_of(path / "text"), "old");
+    fs::permissions(path / "text", fs::perms(0640));
+    EXPECT_TRUE(write_words(path / "text", "new"));
+    EXPECT_EQ(fs::status(path / "text").permissions(), fs::perms(0640));
+    EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, MayHaveLongNames) { EXPECT_TRUE(write_words(path / std::string(250, 'a'), "words")); }
+
+TEST_F(Files, AbandonedLeaveNothing) {
+    Result<PartFilePtr> file = open_file(path / "a" / "b" / "text");
+    ASSERT_TRUE(file);
+    abandon_outputs();
     EXPECT_EQ(entries(), 0u);
 }
 
@@ -84,6 +147,27 @@ TEST_F(Outputs, NumberPicturesByTick) {
     ASSERT_TRUE(finish_output(**output));
     for (const char* name : {"0008.png", "0010.png", "0012.png"}) EXPECT_GT(fs::file_size(path / name), 50u);
     EXPECT_EQ(entries(), 3u);
+}
+
+TEST_F(Outputs, TakeNamesAsTheyAre) {
+    for (const char* name : {"A.PNG", "-y.png", "night-21:15.mp4", "-y.mp4", "file:a.Mp4"}) {
+        fs::path before = fs::current_path();
+        fs::current_path(path);
+        Result<OutputPtr> output = open_output(name, k_size, {0, 0, 1});
+        ASSERT_TRUE(output) << output.error().message;
+        EXPECT_TRUE(write_image(**output, k_grey, 0)) << name;
+        EXPECT_TRUE(finish_output(**output)) << name;
+        fs::current_path(before);
+        EXPECT_TRUE(fs::exists(path / name)) << name;
+    }
+    EXPECT_EQ(entries(), 5u);
+}
+
+TEST_F(Outputs, AFilmIsNoDevice) {
+    ASSERT_EQ(mkfifo((path / "a.mp4").c_str(), 0600), 0);
+    std::thread listener([&] { words_of(path / "a.mp4"); });
+    EXPECT_FALSE(open_output(path / "a.mp4", k_size, {0, 10, 1}));
+    listener.join();
 }
 
 TEST_F(Outputs, RefuseWhatTheyCouldNotFinish) {

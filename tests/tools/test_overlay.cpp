@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "tools/flaneur/lettering.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/overlay.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/overlay/lettering.h"
+#include "tools/flaneur/overlay/overlay.h"
 
 namespace flaneur {
 namespace {
@@ -40,7 +40,7 @@ class OverlayTest : public testing::Test {
             follow_trails(*loaded.world, overlay.trails);
         }
         wardrobe = make_wardrobe(*loaded.world, loaded.characters);
-        const Vec3 p = loaded.world->crowd.position[0];
+        const Vec3 p = loaded.world->crowd.motion.position[0];
         camera.eye = {p.x + 3, p.y + 4, p.z + 3};
         camera.target = {p.x, p.y, p.z};
     }
@@ -62,7 +62,7 @@ TEST_F(OverlayTest, EachViewShowsSomethingAndNoneNothing) {
     EXPECT_TRUE(none.lines.empty() && none.fills.empty() && !none.are_ghosts);
     EXPECT_EQ(none.surfaces, Surfaces::lit);
     for (const char* name : {"density", "walkable", "trails", "skeletons", "gizmos"}) {
-        const FrameInput frame = frame_of(parse_work_views(name).value());
+        const FrameInput frame = frame_of(parse_work_views({name}).value());
         EXPECT_GT(frame.lines.size() + frame.fills.size(), 100u) << name;
         EXPECT_EQ(frame.fills.size() % 3, 0u) << name;
         for (const GizmoLine& line : frame.lines)
@@ -72,7 +72,7 @@ TEST_F(OverlayTest, EachViewShowsSomethingAndNoneNothing) {
 }
 
 TEST_F(OverlayTest, BonesLieInTheirBodies) {
-    frame_of(parse_work_views("skeletons").value());
+    frame_of(parse_work_views({"skeletons"}).value());
     for (uint32_t i = 0; i < 12; ++i)
         for (int j = 0; j < k_joint_count; ++j) {
             const Vec3 truth = joint_pose(loaded.world->poses, i, static_cast<Joint>(j)).position;
@@ -83,7 +83,7 @@ TEST_F(OverlayTest, BonesLieInTheirBodies) {
 }
 
 TEST_F(OverlayTest, SpeedsColourPeople) {
-    frame_of(parse_work_views("speed").value());
+    frame_of(parse_work_views({"speed"}).value());
     for (const WalkerDraw& walker : people.walkers)
         for (uint32_t tint : walker.instance.tints) EXPECT_EQ(tint, walker.instance.tints[0]);
 }

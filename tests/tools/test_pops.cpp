@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "tools/flaneur/camera.h"
-#include "tools/flaneur/show.h"
+#include "tests/renderer/test_renderer.h"
+#include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/show.h"
 
 namespace flaneur {
 namespace {
@@ -49,13 +50,13 @@ class Pops : public testing::Test {
     void SetUp() override {
         Options options;
         options.scene = load_scene("corner").value();
-        Result<RendererPtr> renderer = make_renderer({});
+        Result<RendererPtr> renderer = make_renderer(on_lavapipe());
         ASSERT_TRUE(renderer) << renderer.error().message;
         Result<Show> made = make_show(std::move(*renderer), options);
         ASSERT_TRUE(made) << made.error().message;
         show = std::move(*made);
         for (int i = 0; i < 300; ++i) step(show);
-        camera = street_camera(*show.loaded.world);
+        camera = street_camera(*show.loaded.city, *show.loaded.world);
     }
     Image draw() {
         return draw_image(*show.renderer, extract_frame(show, camera, {k_width, k_height}, 1), k_width,

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tools/flaneur/sun.h"
+#include "tools/flaneur/view/sun.h"
 
 namespace flaneur {
 namespace {

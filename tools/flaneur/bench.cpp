@@ -1,10 +1,11 @@
-#include "tools/flaneur/bench.h"
+#include "tools/flaneur/bench/bench.h"
 
 #include <cstdio>
 
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/output.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 
@@ -17,6 +18,7 @@ Result<Figures> bench_crowd(const Options& options) {
     Figures figures;
     add_setting(figures, options, world);
     for (uint32_t i = 0; i < k_warm_up + options.bench_frames; ++i) {
+        if (is_stopping()) return interrupted();
         step(world);
         if (i >= k_warm_up) add_stages(figures, world);
     }
@@ -40,10 +42,10 @@ Result<std::string> measure(const Options& options) {
 }  // namespace
 
 void add_setting(Figures& figures, const Options& options, const World& world) {
-    figures.setting = {{"city", world.city.name},
-                       {"walkers", std::to_string(world.crowd.count)},
-                       {"threads", std::to_string(thread_count(*world.workers))},
-                       {"measured", std::to_string(options.bench_frames)}};
+    figures.setting = {{"city", world.ground->name},
+                       {"walkers", world.crowd.count},
+                       {"threads", thread_count(*world.workers)},
+                       {"measured", options.bench_frames}};
 }
 
 void add_stages(Figures& figures, const World& world) {

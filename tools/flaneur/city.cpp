@@ -1,10 +1,11 @@
 #include <cstdio>
 
-#include "tools/flaneur/city_check.h"
-#include "tools/flaneur/city_model.h"
+#include "tools/flaneur/city/check.h"
+#include "tools/flaneur/city/model.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/output.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 

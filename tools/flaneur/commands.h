@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/base/result.h"
-#include "tools/flaneur/options.h"
+#include "tools/flaneur/options/options.h"
 
 namespace flaneur {
 
@@ -13,6 +13,8 @@ Result<void> run_gait(const Options& options);
 Result<void> run_inspect(const Options& options);
 Result<void> run_city(const Options& options);
 Result<void> run_people(const Options& options);
+Result<void> run_scenes(const Options& options);
 Result<void> run_bench(const Options& options);
+Result<void> run_cache(const Options& options);
 
 }  // namespace flaneur

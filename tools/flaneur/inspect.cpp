@@ -7,10 +7,12 @@
 #include <string>
 
 #include "assets/character.h"
-#include "assets/city.h"
+#include "assets/cities.h"
+#include "assets/files/file.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/output.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 
@@ -25,6 +27,9 @@ constexpr std::array<const char*, size_t{k_prop_count}> k_prop_names = {
     "fountains", "statues", "planters", "traffic_lights", "shelters"};
 constexpr std::array<const char*, size_t{k_destination_count}> k_destination_names = {
     "doors", "shops", "benches", "stops", "edges", "squares"};
+
+// To a metre.
+double degrees(double value) { return std::round(value * 1e5) / 1e5; }
 
 // Four digits of it.
 double rounded(float value) {
@@ -57,6 +62,13 @@ Json facts_of(const Character& c) {
     facts["materials"] = c.found.materials;
     facts["vertices"] = c.vertices.size();
     for (const auto& level : c.lods) facts["triangles"].push_back(level.size() / 3);
+    facts["levels"] = Json::array();
+    for (const MeasuredLevel& level : c.found.levels)
+        facts["levels"].push_back({{"pixels", std::lround(level.pixels)},
+                                   {"triangles", level.triangles},
+                                   {"silhouette", rounded(level.silhouette)},
+                                   {"colour", rounded(level.colour)},
+                                   {"refused", level.refused}});
     facts["textures"] = Json::array();
     for (const Texture& texture : c.textures)
         facts["textures"].push_back(std::to_string(texture.width) + "x" + std::to_string(texture.height));
@@ -69,13 +81,13 @@ Json facts_of(const Character& c) {
     return facts;
 }
 
-Json facts_of(const City& city) {
+Json facts_of(const City& city, const char* called) {
     std::array<float, k_surface_count> areas{};
-    for (size_t t = 0; t < city.ground_kinds.size(); ++t) {
-        Vec3 a = city.ground_vertices[city.ground_indices[3 * t]];
-        Vec3 b = city.ground_vertices[city.ground_indices[3 * t + 1]];
-        Vec3 c = city.ground_vertices[city.ground_indices[3 * t + 2]];
-        areas[static_cast<size_t>(city.ground_kinds[t])] += 0.5f * length(cross(b - a, c - a));
+    for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
+        Vec3 a = city.ground.vertices[city.ground.indices[3 * t]];
+        Vec3 b = city.ground.vertices[city.ground.indices[3 * t + 1]];
+        Vec3 c = city.ground.vertices[city.ground.indices[3 * t + 2]];
+        areas[static_cast<size_t>(city.ground.kinds[t])] += 0.5f * length(cross(b - a, c - a));
     }
     std::array<size_t, k_prop_names.size()> props{};
     for (const Prop& prop : city.props) ++props[static_cast<size_t>(prop.kind)];
@@ -85,9 +97,19 @@ Json facts_of(const City& city) {
     for (const Building& building : city.buildings) highest = std::max(highest, building.top - building.base);
 
     Json facts;
-    facts["kind"] = "map";
-    facts["width_m"] = std::lround(city.high.x - city.low.x);
-    facts["depth_m"] = std::lround(city.high.z - city.low.z);
+    facts["kind"] = called;
+    if (city.on_earth) {
+        const OnEarth& place = *city.on_earth;
+        facts["center"] = {{"latitude", degrees(place.middle.latitude)},
+                           {"longitude", degrees(place.middle.longitude)}};
+        auto known = [](float metres) { return metres > 0 ? Json(std::lround(metres)) : Json(); };
+        facts["map_width_m"] = known(place.map_width);
+        facts["map_depth_m"] = known(place.map_depth);
+        facts["radius_m"] = known(place.radius);
+        facts["drawn"] = place.radius > 0 ? "a square about the center" : "the whole map";
+    }
+    facts["width_m"] = std::lround(city.ground.high.x - city.ground.low.x);
+    facts["depth_m"] = std::lround(city.ground.high.z - city.ground.low.z);
     facts["buildings"] = city.buildings.size();
     facts["highest_m"] = rounded(highest);
     for (size_t kind = 0; kind < areas.size(); ++kind)
@@ -122,33 +144,53 @@ std::string plain(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// A line for each level of detail, and for each that was refused.
+void print_levels(const Json& levels) {
+    for (const Json& level : levels) {
+        std::printf("below %4d pixels  %6d triangles, silhouette %.1f %%, colour %.1f %% off\n",
+                    level["pixels"].get<int>(), level["triangles"].get<int>(),
+                    100 * level["silhouette"].get<double>(), 100 * level["colour"].get<double>());
+        for (const Json& refused : level["refused"]) std::printf("  refused: %s\n", plain(refused).c_str());
+    }
+}
+
 void print_facts(const Json& facts) {
     for (const auto& [key, value] : facts.items()) {
-        if (value.is_object()) {
+        if (value.is_null()) continue;
+        if (key == "levels") {
+            print_levels(value);
+        } else if (value.is_object()) {
             std::printf("%s\n", heading(key).c_str());
             for (const auto& [inner, of] : value.items())
-                std::printf("  %-24s %s\n", heading(inner).c_str(), plain(of).c_str());
+                std::printf("  %-24s %s\n", printable(heading(inner)).c_str(), printable(plain(of)).c_str());
         } else if (key == "notes") {
-            for (const Json& note : value) std::printf("%s\n", plain(note).c_str());
+            for (const Json& note : value) std::printf("%s\n", printable(plain(note)).c_str());
         } else if (value.is_array()) {
             std::string line;
             for (const Json& item : value) line += (line.empty() ? "" : ", ") + plain(item);
-            std::printf("%-18s %s\n", heading(key).c_str(), line.empty() ? "none" : line.c_str());
+            std::printf("%-18s %s\n", heading(key).c_str(), line.empty() ? "none" : printable(line).c_str());
         } else {
-            std::printf("%-18s %s\n", heading(key).c_str(), plain(value).c_str());
+            std::printf("%-18s %s\n", heading(key).c_str(), printable(plain(value)).c_str());
         }
     }
 }
 
-Result<Json> inspect(const std::string& path, const std::string& terrain) {
+Result<Json> inspect(const Options& options) {
+    const std::string& path = options.file;
+    CityOptions how = city_options(options.scene);
     show_progress("reading " + path);
-    bool is_map = path.find(".osm") != std::string::npos || path.ends_with(".pbf");
-    Result<Character> character = is_map ? Result<Character>{Error{}} : load_character(path);
+    if (kind_of(path) == FileKind::map) {
+        Result<City> city = load_city(path, how);
+        if (!city) return city.error();
+        return facts_of(*city, "map");
+    }
+    Result<Character> character = load_character(path, {options.force});
     if (character) return facts_of(*character);
-    // A glTF scene with nobody in it is a city.
-    Result<City> city = load_city(path, {terrain, 1});
-    if (city) return facts_of(*city);
-    return is_map ? city.error() : character.error();
+    if (has_skin(path)) return character.error();
+    // A glTF scene with nobody in it may be a city.
+    Result<City> city = load_city(path, how);
+    if (!city) return character.error();
+    return facts_of(*city, "thing without a skeleton");
 }
 
 }  // namespace
@@ -160,7 +202,7 @@ Result<void> run_inspect(const Options& options) {
         if (!opened) return opened.error();
         file = std::move(*opened);
     }
-    Result<Json> facts = inspect(options.file, options.scene.terrain);
+    Result<Json> facts = inspect(options);
     clear_progress();
     if (!facts) return facts.error();
     print_facts(*facts);

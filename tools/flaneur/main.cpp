@@ -1,7 +1,11 @@
 #include <csignal>
 #include <cstdio>
 
+#include "assets/cache/cache_file.h"
 #include "tools/flaneur/commands.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 
@@ -38,14 +42,33 @@ Result<void> run(const Options& options) {
             return run_inspect(options);
         case Command::people:
             return run_people(options);
+        case Command::scenes:
+            return run_scenes(options);
+        case Command::cache:
+            return run_cache(options);
         default:
             return run_bench(options);
     }
 }
 
 int fail(const Error& error) {
-    std::fprintf(stderr, "flaneur: %s\n", error.message.c_str());
+    // What was given up says so in many ways.
+    bool given_up = is_stopping() && !error.message.starts_with("Interrupted");
+    say("flaneur: " + (given_up ? interrupted() : error).message);
+    if (is_stopping()) end_by_signal();
     return 1;
+}
+
+int run_program(int argc, char** argv) {
+    auto parsed = parse_options(argc, argv);
+    if (!parsed) return fail(parsed.error());
+    const Options* options = std::get_if<Options>(&*parsed);
+    if (!options) return 0;
+    if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
+    Result<void> done = run(*options);
+    if (!done) return fail(done.error());
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail({"Cannot write to standard output."});
+    return 0;
 }
 
 }  // namespace
@@ -55,12 +78,8 @@ int fail(const Error& error) {
 int main(int argc, char** argv) {
     using namespace flaneur;
     std::signal(SIGPIPE, SIG_IGN);  // a pipe that closes is an error like others
-    auto parsed = parse_options(argc, argv);
-    if (!parsed) return fail(parsed.error());
-    const Options* options = std::get_if<Options>(&*parsed);
-    if (!options) return 0;
-    Result<void> done = run(*options);
-    if (!done) return fail(done.error());
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail({"Cannot write to standard output."});
-    return 0;
+    return run_guarded([&] {
+        obey_signals(abandon_outputs);
+        return run_program(argc, argv);
+    });
 }

@@ -3,13 +3,15 @@
 #include <filesystem>
 #include <string>
 
-#include "assets/gltf_write.h"
+#include "assets/gltf/write.h"
 #include "assets/outfit.h"
 #include "assets/population.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/output.h"
-#include "tools/flaneur/people_sheet.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/sheets/people_sheet.h"
 
 namespace flaneur {
 
@@ -41,19 +43,21 @@ std::vector<PeopleShare> wanted_people(const Options& options) {
     return wanted;
 }
 
-void add_built_in(const Options& options, std::vector<Sitter>& sitters) {
+Result<void> add_built_in(const Options& options, std::vector<Sitter>& sitters) {
     uint32_t count = options.people.count;
-    std::vector<Character> people = make_people(draw_population(count, options.scene.seed), options.threads);
+    auto people = make_people(draw_population(count, options.scene.seed), options.threads);
+    if (!people) return people.error();
     for (uint32_t i = 0; i < count; ++i) {
         Sitter& sitter = sitters.emplace_back();
-        sitter.character = std::move(people[i]);
+        sitter.character = std::move((*people)[i]);
         sitter.tints = outfit(sitter.character.person, options.scene.seed, i);
         sitter.caption = numbered(i, count) + " " + described(sitter);
     }
+    return {};
 }
 
-Result<void> add_character(const std::string& path, std::vector<Sitter>& sitters) {
-    Result<Character> character = read_character(path);
+Result<void> add_character(const std::string& path, bool force, std::vector<Sitter>& sitters) {
+    Result<Character> character = read_character(path, force);
     if (!character) return character.error();
     Sitter& sitter = sitters.emplace_back();
     sitter.character = std::move(*character);
@@ -64,7 +68,7 @@ Result<void> add_character(const std::string& path, std::vector<Sitter>& sitters
 
 void print_table(const std::vector<Sitter>& sitters) {
     for (const Sitter& sitter : sitters) {
-        std::printf("%-40s", sitter.caption.c_str());
+        std::printf("%-40s", printable(sitter.caption).c_str());
         for (const auto& level : sitter.character.lods) std::printf(" %6zu", level.size() / 3);
         std::printf(" triangles\n");
     }
@@ -72,6 +76,9 @@ void print_table(const std::vector<Sitter>& sitters) {
 
 Result<void> write_files(const std::vector<Sitter>& sitters, const std::string& folder) {
     for (size_t i = 0; i < sitters.size(); ++i) {
+        if (is_stopping())
+            return interrupted(folder + " has " + std::to_string(i) + " of " +
+                               std::to_string(sitters.size()) + " people");
         std::string name = "person_" + numbered(i, sitters.size()) + ".glb";
         Result<PartFilePtr> file = open_file((std::filesystem::path(folder) / name).string());
         if (!file) return file.error();
@@ -105,11 +112,9 @@ Result<void> run_people(const Options& options) {
     std::vector<Sitter> sitters;
     sitters.reserve(count);
     for (const PeopleShare& some : wanted) {
-        if (some.character.empty()) {
-            add_built_in(options, sitters);
-        } else if (Result<void> added = add_character(some.character, sitters); !added) {
-            return added;
-        }
+        Result<void> added = some.character.empty() ? add_built_in(options, sitters)
+                                                    : add_character(some.character, options.force, sitters);
+        if (!added) return added;
     }
     clear_progress();
     if (!people.folder.empty()) {

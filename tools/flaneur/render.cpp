@@ -1,19 +1,27 @@
-#include <csignal>
-#include <cstdio>
-
-#include "tools/flaneur/camera.h"
+#include "assets/files/file.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/output.h"
-#include "tools/flaneur/show.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/show.h"
 
 namespace flaneur {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+// Seconds that ffmpeg may take to finish what it was given.
+constexpr double k_film_patience = 30;
 
-void stop_on_signals() {
-    for (int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+// What there is of the pictures when it is time to stop: a film is finished with those that it has.
+Error stopped(const Options& options, Output& output, uint32_t drawn) {
+    const TickRange& ticks = options.ticks;
+    while (drawn < count(ticks) && is_written(output, drawn, ticks.first + drawn * ticks.step)) ++drawn;
+    if (drawn == 0) return interrupted(options.out + " is not done");
+    Result<void> finished = finish_output(output);
+    if (!finished) return finished.error();
+    return interrupted(options.out + " has the first " + std::to_string(drawn) + " of " +
+                       std::to_string(count(ticks)) + " pictures; --resume goes on");
 }
 
 Result<void> draw_all(Show& show, const Options& options, Output& output) {
@@ -23,42 +31,44 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
     Camera camera;
     for (uint32_t i = 0; i < pictures; ++i) {
         uint32_t tick = ticks.first + i * ticks.step;
-        while (world.tick < tick && !interrupted) {
+        while (world.tick < tick && !is_stopping()) {
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
             step(show);
         }
-        if (interrupted) return Error{"Interrupted; " + options.out + " is not done."};
+        if (is_stopping()) return stopped(options, output, i);
+        if (i == 0 || options.scene.camera.kind == CameraChoice::Kind::follow)
+            camera = choose_camera(*show.loaded.city, world, show.sun, options.scene.camera, 1);
+        if (is_written(output, i, tick)) continue;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
-        if (i == 0 || options.camera.kind == CameraChoice::Kind::follow)
-            camera = choose_camera(world, show.sun, options.camera, 1);
-        Result<Image> image =
-            draw_image(*show.renderer, extract_frame(show, camera, options.size, 1),
-                       static_cast<uint32_t>(options.size.width), static_cast<uint32_t>(options.size.height));
+        Result<Image> image = draw_image(*show.renderer, extract_frame(show, camera, options.scene.size, 1),
+                                         static_cast<uint32_t>(options.scene.size.width),
+                                         static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
         Result<void> written = write_image(output, image->rgba, tick);
         if (!written) return written;
+        if (has_ending(options.out, ".mp4")) be_patient(k_film_patience);
     }
     return finish_output(output);
 }
 
 Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
-    Result<OutputPtr> output = open_output(options.out, options.size, options.ticks);
+    Result<OutputPtr> output = open_output(options.out, options.scene.size, options.ticks, options.resume);
     if (!output) return output.error();
+    if (Result<void> found = find_files(options.scene); !found) return found;
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
     Result<void> drawn = draw_all(*show, options, **output);
     clear_progress();
-    if (drawn) std::fprintf(stderr, "Wrote %s\n", options.out.c_str());
+    if (drawn) say("Wrote " + options.out);
     return drawn;
 }
 
 }  // namespace
 
 Result<void> run_render(const Options& options) {
-    stop_on_signals();
     std::atomic<uint32_t> messages = 0;
     Result<void> done = render(options, messages);
     return done ? check_messages(messages) : done;

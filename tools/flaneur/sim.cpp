@@ -5,8 +5,10 @@
 
 #include "sim/base/isa.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/load.h"
-#include "tools/flaneur/output.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
 
 namespace flaneur {
 
@@ -26,6 +28,7 @@ Result<void> run_sim(const Options& options) {
     auto start = std::chrono::steady_clock::now();
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
     while (world.tick < ticks) {
+        if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         step(world);
         if (log) std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world));
         if (world.tick % 60 == 0) {
@@ -36,9 +39,10 @@ Result<void> run_sim(const Options& options) {
     clear_progress();
     std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
-    std::fprintf(stderr, "%s: %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s\n",
-                 world.city.name.c_str(), world.crowd.count, world.tick, thread_count(*world.workers),
-                 spent.count());
+    char counts[96];
+    std::snprintf(counts, sizeof counts, ": %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s",
+                  world.crowd.count, world.tick, thread_count(*world.workers), spent.count());
+    say(world.ground->name + counts);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
     return log ? keep_file(std::move(log)) : Result<void>();
 }

@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <future>
 #include <memory>
-#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/camera.h"
 #include "tools/flaneur/commands.h"
-#include "tools/flaneur/output.h"
-#include "tools/flaneur/show.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/show.h"
 
 namespace flaneur {
 
@@ -21,7 +26,8 @@ constexpr double k_longest_step = 0.1;               // seconds of simulation fo
 constexpr float k_walk_speed = 4, k_run_speed = 25;  // of the flying eye, metres a second
 constexpr float k_look_speed = 0.003f;               // radians a pixel
 constexpr float k_steepest = 1.55f;                  // radians
-constexpr double k_title_seconds = 0.5;
+constexpr double k_title_seconds = 0.5, k_note_seconds = 4;
+constexpr double k_idle_seconds = 0.1;  // between looks at the keys while nothing is drawn
 
 struct WindowDelete {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
@@ -38,7 +44,7 @@ struct Viewer {
     CameraChoice choice;
     bool paused = false, wants_picture = false, looking = false, chosen = false;
     bool lists_keys = false;
-    std::optional<WorkView> toggles;
+    std::vector<WorkView> toggles;  // in the order of their keys
     uint32_t walkers = 0;
     Camera camera;
     float yaw = 0, pitch = 0;  // of the flying eye
@@ -83,7 +89,7 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
             break;
         default:
             if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
-                v.toggles = static_cast<WorkView>(key - GLFW_KEY_F2);
+                v.toggles.push_back(static_cast<WorkView>(key - GLFW_KEY_F2));
             break;
     }
 }
@@ -136,34 +142,65 @@ void fly(GLFWwindow* window, Viewer& v, float seconds) {
     v.camera.target = v.camera.eye + forward;
 }
 
-Result<void> save_picture(Show& show, GLFWwindow* window, const FrameInput& frame) {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window, &width, &height);
-    if (width < 1 || height < 1) return {};
-    Result<Image> image =
-        draw_image(*show.renderer, frame, static_cast<uint32_t>(width), static_cast<uint32_t>(height));
-    if (!image) return image.error();
-    std::string path = "out/view-" + std::to_string(show.loaded.world->tick) + ".png";
-    Result<PartFilePtr> file = open_file(path);
-    if (!file) return file.error();
-    Result<void> written = write_png(std::move(*file), image->rgba, {width, height});
-    if (written) std::fprintf(stderr, "Wrote %s\n", path.c_str());
-    return written;
+// Of the tick, and of no picture that is there.
+std::string picture_path(uint32_t tick) {
+    std::string stem = "out/view-" + std::to_string(tick), path = stem + ".png";
+    std::error_code ignored;
+    for (int number = 2; std::filesystem::exists(path, ignored); ++number)
+        path = stem + "-" + std::to_string(number) + ".png";
+    return path;
 }
 
-void show_title(GLFWwindow* window, const Show& show, double fps) {
-    char title[256];
-    std::snprintf(title, sizeof title, "flaneur - %.0f fps - %u walkers - %s", fps,
-                  show.loaded.world->crowd.count, device_name(*show.renderer).c_str());
-    glfwSetWindowTitle(window, title);
+// Fails only with the device; tells whether the picture could be written.
+Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size) {
+    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
+                                     static_cast<uint32_t>(size.height));
+    if (!image) return image.error();
+    std::string path = picture_path(show.loaded.world->tick);
+    Result<PartFilePtr> file = open_file(path);
+    Result<void> written = file ? write_png(std::move(*file), image->rgba, size) : file.error();
+    std::string told = written ? "Wrote " + path : written.error().message;
+    say(told);
+    return told;
+}
+
+// Shown for a while in place of the figures.
+struct TitleNote {
+    std::string text;
+    double until = 0;  // of glfwGetTime
+};
+
+void show_title(GLFWwindow* window, const Show& show, const TitleNote& note, double fps) {
+    char figures[256];
+    std::snprintf(figures, sizeof figures, "%.0f fps - %u walkers - %s", fps, show.loaded.world->crowd.count,
+                  device_name(*show.renderer).c_str());
+    std::string title = "flaneur - " + (glfwGetTime() < note.until ? printable(note.text) : figures);
+    glfwSetWindowTitle(window, title.c_str());
+}
+
+// Loads on a thread of its own, so that the window says how far that is, and closes at once.
+Result<Show> load_show(GLFWwindow* window, RendererPtr renderer, const Options& options) {
+    auto loading = std::async(std::launch::async, [&] { return make_show(std::move(renderer), options); });
+    while (loading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        glfwWaitEventsTimeout(k_idle_seconds);
+        if (glfwWindowShouldClose(window)) end_now(0);
+        glfwSetWindowTitle(window, printable("flaneur: " + progress_line()).c_str());
+    }
+    return loading.get();
 }
 
 Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_after) {
     World& world = *show.loaded.world;
     double last = glfwGetTime(), due = 0, title_time = last;
     uint32_t drawn = 0, title_frames = 0;
+    TitleNote note;
     while (!glfwWindowShouldClose(window)) {
-        glfwPollEvents();
+        if (is_stopping()) return interrupted("the window is closed");
+        const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
+        if (is_hidden)
+            glfwWaitEventsTimeout(k_idle_seconds);
+        else
+            glfwPollEvents();
         double now = glfwGetTime();
         double passed = now - last;
         last = now;
@@ -172,32 +209,38 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
         auto between = static_cast<float>(due / static_cast<double>(k_tick));
 
         if (v.choice.kind == CameraChoice::Kind::follow || !v.chosen) {
-            v.camera = choose_camera(world, show.sun, v.choice, between);
+            v.camera = choose_camera(*show.loaded.city, world, show.sun, v.choice, between);
             v.chosen = true;
         }
         fly(window, v, static_cast<float>(passed));
-        if (v.toggles) set_work_views(show, toggled(show.work_views, *std::exchange(v.toggles, {})));
+        for (WorkView view : std::exchange(v.toggles, {}))
+            set_work_views(show, toggled(show.work_views, view));
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
-        FrameInput frame = extract_frame(show, v.camera, size, between);
-        if (v.lists_keys) add_key_list(show.work_views, show.overlay, frame);
-        Result<void> done = draw_window(*show.renderer, frame);
-        if (done && v.wants_picture) done = save_picture(show, window, frame);
-        v.wants_picture = false;
-        if (!done) return done;
-
-        ++title_frames;
+        if (!is_hidden && size.width > 0 && size.height > 0) {
+            FrameInput frame = extract_frame(show, v.camera, size, between);
+            if (v.lists_keys) add_key_list(show.work_views, show.overlay, frame);
+            if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
+            if (std::exchange(v.wants_picture, false)) {
+                Result<std::string> told = save_picture(show, frame, size);
+                if (!told) return told.error();
+                note = {*told, glfwGetTime() + k_note_seconds};
+                title_time = 0;  // at once
+            }
+            ++title_frames;
+            if (close_after > 0 && ++drawn >= close_after) break;
+        }
         if (now - title_time >= k_title_seconds) {
-            show_title(window, show, title_frames / (now - title_time));
+            show_title(window, show, note, title_frames / (now - title_time));
             title_time = now;
             title_frames = 0;
         }
-        if (close_after > 0 && ++drawn >= close_after) break;
     }
     return {};
 }
 
 Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
+    if (Result<void> found = find_files(options.scene); !found) return found;
     GlfwSession glfw;
     auto refused = [](const std::string& what) {
         const char* why = nullptr;
@@ -207,20 +250,19 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     };
     if (!glfw.started) return refused("There is no display to open a window on");
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-    WindowPtr window(glfwCreateWindow(options.size.width, options.size.height, "flaneur", nullptr, nullptr));
+    WindowPtr window(
+        glfwCreateWindow(options.scene.size.width, options.scene.size.height, "flaneur", nullptr, nullptr));
     if (!window) return refused("The window cannot be opened");
 
     Result<RendererPtr> renderer = make_window_renderer(renderer_options(options, messages), window.get());
     if (!renderer) return renderer.error();
-    Result<Show> show = make_show(std::move(*renderer), options);
-    if (!show) return show.error();
-
     Viewer viewer;
-    viewer.choice = options.camera;
-    viewer.walkers = show->loaded.world->crowd.count;
+    viewer.choice = options.scene.camera;
     glfwSetWindowUserPointer(window.get(), &viewer);
     glfwSetKeyCallback(window.get(), on_key);
-    show_title(window.get(), *show, 0);
+    Result<Show> show = load_show(window.get(), std::move(*renderer), options);
+    if (!show) return show.error();
+    viewer.walkers = show->loaded.world->crowd.count;
     return run_loop(*show, window.get(), viewer, options.close_after);
 }
 

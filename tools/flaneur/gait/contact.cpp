@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/flaneur/figures.h"
+#include "tools/flaneur/output/figures.h"
 
 namespace flaneur {
 
@@ -49,11 +49,11 @@ std::optional<Stance> watch_stance(StanceWatch& watch, const FootInstant& foot) 
     return std::nullopt;
 }
 
-Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides) {
+Quantities measure_contact(const Walk& walk, const std::vector<MeasuredStride>& strides) {
     double ankle = 0, toe = 0, skate = 0, skated = 0, swing_below = 0, hangs = 0;
     Stance worst;
     std::vector<double> slips{0};
-    for (const Stride& s : strides) {
+    for (const MeasuredStride& s : strides) {
         auto at = [&](double percent) {
             return static_cast<size_t>(std::ceil(s.begin + (s.end - s.begin) * percent / 100));
         };

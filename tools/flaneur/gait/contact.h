@@ -32,6 +32,6 @@ std::optional<Stance> watch_stance(StanceWatch& watch, const FootInstant& foot);
 // points over the whole stance, slip, penetration, float, how high the ball of the flat foot is over the
 // ground under it, and Zhang et al.'s skating measure (Mode-adaptive neural networks, ACM TOG 2018) on the
 // flat foot.
-Quantities measure_contact(const Walk& walk, const std::vector<Stride>& strides);
+Quantities measure_contact(const Walk& walk, const std::vector<MeasuredStride>& strides);
 
 }  // namespace flaneur

@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/figures.h"
+#include "tools/flaneur/console/console.h"
 #include "tools/flaneur/gait/limits.h"
 #include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/output/figures.h"
 
 namespace flaneur {
 
@@ -76,7 +77,7 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
 }
 
 void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInstant& foot) {
-    Vec2 ahead = heading_direction(world.crowd.heading[i]);
+    Vec2 ahead = heading_direction(world.crowd.motion.heading[i]);
     auto at = [&](Joint joint) { return joint_pose(world.poses, i, joint).position; };
     auto incline = [&](Vec3 bone) {
         return arctan2(bone.x * ahead.x + bone.z * ahead.z, -bone.y) * k_degrees;
@@ -85,11 +86,12 @@ void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInsta
     float thigh = incline(knee - at(left_upper_leg)), shank = incline(ankle - knee);
     Vec3 sole = foot.sole.ball - foot.sole.heel;
     float pitch = arctan2(sole.y, std::sqrt(sole.x * sole.x + sole.z * sole.z)) * k_degrees;
-    float speed = length(world.crowd.velocity[i]);
-    auto under = ground(world.city, world.crowd.position[i]);
-    bool level =
-        under && under->normal.y > 0.9995f && std::fabs(foot.ground[0] - world.crowd.position[i].y) < 0.02f;
-    bool steady = level && speed > k_steady_speed && std::fabs(world.crowd.turn_rate[i]) < k_steady_turn;
+    float speed = length(world.crowd.motion.velocity[i]);
+    auto under = ground_at(*world.ground, world.crowd.motion.position[i]);
+    bool level = under && under->normal.y > 0.9995f &&
+                 std::fabs(foot.ground[0] - world.crowd.motion.position[i].y) < 0.02f;
+    bool steady =
+        level && speed > k_steady_speed && std::fabs(world.crowd.motion.turn_rate[i]) < k_steady_turn;
     watch.legs.push_back({thigh, thigh - shank, pitch - shank, speed, foot.swinging, steady});
 }
 
@@ -159,7 +161,7 @@ double spread(const std::vector<LegCurves>& people, const Cycle LegCurves::*curv
 void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
     watch_joints(watch, world, i);
     for (Side side : {k_left, k_right}) {
-        FootInstant foot = foot_instant(world.city, world.gait, world.poses, i, side);
+        FootInstant foot = foot_instant(*world.ground, world.gait, world.poses, i, side);
         if (auto stance = watch_stance(watch.feet[side], foot)) watch.stances.push_back(*stance);
         if (watch.feet[side].standing) watch.slips.push_back(watch.feet[side].slip);
         if (side == k_left) watch_leg(watch, world, i, foot);
@@ -221,7 +223,7 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
     r.name = "crowd";
     char title[96];
     std::snprintf(title, sizeof title, "%zu walkers in %s for %.0f s", watches.size(),
-                  world.city.name.c_str(), world.tick * static_cast<double>(k_tick));
+                  printable(world.ground->name).c_str(), world.tick * static_cast<double>(k_tick));
     r.title = title;
     r.verdicts = judge(r.quantities, crowd_bars());
     return r;

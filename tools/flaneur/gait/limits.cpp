@@ -13,46 +13,46 @@ using namespace joint_limits;
 
 constexpr JointLimits k_any = {{-180, 180}, {-180, 180}, {-180, 180}};
 
-enum class Kind { root, trunk, neck, clavicle, shoulder, elbow, wrist, hip, knee, ankle, toes };
+enum class JointKind { root, trunk, neck, clavicle, shoulder, elbow, wrist, hip, knee, ankle, toes };
 
-Kind kind_of(Joint joint) {
+JointKind kind_of(Joint joint) {
     switch (joint) {
         case hips:
-            return Kind::root;
+            return JointKind::root;
         case spine:
         case chest:
         case upper_chest:
-            return Kind::trunk;
+            return JointKind::trunk;
         case neck:
         case head:
-            return Kind::neck;
+            return JointKind::neck;
         case left_shoulder:
         case right_shoulder:
-            return Kind::clavicle;
+            return JointKind::clavicle;
         case left_upper_arm:
         case right_upper_arm:
-            return Kind::shoulder;
+            return JointKind::shoulder;
         case left_lower_arm:
         case right_lower_arm:
-            return Kind::elbow;
+            return JointKind::elbow;
         case left_hand:
         case right_hand:
-            return Kind::wrist;
+            return JointKind::wrist;
         case left_upper_leg:
         case right_upper_leg:
-            return Kind::hip;
+            return JointKind::hip;
         case left_lower_leg:
         case right_lower_leg:
-            return Kind::knee;
+            return JointKind::knee;
         case left_foot:
         case right_foot:
-            return Kind::ankle;
+            return JointKind::ankle;
         default:
-            return Kind::toes;
+            return JointKind::toes;
     }
 }
 
-const JointLimits& limits_of(Kind kind) {
+const JointLimits& limits_of(JointKind kind) {
     static constexpr const JointLimits* k_all[] = {&k_any,      &k_trunk, &k_neck,  &k_clavicle,
                                                    &k_shoulder, &k_elbow, &k_wrist, &k_hip,
                                                    &k_knee,     &k_ankle, &k_toes};
@@ -62,7 +62,7 @@ const JointLimits& limits_of(Kind kind) {
 float degrees(float angle) { return wrap_angle(angle) / k_radians; }
 float arcsin(float x) { return k_pi / 2 - arccos(x); }
 
-float outside(Span span, float value) { return std::max({0.0f, span.low - value, value - span.high}); }
+float outside(DegreeSpan span, float value) { return std::max({0.0f, span.low - value, value - span.high}); }
 
 }  // namespace
 
@@ -72,25 +72,25 @@ JointAngles joint_angles(Joint joint, Quat parent, Quat child) {
     right = right || joint >= right_upper_leg;
     float mirror = right ? -1.0f : 1.0f;
     switch (kind_of(joint)) {
-        case Kind::root:
-        case Kind::trunk:
-        case Kind::neck: {
+        case JointKind::root:
+        case JointKind::trunk:
+        case JointKind::neck: {
             Vec3 d = rotate(q, Vec3{0, 1, 0});
             return {degrees(arctan2(d.z, d.y)), degrees(arcsin(d.x)), degrees(2 * arctan2(q.y, q.w))};
         }
-        case Kind::clavicle: {
+        case JointKind::clavicle: {
             Vec3 d = rotate(q, Vec3{mirror, 0, 0});
             return {degrees(arctan2(d.z, d.x * mirror)), degrees(arcsin(d.y)),
                     degrees(2 * arctan2(q.x, q.w))};
         }
-        case Kind::elbow:
-        case Kind::knee: {
+        case JointKind::elbow:
+        case JointKind::knee: {
             Vec3 d = rotate(q, Vec3{0, -1, 0});
             float bend = degrees(arccos(-d.y));
             return {d.z < 0 ? -bend : bend, 0, mirror * degrees(2 * arctan2(q.y, q.w))};
         }
-        case Kind::ankle:
-        case Kind::toes: {
+        case JointKind::ankle:
+        case JointKind::toes: {
             Vec3 d = rotate(q, Vec3{0, 0, 1});
             return {degrees(arctan2(d.y, d.z)), mirror * degrees(arcsin(d.x)),
                     mirror * degrees(2 * arctan2(q.z, q.w))};

@@ -57,12 +57,13 @@ Samples series(const Walk& walk, const F& value) {
 
 // The mean over strides of both sides of a value that `value(now, side)` gives, seen from that side.
 template <class F>
-Cycle mean_curve(const Walk& walk, const std::vector<Stride>& strides, const F& value, bool centre = false) {
+Cycle mean_curve(const Walk& walk, const std::vector<MeasuredStride>& strides, const F& value,
+                 bool centre = false) {
     Samples sides[2];
     for (Side side : {k_left, k_right})
         sides[side] = series(walk, [&](const Instant& now) { return value(now, side); });
     Cycle sum{};
-    for (const Stride& s : strides) {
+    for (const MeasuredStride& s : strides) {
         Cycle one = cycle_of(sides[s.side], s.begin, s.end);
         // What a slope or stairs add from stride to stride is no part of the curve.
         double gain = one[100] - one[0];
@@ -133,10 +134,11 @@ void measure_joints(const Curves& c, Quantities& q) {
     q.push_back({"heel_off.pct", first_below(c.foot_pitch, static_cast<size_t>(flat) + 1, -5)});
 }
 
-void measure_timing(const Walk& walk, const std::vector<Stride>& all, const Curves& c, Quantities& q) {
+void measure_timing(const Walk& walk, const std::vector<MeasuredStride>& all, const Curves& c,
+                    Quantities& q) {
     double n = static_cast<double>(all.size());
     double seconds = 0, stance = 0, both = 0, distance = 0, length_sum = 0, width = 0, out = 0;
-    for (const Stride& s : all) {
+    for (const MeasuredStride& s : all) {
         double ticks = s.end - s.begin;
         seconds += ticks / walk.rate;
         stance += (s.toe_off - s.begin) / ticks;
@@ -183,7 +185,7 @@ void measure_timing(const Walk& walk, const std::vector<Stride>& all, const Curv
     q.push_back({"knee_speed.deg_s", fastest});
 }
 
-void measure_trunk(const Walk& walk, const std::vector<Stride>& all, const Curves& c, Quantities& q) {
+void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, const Curves& c, Quantities& q) {
     q.push_back({"pelvis_vertical.mm", range(c.pelvis_height)});
     q.push_back({"pelvis_lateral.mm", range(c.pelvis_side)});
     // Twice a cycle: both halves laid over each other.
@@ -226,7 +228,7 @@ double value_of(const Quantities& quantities, std::string_view name) {
     return it == quantities.end() ? std::numeric_limits<double>::quiet_NaN() : it->value;
 }
 
-std::vector<Stride> strides(const Walk& walk, size_t first, size_t last) {
+std::vector<MeasuredStride> strides(const Walk& walk, size_t first, size_t last) {
     std::vector<double> contacts[2], toe_offs[2];
     for (Side side : {k_left, k_right}) {
         for (size_t t = 1; t < walk.ticks.size(); ++t) {
@@ -235,11 +237,11 @@ std::vector<Stride> strides(const Walk& walk, size_t first, size_t last) {
             if (!was && is) toe_offs[side].push_back(static_cast<double>(t) - 0.5);
         }
     }
-    std::vector<Stride> found;
+    std::vector<MeasuredStride> found;
     for (Side side : {k_left, k_right}) {
         Side other = side == k_left ? k_right : k_left;
         for (size_t i = 0; i + 1 < contacts[side].size(); ++i) {
-            Stride s{side, contacts[side][i], 0, contacts[side][i + 1], 0, 0};
+            MeasuredStride s{side, contacts[side][i], 0, contacts[side][i + 1], 0, 0};
             if (s.begin < static_cast<double>(first) || s.end > static_cast<double>(last)) continue;
             s.toe_off = next_after(toe_offs[side], s.begin);
             s.other_contact = next_after(contacts[other], s.begin);
@@ -249,11 +251,12 @@ std::vector<Stride> strides(const Walk& walk, size_t first, size_t last) {
             if (whole) found.push_back(s);
         }
     }
-    std::sort(found.begin(), found.end(), [](const Stride& a, const Stride& b) { return a.begin < b.begin; });
+    std::sort(found.begin(), found.end(),
+              [](const MeasuredStride& a, const MeasuredStride& b) { return a.begin < b.begin; });
     return found;
 }
 
-Curves curves_of(const Walk& walk, const std::vector<Stride>& all) {
+Curves curves_of(const Walk& walk, const std::vector<MeasuredStride>& all) {
     auto of = [&](auto value, bool centre = false) { return mean_curve(walk, all, value, centre); };
     auto shank = [](const Instant& now, Side s) {
         return inclination(now, k_limbs[s].lower_leg, k_limbs[s].foot);
@@ -308,7 +311,7 @@ Curves curves_of(const Walk& walk, const std::vector<Stride>& all) {
 }
 
 Level measure_level(const Walk& walk, size_t first, size_t last) {
-    std::vector<Stride> all = strides(walk, first, last);
+    std::vector<MeasuredStride> all = strides(walk, first, last);
     Level level;
     if (all.size() < 2) return level;
     level.curves = curves_of(walk, all);

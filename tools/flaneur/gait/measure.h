@@ -24,14 +24,14 @@ double value_of(const Quantities& quantities, std::string_view name);
 
 // One cycle of contacts of one foot: ticks, a half before the one that first showed each event, which is
 // where it lies on average.
-struct Stride {
+struct MeasuredStride {
     Side side = k_left;
     double begin = 0, toe_off = 0, end = 0;
     double other_contact = 0, other_toe_off = 0;  // of the other foot, within the stride
 };
 
 // Strides that begin at tick `first` or later and end at `last` or sooner.
-std::vector<Stride> strides(const Walk& walk, size_t first, size_t last);
+std::vector<MeasuredStride> strides(const Walk& walk, size_t first, size_t last);
 
 // Mean curves over the strides of both sides.
 struct Curves {
@@ -40,7 +40,7 @@ struct Curves {
     Cycle pelvis_height, pelvis_side;  // mm, mean 0; side: towards the foot that has come down
     Cycle heel_height, toe_height;     // mm of the sole over the ground; toe: the lower one of ball and tip
 };
-Curves curves_of(const Walk& walk, const std::vector<Stride>& strides);
+Curves curves_of(const Walk& walk, const std::vector<MeasuredStride>& strides);
 
 // Everything about steady straight walking over ticks [first, last).
 struct Level {

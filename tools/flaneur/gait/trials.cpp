@@ -22,7 +22,7 @@ std::string text(const char* format, double a, double b = 0) {
     return buffer;
 }
 
-City flat_ground() {
+Ground flat_ground() {
     return strip([](float) { return 0.0f; }, {-60, 600}, false);
 }
 
@@ -111,16 +111,17 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     std::vector<float> edges{-60};
     for (int i = 0; i < k_steps; ++i) edges.push_back(k_begin + static_cast<float>(i) * run);
     edges.push_back(600);
-    City city = strip(
+    Ground ground = strip(
         [&](float z) {
             float step = std::floor((z - k_begin) / run) + 1;
             return clamp(step, 0, k_steps) * rise;
         },
         edges, true, Surface::steps);
-    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+    Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_steps - 4) * run));
     double stairs = 0, odd = 0, steps = 0;
-    for (const Stride& s : strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
+    for (const MeasuredStride& s :
+         strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
         const Instant& a = w.ticks[static_cast<size_t>(s.begin + 0.2 * (s.end - s.begin))];
         const Instant& b = w.ticks[static_cast<size_t>(s.begin + 0.7 * (s.end - s.begin))];
         Side other = s.side == k_left ? k_right : k_left;
@@ -143,9 +144,9 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
 Report try_slope(const Person& person, double speed, double percent) {
     constexpr float k_begin = 3, k_length = 60;
     auto grade = static_cast<float>(percent / 100);
-    City city = strip([&](float z) { return clamp(z - k_begin, 0, k_length) * grade; },
-                      {-60, k_begin, k_begin + k_length, 600}, false);
-    Walk w = walk(city, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+    Ground ground = strip([&](float z) { return clamp(z - k_begin, 0, k_length) * grade; },
+                          {-60, k_begin, k_begin + k_length, 600}, false);
+    Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4), tick_past(w, k_begin + 40));
     Report level = try_level(person, speed, 15);
     double here = value_of(r.quantities, "speed.m_s"), there = value_of(level.quantities, "speed.m_s");
@@ -164,9 +165,9 @@ Report try_kerb(const Person& person, double speed, double height) {
     auto up = static_cast<float>(height);
     for (int i = 0; i < 12; ++i) {
         float begin = 6 + 0.11f * static_cast<float>(i);
-        City city = strip([&](float z) { return z > begin && z < begin + 4 ? up : 0; },
-                          {-60, begin, begin + 4, 600}, true);
-        Walk w = walk(city, person, 14, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+        Ground ground = strip([&](float z) { return z > begin && z < begin + 4 ? up : 0; },
+                              {-60, begin, begin + 4, 600}, true);
+        Walk w = walk(ground, person, 14, [&](double t) { return onward(t < k_stand ? 0 : speed); });
         Quantities here = measure_contact(w, strides(w, tick_past(w, begin - 2), tick_past(w, begin + 7)));
         if (i == 0) r.quantities = here;
         for (size_t q = 0; q < here.size(); ++q)

@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "sim/city/city.h"
+#include "sim/body/body.h"
 #include "sim/gait/gait.h"
-#include "sim/pose/body.h"
+#include "sim/ground/ground.h"
 #include "sim/pose/pose.h"
 
 namespace flaneur {
@@ -19,7 +19,7 @@ struct FootInstant {
 };
 
 // A foot of the pose as it is now.
-FootInstant foot_instant(const City& city, const Gait& gait, const std::vector<PoseBlock>& poses,
+FootInstant foot_instant(const Ground& ground, const Gait& gait, const std::vector<PoseBlock>& poses,
                          size_t walker, Side side);
 
 struct Instant {
@@ -33,10 +33,10 @@ struct Instant {
 inline Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }
 
 // Joints of one side.
-struct Limb {
+struct LimbJoints {
     Joint upper_leg, lower_leg, foot, upper_arm, lower_arm, hand;
 };
-inline constexpr Limb k_limbs[2] = {
+inline constexpr LimbJoints k_limbs[2] = {
     {left_upper_leg, left_lower_leg, left_foot, left_upper_arm, left_lower_arm, left_hand},
     {right_upper_leg, right_lower_leg, right_foot, right_upper_arm, right_lower_arm, right_hand}};
 
@@ -49,8 +49,8 @@ struct Walk {
 
 // A strip of ground 20 m wide along +z whose height changes at `edges`: between two of them it lies level at
 // the height of its middle (`stepped`) or runs straight from one end's height to the other's.
-City strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
-           Surface kind = Surface::sidewalk);
+Ground strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
+             Surface kind = Surface::sidewalk);
 
 // Who walks: a body and its manner.
 struct Person {
@@ -63,6 +63,6 @@ struct Person {
 using Wish = std::function<Vec2(double time)>;
 
 // Walks for `seconds` from (0, 0), facing +z.
-Walk walk(const City& city, const Person& person, double seconds, const Wish& wish);
+Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish);
 
 }  // namespace flaneur

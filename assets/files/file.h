@@ -1,0 +1,38 @@
+// Files that come from outside: of what kind they are, their bytes within limits, and how they are quoted.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/result.h"
+
+namespace flaneur {
+
+using Bytes = std::vector<uint8_t>;
+
+enum class FileKind {
+    map,    // OpenStreetMap: .osm, .pbf, .osm.pbf, also .osm.gz and .osm.bz2
+    gltf,   // .glb, .gltf, .vrm
+    other,  // anything else
+};
+
+// By how its name ends, in capitals or not.
+FileKind kind_of(std::string_view path);
+
+// Whether a path ends so, in capitals or not. `ending` is in small letters.
+bool has_ending(std::string_view path, std::string_view ending);
+
+// The bytes of a regular file of at most `most` of them: never waits for a pipe or a device, which a path may
+// name. The error's sentence has no subject: "cannot be opened as a file; check ...".
+Result<Bytes> read_bytes(const std::string& path, size_t most);
+
+// What a file says, as a sentence may quote it: at most 60 characters, and nothing that steers a terminal.
+std::string excerpt(std::string_view text);
+
+// Refuses JSON that is nested deeper than `depth` or has more values than `values`, before a parser, whose
+// stack and memory they take, sees it. The error's sentence has no subject.
+Result<void> check_json(std::string_view json, size_t depth, size_t values);
+
+}  // namespace flaneur

@@ -1,0 +1,26 @@
+// PNG, JPEG and WebP, by libpng, libjpeg-turbo and libwebp.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/base/result.h"
+
+namespace flaneur {
+
+struct DecodedPicture {
+    int width = 0, height = 0;
+    std::vector<uint8_t> rgba;  // rows from the top, as the file has them: no profile or gamma is applied
+};
+
+// A PNG, a JPEG or a still WebP of at most `most_pixels`, which are counted before any is decoded. The
+// error's sentence has no subject: "cannot be decoded".
+Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels);
+
+// A PNG of 8 bits a channel, sRGB: rows from the top, of `channels` 3 (RGB) or 4 (RGBA) bytes a pixel. Empty
+// where there is not enough memory.
+std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels);
+
+}  // namespace flaneur

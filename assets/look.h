@@ -1,0 +1,76 @@
+// How a scene is looked at: from where, how large, how well drawn, and by which views for work. Scene files
+// and the command line say it in the same words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assets/place.h"
+#include "sim/base/result.h"
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+struct Size {
+    int width = 1280, height = 720;  // pixels, 1..8192
+    bool operator==(const Size&) const = default;
+};
+
+struct CameraChoice {
+    enum class Kind { overview, street, follow, fixed } kind = Kind::street;
+    uint32_t walker = 0;  // follow
+    Vec3 eye, target;     // fixed, metres
+    bool operator==(const CameraChoice&) const = default;
+};
+
+// Views for work.
+enum class WorkView {
+    wireframe,
+    normals,
+    overdraw,  // how often each pixel is drawn
+    lods,      // people by level of detail
+    speed,     // people by speed
+    density,   // people to a square metre of ground
+    walkable,  // the navigation mesh
+    trails,    // where people walked in the last ten seconds
+    skeletons,
+    gizmos,  // of the gait: steps, targets, gaze, velocity
+};
+inline constexpr int k_work_views = 10;
+inline constexpr const char* k_work_view_names[k_work_views] = {"wireframe", "normals", "overdraw", "lods",
+                                                                "speed",     "density", "walkable", "trails",
+                                                                "skeletons", "gizmos"};
+
+// Those that are on.
+struct WorkViews {
+    uint32_t mask = 0;
+    bool operator[](WorkView view) const { return (mask >> static_cast<int>(view) & 1) != 0; }
+    bool operator==(const WorkViews&) const = default;
+};
+// Those that show their own surfaces (wireframe, normals, overdraw), colour people (lods, speed) or colour
+// the ground (density, walkable) go one at a time: the mask of those that cannot be on beside `view`.
+uint32_t rivals_of(WorkView view);
+// Switching one on switches its rivals off.
+WorkViews toggled(WorkViews views, WorkView view);
+
+inline constexpr const char* k_quality_names[] = {"low", "medium", "high", "ultra"};
+
+// What reads a value refuses in a sentence that begins with the text: "12 is not a width and ...".
+
+// "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0".
+Result<CameraChoice> parse_camera(const std::string& text);
+// "1280x720".
+Result<Size> parse_size(const std::string& text);
+// Names of views. Refuses unknown ones and rivals.
+Result<WorkViews> parse_work_views(const std::vector<std::string>& names);
+// "52.5163,13.3777": latitude and longitude, degrees.
+Result<MapPlace> parse_place(const std::string& text);
+// "17:30" as an hour of the day: 17.5. From 00:00 to 23:59.
+Result<float> parse_time(const std::string& text);
+// Whether "clear" or "overcast" is overcast.
+Result<bool> parse_weather(const std::string& text);
+// One of k_quality_names.
+Result<std::string> parse_quality(const std::string& text);
+
+}  // namespace flaneur

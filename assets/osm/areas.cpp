@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+
+#include "assets/osm/map.h"
+#include "assets/plan/masses.h"
+
+namespace flaneur {
+
+std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way) {
+    std::vector<std::vector<Vec2>> lines(1);
+    for (int64_t id : way.nodes) {
+        if (const OsmNode* node = in.map.node(id)) {
+            lines.back().push_back(in.project(*node));
+        } else {
+            ++in.counts.missing_nodes;
+            if (!lines.back().empty()) lines.emplace_back();
+        }
+    }
+    std::erase_if(lines, [](const std::vector<Vec2>& line) { return line.size() < 2; });
+    return lines;
+}
+
+// Outlines that cross themselves a few times are mended; what crosses itself more often is no outline.
+static constexpr int k_most_crossings = 100;
+
+// None where a node is missing, or where it is a tangle.
+static std::optional<Ring> ring_of(OsmImport& in, const std::vector<int64_t>& nodes) {
+    Ring ring;
+    for (int64_t id : nodes) {
+        const OsmNode* node = in.map.node(id);
+        if (!node) {
+            ++in.counts.missing_nodes;
+            return std::nullopt;
+        }
+        ring.push_back(to_point(in.project(*node)));
+    }
+    ring.pop_back();
+    if (is_tangled(ring, k_most_crossings)) {
+        ++in.counts.tangled;
+        return std::nullopt;
+    }
+    return positive(std::move(ring));
+}
+
+// Specks of less than a square metre are errors of drawing.
+static std::vector<Region> large_regions(const Rings& rings) {
+    std::vector<Region> regions = regions_of(rings);
+    std::erase_if(regions, [](const Region& r) { return area(rings_of(r)) < 1; });
+    return regions;
+}
+
+std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way) {
+    if (!way.closed()) return {};
+    std::optional<Ring> ring = ring_of(in, way.nodes);
+    return ring ? large_regions({*ring}) : std::vector<Region>{};
+}
+
+// Joins ways end to end into closed rings; empty where any stays open.
+static std::vector<std::vector<int64_t>> close_rings(std::vector<std::vector<int64_t>> parts) {
+    std::vector<std::vector<int64_t>> rings;
+    while (!parts.empty()) {
+        std::vector<int64_t> ring = std::move(parts.front());
+        parts.erase(parts.begin());
+        while (ring.front() != ring.back()) {
+            auto next = std::find_if(parts.begin(), parts.end(), [&](const std::vector<int64_t>& p) {
+                return p.front() == ring.back() || p.back() == ring.back();
+            });
+            if (next == parts.end()) return {};
+            if (next->front() != ring.back()) std::reverse(next->begin(), next->end());
+            ring.insert(ring.end(), next->begin() + 1, next->end());
+            parts.erase(next);
+        }
+        if (ring.size() > 3) rings.push_back(std::move(ring));
+    }
+    return rings;
+}
+
+std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relation) {
+    Rings sides[2];
+    for (bool inner : {false, true}) {
+        std::vector<std::vector<int64_t>> parts;
+        for (const OsmRelation::Member& member : relation.ways) {
+            if (member.inner != inner) continue;
+            const OsmWay* way = in.map.way(member.way);
+            if (way && way->nodes.size() >= 2) parts.push_back(way->nodes);
+            if (!way && !inner) parts.clear();
+            if (!way) break;
+        }
+        bool any = !parts.empty();
+        std::vector<std::vector<int64_t>> closed = close_rings(std::move(parts));
+        if (!inner && (!any || closed.empty())) {
+            ++in.counts.broken_relations;
+            return {};
+        }
+        for (const std::vector<int64_t>& nodes : closed) {
+            std::optional<Ring> ring = ring_of(in, nodes);
+            if (ring) sides[inner].push_back(std::move(*ring));
+        }
+    }
+    return large_regions(subtract(unite(sides[0]), sides[1]));
+}
+
+namespace {
+
+struct AreaKind {
+    int rank;
+    Surface kind;
+    float lift = k_kerb;
+};
+
+std::optional<AreaKind> area_kind(const OsmTags& tags) {
+    auto any_of = [&](std::string_view key, std::initializer_list<std::string_view> values) {
+        return std::find(values.begin(), values.end(), tags[key]) != values.end();
+    };
+    if (is_hidden(tags)) return std::nullopt;
+    if (any_of("amenity", {"fountain"})) return AreaKind{k_rank_basin, Surface::water, k_kerb + 0.4f};
+    if (any_of("natural", {"water"}) || any_of("waterway", {"riverbank", "dock"}) ||
+        any_of("leisure", {"swimming_pool"})) {
+        return AreaKind{k_rank_water, Surface::water, -0.3f};
+    }
+    if (any_of("highway", {"pedestrian", "footway", "platform"}) || any_of("place", {"square"}) ||
+        any_of("area:highway", {"pedestrian", "footway"}) || any_of("railway", {"platform"}) ||
+        any_of("man_made", {"pier"})) {
+        return AreaKind{k_rank_plaza, Surface::plaza};
+    }
+    if (any_of("amenity", {"parking", "fuel", "bus_station"}) ||
+        any_of("highway", {"service", "residential"})) {
+        return AreaKind{k_rank_path, Surface::road};
+    }
+    if (any_of("leisure", {"park", "garden", "pitch", "playground", "golf_course", "dog_park", "track"}) ||
+        any_of("landuse", {"grass", "forest", "meadow", "village_green", "recreation_ground", "cemetery",
+                           "flowerbed", "orchard"}) ||
+        any_of("natural", {"wood", "scrub", "grassland", "heath", "shrubbery"})) {
+        return AreaKind{k_rank_grass, Surface::grass};
+    }
+    if (any_of("natural", {"beach", "sand", "bare_rock", "shingle"}) ||
+        any_of("landuse", {"construction", "brownfield", "railway"})) {
+        return AreaKind{k_rank_grass, Surface::path};
+    }
+    return std::nullopt;
+}
+
+// Tags that make an area of a closed way only when it says so: closed footways are mostly loops.
+bool may_be_area(const OsmTags& tags) {
+    return !(tags.has("highway") && !tags.is("highway", "platform")) || tags.is("area", "yes") ||
+           tags.has("area:highway");
+}
+
+}  // namespace
+
+void add_osm_areas(OsmImport& in) {
+    auto add = [&](const OsmTags& tags, const std::vector<Region>& regions) {
+        std::optional<AreaKind> kind = area_kind(tags);
+        if (!regions.empty()) count_built(in.counts, tags, OsmSort::pedestrian_area, OsmSort::water);
+        for (const Region& region : regions) {
+            Area area;
+            area.rank = kind->rank;
+            area.kind = kind->kind;
+            area.lift = flat(kind->lift);
+            if (kind->rank == k_rank_water) area.lift = level(lowest_ground(in.plan, region) + kind->lift);
+            area.rings = rings_of(region);
+            in.plan.areas.push_back(std::move(area));
+        }
+    };
+    for (const OsmWay& way : in.map.ways) {
+        if (way.closed() && may_be_area(way.tags) && area_kind(way.tags))
+            add(way.tags, regions_of_way(in, way));
+    }
+    for (const OsmRelation& relation : in.map.relations) {
+        if (area_kind(relation.tags)) add(relation.tags, regions_of_relation(in, relation));
+    }
+}
+
+}  // namespace flaneur

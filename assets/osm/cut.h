@@ -1,0 +1,105 @@
+// Cutting a window out of a map, in a file or in memory. Private to assets/osm.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "assets/osm/map.h"
+#include "assets/osm/window.h"
+
+namespace flaneur {
+
+// Ids to ask for many others: most of those that are not there are told by a bit.
+struct IdSet {
+    static constexpr uint64_t k_bits = uint64_t{1} << 24;
+    std::vector<int64_t> ids;  // sorted
+    std::vector<uint64_t> bits;
+
+    explicit IdSet(std::vector<int64_t> all) : ids(std::move(all)), bits(k_bits / 64) {
+        std::sort(ids.begin(), ids.end());
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        for (int64_t id : ids) bits[place(id) / 64] |= uint64_t{1} << place(id) % 64;
+    }
+    bool has(int64_t id) const {
+        return (bits[place(id) / 64] >> place(id) % 64 & 1) != 0 &&
+               std::binary_search(ids.begin(), ids.end(), id);
+    }
+
+  private:
+    static uint64_t place(int64_t id) { return static_cast<uint64_t>(id) & (k_bits - 1); }
+};
+
+template <class Object>
+IdSet ids_of(const std::vector<Object>& objects) {
+    std::vector<int64_t> ids;
+    ids.reserve(objects.size());
+    for (const Object& object : objects) ids.push_back(object.id);
+    return IdSet(std::move(ids));
+}
+
+// Of several versions of an object the one that comes last stays.
+template <class T>
+void sort_by_id(std::vector<T>& items) {
+    std::stable_sort(items.begin(), items.end(), [](const T& a, const T& b) { return a.id < b.id; });
+    std::reverse(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end(), [](const T& a, const T& b) { return a.id == b.id; }),
+                items.end());
+    std::reverse(items.begin(), items.end());
+}
+
+// Ways and multipolygons with a node in the window or near it, whole, and the nodes in it. Nothing else is
+// taken. The source is gone through several times, as its objects may stand in any order:
+//   nodes(visit): visit(id, longitude, latitude, take) of each, where take() is the OsmNode
+//   ways(visit): visit(id, count, ref, take), where ref(i) is the id of its i-th node, and take() the OsmWay
+//   relations(visit): visit(count, ref, take), where ref(i) is the id of its i-th way, and take() the
+//     OsmRelation
+template <class Source>
+OsmMap cut_to(const OsmWindow& window, Source& source) {
+    constexpr float k_beyond = 100;  // how long a piece of a way may be that only crosses a corner, metres
+    OsmMap cut;
+    source.nodes([&](int64_t, double longitude, double latitude, auto take) {
+        if (is_within(window, longitude, latitude, k_beyond)) cut.nodes.push_back(take());
+    });
+    auto any_of = [](const IdSet& set, size_t count, auto ref) {
+        for (size_t i = 0; i < count; ++i)
+            if (set.has(ref(i))) return true;
+        return false;
+    };
+    const IdSet near = ids_of(cut.nodes);
+    source.ways([&](int64_t, size_t count, auto ref, auto take) {
+        if (any_of(near, count, ref)) cut.ways.push_back(take());
+    });
+    const IdSet touching = ids_of(cut.ways);
+    source.relations([&](size_t count, auto ref, auto take) {
+        if (any_of(touching, count, ref)) cut.relations.push_back(take());
+    });
+    std::vector<int64_t> members, refs;
+    for (const OsmRelation& relation : cut.relations) {
+        for (const OsmRelation::Member& member : relation.ways)
+            if (!touching.has(member.way)) members.push_back(member.way);
+    }
+    if (!members.empty()) {
+        const IdSet others(std::move(members));
+        source.ways([&](int64_t id, size_t, auto, auto take) {
+            if (others.has(id)) cut.ways.push_back(take());
+        });
+    }
+    for (const OsmWay& way : cut.ways) refs.insert(refs.end(), way.nodes.begin(), way.nodes.end());
+    const IdSet used(std::move(refs));
+    std::erase_if(cut.nodes, [&](const OsmNode& node) {
+        return !is_within(window, node.longitude, node.latitude) && !used.has(node.id);
+    });
+    source.nodes([&](int64_t id, double, double, auto take) {
+        if (used.has(id) && !near.has(id)) cut.nodes.push_back(take());
+    });
+    for (OsmNode& node : cut.nodes) node.longitude = near_longitude(node.longitude, window.project.longitude);
+    sort_by_id(cut.nodes);
+    sort_by_id(cut.ways);
+    sort_by_id(cut.relations);
+    cut.window = window;
+    return cut;
+}
+
+}  // namespace flaneur

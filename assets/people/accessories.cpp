@@ -1,0 +1,276 @@
+#include "assets/people/accessories.h"
+
+#include <cmath>
+
+#include "assets/people/parts.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float h = k_head_height;
+constexpr uint32_t k_dark = 0xff2b2826, k_pale = 0xffd2d4d6, k_wood = 0xff33435a;
+
+// Down, in the canonical pose, for what hangs from a hand: who walks bends the elbow by some 0.4 rad.
+constexpr Vec3 k_hanging{0, -.921f, -.389f};
+
+// Places on the path, laid on whatever the figure wears, `gap` above it.
+std::vector<Vec3> draped(const Field& field, std::vector<Vec3> path, float gap) {
+    std::vector<uint16_t> near;
+    for (Vec3& p : path)
+        for (int round = 0; round < 5; ++round) {
+            parts_near(field, p, .05f, near);
+            float away = distance(layer_distances(field, near, p)) - gap;
+            p -= normalize_or(gradient(field, near, p), {0, 0, 0}) * clamp(away, -.02f, .02f);
+        }
+    return path;
+}
+
+// Twice as many places, rounded (Chaikin 1974, closed or with its ends kept).
+std::vector<Vec3> rounded(const std::vector<Vec3>& path, bool closed) {
+    std::vector<Vec3> out;
+    size_t n = path.size();
+    if (!closed) out.push_back(path.front());
+    for (size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+        Vec3 a = path[i], b = path[(i + 1) % n];
+        out.push_back(lerp(a, b, .25f));
+        out.push_back(lerp(a, b, .75f));
+    }
+    if (!closed) out.push_back(path.back());
+    return out;
+}
+
+std::vector<Vec3> mirrored(std::vector<Vec3> path) {
+    for (Vec3& p : path) p.x = -p.x;
+    return path;
+}
+
+std::vector<Vec3> on_face(std::vector<Vec3> path) {
+    for (Vec3& p : path) p = from_face(p);
+    return path;
+}
+
+struct Rack {
+    const Figure& figure;
+    const Field& field;
+    std::vector<Accessory> worn;
+
+    void add(SolidMesh solid, Tint tint, uint32_t colour, int joint) {
+        worn.push_back({std::move(solid), tint, colour, joint});
+    }
+    // Lies on the coat or whatever is worn.
+    void add_on_cloth(SolidMesh solid, Tint tint, uint32_t colour) {
+        worn.push_back({std::move(solid), tint, colour, -1});
+    }
+    // In the canonical pose, the arms down, into the bind pose; `side` 1 left, -1 right.
+    void add_to_hand(SolidMesh solid, Tint tint, uint32_t colour, float side) {
+        Vec3 arm = bind_arm_direction(), shoulder = figure_shoulder(figure);
+        arm.x *= side, shoulder.x *= side;
+        constexpr float k_wrist = .327f;
+        Quat turn = rotation_between({0, -1, 0}, arm);
+        Vec3 hand = shoulder + Vec3{0, -k_wrist, 0}, bound = shoulder + arm * k_wrist;
+        for (Vec3& p : solid.positions) p = bound + rotate(turn, p - hand);
+        for (Vec3& n : solid.normals) n = rotate(turn, n);
+        add(std::move(solid), tint, colour, side > 0 ? left_hand : right_hand);
+    }
+    // Where a hand that hangs down holds things, x by side.
+    Vec3 palm() const { return figure_shoulder(figure) + Vec3{-.004f, -.392f, .002f}; }
+
+    // A third colour where there is one to spare.
+    Tint spare() const { return figure.over == Over::none ? Tint::accent : Tint::bottom; }
+};
+
+void add_hat(Rack& r) {
+    bool thick = r.figure.hair != Hair::cropped && r.figure.hair != Hair::bald;
+    float g = thick ? 1.05f : 1.0f;
+    Frame frame = make_frame(from_face({0, .635f, -.030f}), {0, 1, -.12f}, {0, 0, 1});
+    auto turned = [&](std::vector<Turn> profile) {
+        for (Turn& t : profile) t.radius *= g, t.height *= g;
+        return make_turned(frame, profile, 1.20f, 24);
+    };
+    switch (r.figure.hat) {
+        case Hat::none:
+            break;
+        case Hat::cap: {
+            r.add(turned({{.046f, -.002f},
+                          {.0488f, -.001f},
+                          {.0495f, .004f},
+                          {.0492f, .016f},
+                          {.0462f, .031f},
+                          {.0375f, .0445f},
+                          {.022f, .0525f},
+                          {.006f, .055f}}),
+                  r.spare(), 0xffffffff, head);
+            Frame peak = make_frame(frame.at({0, .0005f, .068f}), {0, 1, .26f}, {0, -.26f, 1});
+            r.add(make_pillow(peak, {.041f, .0026f, .034f}, .75f, 18, 6), r.spare(), 0xffd8d8d8, head);
+            break;
+        }
+        case Hat::beanie:
+            r.add(turned({{.047f, -.005f},
+                          {.0508f, -.0055f},
+                          {.0528f, -.002f},
+                          {.0532f, .006f},
+                          {.0526f, .0125f},
+                          {.0500f, .0145f},
+                          {.0498f, .026f},
+                          {.0462f, .041f},
+                          {.0365f, .0555f},
+                          {.020f, .0635f},
+                          {.006f, .0655f}}),
+                  r.spare(), 0xffffffff, head);
+            break;
+        case Hat::brimmed:
+            r.add(turned({{.047f, .0005f},
+                          {.066f, -.0030f},
+                          {.081f, -.0035f},
+                          {.0845f, -.0010f},
+                          {.081f, .0010f},
+                          {.064f, .0010f},
+                          {.0525f, .0045f},
+                          {.0512f, .0120f},
+                          {.0490f, .033f},
+                          {.0455f, .0485f},
+                          {.0370f, .0565f},
+                          {.024f, .0565f},
+                          {.010f, .0540f}}),
+                  r.spare(), 0xffffffff, head);
+            r.add(turned({{.0500f, .0040f}, {.0535f, .0050f}, {.0528f, .0150f}, {.0490f, .0160f}}),
+                  Tint::shoes, 0xffc0c0c0, head);
+            break;
+    }
+}
+
+void add_glasses(Rack& r) {
+    Vec3 eye = r.figure.face.eye;
+    std::vector<Vec3> rim;
+    constexpr int k_points = 14;
+    bool round = r.figure.seed % 3 == 0;
+    for (int i = 0; i < k_points; ++i) {
+        float a = 6.2831853f * (float(i) + .5f) / k_points, c = std::cos(a), s = std::sin(a);
+        auto boxy = [&](float v) { return v < 0 ? -std::pow(-v, .62f) : std::pow(v, .62f); };
+        Vec3 p = round ? Vec3{.083f * c, .078f * s, 0} : Vec3{.088f * boxy(c), .062f * boxy(s), 0};
+        p += {eye.x + .006f, eye.y - .004f, .432f};
+        p.z -= .20f * (p.x - .06f) + .02f * (eye.y - p.y);
+        rim.push_back(p);
+    }
+    std::vector<Vec3> temple = {{.228f, .517f, .400f},
+                                {.285f, .512f, .26f},
+                                {.335f, .503f, .10f},
+                                {.353f, .485f, -.03f},
+                                {.350f, .43f, -.085f}};
+    std::vector<Vec3> bridge = {
+        {.062f, .500f, .434f}, {.02f, .514f, .450f}, {-.02f, .514f, .450f}, {-.062f, .500f, .434f}};
+    float thick = .0098f * h;
+    uint32_t colour = r.figure.seed % 2 == 0 ? k_dark : 0xff26364a;
+    for (bool left : {true, false}) {
+        auto side = [&](const std::vector<Vec3>& path) { return on_face(left ? path : mirrored(path)); };
+        r.add(make_ring(side(rim), {0, 0, 1}, thick, thick, 4), Tint::none, colour, head);
+        r.add(make_band(side(temple), {0, 1, 0}, thick * 1.2f, thick * .8f, 4), Tint::none, colour, head);
+    }
+    r.add(make_band(on_face(bridge), {0, 0, 1}, thick, thick, 4), Tint::none, colour, head);
+}
+
+void add_headphones(Rack& r) {
+    uint32_t colour = r.figure.seed % 2 == 0 ? k_dark : k_pale;
+    std::vector<Vec3> band;
+    for (int i = 0; i <= 10; ++i) {
+        float a = 3.1415927f * float(i) / 10;
+        band.push_back(from_face({.395f * std::cos(a), .44f + .612f * std::sin(a), -.02f}));
+    }
+    r.add(make_band(band, {0, 0, 1}, .040f * h, .022f * h), Tint::none, colour, head);
+    for (float side : {1.0f, -1.0f}) {
+        Frame cup = make_frame(from_face({side * .375f, .435f, -.02f}), {0, 1, 0}, {side, 0, .1f});
+        r.add(make_pillow(cup, Vec3{.085f, .110f, .050f} * h, .7f, 12, 6), Tint::none, colour, head);
+    }
+}
+
+void add_scarf(Rack& r) {
+    std::vector<Vec3> loop;
+    constexpr int k_points = 14;
+    float g = lerp(1, .92f, r.figure.feminine);
+    for (int i = 0; i < k_points; ++i) {
+        float a = 6.2831853f * float(i) / k_points, s = std::sin(a), c = std::cos(a);
+        loop.push_back({.0500f * g * s, .838f - .010f * c + .003f * std::sin(3 * a), -.010f + .048f * g * c});
+    }
+    r.add_on_cloth(make_ring(loop, {0, 1, 0}, .0185f, .0125f, 8), Tint::accent, 0xffffffff);
+    std::vector<Vec3> end = {{.010f, .822f, .050f}, {.019f, .795f, .065f}, {.023f, .765f, .075f},
+                             {.025f, .735f, .078f}, {.026f, .700f, .075f}, {.027f, .665f, .070f}};
+    r.add_on_cloth(make_band(draped(r.field, end, .005f), {1, 0, 0}, .0190f, .0052f, 8), Tint::accent,
+                   0xfff0f0f0);
+}
+
+void add_backpack(Rack& r) {
+    float back = draped(r.field, {{0, .700f, -.09f}}, 0)[0].z, g = lerp(1, .93f, r.figure.feminine);
+    Tint tint = r.spare();
+    Frame sack = make_frame({0, .690f, back - .030f}, {0, 1, .06f}, {0, 0, -1});
+    r.add(make_pillow(sack, {.076f * g, .088f, .036f}, .55f, 20, 10), tint, 0xffe6e6e6, upper_chest);
+    Frame pocket = make_frame({0, .657f, back - .061f}, {0, 1, .06f}, {0, 0, -1});
+    r.add(make_pillow(pocket, {.055f * g, .040f, .016f}, .55f, 16, 8), tint, 0xffcccccc, upper_chest);
+    std::vector<Vec3> strap = {{.042f, .775f, back - .004f}, {.044f, .812f, -.050f}, {.046f, .834f, -.008f},
+                               {.049f, .815f, .036f},        {.054f, .770f, .068f},  {.060f, .725f, .075f},
+                               {.072f, .680f, .060f},        {.088f, .648f, .022f},  {.084f, .635f, -.030f},
+                               {.062f, .630f, back - .006f}};
+    strap = draped(r.field, rounded(strap, false), .0022f);
+    r.add_on_cloth(make_band(strap, {1, 0, 0}, .0098f, .0034f), tint, 0xffb8b8b8);
+    r.add_on_cloth(make_band(mirrored(strap), {1, 0, 0}, .0098f, .0034f), tint, 0xffb8b8b8);
+}
+
+void add_shoulder_bag(Rack& r) {
+    std::vector<Vec3> strap = {{.062f, .830f, -.010f},  {.048f, .800f, .040f},   {.018f, .735f, .085f},
+                               {-.030f, .665f, .080f},  {-.075f, .600f, .060f},  {-.104f, .560f, .020f},
+                               {-.108f, .545f, -.030f}, {-.085f, .560f, -.070f}, {-.050f, .610f, -.080f},
+                               {-.010f, .680f, -.075f}, {.030f, .755f, -.075f},  {.054f, .805f, -.050f}};
+    strap = draped(r.field, rounded(strap, true), .0020f);
+    r.add_on_cloth(make_ring(strap, {.6f, .8f, 0}, .0075f, .0026f), Tint::shoes, 0xffe0e0e0);
+    Vec3 at = draped(r.field, {{-.080f, .505f, -.09f}}, .018f)[0];
+    Frame bag = make_frame(at, {0, 1, 0}, {-.55f, 0, -.85f});
+    r.add(make_pillow(bag, {.062f, .046f, .021f}, .5f, 18, 8), Tint::shoes, 0xffe0e0e0, hips);
+    Frame flap = make_frame(bag.at({0, .018f, .004f}), bag.up, bag.front);
+    r.add(make_pillow(flap, {.0635f, .031f, .0205f}, .5f, 18, 8), Tint::shoes, 0xffffffff, hips);
+}
+
+void add_handbag(Rack& r) {
+    Vec3 palm = r.palm(), down = k_hanging, ahead{0, down.z, -down.y}, out{1, 0, 0};
+    Vec3 at = palm + down * .108f + out * .012f, top = palm + down * .072f + out * .010f;
+    r.add_to_hand(make_pillow(make_frame(at, -down, out), {.064f, .046f, .022f}, .55f, 18, 8), Tint::shoes,
+                  0xffe8e8e8, 1);
+    std::vector<Vec3> handle = {
+        top - ahead * .036f,  lerp(top, palm, .7f) - ahead * .030f, palm - ahead * .012f,
+        palm + ahead * .012f, lerp(top, palm, .7f) + ahead * .030f, top + ahead * .036f};
+    r.add_to_hand(make_band(rounded(handle, false), out, .0035f, .0028f), Tint::shoes, 0xffb0b0b0, 1);
+}
+
+void add_phone(Rack& r) {
+    Vec3 palm = r.palm();
+    Frame f = make_frame({-palm.x + .013f, palm.y + .002f, palm.z + .004f}, {.12f, 1, .1f}, {1, 0, 0});
+    r.add_to_hand(make_pillow(f, {.0205f, .0415f, .0026f}, .3f, 16, 6), Tint::none, k_dark, -1);
+}
+
+void add_stick(Rack& r) {
+    Vec3 palm = r.palm(), at{-palm.x + .002f, palm.y + .016f, palm.z + .012f};
+    Vec3 down = k_hanging, ahead{0, down.z, -down.y};
+    std::vector<Vec3> shaft = {at, at + down * .2f, at + down * .395f, at + down * .415f};
+    r.add_to_hand(make_band(shaft, {1, 0, 0}, .0052f, .0052f, 8), Tint::none, k_wood, -1);
+    std::vector<Vec3> grip = {at + ahead * -.050f + down * .014f, at + ahead * -.036f + down * .002f,
+                              at + ahead * -.012f, at + ahead * .012f - down * .001f,
+                              at + ahead * .024f + down * .004f};
+    r.add_to_hand(make_band(grip, {1, 0, 0}, .0072f, .0068f, 8), Tint::none, k_wood, -1);
+}
+
+}  // namespace
+
+std::vector<Accessory> make_accessories(const Figure& figure, const Field& field) {
+    Rack r{figure, field, {}};
+    add_hat(r);
+    if (figure.glasses) add_glasses(r);
+    if (figure.headphones && figure.hat == Hat::none) add_headphones(r);
+    if (figure.scarf) add_scarf(r);
+    if (figure.bag == Bag::backpack) add_backpack(r);
+    if (figure.bag == Bag::shoulder_bag) add_shoulder_bag(r);
+    if (figure.bag == Bag::handbag) add_handbag(r);
+    if (figure.phone) add_phone(r);
+    if (figure.stick && !figure.phone) add_stick(r);
+    return r.worn;
+}
+
+}  // namespace flaneur

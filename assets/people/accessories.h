@@ -1,0 +1,21 @@
+// What a built-in person wears and carries beside clothes: hats, glasses, bags, a phone, a stick.
+#pragma once
+
+#include <vector>
+
+#include "assets/people/shape.h"
+#include "assets/people/solid.h"
+
+namespace flaneur {
+
+// A piece, the colours it shows, and the joint that it moves with; -1: it lies on cloth and moves with that.
+struct Accessory {
+    SolidMesh solid;
+    Tint tint = Tint::none;
+    uint32_t colour = 0xffffffff;
+    int joint = -1;
+};
+
+std::vector<Accessory> make_accessories(const Figure& figure, const Field& field);
+
+}  // namespace flaneur

@@ -1,0 +1,287 @@
+#include "assets/people/lods.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <map>
+#include <utility>
+
+namespace flaneur {
+
+namespace {
+
+constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
+constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
+constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
+constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew
+
+// How much of a vertex goes with any of `joints`.
+float share_of(const CharacterVertex& v, std::initializer_list<uint8_t> joints) {
+    float share = 0;
+    for (int n = 0; n < 4; ++n)
+        for (uint8_t joint : joints)
+            if (v.joints[n] == joint) share += float(v.weights[n]) / 255;
+    return share;
+}
+
+std::vector<uint32_t> simplify(const std::vector<uint32_t>& indices, const std::vector<Vec3>& places,
+                               size_t triangles) {
+    std::vector<uint32_t> out(indices.size());
+    out.resize(meshopt_simplify(out.data(), indices.data(), indices.size(), &places[0].x, places.size(),
+                                sizeof(Vec3), triangles * 3, 1.0f, 0, nullptr));
+    return out;
+}
+
+std::vector<uint32_t> simplify_sloppily(const std::vector<uint32_t>& indices, const std::vector<Vec3>& places,
+                                        size_t triangles) {
+    std::vector<uint32_t> out(indices.size());
+    out.resize(meshopt_simplifySloppy(out.data(), indices.data(), indices.size(), &places[0].x, places.size(),
+                                      sizeof(Vec3), triangles * 3, 1.0f, nullptr));
+    return out;
+}
+
+// Vertices at one place, as one: a surface without the seams of colour, texture and hard edges.
+struct Weld {
+    std::vector<uint32_t> place;                 // by vertex: the number of its place
+    std::vector<std::vector<uint32_t>> members;  // by place: the vertices there
+    std::vector<Vec3> places;                    // as the simplifier measures errors
+};
+
+// The garments whose borders are still seen from afar.
+int garment(Tint tint) {
+    switch (tint) {
+        case Tint::hair:
+            return 1;
+        case Tint::top:
+        case Tint::accent:
+            return 2;
+        case Tint::bottom:
+        case Tint::shoes:
+            return 3;
+        default:
+            return 0;
+    }
+}
+
+// With `keep_garments`, vertices of two garments at one place stay two.
+Weld weld(const Character& c, const std::vector<Vec3>& weighed, bool keep_garments) {
+    auto group = [&](uint32_t v) { return keep_garments ? garment(c.vertices[v].tint) : 0; };
+    Weld w;
+    std::vector<uint32_t> order(c.vertices.size());
+    for (size_t v = 0; v < order.size(); ++v) order[v] = uint32_t(v);
+    std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+        Vec3 p = c.vertices[a].position, q = c.vertices[b].position;
+        if (p.x != q.x) return p.x < q.x;
+        if (p.y != q.y) return p.y < q.y;
+        if (p.z != q.z) return p.z < q.z;
+        return group(a) != group(b) ? group(a) < group(b) : a < b;
+    });
+    w.place.resize(order.size());
+    for (size_t i = 0; i < order.size(); ++i) {
+        uint32_t v = order[i];
+        bool same = i > 0 && c.vertices[v].position == c.vertices[order[i - 1]].position &&
+                    group(v) == group(order[i - 1]);
+        if (!same) {
+            w.members.emplace_back();
+            w.places.push_back(weighed[v]);
+        }
+        w.place[v] = uint32_t(w.members.size() - 1);
+        w.members.back().push_back(v);
+    }
+    return w;
+}
+
+// From places back to vertices: each corner of a triangle takes, among the vertices at its place, one that
+// shows what most of the triangle shows and whose normal fits best.
+std::vector<uint32_t> unweld(const std::vector<uint32_t>& places, const Character& c, const Weld& w) {
+    auto look = [&](uint32_t v) { return c.vertices[v].tint; };
+    auto shows = [&](uint32_t place, Tint wanted) {
+        const auto& m = w.members[place];
+        return std::any_of(m.begin(), m.end(), [&](uint32_t v) { return look(v) == wanted; });
+    };
+    std::vector<uint32_t> out;
+    for (size_t t = 0; t + 2 < places.size(); t += 3) {
+        std::array<uint32_t, 3> corner = {places[t], places[t + 1], places[t + 2]};
+        std::array<Vec3, 3> p;
+        for (size_t i = 0; i < 3; ++i) p[i] = c.vertices[w.members[corner[i]][0]].position;
+        Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+        Tint best = Tint::none;
+        int best_votes = 0;
+        for (uint32_t place : corner)
+            for (uint32_t v : w.members[place]) {
+                int votes = 0;
+                for (uint32_t other : corner) votes += shows(other, look(v));
+                if (votes > best_votes) best_votes = votes, best = look(v);
+            }
+        for (uint32_t place : corner) {
+            uint32_t chosen = w.members[place][0];
+            float fit = -1e30f;
+            for (uint32_t v : w.members[place]) {
+                float f = dot(c.vertices[v].normal, normal) + (look(v) == best ? 1e6f : 0.0f);
+                if (f > fit) fit = f, chosen = v;
+            }
+            out.push_back(chosen);
+        }
+    }
+    return out;
+}
+
+// Where a level has lost the borders of garments, each of its triangles takes vertices of its own in the
+// colour that the fine surface shows nearest to its middle.
+void repaint(std::vector<uint32_t>& level, Character& c, size_t fine) {
+    for (size_t t = 0; t + 2 < level.size(); t += 3) {
+        std::array<CharacterVertex, 3> corner;
+        for (size_t i = 0; i < 3; ++i) corner[i] = c.vertices[level[t + i]];
+        Vec3 middle = (corner[0].position + corner[1].position + corner[2].position) / 3;
+        Vec3 normal = cross(corner[1].position - corner[0].position, corner[2].position - corner[0].position);
+        size_t nearest = level[t];
+        float best = 1e30f;
+        for (size_t v = 0; v < fine; ++v) {
+            float d = length_squared(c.vertices[v].position - middle);
+            if (d < best && dot(c.vertices[v].normal, normal) > 0) best = d, nearest = v;
+        }
+        const CharacterVertex shown = c.vertices[nearest];
+        for (size_t i = 0; i < 3; ++i) {
+            bool plain = corner[i].tint != Tint::none && shown.tint != Tint::none;
+            if (!plain || corner[i].tint == shown.tint) continue;
+            corner[i].tint = shown.tint;
+            corner[i].colour = shown.colour;
+            level[t + i] = uint32_t(c.vertices.size());
+            c.vertices.push_back(corner[i]);
+        }
+    }
+}
+
+// A coarse level takes vertices of its own: their normals are those of its few triangles, their colours the
+// means of what the fine surface shows about them, so that no single dark fold spreads over half a body.
+void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
+    std::map<std::array<float, 3>, Vec3> normals;
+    auto place = [&](uint32_t v) {
+        Vec3 p = c.vertices[v].position;
+        return std::array<float, 3>{p.x, p.y, p.z};
+    };
+    for (size_t t = 0; t + 2 < level.size(); t += 3) {
+        Vec3 a = c.vertices[level[t]].position;
+        Vec3 n = cross(c.vertices[level[t + 1]].position - a, c.vertices[level[t + 2]].position - a);
+        for (size_t i = 0; i < 3; ++i) normals[place(level[t + i])] += n;
+    }
+    std::map<std::pair<std::array<float, 3>, Tint>, uint32_t> own;
+    auto first = static_cast<uint32_t>(c.vertices.size());
+    for (uint32_t& v : level) {
+        auto [known, fresh] = own.try_emplace({place(v), c.vertices[v].tint}, uint32_t(c.vertices.size()));
+        if (fresh) {
+            CharacterVertex vertex = c.vertices[v];
+            vertex.normal = normalize_or(normals[place(v)] * 1e4f, vertex.normal);
+            c.vertices.push_back(vertex);
+        }
+        v = known->second;
+    }
+    struct Mean {
+        std::array<float, 3> sum{};
+        float weight = 0;
+    };
+    std::vector<Mean> means(c.vertices.size() - first);
+    auto nearest_mean = [&](Vec3 at, Tint tint) -> Mean* {
+        Mean* nearest = nullptr;
+        float best = 1e29f;
+        for (uint32_t o = first; o < c.vertices.size(); ++o) {
+            if (c.vertices[o].tint != tint) continue;
+            float d = length_squared(c.vertices[o].position - at);
+            if (d < best) best = d, nearest = &means[o - first];
+        }
+        return nearest;
+    };
+    for (uint32_t v = 0; v < fine; ++v) {
+        Mean* m = nearest_mean(c.vertices[v].position, c.vertices[v].tint);
+        if (!m) continue;
+        for (size_t i = 0; i < 3; ++i) m->sum[i] += float(c.vertices[v].colour >> (8 * i) & 0xffu);
+        ++m->weight;
+    }
+    for (size_t o = 0; o < means.size(); ++o) {
+        if (!(means[o].weight > 0)) continue;
+        uint32_t& colour = c.vertices[first + o].colour;
+        colour &= 0xff000000u;
+        for (size_t i = 0; i < 3; ++i) colour |= uint32_t(means[o].sum[i] / means[o].weight) << (8 * i);
+    }
+}
+
+}  // namespace
+
+std::vector<Vec3> weighed_places(const Character& c) {
+    constexpr float k_sine = 0.75f, k_cosine = 0.66f;  // of 0.85 radians
+    constexpr uint8_t k_none = k_joint_count;
+    constexpr std::array<std::array<uint8_t, 3>, 4> k_hinges = {{{left_lower_arm, left_hand, k_none},
+                                                                 {right_lower_arm, right_hand, k_none},
+                                                                 {left_lower_leg, left_foot, left_toes},
+                                                                 {right_lower_leg, right_foot, right_toes}}};
+    std::vector<Vec3> places;
+    Vec3 pivot = c.bind_joints[head];
+    for (const CharacterVertex& v : c.vertices) {
+        Vec3 place = v.position + (v.position - pivot) * (0.8f * share_of(v, {head}));
+        for (const auto& [hinge, end, tip] : k_hinges) {
+            const float share = share_of(v, {hinge, end, tip});
+            if (share <= 0) continue;
+            const Vec3 limb = normalize_or(c.bind_joints[end] - c.bind_joints[hinge], {0, -1, 0});
+            const Vec3 axis = normalize_or(cross(limb, Vec3{0.1f, 0, 1}), {1, 0, 0});
+            const Vec3 arm = v.position - c.bind_joints[hinge];
+            const Vec3 turned =
+                arm * k_cosine + cross(axis, arm) * k_sine + axis * (dot(axis, arm) * (1 - k_cosine));
+            place = place + (turned - arm) * std::min(share, 1.0f);
+        }
+        places.push_back(place);
+    }
+    return places;
+}
+
+void build_person_lods(Character& c) {
+    c.lods.resize(1);
+    if (c.vertices.empty() || c.lods[0].empty()) return;
+    const size_t fine = c.vertices.size();
+    std::vector<Vec3> places = weighed_places(c);
+    const std::array<Weld, 2> welds = {weld(c, places, true), weld(c, places, false)};
+    for (size_t triangles : k_level_triangles) {
+        const std::vector<uint32_t>& before = c.lods.back();
+        if (before.size() / 3 <= triangles + triangles / 4) continue;
+        auto fits = [&](const std::vector<uint32_t>& level) {
+            return !level.empty() && level.size() / 3 <= triangles + triangles / 4;
+        };
+        std::vector<uint32_t> level;
+        if (triangles > k_welded_below) level = simplify(c.lods[0], places, triangles);
+        // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
+        for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
+            std::vector<uint32_t> whole;
+            for (uint32_t v : c.lods[0]) whole.push_back(welds[w].place[v]);
+            level = simplify(whole, welds[w].places, triangles);
+            if (w + 1 == welds.size() && level.size() / 3 > 2 * triangles)
+                level = simplify_sloppily(whole, welds[w].places, triangles);
+            level = unweld(level, c, welds[w]);
+        }
+        if (triangles < k_repainted_below) repaint(level, c, fine);
+        if (level.empty() || level.size() * 10 > before.size() * 9) continue;
+        if (triangles <= k_smoothed_below) smooth_out(level, c, fine);
+        c.lods.push_back(std::move(level));
+    }
+    order_levels(c);
+}
+
+void order_levels(Character& c) {
+    for (std::vector<uint32_t>& level : c.lods)
+        meshopt_optimizeVertexCache(level.data(), level.data(), level.size(), c.vertices.size());
+
+    // One order of vertices serves all levels: the coarse ones' vertices come first.
+    std::vector<uint32_t> all;
+    for (size_t l = c.lods.size(); l-- > 0;) all.insert(all.end(), c.lods[l].begin(), c.lods[l].end());
+    std::vector<uint32_t> remap(c.vertices.size());
+    size_t kept = meshopt_optimizeVertexFetchRemap(remap.data(), all.data(), all.size(), c.vertices.size());
+    std::vector<CharacterVertex> vertices(kept);
+    for (size_t v = 0; v < remap.size(); ++v)
+        if (remap[v] != ~0u) vertices[remap[v]] = c.vertices[v];
+    c.vertices = std::move(vertices);
+    for (std::vector<uint32_t>& level : c.lods)
+        for (uint32_t& v : level) v = remap[v];
+}
+
+}  // namespace flaneur

@@ -1,0 +1,21 @@
+// Levels of detail of the built-in people, and what those of others take from them.
+#pragma once
+
+#include <vector>
+
+#include "assets/character.h"
+
+namespace flaneur {
+
+// Appends the levels after the first to a built-in person: about 3000, 1500, 500 and 180 triangles, skipping
+// those that would not be coarser than the one before; then orders them.
+void build_person_lods(Character& person);
+
+// Places of the vertices as a simplifier should measure errors: the head twice as large, for the eye goes
+// there, and elbows and knees bent, so that no straight limb loses the vertices that bend it.
+std::vector<Vec3> weighed_places(const Character& character);
+
+// Orders indices and vertices for the vertex cache; vertices that no level uses go.
+void order_levels(Character& character);
+
+}  // namespace flaneur

@@ -1,0 +1,190 @@
+#include "assets/character.h"
+#include "assets/people/accessories.h"
+#include "assets/people/lods.h"
+#include "assets/people/mesh.h"
+#include "assets/people/parts.h"
+#include "assets/people/shape.h"
+#include "assets/people/skin.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr size_t k_finest_triangles = 7600;
+
+void steps(std::vector<float>& out, float to, float step) {
+    while (out.back() < to) out.push_back(out.back() + step);
+}
+
+// Finer at the head and the hands.
+FieldGrid person_grid() {
+    FieldGrid g{{.0012f}, {-.008f}, {-.125f}};
+    steps(g.half_x, .052f, .0027f);
+    steps(g.half_x, .290f, .0068f);
+    steps(g.half_x, .430f, .0034f);
+    steps(g.y, .060f, .0046f);
+    steps(g.y, .430f, .0080f);
+    steps(g.y, .560f, .0042f);
+    steps(g.y, .800f, .0072f);
+    steps(g.y, 1.030f, .0027f);
+    steps(g.z, -.042f, .0050f);
+    steps(g.z, .030f, .0034f);
+    steps(g.z, .140f, .0042f);
+    return g;
+}
+
+// The eye looks at faces first, then at hands: they get more triangles than their size asks for.
+Vec3 importance(Vec3 p) {
+    Vec3 neck{0, .86f, 0};
+    float face = smoothstep(.850f, .885f, p.y) * (p.z > 0 ? 2.4f : 1.0f);
+    if (p.y > .84f) return p + (p - neck) * face;
+    Vec3 wrist{p.x < 0 ? -.315f : .315f, .545f, 0};
+    float hand = smoothstep(.295f, .325f, p.x < 0 ? -p.x : p.x);
+    return p + (p - wrist) * hand;
+}
+
+// How open the surroundings are, 0..1: distances ahead of the surface compared with what a plane would give.
+float openness(const Field& field, Vec3 p, Vec3 normal, std::vector<uint16_t>& near) {
+    float open = 1;
+    for (float reach : {.008f, .025f, .060f}) {
+        Vec3 q = p + normal * reach;
+        parts_near(field, q, reach, near);
+        float d = clamp(distance(layer_distances(field, near, q)) / reach, 0, 1);
+        open -= (1 - d) * .28f;
+    }
+    return open;
+}
+
+// By vertex, where its triangles face on average.
+std::vector<Vec3> facing_of(const FieldMesh& mesh) {
+    std::vector<Vec3> facing(mesh.positions.size());
+    for (size_t t = 0; t < mesh.indices.size(); t += 3) {
+        const uint32_t* v = &mesh.indices[t];
+        Vec3 a = mesh.positions[v[0]];
+        Vec3 n = cross(mesh.positions[v[1]] - a, mesh.positions[v[2]] - a);
+        for (int i = 0; i < 3; ++i) facing[v[i]] += n;
+    }
+    for (Vec3& f : facing) f = normalize_or(f * 1e6f, {0, 1, 0});
+    return facing;
+}
+
+// Locks of hair, lighter and darker, that fall from the crown.
+float strand(Vec3 p) {
+    Vec3 f = to_face(p) - Vec3{0, 0, -.05f};
+    float out = std::sqrt(f.x * f.x + f.z * f.z) + .05f, x = f.x < 0 ? -f.x : f.x;
+    float turn = (f.z > 0 ? 1 - x / out : x / out - 1) * 11;  // from the front round to the back
+    float place = turn - float(int(turn + 16) - 16), wave = place * (1 - place) * 4;
+    return .84f + .20f * wave;
+}
+
+uint32_t scaled_colour(uint32_t colour, float f) {
+    uint32_t out = colour & 0xff000000u;
+    for (int shift = 0; shift < 24; shift += 8)
+        out |= uint32_t(clamp(float(colour >> shift & 0xff) * f, 0, 255)) << shift;
+    return out;
+}
+
+void add_accessory(const Accessory& a, const Figure& figure, const Field& field,
+                   const std::array<Vec3, k_joint_count>& bind, Character& person) {
+    auto first = uint32_t(person.vertices.size());
+    std::vector<uint16_t> near;
+    for (size_t i = 0; i < a.solid.positions.size(); ++i) {
+        CharacterVertex v;
+        v.position = a.solid.positions[i];
+        v.normal = a.solid.normals[i];
+        v.tint = a.tint;
+        float open = openness(field, v.position + v.normal * .004f, v.normal, near);
+        v.colour = scaled_colour(a.colour, .55f + .45f * open);
+        std::array<float, k_joint_count> weights{};
+        if (a.joint >= 0)
+            weights[size_t(a.joint)] = 1;
+        else
+            weights = skin_weights(v.position, layer_top, figure, bind);
+        pack_weights(weights, v);
+        person.vertices.push_back(v);
+    }
+    for (uint32_t i : a.solid.indices) person.lods[0].push_back(first + i);
+}
+
+// The normal of a surface that had normal n at p before it was warped.
+Vec3 warped_normal(const Figure& figure, Vec3 p, Vec3 n) {
+    constexpr float h = 1e-3f;
+    Vec3 u = normalize_or(cross(n, n.y * n.y < .5f ? Vec3{0, 1, 0} : Vec3{1, 0, 0}), {1, 0, 0});
+    Vec3 v = cross(n, u);
+    return normalize_or(cross(warped(figure, p + u * h) - warped(figure, p - u * h),
+                              warped(figure, p + v * h) - warped(figure, p - v * h)),
+                        n);
+}
+
+// From the adult of height 1 to the person, and the joints that go with it.
+void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Character& person) {
+    for (CharacterVertex& v : person.vertices) {
+        v.normal = warped_normal(figure, v.position, v.normal);
+        v.position = warped(figure, v.position) * figure.height;
+    }
+    for (Vec3& joint : bind) joint = warped(figure, joint);
+    Body& body = person.body = figure_body(bind);
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        body.joints[j] = body.joints[j] * figure.height;
+        person.bind_joints[j] = bind[j] * figure.height;
+    }
+    body.height *= figure.height;
+    body.heel *= figure.height;
+    body.toe *= figure.height;
+    for (int first : {int(left_upper_arm), int(right_upper_arm)})
+        for (int j = first; j <= first + 2; ++j) {
+            int from = std::min(j, first + 1);  // the hand is held as the forearm is
+            Vec3 way = normalize_or(bind[size_t(from + 1)] - bind[size_t(from)], {0, -1, 0});
+            person.bind_to_canonical[size_t(j)] = rotation_between(way, {0, -1, 0});
+        }
+}
+
+}  // namespace
+
+Character generate_person(const PersonOptions& options) {
+    Figure figure = choose_figure(options);
+    Field field = figure_field(figure);
+    FieldMesh mesh = polygonise(field, person_grid());
+    const auto looks = material_looks(figure);
+    std::array<Layer, k_material_count> layer_of;
+    for (size_t m = 0; m < layer_of.size(); ++m) layer_of[m] = looks[m].layer;
+    mesh =
+        cut_materials(mesh, field, layer_of, [&](const LayerDistances& layers, Vec3 p, std::span<float> out) {
+            material_distances(figure, layers, p, out);
+        });
+    const std::vector<Accessory> accessories = make_accessories(figure, field);
+    size_t carried = 0;
+    for (const Accessory& a : accessories) carried += a.solid.indices.size() / 3;
+    simplify_mesh(mesh, k_finest_triangles - carried, importance);
+
+    Character person;
+    person.person = options;
+    person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
+    const auto bind = bind_joints(figure);
+    const std::vector<Vec3> facing = facing_of(mesh);
+    std::vector<uint16_t> near;
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+        const MaterialLook& look = looks[mesh.materials[v]];
+        Vec3 p = mesh.positions[v];
+        parts_near(field, p, .01f, near);
+        CharacterVertex vertex;
+        vertex.normal = normalize_or(gradient(field, near, p, look.layer), {0, 1, 0});
+        // Where garments meet, the field of one bends away under the other.
+        if (dot(vertex.normal, facing[v]) < .6f) vertex.normal = facing[v];
+        vertex.tint = look.tint;
+        pack_weights(skin_weights(p, look.layer, figure, bind), vertex);
+        float light = .55f + .45f * openness(field, p, vertex.normal, near);
+        if (look.layer == layer_hair) light = strand(p) * (.3f + .7f * light);
+        vertex.colour = scaled_colour(look.colour, light);
+        vertex.position = p;
+        person.vertices.push_back(vertex);
+    }
+    person.lods.push_back(std::move(mesh.indices));
+    for (const Accessory& a : accessories) add_accessory(a, figure, field, bind, person);
+
+    warp_person(figure, bind, person);
+    build_person_lods(person);
+    return person;
+}
+
+}  // namespace flaneur

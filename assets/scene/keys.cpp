@@ -1,0 +1,495 @@
+#include "assets/scene/keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "assets/scene/json_place.h"
+
+namespace flaneur {
+
+namespace {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
+
+// A scene is some lines; what its parser and its errors take grows with these.
+constexpr size_t k_most_depth = 8, k_most_values = 10'000, k_most_faults = 50;
+
+// A reading under way: where it is, and what was wrong so far.
+struct SceneReading {
+    std::string_view text;
+    std::vector<std::string> path;
+    std::vector<SceneFault> faults;
+};
+
+std::string in_quotes(std::string text) {
+    text.insert(text.begin(), '"');
+    text += '"';
+    return text;
+}
+
+void add_fault(SceneReading& r, const std::string& what, bool of_key = false) {
+    if (r.faults.size() == k_most_faults) return;
+    JsonPlace place = place_in_json(r.text, r.path, of_key);
+    std::string whose;
+    if (r.path.size() > 1)
+        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
+    r.faults.push_back({place.line, place.column, whose + what});
+}
+
+enum class KeyKind { flag, whole, number, text, texts, people };
+
+// What may stand at a key.
+struct KeyRule {
+    KeyKind kind;
+    double low = 0, high = 0;             // of numbers; 2^64 stands for the greatest number of 64 bits
+    std::string pattern = std::string();  // of a text: a regular expression; what it lets through is parsed
+    // Texts that may stand there; none: any but the empty one.
+    std::vector<std::string> words = std::vector<std::string>();
+};
+
+template <class Of>
+struct SceneKey {
+    const char* name;
+    KeyRule rule;
+    const char* usual;    // JSON: what holds without the key; null where nothing does
+    const char* example;  // JSON
+    const char* meaning;
+    void (*take)(SceneReading& r, Of& to, const Json& value);  // a value that the rule has nothing against
+};
+
+template <class T, class To>
+void take_parsed(SceneReading& r, const Result<T>& parsed, To& to) {
+    if (parsed) {
+        to = *parsed;
+    } else {
+        add_fault(r, in_quotes(r.path.back()) + ": " + parsed.error().message);
+    }
+}
+
+// One of "people": a file, or the built-in people.
+struct PeopleItem {
+    PeopleShare people;
+    bool is_builtin = false;
+};
+
+const std::vector<SceneKey<PeopleItem>>& people_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    using Item = PeopleItem;
+    static const std::vector<SceneKey<PeopleItem>> keys = {
+        {"character",
+         {text},
+         nullptr,
+         R"("robot.glb")",
+         "A glTF or VRM file, .glb, .gltf or .vrm, of a skinned humanoid. A relative path starts at the "
+         "scene's folder.",
+         [](Reading&, Item& to, const Json& v) { to.people.character = v; }},
+        {"builtin",
+         {flag},
+         "false",
+         "true",
+         "The built-in people, in place of a file.",
+         [](Reading&, Item& to, const Json& v) { to.is_builtin = v; }},
+        {"share",
+         {number, k_least_share, k_most_share},
+         "1",
+         "9",
+         "Their part of all walkers, against the parts of the others.",
+         [](Reading&, Item& to, const Json& v) { to.people.share = v; }},
+    };
+    return keys;
+}
+
+void read_people(SceneReading& r, Scene& scene, const Json& list);
+
+// In the order of the schema and of docs/scenes.md.
+const std::vector<SceneKey<Scene>>& scene_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    const std::string coordinate = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
+    const std::string point = coordinate + "," + coordinate + "," + coordinate;
+    auto degrees = [](const std::string& digits) { return "-?0*" + digits; };
+    const std::string pixels = "0*([1-9][0-9]{0,2}|[1-7][0-9]{3}|80[0-9]{2}|81[0-8][0-9]|819[0-2])";
+    static const std::vector<SceneKey<Scene>> keys = {
+        {"$schema",
+         {text},
+         nullptr,
+         R"("scene.schema.json")",
+         "Where this schema is, for editors; the program does not read it.",
+         [](Reading&, Scene&, const Json&) {}},
+        {"about",
+         {text},
+         nullptr,
+         R"("The market on a Saturday")",
+         "One line on the scene, as `flaneur scenes` shows it.",
+         [](Reading&, Scene& s, const Json& v) { s.about = v; }},
+        {"city",
+         {text},
+         nullptr,
+         R"("berlin.osm.pbf")",
+         "An OpenStreetMap extract (.osm, .osm.pbf) or a glTF scene (.glb, .gltf); without it, the built-in "
+         "district. A relative path starts at the scene's folder.",
+         [](Reading&, Scene& s, const Json& v) { s.city = v; }},
+        {"center",
+         {text, 0, 0,
+          degrees("([0-8]?[0-9](\\.[0-9]*)?|90(\\.0*)?)") + "," +
+              degrees("((1[0-7][0-9]|[0-9]?[0-9])(\\.[0-9]*)?|180(\\.0*)?)")},
+         nullptr,
+         R"("52.5163,13.3777")",
+         "LAT,LON in degrees: the middle of what is drawn of an OpenStreetMap city; without it, the whole "
+         "map "
+         "or, of a large one, where there is most to see.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_place(v), s.center); }},
+        {"radius",
+         {number, k_least_map_radius, k_most_map_radius},
+         nullptr,
+         "800",
+         "How far the part of an OpenStreetMap city that is drawn reaches from its middle to each side, "
+         "metres; without it, as far as can be built in half a minute.",
+         [](Reading&, Scene& s, const Json& v) { s.radius = v; }},
+        {"asteroid",
+         {flag},
+         "false",
+         "true",
+         "People walk all round the built-in asteroid, not in a city.",
+         [](Reading&, Scene& s, const Json& v) { s.asteroid = v; }},
+        {"terrain",
+         {text},
+         nullptr,
+         R"("N43E007.hgt.zip")",
+         "Heights of the ground under an OpenStreetMap city: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF "
+         "(.tif); without it, level ground. A relative path starts at the scene's folder.",
+         [](Reading&, Scene& s, const Json& v) { s.terrain = v; }},
+        {"scale",
+         {number, k_least_scale, k_most_scale},
+         "1",
+         "0.01",
+         "Metres to a unit of a glTF city.",
+         [](Reading&, Scene& s, const Json& v) { s.scale = v; }},
+        {"blocks",
+         {whole, 1, 32},
+         "4",
+         "1",
+         "Blocks along an edge of the built-in district, which grows where its walkers need more.",
+         [](Reading&, Scene& s, const Json& v) { s.blocks = v; }},
+        {"seed",
+         {whole, 0, 0x1p64},
+         "1",
+         "7",
+         "Another seed makes other people, ways and, built in, another city.",
+         [](Reading&, Scene& s, const Json& v) { s.seed = v; }},
+        {"walkers",
+         {whole, 0, k_max_walkers},
+         "500",
+         "2000",
+         "How many people walk.",
+         [](Reading&, Scene& s, const Json& v) { s.walkers = v; }},
+        {"people",
+         {people},
+         nullptr,
+         R"([{"character": "robot.glb", "share": 1}, {"builtin": true, "share": 9}])",
+         "Who they are; without it, the built-in people.",
+         read_people},
+        {"idles",
+         {texts},
+         nullptr,
+         R"(["me.glb:Idle"])",
+         "Animations that those who stand play: FILE or FILE:CLIP, glTF files of skinned humanoids. Relative "
+         "paths start at the scene's folder.",
+         [](Reading&, Scene& s, const Json& v) { s.idles = v.get<std::vector<std::string>>(); }},
+        {"time",
+         {text, 0, 0, "([01][0-9]|2[0-3]):[0-5][0-9]"},
+         R"("17:30")",
+         R"("08:15")",
+         "The time of day at the first tick, HH:MM, which moves the sun and sends people elsewhere.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_time(v), s.hour); }},
+        {"sun_height",
+         {number, -90, 90},
+         nullptr,
+         "28",
+         "Degrees of the sun above the horizon; without it, as the time has it.",
+         [](Reading&, Scene& s, const Json& v) { s.sun_height = v.get<float>(); }},
+        {"sun_heading",
+         {number, 0, 360},
+         nullptr,
+         "235",
+         "Degrees of the sun clockwise from north; without it, as the time has it.",
+         [](Reading&, Scene& s, const Json& v) { s.sun_heading = v.get<float>(); }},
+        {"weather",
+         {text, 0, 0, {}, {"clear", "overcast"}},
+         R"("clear")",
+         R"("overcast")",
+         "The weather.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
+        {"camera",
+         {text, 0, 0, "street|overview|follow:0*[0-9]{1,5}|" + point + "/" + point},
+         R"("street")",
+         R"("0,1.7,-20/0,1.5,0")",
+         "Where to look from: street, overview, follow:ID (behind a walker, numbered from 0), or "
+         "EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_camera(v), s.camera); }},
+        {"size",
+         {text, 0, 0, pixels + "x" + pixels},
+         R"("1280x720")",
+         R"("1920x1080")",
+         "Width and height of the picture or the window, pixels, 1 to 8192 each.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_size(v), s.size); }},
+        {"quality",
+         {text, 0, 0, {}, {std::begin(k_quality_names), std::end(k_quality_names)}},
+         nullptr,
+         R"("high")",
+         "How finely pictures are drawn; without it, medium on a CPU and ultra on a GPU.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_quality(v), s.quality); }},
+        {"view",
+         {texts, 0, 0, {}, {std::begin(k_work_view_names), std::end(k_work_view_names)}},
+         "[]",
+         R"(["skeletons", "trails"])",
+         "Views for work that are on: one of wireframe, normals and overdraw, one of lods and speed, one of "
+         "density and walkable, and any of the others.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_work_views(v), s.views); }},
+    };
+    return keys;
+}
+
+// Whole numbers without a point.
+OrderedJson bound(double value) {
+    if (value >= 0x1p64) return ~uint64_t{0};
+    return value == std::floor(value) ? OrderedJson(static_cast<int64_t>(value)) : OrderedJson(value);
+}
+
+bool is_in_range(const KeyRule& rule, const Json& value) {
+    if (!value.is_number()) return false;
+    auto number = value.get<double>();
+    bool has_part = value.is_number_float() && (number != std::floor(number) || number >= 0x1p64);
+    if (rule.kind == KeyKind::whole && has_part) return false;
+    return number >= rule.low && number <= rule.high;
+}
+
+// What a value must be that it is not; empty: nothing.
+std::string refusal(const KeyRule& rule, const Json& value) {
+    auto is_text = [](const Json& v) { return v.is_string() && !v.get_ref<const std::string&>().empty(); };
+    auto range = [&](std::string what) {
+        if (is_in_range(rule, value)) return std::string();
+        what += " number from " + bound(rule.low).dump() + " to " + bound(rule.high).dump();
+        return what;
+    };
+    switch (rule.kind) {
+        case KeyKind::flag:
+            return value.is_boolean() ? "" : "true or false";
+        case KeyKind::whole:
+            return range("a whole");
+        case KeyKind::number:
+            return range("a");
+        case KeyKind::text:
+            return is_text(value) ? "" : "a text in quotes";
+        case KeyKind::texts:
+            return value.is_array() && std::all_of(value.begin(), value.end(), is_text) ? ""
+                                                                                        : "a list of texts";
+        case KeyKind::people:
+            return value.is_array() ? "" : R"(a list such as [{"builtin": true, "share": 9}])";
+    }
+    return "";
+}
+
+// As a sentence quotes it.
+std::string shown(const Json& value) {
+    return excerpt(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+// The keys of one object. `owner` may have these.
+template <class Of>
+void read_keys(SceneReading& r, const std::vector<SceneKey<Of>>& keys, const char* owner, const Json& object,
+               Of& to) {
+    for (const auto& [name, value] : object.items()) {
+        r.path.push_back(name);
+        auto key = std::find_if(keys.begin(), keys.end(),
+                                [&, &known = name](const auto& k) { return k.name == known; });
+        if (key == keys.end()) {
+            std::vector<std::string> names;
+            names.reserve(keys.size());
+            for (const SceneKey<Of>& k : keys) names.emplace_back(k.name);
+            add_fault(r, in_quotes(excerpt(name)) + " is not known; " + owner + " may have " + joined(names),
+                      true);
+        } else if (std::string must = refusal(key->rule, value); !must.empty()) {
+            add_fault(r, in_quotes(name) + " must be " + must + ", not " + shown(value));
+        } else {
+            key->take(r, to, value);
+        }
+        r.path.pop_back();
+    }
+}
+
+void read_people(SceneReading& r, Scene& scene, const Json& list) {
+    for (size_t i = 0; i < list.size(); ++i) {
+        r.path.push_back(std::to_string(i));
+        PeopleItem item;
+        size_t faults = r.faults.size();
+        if (list[i].is_object()) read_keys(r, people_keys(), "it", list[i], item);
+        if (faults == r.faults.size() && item.is_builtin == !item.people.character.empty())
+            add_fault(r, R"(it must have either "character": "FILE" or "builtin": true)");
+        scene.people.push_back(item.people);
+        r.path.pop_back();
+    }
+}
+
+bool is_gltf(const Scene& scene) { return !scene.city.empty() && kind_of(scene.city) != FileKind::map; }
+
+// What cannot be at once, as the reader sees it and as a schema says it.
+struct SceneClash {
+    const char* key;  // of both the one to blame
+    const char* what;
+    bool (*is_there)(const Scene& scene, const Json& json);
+    const char* schema;
+};
+constexpr SceneClash k_clashes[] = {
+    {"asteroid", R"("asteroid" and "city" are two places; people walk in one)",
+     [](const Scene& s, const Json&) { return s.asteroid && !s.city.empty(); },
+     R"({"required": ["asteroid", "city"], "properties": {"asteroid": {"const": true}}})"},
+    {"terrain", R"("terrain" lies under an OpenStreetMap city, not on the "asteroid")",
+     [](const Scene& s, const Json&) { return s.asteroid && !s.terrain.empty(); },
+     R"({"required": ["asteroid", "terrain"], "properties": {"asteroid": {"const": true}}})"},
+    {"center", R"("center" is of OpenStreetMap cities, not of glTF ones)",
+     [](const Scene& s, const Json&) { return s.center && is_gltf(s); },
+     R"({"required": ["center", "city"], "properties": {"city": {"not": {"pattern":)"
+     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+    {"center", R"("center" is of OpenStreetMap cities, not of the "asteroid")",
+     [](const Scene& s, const Json&) { return s.center && s.asteroid; },
+     R"({"required": ["asteroid", "center"], "properties": {"asteroid": {"const": true}}})"},
+    {"radius", R"("radius" is of OpenStreetMap cities, not of glTF ones)",
+     [](const Scene& s, const Json&) { return s.radius > 0 && is_gltf(s); },
+     R"({"required": ["radius", "city"], "properties": {"city": {"not": {"pattern":)"
+     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+    {"radius", R"("radius" is of OpenStreetMap cities, not of the "asteroid")",
+     [](const Scene& s, const Json&) { return s.radius > 0 && s.asteroid; },
+     R"({"required": ["asteroid", "radius"], "properties": {"asteroid": {"const": true}}})"},
+    {"scale", R"("scale" is of glTF cities; an OpenStreetMap city is in metres)",
+     [](const Scene& s, const Json& json) {
+         return json.contains("scale") && kind_of(s.city) == FileKind::map;
+     },
+     R"({"required": ["scale", "city"], "properties": {"city": {"pattern":)"
+     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}})"},
+};
+
+template <class Of>
+OrderedJson object_schema(const std::vector<SceneKey<Of>>& keys);
+
+// Views that go one at a time, as pairs that a list has not both.
+OrderedJson rivals_schema() {
+    auto pairs = OrderedJson::array();
+    for (int a = 0; a < k_work_views; ++a) {
+        for (int b = a + 1; b < k_work_views; ++b) {
+            if (!(rivals_of(static_cast<WorkView>(a)) >> b & 1)) continue;
+            OrderedJson both = {{{"contains", {{"const", k_work_view_names[a]}}}},
+                                {{"contains", {{"const", k_work_view_names[b]}}}}};
+            pairs.push_back({{"not", {{"allOf", both}}}});
+        }
+    }
+    return pairs;
+}
+
+template <class Of>
+OrderedJson key_schema(const SceneKey<Of>& key) {
+    OrderedJson one;
+    OrderedJson text = {{"type", "string"}};
+    if (!key.rule.pattern.empty()) {
+        text["pattern"] = "^(" + key.rule.pattern + ")$";
+    } else if (!key.rule.words.empty()) {
+        text["enum"] = key.rule.words;
+    } else {
+        text["minLength"] = 1;
+    }
+    switch (key.rule.kind) {
+        case KeyKind::flag:
+            one["type"] = "boolean";
+            break;
+        case KeyKind::whole:
+        case KeyKind::number:
+            one["type"] = key.rule.kind == KeyKind::whole ? "integer" : "number";
+            one["minimum"] = bound(key.rule.low);
+            one["maximum"] = bound(key.rule.high);
+            break;
+        case KeyKind::text:
+            one = text;
+            break;
+        case KeyKind::texts:
+            one = {{"type", "array"}, {"items", text}};
+            if (!key.rule.words.empty()) one["allOf"] = rivals_schema();
+            break;
+        case KeyKind::people:
+            one = {{"type", "array"}, {"items", object_schema(people_keys())}};
+            one["items"]["oneOf"] = OrderedJson::parse(
+                R"([{"required": ["character"], "properties": {"builtin": {"const": false}}},
+                    {"required": ["builtin"], "properties": {"builtin": {"const": true}, "character": false}}])");
+            break;
+    }
+    one["description"] = key.meaning;
+    if (key.usual) one["default"] = OrderedJson::parse(key.usual);
+    one["examples"] = OrderedJson::array({OrderedJson::parse(key.example)});
+    return one;
+}
+
+template <class Of>
+OrderedJson object_schema(const std::vector<SceneKey<Of>>& keys) {
+    OrderedJson schema = {{"type", "object"}, {"additionalProperties", false}};
+    for (const SceneKey<Of>& key : keys) schema["properties"][key.name] = key_schema(key);
+    return schema;
+}
+
+// Where a number is too large for a parser, which says its digits but not its place.
+size_t place_of_digits(std::string_view text, std::string_view said) {
+    size_t from = said.find('\''), to = said.rfind('\'');
+    size_t at = from < to ? text.find(said.substr(from + 1, to - from - 1)) : 0;
+    return at == std::string_view::npos ? 0 : at;
+}
+
+}  // namespace
+
+std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
+    auto fault = [&](size_t at, const std::string& what) {
+        JsonPlace place = place_at(text, at);
+        return std::vector<SceneFault>{{place.line, place.column, what}};
+    };
+    if (auto sound = check_json(text, k_most_depth, k_most_values); !sound)
+        return fault(0, "it " + sound.error().message);
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        return fault(std::min(error.byte > 0 ? error.byte - 1 : 0, text.size()), "this is not JSON");
+    } catch (const Json::out_of_range& error) {
+        return fault(place_of_digits(text, error.what()), "this number is too large");
+    }
+    if (auto at = find_repeated_key(text)) return fault(*at, "this key is there twice; leave one");
+    SceneReading r{text, {}, {}};
+    if (!json.is_object()) {
+        add_fault(r, R"(a scene must be an object, such as { "walkers": 500 })");
+        return r.faults;
+    }
+    read_keys(r, scene_keys(), "a scene", json, scene);
+    for (const SceneClash& clash : k_clashes) {
+        if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
+        r.path = {clash.key};
+        add_fault(r, clash.what, true);
+    }
+    std::sort(r.faults.begin(), r.faults.end(), [](const SceneFault& a, const SceneFault& b) {
+        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
+    return r.faults;
+}
+
+std::string scene_schema() {
+    OrderedJson schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                          {"title", "A scene of flaneur"},
+                          {"description", "What to simulate and from where to look."}};
+    schema.update(object_schema(scene_keys()));
+    for (const SceneClash& clash : k_clashes)
+        schema["allOf"].push_back({{"not", OrderedJson::parse(clash.schema)}});
+    return schema.dump(4) + "\n";
+}
+
+}  // namespace flaneur

@@ -1,0 +1,130 @@
+#include "assets/look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "assets/scene.h"
+
+namespace flaneur {
+
+namespace {
+
+bool parse_point(std::string_view text, Vec3& to) {
+    auto parts = split(text, ',');
+    constexpr float k_far = 1e6f;
+    float* values[] = {&to.x, &to.y, &to.z};
+    if (parts.size() != 3) return false;
+    for (size_t i = 0; i < 3; ++i) {
+        if (!parse_number(parts[i], *values[i]) || !(*values[i] >= -k_far && *values[i] <= k_far))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Result<CameraChoice> parse_camera(const std::string& text) {
+    CameraChoice camera;
+    if (text == "street") return camera;
+    camera.kind = CameraChoice::Kind::overview;
+    if (text == "overview") return camera;
+    constexpr std::string_view k_follow = "follow:";
+    camera.kind = CameraChoice::Kind::follow;
+    if (text.starts_with(k_follow) &&
+        parse_number(std::string_view(text).substr(k_follow.size()), camera.walker) &&
+        camera.walker < k_max_walkers)
+        return camera;
+    camera.kind = CameraChoice::Kind::fixed;
+    auto points = split(text, '/');
+    if (points.size() == 2 && parse_point(points[0], camera.eye) && parse_point(points[1], camera.target)) {
+        if (length(camera.target - camera.eye) > 1e-3f) return camera;
+        return Error{excerpt(text) + " looks at where it stands; eye and target must differ"};
+    }
+    return Error{
+        excerpt(text) +
+        " is none of overview, street, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)"};
+}
+
+uint32_t rivals_of(WorkView view) {
+    auto bit = [](WorkView v) { return 1u << static_cast<int>(v); };
+    using enum WorkView;
+    for (uint32_t group : {bit(wireframe) | bit(normals) | bit(overdraw), bit(lods) | bit(speed),
+                           bit(density) | bit(walkable)})
+        if (group & bit(view)) return group & ~bit(view);
+    return 0;
+}
+
+WorkViews toggled(WorkViews views, WorkView view) {
+    views.mask &= ~rivals_of(view);
+    views.mask ^= 1u << static_cast<int>(view);
+    return views;
+}
+
+Result<WorkViews> parse_work_views(const std::vector<std::string>& names) {
+    WorkViews views;
+    for (const std::string& name : names) {
+        const auto* at = std::find(std::begin(k_work_view_names), std::end(k_work_view_names), name);
+        if (at == std::end(k_work_view_names))
+            return Error{excerpt(name) + " is no view; there are " + joined(k_work_view_names)};
+        const auto view = static_cast<WorkView>(at - std::begin(k_work_view_names));
+        if (views.mask & rivals_of(view))
+            return Error{joined(names) +
+                         " ask for too much at once: one of wireframe, normals and overdraw, one of lods and "
+                         "speed, one of density and walkable"};
+        views.mask |= 1u << static_cast<int>(view);
+    }
+    return views;
+}
+
+Result<Size> parse_size(const std::string& text) {
+    constexpr int k_most = 8192;
+    auto parts = split(text, 'x');
+    Size size;
+    if (parts.size() == 2 && parse_number(parts[0], size.width) && parse_number(parts[1], size.height) &&
+        size.width >= 1 && size.width <= k_most && size.height >= 1 && size.height <= k_most)
+        return size;
+    return Error{excerpt(text) + " is not a width and a height from 1 to 8192, such as 1280x720"};
+}
+
+Result<MapPlace> parse_place(const std::string& text) {
+    auto parts = split(text, ',');
+    MapPlace place;
+    // Digits with a sign and a point at most, not in the words and powers that numbers may be written in.
+    auto is_plain = [](std::string_view part) {
+        size_t first = part.starts_with('-');
+        return part.size() > first && part[first] != '.' &&
+               part.find_first_not_of("0123456789.", first) == std::string_view::npos;
+    };
+    if (parts.size() == 2 && is_plain(parts[0]) && is_plain(parts[1]) &&
+        parse_number(parts[0], place.latitude) && parse_number(parts[1], place.longitude) &&
+        std::abs(place.latitude) <= 90 && std::abs(place.longitude) <= 180)
+        return place;
+    return Error{excerpt(text) +
+                 " is not a latitude from -90 to 90 and a longitude from -180 to 180 in degrees, such as "
+                 "52.5163,13.3777"};
+}
+
+Result<float> parse_time(const std::string& text) {
+    auto digit = [&](size_t i) { return text[i] >= '0' && text[i] <= '9' ? text[i] - '0' : 99; };
+    bool shaped = text.size() == 5 && text[2] == ':';
+    int hours = shaped ? digit(0) * 10 + digit(1) : 99, minutes = shaped ? digit(3) * 10 + digit(4) : 99;
+    if (hours > 23 || minutes > 59)
+        return Error{excerpt(text) + " is not a time from 00:00 to 23:59, such as 17:30"};
+    return static_cast<float>(hours) + static_cast<float>(minutes) / 60;
+}
+
+Result<bool> parse_weather(const std::string& text) {
+    if (text == "clear" || text == "overcast") return text == "overcast";
+    return Error{excerpt(text) + " is neither clear nor overcast, which weather is"};
+}
+
+Result<std::string> parse_quality(const std::string& text) {
+    const auto* at = std::find(std::begin(k_quality_names), std::end(k_quality_names), text);
+    if (at != std::end(k_quality_names)) return text;
+    return Error{excerpt(text) + " is none of " + joined(k_quality_names)};
+}
+
+}  // namespace flaneur

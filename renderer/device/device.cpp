@@ -1,0 +1,289 @@
+#define VOLK_IMPLEMENTATION
+#include "renderer/device/device.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstring>
+
+#include "renderer/device/check.h"
+
+namespace flaneur {
+namespace {
+
+constexpr const char* k_validation_layer = "VK_LAYER_KHRONOS_validation";
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_debug_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                VkDebugUtilsMessageTypeFlagsEXT,
+                                                const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                void* user) {
+    auto& device = *static_cast<Device*>(user);
+    ++device.messages;
+    if (device.on_message)
+        device.on_message(data->pMessage);
+    else
+        std::fprintf(stderr, "%s\n", data->pMessage);
+    return VK_FALSE;
+}
+
+bool has_layer(const char* name) {
+    uint32_t count = 0;
+    vkEnumerateInstanceLayerProperties(&count, nullptr);
+    std::vector<VkLayerProperties> layers(count);
+    vkEnumerateInstanceLayerProperties(&count, layers.data());
+    return std::any_of(layers.begin(), layers.end(),
+                       [&](const auto& layer) { return std::strcmp(layer.layerName, name) == 0; });
+}
+
+bool has_instance_extension(const char* layer, const char* name) {
+    uint32_t count = 0;
+    if (vkEnumerateInstanceExtensionProperties(layer, &count, nullptr) != VK_SUCCESS) return false;
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateInstanceExtensionProperties(layer, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
+    });
+}
+
+bool has_device_extension(VkPhysicalDevice physical, const char* name) {
+    uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(), [&](const auto& extension) {
+        return std::strcmp(extension.extensionName, name) == 0;
+    });
+}
+
+Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) {
+    // Where somebody has found Vulkan already (volkInitializeCustom), theirs is taken.
+    if (volkGetInstanceVersion() == 0 && volkInitialize() != VK_SUCCESS)
+        return Error{
+            "There is no Vulkan on this machine (libvulkan.so.1 was not found): install libvulkan1 and a "
+            "driver, for instance mesa-vulkan-drivers."};
+    if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
+        return Error{"The Vulkan loader is older than 1.3: install a newer libvulkan1."};
+
+    std::vector<const char*> extensions, layers;
+    if (window) {
+        uint32_t count = 0;
+        const char** names = glfwGetRequiredInstanceExtensions(&count);
+        if (!names)
+            return Error{
+                "No Vulkan driver here can draw into a window: install mesa-vulkan-drivers or your GPU's "
+                "driver, or draw off-screen with `render`."};
+        extensions.assign(names, names + count);
+    } else if (has_instance_extension(nullptr, VK_KHR_SURFACE_EXTENSION_NAME)) {
+        // volk's function pointers are one set for all instances: what one has, all must have.
+        extensions.push_back(VK_KHR_SURFACE_EXTENSION_NAME);
+    }
+    if (validation) {
+        if (!has_layer(k_validation_layer))
+            return Error{
+                "Validation was asked for, but VK_LAYER_KHRONOS_validation is not installed: install "
+                "vulkan-validationlayers."};
+        layers.push_back(k_validation_layer);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    }
+    device.has_labels = has_instance_extension(nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (device.has_labels || validation) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+
+    VkDebugUtilsMessengerCreateInfoEXT messenger{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+    messenger.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    messenger.messageType =
+        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+    messenger.pfnUserCallback = on_debug_message;
+    messenger.pUserData = &device;
+    const VkValidationFeatureEnableEXT enabled[] = {
+        VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    VkValidationFeaturesEXT features{VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT, &messenger};
+    features.enabledValidationFeatureCount = 1;
+    features.pEnabledValidationFeatures = enabled;
+
+    VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+    application.pApplicationName = "flaneur";
+    application.apiVersion = VK_API_VERSION_1_3;
+    VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    info.pNext = validation ? &features : nullptr;
+    info.pApplicationInfo = &application;
+    info.enabledLayerCount = static_cast<uint32_t>(layers.size());
+    info.ppEnabledLayerNames = layers.data();
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    FLANEUR_VK(vkCreateInstance(&info, nullptr, &device.instance), "start");
+    volkLoadInstance(device.instance);
+    if (validation)
+        FLANEUR_VK(vkCreateDebugUtilsMessengerEXT(device.instance, &messenger, nullptr, &device.messenger),
+                   "listen to the validation layer");
+    return window ? make_surface(device, window) : Result<void>();
+}
+
+// The family that draws, and presents if there is a surface; ~0u: none.
+uint32_t find_queue_family(VkPhysicalDevice physical, VkSurfaceKHR surface, bool* timestamps) {
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!(families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT)) continue;
+        VkBool32 presents = VK_TRUE;
+        if (surface && vkGetPhysicalDeviceSurfaceSupportKHR(physical, i, surface, &presents) != VK_SUCCESS)
+            presents = VK_FALSE;
+        if (!presents) continue;
+        *timestamps = families[i].timestampValidBits > 0;
+        return i;
+    }
+    return ~0u;
+}
+
+// What the device lacks, or nothing.
+std::string missing_from(VkPhysicalDevice physical, VkSurfaceKHR surface) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
+    VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13};
+    vkGetPhysicalDeviceFeatures2(physical, &features);
+    if (!features13.dynamicRendering) return "dynamic rendering";
+    if (!features13.synchronization2) return "synchronization2";
+    if (!features.features.multiDrawIndirect) return "multi-draw indirect";
+    if (!features.features.drawIndirectFirstInstance) return "a first instance in indirect draws";
+    if (!features.features.depthClamp) return "depth clamping";
+    bool timestamps = false;
+    if (find_queue_family(physical, surface, &timestamps) == ~0u)
+        return surface ? "a queue that draws into this window" : "a queue that draws";
+    if (surface && !has_device_extension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return "swapchains";
+    return {};
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+int speed_rank(VkPhysicalDeviceType type) {
+    switch (type) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return 0;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return 1;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU:
+            return 3;
+        default:
+            return 4;
+    }
+}
+
+Result<void> make_logical_device(Device& device) {
+    const float priority = 1;
+    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue.queueFamilyIndex = device.queue_family;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+    VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+    features13.dynamicRendering = VK_TRUE;
+    features13.synchronization2 = VK_TRUE;
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13};
+    features.features.multiDrawIndirect = VK_TRUE;
+    features.features.drawIndirectFirstInstance = VK_TRUE;
+    features.features.depthClamp = VK_TRUE;
+    VkPhysicalDeviceFeatures offered;
+    vkGetPhysicalDeviceFeatures(device.physical, &offered);
+    features.features.fillModeNonSolid = offered.fillModeNonSolid;
+    device.has_wireframe = offered.fillModeNonSolid;
+    features.features.pipelineStatisticsQuery = offered.pipelineStatisticsQuery;
+    device.has_counters = offered.pipelineStatisticsQuery == VK_TRUE;
+    const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = device.surface ? 1 : 0;
+    info.ppEnabledExtensionNames = &extension;
+    FLANEUR_VK(vkCreateDevice(device.physical, &info, nullptr, &device.handle),
+               std::string("open the device ") + device.properties.deviceName);
+    vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
+    return {};
+}
+
+}  // namespace
+
+Result<size_t> choose_device(const std::vector<DeviceChoice>& devices, const std::string& wanted) {
+    if (devices.empty())
+        return Error{
+            "No Vulkan driver was found: install mesa-vulkan-drivers (lavapipe draws on the CPU) or your "
+            "GPU's "
+            "driver."};
+    std::string list;
+    for (size_t i = 0; i < devices.size(); ++i) {
+        list += (i ? "; " : "") + std::to_string(i) + ": " + devices[i].name;
+        if (!devices[i].missing.empty()) list += " (lacks " + devices[i].missing + ")";
+    }
+    size_t best = devices.size();
+    const bool is_number =
+        !wanted.empty() && wanted.size() < 6 &&
+        std::all_of(wanted.begin(), wanted.end(), [](char c) { return c >= '0' && c <= '9'; });
+    for (size_t i = 0; i < devices.size(); ++i) {
+        const DeviceChoice& device = devices[i];
+        if (is_number ? std::stoul(wanted) != i
+                      : lower_case(device.name).find(lower_case(wanted)) == std::string::npos)
+            continue;
+        if (!device.missing.empty()) continue;
+        if (best == devices.size() ||
+            (wanted.empty() && speed_rank(device.type) < speed_rank(devices[best].type)))
+            best = i;
+    }
+    if (best < devices.size()) return best;
+    return Error{
+        (wanted.empty() ? "No Vulkan device fits" : "No fitting Vulkan device matches \"" + wanted + "\"") +
+        " (there is " + list + "): choose another with --device, or install mesa-vulkan-drivers."};
+}
+
+Result<void> make_surface(Device& device, GLFWwindow* window) {
+    FLANEUR_VK(glfwCreateWindowSurface(device.instance, window, nullptr, &device.surface),
+               "make a surface for the window");
+    return {};
+}
+
+Result<void> make_device(Device& device, const RendererOptions& options, GLFWwindow* window) {
+    device.on_message = options.on_message;
+    FLANEUR_TRY(make_instance(device, options.validation, window));
+    uint32_t count = 0;
+    if (VkResult result = vkEnumeratePhysicalDevices(device.instance, &count, nullptr);
+        result != VK_SUCCESS && result != VK_ERROR_INITIALIZATION_FAILED)
+        return vulkan_error(result, "list the devices");
+    std::vector<VkPhysicalDevice> physicals(count);
+    if (count > 0)
+        FLANEUR_VK(vkEnumeratePhysicalDevices(device.instance, &count, physicals.data()), "list the devices");
+    std::vector<DeviceChoice> choices;
+    for (VkPhysicalDevice physical : physicals) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(physical, &properties);
+        choices.push_back(
+            {properties.deviceName, properties.deviceType, missing_from(physical, device.surface)});
+    }
+    Result<size_t> chosen = choose_device(choices, options.device);
+    if (!chosen) return chosen.error();
+    device.physical = physicals[*chosen];
+    vkGetPhysicalDeviceProperties(device.physical, &device.properties);
+    vkGetPhysicalDeviceMemoryProperties(device.physical, &device.memory);
+    device.queue_family = find_queue_family(device.physical, device.surface, &device.has_timestamps);
+    return make_logical_device(device);
+}
+
+void destroy_device(Device& device) {
+    if (device.handle) vkDestroyDevice(device.handle, nullptr);
+    if (device.surface) vkDestroySurfaceKHR(device.instance, device.surface, nullptr);
+    if (device.messenger) vkDestroyDebugUtilsMessengerEXT(device.instance, device.messenger, nullptr);
+    if (device.instance) vkDestroyInstance(device.instance, nullptr);
+    device.handle = {};
+    device.surface = {};
+    device.messenger = {};
+    device.instance = {};
+}
+
+}  // namespace flaneur

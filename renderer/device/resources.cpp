@@ -1,0 +1,266 @@
+#include "renderer/device/resources.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "renderer/device/check.h"
+
+namespace flaneur {
+namespace {
+
+constexpr uint32_t k_no_type = ~0u;
+
+uint32_t find_memory_type(const Device& device, uint32_t allowed, VkMemoryPropertyFlags flags) {
+    for (uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
+        if ((allowed >> i & 1) && (device.memory.memoryTypes[i].propertyFlags & flags) == flags) return i;
+    return k_no_type;
+}
+
+// The first memory type of the best kind that the device has.
+uint32_t choose_memory_type(const Device& device, uint32_t allowed, MemoryKind kind) {
+    constexpr VkMemoryPropertyFlags host =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VkMemoryPropertyFlags best = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, good = 0;
+    if (kind == MemoryKind::upload) best = host | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, good = host;
+    if (kind == MemoryKind::readback) best = host | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, good = host;
+    uint32_t type = find_memory_type(device, allowed, best);
+    return type != k_no_type ? type : find_memory_type(device, allowed, good);
+}
+
+Result<void> allocate(const Device& device, const VkMemoryRequirements& needs, MemoryKind kind,
+                      VkDeviceMemory& memory) {
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    info.allocationSize = needs.size;
+    info.memoryTypeIndex = choose_memory_type(device, needs.memoryTypeBits, kind);
+    if (info.memoryTypeIndex == k_no_type)
+        return Error{"The Vulkan device has no memory of a kind that is needed."};
+    FLANEUR_VK(vkAllocateMemory(device.handle, &info, nullptr, &memory),
+               "allocate " + std::to_string(needs.size / 1024) + " KiB");
+    return {};
+}
+
+void barrier(VkCommandBuffer commands, const GpuImage& image, const Access& from, const Access& to,
+             VkImageSubresourceRange range) {
+    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = from.stage;
+    barrier.srcAccessMask = from.access;
+    barrier.oldLayout = from.layout;
+    barrier.dstStageMask = to.stage;
+    barrier.dstAccessMask = to.access;
+    barrier.newLayout = to.layout;
+    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = image.handle;
+    range.aspectMask = aspect_of(image.format);
+    barrier.subresourceRange = range;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.imageMemoryBarrierCount = 1;
+    info.pImageMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+// One barrier for each run of layers to which the same was done last.
+void ready_layers(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers, bool keeps) {
+    const uint32_t end = layers.first + std::min(layers.count, image.layers - layers.first);
+    for (uint32_t first = layers.first, after; first < end; first = after) {
+        Access from = image.last[first];
+        for (after = first; after < end && image.last[after] == from; ++after) image.last[after] = next;
+        if (!keeps) from.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+        barrier(commands, image, from, next, {0, 0, image.levels, first, after - first});
+    }
+}
+
+// A host buffer filled with `bytes`, for `use` alone.
+Result<void> with_staging(const Device& device, std::span<const std::byte> bytes,
+                          const std::function<Result<void>(VkBuffer)>& use) {
+    Buffer staging;
+    Result<void> result =
+        make_buffer(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload, staging);
+    if (result) {
+        std::memcpy(staging.mapped, bytes.data(), bytes.size());
+        result = use(staging.handle);
+    }
+    destroy_buffer(device, staging);
+    return result;
+}
+
+}  // namespace
+
+Result<void> make_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage, MemoryKind kind,
+                         Buffer& buffer) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = std::max<VkDeviceSize>(size, 256);
+    info.usage = usage;
+    FLANEUR_VK(vkCreateBuffer(device.handle, &info, nullptr, &buffer.handle), "make a buffer");
+    buffer.size = info.size;
+    VkMemoryRequirements needs;
+    vkGetBufferMemoryRequirements(device.handle, buffer.handle, &needs);
+    FLANEUR_TRY(allocate(device, needs, kind, buffer.memory));
+    FLANEUR_VK(vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0), "bind a buffer");
+    if (kind != MemoryKind::device)
+        FLANEUR_VK(vkMapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped),
+                   "map a buffer");
+    return {};
+}
+
+void destroy_buffer(const Device& device, Buffer& buffer) {
+    if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
+    if (buffer.memory) vkFreeMemory(device.handle, buffer.memory, nullptr);
+    buffer = {};
+}
+
+Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
+                            MemoryKind kind, Buffer& buffer) {
+    if (buffer.memory && size <= buffer.size) return {};
+    const VkDeviceSize grown = std::max(size, buffer.size + buffer.size / 2);
+    destroy_buffer(device, buffer);
+    Result<void> result = make_buffer(device, grown, usage, kind, buffer);
+    if (!result) destroy_buffer(device, buffer);
+    return result;
+}
+
+VkRenderingAttachmentInfo attachment(VkImageView view, VkAttachmentLoadOp load) {
+    VkRenderingAttachmentInfo info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
+    info.imageView = view;
+    info.imageLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL;
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    return info;
+}
+
+Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record) {
+    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool_info.queueFamilyIndex = device.queue_family;
+    VkCommandPool pool = {};
+    FLANEUR_VK(vkCreateCommandPool(device.handle, &pool_info, nullptr, &pool), "make a command pool");
+    auto run = [&]() -> Result<void> {
+        VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+        info.commandPool = pool;
+        info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        info.commandBufferCount = 1;
+        VkCommandBuffer commands = {};
+        FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &info, &commands), "make a command buffer");
+        VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+        FLANEUR_VK(vkBeginCommandBuffer(commands, &begin), "record commands");
+        record(commands);
+        FLANEUR_VK(vkEndCommandBuffer(commands), "record commands");
+        VkCommandBufferSubmitInfo command_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
+        command_info.commandBuffer = commands;
+        VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+        submit.commandBufferInfoCount = 1;
+        submit.pCommandBufferInfos = &command_info;
+        FLANEUR_VK(vkQueueSubmit2(device.queue, 1, &submit, VK_NULL_HANDLE), "submit commands");
+        FLANEUR_VK(vkQueueWaitIdle(device.queue), "finish commands");
+        return {};
+    };
+    Result<void> result = run();
+    vkDestroyCommandPool(device.handle, pool, nullptr);
+    return result;
+}
+
+VkImageAspectFlags aspect_of(VkFormat format) {
+    const bool depth = format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_D32_SFLOAT;
+    return depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image) {
+    image.format = shape.format;
+    image.width = shape.width;
+    image.height = shape.height;
+    image.layers = shape.layers;
+    image.levels = shape.levels;
+    image.last.assign(shape.layers, {});
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = shape.format;
+    info.extent = {shape.width, shape.height, 1};
+    info.mipLevels = shape.levels;
+    info.arrayLayers = shape.layers;
+    info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = shape.usage;
+    FLANEUR_VK(vkCreateImage(device.handle, &info, nullptr, &image.handle),
+               "make an image of " + std::to_string(shape.width) + " x " + std::to_string(shape.height));
+    VkMemoryRequirements needs;
+    vkGetImageMemoryRequirements(device.handle, image.handle, &needs);
+    FLANEUR_TRY(allocate(device, needs, MemoryKind::device, image.memory));
+    FLANEUR_VK(vkBindImageMemory(device.handle, image.handle, image.memory, 0), "bind an image");
+    constexpr VkImageUsageFlags viewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                         VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if (!(shape.usage & viewed)) return {};
+    VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+    view.image = image.handle;
+    view.viewType = shape.is_array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    view.format = shape.format;
+    view.subresourceRange = {aspect_of(shape.format), 0, shape.levels, 0, shape.layers};
+    FLANEUR_VK(vkCreateImageView(device.handle, &view, nullptr, &image.view), "make an image view");
+    return {};
+}
+
+void destroy_image(const Device& device, GpuImage& image) {
+    if (image.view) vkDestroyImageView(device.handle, image.view, nullptr);
+    if (image.handle) vkDestroyImage(device.handle, image.handle, nullptr);
+    if (image.memory) vkFreeMemory(device.handle, image.memory, nullptr);
+    image = {};
+}
+
+void image_to(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers) {
+    ready_layers(commands, image, next, layers, true);
+}
+
+void image_freshly_to(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers) {
+    ready_layers(commands, image, next, layers, false);
+}
+
+void forget_image(GpuImage& image) {
+    const Access anything = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT,
+                             VK_IMAGE_LAYOUT_UNDEFINED};
+    std::fill(image.last.begin(), image.last.end(), anything);
+}
+
+Result<void> upload_buffer(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
+                           Buffer& buffer) {
+    FLANEUR_TRY(make_buffer(device, bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                            MemoryKind::device, buffer));
+    if (bytes.empty()) return {};
+    return with_staging(device, bytes, [&](VkBuffer staging) {
+        return run_once(device, [&](VkCommandBuffer commands) {
+            const VkBufferCopy region{0, 0, bytes.size()};
+            vkCmdCopyBuffer(commands, staging, buffer.handle, 1, &region);
+        });
+    });
+}
+
+Result<void> upload_layers(const Device& device, std::span<const std::byte> texels, GpuImage& image) {
+    return with_staging(device, texels, [&](VkBuffer staging) {
+        return run_once(device, [&](VkCommandBuffer commands) {
+            constexpr VkImageAspectFlags colour = VK_IMAGE_ASPECT_COLOR_BIT;
+            image_freshly_to(commands, image, k_copied_to);
+            VkBufferImageCopy region{};
+            region.imageSubresource = {colour, 0, 0, image.layers};
+            region.imageExtent = {image.width, image.height, 1};
+            vkCmdCopyBufferToImage(commands, staging, image.handle, k_copied_to.layout, 1, &region);
+            auto size_at = [](uint32_t size, uint32_t level) {
+                return static_cast<int32_t>(std::max(1u, size >> level));
+            };
+            for (uint32_t level = 1; level < image.levels; ++level) {
+                barrier(commands, image, k_copied_to, k_copied_from, {0, level - 1, 1, 0, image.layers});
+                VkImageBlit blit{};
+                blit.srcSubresource = {colour, level - 1, 0, image.layers};
+                blit.srcOffsets[1] = {size_at(image.width, level - 1), size_at(image.height, level - 1), 1};
+                blit.dstSubresource = {colour, level, 0, image.layers};
+                blit.dstOffsets[1] = {size_at(image.width, level), size_at(image.height, level), 1};
+                vkCmdBlitImage(commands, image.handle, k_copied_from.layout, image.handle, k_copied_to.layout,
+                               1, &blit, VK_FILTER_LINEAR);
+            }
+            if (image.levels > 1)  // the last level is as it was copied to, like the image that remembers it
+                barrier(commands, image, k_copied_from, k_copied_to,
+                        {0, 0, image.levels - 1, 0, image.layers});
+            image_to(commands, image, k_sampled);
+        });
+    });
+}
+
+}  // namespace flaneur

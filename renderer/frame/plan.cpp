@@ -1,0 +1,126 @@
+#include "renderer/frame/plan.h"
+
+#include <algorithm>
+
+namespace flaneur {
+namespace {
+
+constexpr Slice k_far_slice = {0, 250};  // where the city throws shadows, metres
+
+DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> more,
+                 uint32_t first_instance) {
+    const DrawRange range{static_cast<uint32_t>(draws.size()), static_cast<uint32_t>(more.size())};
+    for (DrawCommand draw : more) {
+        draw.first_instance += first_instance;
+        draws.push_back(draw);
+    }
+    return range;
+}
+
+// Whether a view does not go on from the one before, but shows something else.
+bool is_cut(const View& before, const View& now) {
+    constexpr float farthest = 3, widest = 1.05f;  // metres; factor on the size of what is seen
+    const float zoom = now.pixels_at_one_metre / before.pixels_at_one_metre;
+    return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
+}
+
+void colour_by_level(std::span<const PersonRanges> people, CrowdDraws& crowd) {
+    auto level_of = [&](uint32_t first_index) {
+        for (const PersonRanges& person : people)
+            for (size_t level = 0; level < person.lods.size(); ++level)
+                if (person.lods[level].first_index == first_index) return level;
+        return size_t{0};
+    };
+    for (const DrawCommand& draw : crowd.draws) {
+        const uint32_t colour = k_level_colours[level_of(draw.first_index)];
+        for (uint32_t i = 0; i < draw.instance_count; ++i)
+            std::fill_n(crowd.instances[draw.first_instance + i].tints, k_tints, colour);
+    }
+    for (ImpostorInstance& impostor : crowd.impostors)
+        std::fill_n(impostor.tints, k_tints, k_level_colours[k_impostor_level]);
+}
+
+}  // namespace
+
+void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
+    const GpuScene& scene = renderer.scene;
+    plan.view = make_view(input.camera, extent.width, extent.height);
+    plan.light = make_daylight(input.sun, input.is_overcast);
+    plan.backdrop = input.backdrop;
+    plan.times_passes = input.times_passes;
+    plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
+    plan.light_kind = plan.backdrop ? k_light_plain : plan.light.lamps > 0 ? k_light_night : k_light_day;
+    plan.lit_windows = input.lit_windows;
+    const vec3 to_light = plan.light.to_light;
+    const uint32_t resolution = renderer.quality.shadow_resolution;
+    plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - scene.ground_low);
+    plan.boxes =
+        move_shadows(renderer.shadows.held, plan.view, to_light, plan.slice, k_far_slice, resolution);
+    if (!plan.has_shadows) plan.boxes.is_near_new = plan.boxes.is_far_new = false;
+
+    OcclusionMap& hidden = renderer.hidden;
+    if (input.skips_hidden)
+        draw_walls(scene.wall_groups, scene.walls, plan.view, hidden);
+    else
+        hidden.nearness.clear();
+    const CrowdInput crowd{input.walkers,          scene.people,    input.palette.size(),
+                           scene.impostors.pixels, input.is_finest, &hidden};
+    if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
+        renderer.crowd.levels.clear();
+    renderer.last_view = plan.view;
+    View finer = plan.view;
+    finer.pixels_at_one_metre *= renderer.quality.detail;
+    cull_crowd(crowd, finer, renderer.crowd);
+    cull_shadow_casters(crowd, finer, plan.boxes.near, to_light, plan.has_shadows ? plan.slice.far : -1,
+                        renderer.casters);
+    if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
+    plan.surfaces_view = input.surfaces;
+    plan.are_tinted = input.people_colours != PeopleColours::own;
+    plan.are_ghosts = input.are_ghosts;
+    plan.lines = static_cast<uint32_t>(input.lines.size());
+    plan.fills = static_cast<uint32_t>(input.fills.size());
+    if (!plan.backdrop) find_contacts(crowd, input.palette, finer, plan.contacts);
+
+    const std::span<const DrawCommand> people(renderer.crowd.draws);
+    const std::span<const DrawCommand> casters(renderer.casters.draws);
+    if (renderer.workers) {
+        if (input.surfaces == Surfaces::lit && !input.are_ghosts)
+            plan.crowd_skin = plan_skin(people, scene.skin_meshes);
+        plan.casters_skin = plan_skin(casters, scene.skin_meshes);
+    }
+    auto skinned = [&](const SkinPlan& skin) {  // to be completed by skin_people()
+        return append(plan.draws, std::vector<DrawCommand>(skin.batches.size()), 0);
+    };
+    plan.crowd_skinned = skinned(plan.crowd_skin);
+    plan.casters_skinned = skinned(plan.casters_skin);
+    plan.crowd = append(plan.draws, people.subspan(plan.crowd_skin.draws), 0);
+    plan.casters = append(plan.draws, casters.subspan(plan.casters_skin.draws),
+                          static_cast<uint32_t>(renderer.crowd.instances.size()));
+
+    auto chunks = [&](CityClass kind) {
+        return std::span<const CityChunk>(scene.chunks[static_cast<size_t>(kind)]);
+    };
+    auto begin = [&] { return static_cast<uint32_t>(plan.draws.size()); };
+    auto visible = [&](CityClass kind) {
+        const uint32_t first = begin();
+        return DrawRange{first, cull_chunks(chunks(kind), plan.view, hidden, plan.draws)};
+    };
+    auto casting = [&](const ShadowBox& box, bool is_near) {
+        auto range_of = [&](std::initializer_list<CityClass> kinds) {
+            DrawRange range{begin(), 0};
+            for (CityClass kind : kinds)
+                range.count += cull_chunk_casters(chunks(kind), box, is_near, plan.draws);
+            return range;
+        };
+        CityCasters out;
+        out.opaque = range_of({CityClass::facade, CityClass::roof, CityClass::detail, CityClass::prop});
+        out.scenery = range_of({CityClass::scenery});
+        return out;
+    };
+    for (size_t kind = 0; kind < k_city_classes; ++kind)
+        plan.surfaces[kind] = visible(static_cast<CityClass>(kind));
+    if (plan.boxes.is_near_new) plan.near_casters = casting(plan.boxes.near, true);
+    if (plan.boxes.is_far_new) plan.far_casters = casting(plan.boxes.far, false);
+}
+
+}  // namespace flaneur

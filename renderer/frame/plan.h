@@ -1,0 +1,51 @@
+// What a frame draws: settled on the host before anything is recorded.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "renderer/frame/state.h"
+#include "renderer/light/daylight.h"
+#include "renderer/people/skin.h"
+#include "renderer/visible/contacts.h"
+
+namespace flaneur {
+
+// Consecutive draws in FrameSlot::draws.
+struct DrawRange {
+    uint32_t first = 0, count = 0;
+};
+
+// What of the city throws shadows into a map.
+struct CityCasters {
+    DrawRange opaque, scenery;
+};
+
+// All that is settled on the CPU before recording.
+struct FramePlan {
+    View view;
+    Daylight light;
+    float lit_windows = 0;
+    bool has_shadows = false;      // of sun or moon
+    int light_kind = k_light_day;  // k_light_*
+    Slice slice;
+    ShadowBoxes boxes;
+    std::optional<vec3> backdrop;                    // see FrameInput
+    bool times_passes = false;                       // see FrameInput
+    std::array<DrawRange, k_city_classes> surfaces;  // of the city in view, by CityClass
+    DrawRange crowd, crowd_skinned;                  // of people: skinned by the device, and by the host
+    DrawRange casters, casters_skinned;              // and those who throw shadows
+    SkinPlan crowd_skin, casters_skin;
+    CityCasters near_casters, far_casters;  // of the boxes that are to be drawn anew
+    std::vector<DrawCommand> draws;
+    std::vector<Contact> contacts;
+    Surfaces surfaces_view = Surfaces::lit;
+    bool are_tinted = false, are_ghosts = false;  // people
+    uint32_t lines = 0, fills = 0;                // gizmos, and corners of fills
+};
+
+// Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
+void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
+
+}  // namespace flaneur

@@ -1,0 +1,33 @@
+// Named stretches of a frame: labelled for debuggers, timed, and counted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/device/device.h"
+#include "renderer/renderer.h"
+
+namespace flaneur {
+
+inline constexpr uint32_t k_max_stages = 16;  // of a frame
+
+struct Stages {
+    VkQueryPool timestamps = {};     // at the start, and at the end of each stage; null: the device has none
+    VkQueryPool counters = {};       // of each stage: vertices and fragments shaded; null: it counts none
+    std::vector<std::string> names;  // of those recorded
+    bool has_labels = false;
+};
+Result<void> make_stages(const Device& device, Stages& stages);
+void destroy_stages(const Device& device, Stages& stages);
+
+// Forgets what was recorded before, and begins to take the time.
+void begin_stages(VkCommandBuffer commands, Stages& stages);
+
+// A stage is timed from the end of the one before to its own.
+void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name);
+void end_stage(VkCommandBuffer commands, const Stages& stages);
+
+// Of a frame that the device has finished.
+Result<void> read_stages(const Device& device, const Stages& stages, std::vector<FrameStats::Stage>& read);
+
+}  // namespace flaneur

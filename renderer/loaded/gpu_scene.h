@@ -1,0 +1,31 @@
+// A scene on the device: one vertex buffer for the city, one for all people, one index buffer for both.
+#pragma once
+
+#include "renderer/loaded/city_mesh.h"
+#include "renderer/loaded/impostors.h"
+#include "renderer/people/skin.h"
+
+namespace flaneur {
+
+struct GpuScene {
+    Buffer city_vertices, person_vertices, indices;
+    GpuImage textures, scenery;  // arrays, of people and of the city; layer 0 is white
+    std::array<std::vector<CityChunk>, k_city_classes> chunks;
+    std::vector<Wall> walls;
+    std::vector<WallGroup> wall_groups;
+    std::vector<PersonRanges> people;
+    std::vector<SkinMesh> skin_meshes;  // every level of people's meshes
+    Impostors impostors;
+    GpuImage lamps;         // LampMap, in half floats
+    glm::vec4 lamp_map{0};  // FrameConstants::lamp_map
+    float ground_low = 0;   // metres
+    bool is_textured = false;
+};
+
+// Fills an empty `scene`; after a failure destroy_scene() frees what had been made. Refuses meshes that refer
+// to vertices, joints or textures that are not there.
+Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
+                        GpuScene& scene);
+void destroy_scene(const Device& device, GpuScene& scene);
+
+}  // namespace flaneur

@@ -1,0 +1,26 @@
+// How a renderer is made: on which device, and how finely it draws.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "renderer/quality.h"
+
+namespace flaneur {
+
+struct RendererOptions {
+    std::string device;  // part of a device's name, or its number; empty: the fastest kind, a real GPU before
+                         // lavapipe
+    std::optional<Quality> quality;  // default: ultra on a real GPU, medium elsewhere
+    bool validation =
+        false;  // Khronos validation with synchronisation validation; messages go to `on_message`
+    std::function<void(const std::string&)> on_message;  // default: to stderr
+    // Has the driver compile meanwhile what it puts off until something is drawn: what pictures by day need,
+    // by night, or both.
+    bool warms_up_by_day = false, warms_up_by_night = false;
+    std::optional<bool> skins_on_host =
+        {};  // whether the host skins people; default: where the device is a CPU
+};
+
+}  // namespace flaneur

@@ -1,0 +1,12 @@
+// One frame, from what moves to a picture: the same for a window and off-screen.
+#pragma once
+
+#include "renderer/frame/record.h"
+
+namespace flaneur {
+
+// Draws into `target` with a free slot: culls, uploads, records and submits. `wait` and `signal` may be null.
+Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
+                        const PictureTarget& target, VkSemaphore wait, VkSemaphore signal);
+
+}  // namespace flaneur

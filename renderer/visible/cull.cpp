@@ -1,0 +1,187 @@
+#include "renderer/visible/cull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flaneur {
+namespace {
+
+constexpr uint16_t k_no_bucket = 0xffff;
+
+bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
+
+bool has_impostors(const CrowdInput& input, const WalkerDraw& walker) {
+    return walker.is_upright && input.people[walker.mesh].first_cell != PersonRanges::k_no_cell;
+}
+
+ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
+    const float phase = walker.phase - std::floor(walker.phase);
+    int pose = k_stride_phases;
+    if (walker.phase >= 0 && phase < 1)
+        pose = static_cast<int>(phase * k_stride_phases + 0.5f) % k_stride_phases;
+    ImpostorInstance out{};
+    out.place = glm::vec4(walker.centre, walker.instance.scale);
+    out.heading = walker.heading;
+    out.first_cell = first_cell + static_cast<uint32_t>(pose * k_impostor_views);
+    std::copy(std::begin(walker.instance.tints), std::end(walker.instance.tints), std::begin(out.tints));
+    return out;
+}
+
+// A stable counting sort of the walkers by `level_of(walker, number)` (k_unseen: left out).
+template <class LevelOf>
+void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_of) {
+    const size_t mesh_count = input.people.size(), bucket_count = mesh_count * k_max_lods;
+    out.buckets.assign(input.walkers.size(), k_no_bucket);
+    out.firsts.assign(bucket_count + 1, 0);
+    out.draws.clear();
+    out.impostors.clear();
+    out.triangles = 0;
+    for (size_t i = 0; i < input.walkers.size(); ++i) {
+        const WalkerDraw& walker = input.walkers[i];
+        if (!is_drawable(input, walker)) continue;
+        const uint32_t wanted = level_of(walker, i);
+        if (wanted == k_unseen) continue;
+        const PersonRanges& person = input.people[walker.mesh];
+        if (wanted == k_impostor_level) {
+            out.impostors.push_back(impostor_of(walker, person.first_cell));
+            continue;
+        }
+        const size_t level = std::min<size_t>(wanted, person.lods.size() - 1);
+        const size_t bucket = level * mesh_count + walker.mesh;
+        out.buckets[i] = static_cast<uint16_t>(bucket);
+        ++out.firsts[bucket + 1];
+    }
+    for (size_t bucket = 0; bucket < bucket_count; ++bucket) {
+        const uint32_t count = out.firsts[bucket + 1];
+        out.firsts[bucket + 1] += out.firsts[bucket];
+        if (count == 0) continue;
+        const PersonRanges& person = input.people[bucket % mesh_count];
+        const size_t level = bucket / mesh_count;
+        const MeshRange& range = person.lods[level];
+        out.draws.push_back(
+            {range.index_count, count, range.first_index, person.vertex_offset, out.firsts[bucket]});
+        out.triangles += range.index_count / 3 * count;
+    }
+    out.triangles += static_cast<uint32_t>(2 * out.impostors.size());
+    out.instances.resize(out.firsts[bucket_count]);
+    for (size_t i = 0; i < input.walkers.size(); ++i)
+        if (out.buckets[i] != k_no_bucket)
+            out.instances[out.firsts[out.buckets[i]]++] = input.walkers[i].instance;
+}
+
+// Appends what there is to draw; returns how many draws that is.
+uint32_t append_draw(const MeshRange& range, std::vector<DrawCommand>& draws) {
+    if (range.index_count == 0) return 0;
+    draws.push_back({range.index_count, 1, range.first_index, 0, 0});
+    return 1;
+}
+
+uint32_t lod_of(float pixels) {
+    uint32_t lod = 0;
+    while (lod < k_max_lods - 1 && !(pixels >= k_level_pixels[lod])) ++lod;
+    return lod;
+}
+
+bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
+    return has_impostors(input, walker) && !(has_joints(walker) && pixels >= input.impostor_pixels);
+}
+
+bool is_sphere_hidden(const CrowdInput& input, const View& view, glm::vec3 centre, float radius) {
+    return input.hidden && is_hidden(*input.hidden, view, centre - radius, centre + radius);
+}
+
+}  // namespace
+
+bool is_drawable(const CrowdInput& input, const WalkerDraw& walker) {
+    if (walker.mesh >= input.people.size() || input.people[walker.mesh].lods.empty()) return false;
+    if (!has_joints(walker)) return has_impostors(input, walker);
+    return uint64_t{walker.instance.palette} + k_palette_joints <= input.palette_size;
+}
+
+glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
+    const glm::vec3 u(joint.rotation);
+    const glm::vec3 t = 2.0f * glm::cross(u, v);
+    return v + joint.rotation.w * t + glm::cross(u, t) + glm::vec3(joint.translation);
+}
+
+uint32_t lod_of(const View& view, glm::vec3 centre, float radius) {
+    return lod_of(pixels_of(view, centre, radius));
+}
+
+// Whether the eye is within a standing body, of which only shards beyond the near plane would be seen.
+static bool is_eye_inside(const View& view, const WalkerDraw& walker) {
+    constexpr float k_girth = 0.4f;  // share of the radius
+    const glm::vec3 away = view.eye - walker.centre;
+    return std::sqrt(away.x * away.x + away.z * away.z) < k_girth * walker.radius &&
+           std::fabs(away.y) < walker.radius;
+}
+
+void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
+    out.levels.resize(input.walkers.size(), k_unseen);
+    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t i) -> uint32_t {
+        const uint8_t before = std::exchange(out.levels[i], k_unseen);
+        if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker) ||
+            is_sphere_hidden(input, view, walker.centre, walker.radius))
+            return k_unseen;
+        if (input.is_finest && has_joints(walker)) return 0;
+        auto level_at = [&](float pixels) {
+            return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
+        };
+        const float pixels = pixels_of(view, walker.centre, walker.radius);
+        uint32_t level = level_at(pixels);
+        if (before != k_unseen)
+            level = std::clamp<uint32_t>(before, level_at(pixels * k_lod_hysteresis),
+                                         level_at(pixels / k_lod_hysteresis));
+        out.levels[i] = static_cast<uint8_t>(level);
+        return level;
+    });
+}
+
+void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
+                         float reach, CrowdDraws& out) {
+    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t) -> uint32_t {
+        if (!(glm::length(walker.centre - view.eye) <= reach) ||
+            !casts_into(box, walker.centre, walker.radius))
+            return k_unseen;
+        const BodySphere both = with_shadow(walker.centre, walker.radius, to_sun);
+        if (!sees_sphere(view, both.centre, both.radius) ||
+            is_sphere_hidden(input, view, both.centre, both.radius))
+            return k_unseen;
+        const float pixels = pixels_of(view, walker.centre, walker.radius);
+        // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
+        // middle.
+        if (is_impostor(input, walker, pixels * k_lod_hysteresis)) return k_impostor_level;
+        return std::min(lod_of(pixels) + 1, k_max_lods - 1);
+    });
+}
+
+uint32_t cull_chunks(std::span<const CityChunk> chunks, const View& view, const OcclusionMap& hidden,
+                     std::vector<DrawCommand>& draws) {
+    std::vector<std::pair<float, uint32_t>> order;
+    for (uint32_t i = 0; i < chunks.size(); ++i) {
+        if (!sees_box(view, chunks[i].low, chunks[i].high) ||
+            is_hidden(hidden, view, chunks[i].low, chunks[i].high))
+            continue;
+        const glm::vec3 nearest = glm::clamp(view.eye, chunks[i].low, chunks[i].high) - view.eye;
+        order.emplace_back(glm::dot(nearest, nearest), i);
+    }
+    std::sort(order.begin(), order.end());
+    uint32_t count = 0;
+    for (const auto& [distance, i] : order) {
+        const bool is_near = view.pixels_at_one_metre >= k_fine_pixels * std::sqrt(distance);
+        count += append_draw(is_near ? chunks[i].near : chunks[i].far, draws);
+    }
+    return count;
+}
+
+uint32_t cull_chunk_casters(std::span<const CityChunk> chunks, const ShadowBox& box, bool is_near,
+                            std::vector<DrawCommand>& draws) {
+    uint32_t count = 0;
+    for (const CityChunk& chunk : chunks)
+        if (casts_into(box, chunk.low, chunk.high))
+            count += append_draw(is_near ? chunk.near : chunk.far, draws);
+    return count;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,67 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/base/common.glsl"
+#include "shaders/base/light.glsl"
+#include "shaders/base/pattern.glsl"
+
+layout(location = 0) in vec3 in_place;
+layout(location = 1) in vec2 in_uv;
+layout(location = 2) in vec3 in_normal;
+layout(location = 3) in vec3 in_colour;
+layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
+
+layout(location = 0) out vec4 out_picture;
+
+const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
+
+void main() {
+    vec3 normal = normalize(in_normal);
+    float facing = dot(normal, frame.sun_direction.xyz);
+    if (k_light == k_light_plain) {
+        out_picture = picture(in_colour * (frame.sun_light.xyz * saturate(facing) + ambient(normal)));
+        return;
+    }
+    vec3 ray = in_place - frame.eye.xyz;
+    float distance = length(ray);
+    ray /= distance;
+    float edge = in_pattern.x, inverse_edge = 1.0 / edge;
+    vec2 pixel = max(fwidth(in_uv), vec2(1e-4));
+
+    // Slabs: each a little lighter or darker, with dark joints.
+    vec2 slab = in_uv * inverse_edge;
+    float shown = saturate(2.0 - 2.0 * max(pixel.x, pixel.y) * inverse_edge);
+    float shade = 1.0;
+    if (shown > 0.0) {
+        vec2 cell = floor(slab), within = abs(slab - cell - 0.5) * edge;
+        shade += (hash(cell) - 0.5) * min(in_pattern.z, 1.0) * shown * (in_pattern.z > 1.0 ? 0.1 : 1.0);
+        if (in_pattern.y > 0.0) {
+            vec2 inverse = 1.0 / pixel;
+            vec2 joint = clamp((within - (0.5 * edge - in_pattern.y)) * inverse + 0.5, 0.0, 1.0) *
+                         clamp(2.0 * in_pattern.y * inverse, 0.0, 1.0);
+            shade *= 1.0 - 0.45 * max(joint.x, joint.y) * shown;
+        }
+    }
+    // Large soft stains, so that wide surfaces are not one colour.
+    vec2 s = in_place.xz * 0.05;
+    shade *= 1.0 + 0.05 * wave(s.x + 0.33 * wave(0.7 * s.y)) * wave(0.9 * s.y + 0.27 * wave(0.5 * s.x));
+
+    vec3 albedo = in_colour * shade;
+    // Stripes across the way of those who cross.
+    if (in_pattern.z > 1.0) {
+        float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
+        float paint = saturate((swing - 0.5) * edge / pixel.x + 0.5);
+        paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
+        albedo = mix(k_asphalt, albedo, paint);
+    }
+
+    float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));
+    float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
+    vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
+    if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
+    if (in_pattern.w > 0.0) {
+        float grazing = 1.0 - saturate(-dot(ray, normal));
+        grazing *= grazing;
+        light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
+    }
+    out_picture = picture(through_air(light, ray, distance));
+}

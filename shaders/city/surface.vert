@@ -1,0 +1,40 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/base/common.glsl"
+
+layout(location = 0) in vec3 in_place;
+layout(location = 1) in vec4 in_colour;
+layout(location = 2) in vec2 in_uv;
+layout(location = 3) in vec4 in_normal;
+layout(location = 4) in uvec2 in_material;  // material, extra
+
+layout(location = 0) out vec3 out_place;
+layout(location = 1) out vec2 out_uv;
+layout(location = 2) out vec3 out_normal;
+layout(location = 3) flat out vec3 out_colour;
+layout(location = 4) flat out vec4 out_pattern;  // see below
+
+// How a surface's slabs lie: edge in metres, width of the joints, how their lightness varies, and how much of the
+// sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1).
+const vec4 k_patterns[11] = {
+    vec4(0.035, 0.0, 0.16, 0.0),   // road: grains
+    vec4(0.8, 0.012, 0.05, 0.0),   // sidewalk
+    vec4(0.5, 0.0, 2.0, 0.0),      // crossing
+    vec4(1.2, 0.014, 0.06, 0.0),   // plaza
+    vec4(0.06, 0.0, 0.14, 0.0),    // path
+    vec4(1.6, 0.010, 0.04, 0.0),   // steps
+    vec4(0.09, 0.0, 0.26, 0.0),    // grass
+    vec4(0.4, 0.0, 0.04, 0.6),     // water
+    vec4(1.0, 0.0, 0.0, 0.0),      // facade
+    vec4(0.9, 0.012, 0.05, 0.0),   // stone
+    vec4(0.6, 0.012, 0.05, 0.0)    // roof
+};
+
+void main() {
+    out_place = in_place;
+    out_uv = in_uv;
+    out_normal = in_normal.xyz;
+    out_colour = linear_from_srgb(in_colour.rgb);
+    out_pattern = k_patterns[min(in_material.x, k_material_roof)];
+    gl_Position = frame.clip_from_world * vec4(in_place, 1);
+}

@@ -1,0 +1,33 @@
+#include "sim/body/body.h"
+
+namespace flaneur {
+
+Body standard_body(float height) {
+    Body b;
+    b.height = height;
+    auto& j = b.joints;
+    j[hips] = {0, 0.545f, 0};
+    j[spine] = {0, 0.585f, -0.005f};
+    j[chest] = {0, 0.655f, -0.010f};
+    j[upper_chest] = {0, 0.730f, -0.012f};
+    j[neck] = {0, 0.830f, -0.010f};
+    j[head] = {0, 0.885f, 0.005f};
+    auto both = [&](Joint left, Joint right, Vec3 place) {
+        j[left] = place;
+        j[right] = {-place.x, place.y, place.z};
+    };
+    both(left_shoulder, right_shoulder, {0.012f, 0.808f, -0.008f});
+    both(left_upper_arm, right_upper_arm, {0.108f, 0.815f, -0.010f});
+    both(left_lower_arm, right_lower_arm, {0.108f, 0.629f, -0.010f});
+    both(left_hand, right_hand, {0.108f, 0.483f, -0.010f});
+    both(left_upper_leg, right_upper_leg, {0.052f, 0.530f, 0});
+    both(left_lower_leg, right_lower_leg, {0.052f, 0.285f, 0});
+    both(left_foot, right_foot, {0.052f, 0.039f, 0});
+    both(left_toes, right_toes, {0.052f, 0.014f, 0.078f});
+    for (Vec3& joint : j) joint = joint * height;
+    b.heel = 0.033f * height;
+    b.toe = 0.041f * height;
+    return b;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,85 @@
+// What the gait keeps of sixteen walkers side by side, and what the pose reads of it.
+//
+// Places are in the world, metres. Yaws are about +y, 0 faces +z, growing towards +x. Phases count cycles.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/base/block.h"
+#include "sim/body/body.h"
+
+namespace flaneur {
+
+// Where one foot of each walker stands: the point of the ground below its ankle when it is flat, a yaw about
+// +y, and the ground's normal (whose y follows from its length).
+struct FootPlaces {
+    float x[k_block], y[k_block], z[k_block], yaw[k_block], normal_x[k_block], normal_z[k_block];
+};
+
+// One foot of each walker of a block.
+struct FootBlock {
+    FootPlaces from;          // where it stands, or stood before this swing
+    FootPlaces to;            // where it stands, or will land
+    float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
+                              // way
+    float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
+    float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
+    int32_t swinging[k_block];  // 1 from toe-off to contact
+    // The gait's own.
+    FootPlaces goal;                             // what `to` moves to, the ground's last word
+    float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
+    float wished_yaw[k_block];
+};
+
+// What a hand reaches for.
+struct HandBlock {
+    float x[k_block], y[k_block], z[k_block];    // where the palm rests, in the world
+    float normal_x[k_block], normal_z[k_block];  // out of the wall, horizontal, unit
+    float reach[k_block];                        // 0: hangs and swings .. 1: rests there
+};
+
+// State of the gait, and what the pose reads.
+struct alignas(64) GaitBlock {
+    // Copied from the crowd each tick.
+    float x[k_block], z[k_block];  // root on the ground plane
+    float heading[k_block];        // yaw of the body
+    // The gait's own.
+    float phase[k_block];      // of pelvis and arms, [0, 1): the left foot's, or half a cycle from the right
+                               // foot's, and between both where these differ
+    float duty[k_block];       // share of the cycle that a foot stands
+    float load[k_block];       // share of the body that the left leg carries
+    float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
+    float running[k_block];    // 0 walking .. 1 running
+    float course[k_block];     // cosine between the way walked and the heading: 1 ahead, 0 aside, -1 back
+    float rise[k_block];       // metres climbed for each metre walked, smoothed
+    float lift[k_block];       // metres that a jump carries the body and both feet above their ways
+    float crouch[k_block];     // metres that the pelvis sinks, before and after a jump
+    float base[k_block];       // smoothed height of the ground that the pelvis rides on
+    float base_velocity[k_block];
+    float look[k_block];        // yaw of the head against the body
+    int32_t standing[k_block];  // 1: both feet down and the phases at rest
+    float frequency[k_block];   // cycles a second
+    int32_t first[k_block];     // Side that leaves first as soon as the other leg carries the body, or -1
+    float tread[k_block];       // metres from step to step of the stairs underfoot, 0: none
+    float jump[k_block];        // seconds since a jump began, 0: none
+    float flight[k_block];      // seconds that it is in the air, 0 until the feet leave
+    FootBlock feet[2];
+    HandBlock hands[2];
+};
+
+// What makes one walker's body and manner, constant over its life. Sizes are the body's joints, scaled.
+struct alignas(64) PersonBlock {
+    float joints[k_joint_count][3][k_block];  // canonical places, metres
+    float heel[k_block], toe[k_block];        // see Body
+    float stride[k_block];                    // factor on step length
+    float lead[k_block];                      // factor on how far ahead of the body a foot lands
+    float arm_swing[k_block];                 // factor
+    float sway[k_block];                      // factor on pelvic movements
+    float toe_out[k_block];                   // radians
+    float step_width[k_block];                // metres between the lines of both feet
+    float lean[k_block];                      // of the trunk, forward +, radians
+    float carriage[k_block];                  // arms away from the body, radians
+    float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
+};
+
+}  // namespace flaneur

@@ -1,0 +1,90 @@
+// The swing of a foot from the place that it leaves to the one where it lands, over float or Lanes: the way
+// that the pose shows is the one that the planner of steps keeps clear of the ground.
+//
+// Places are in any frame with the world's axes, +y up. `u` is the share of the swing, 0 at toe-off .. 1 at
+// contact, and r = 1 - u. The numbers stand in fits.h.
+#if defined(FLANEUR_SIM_GAIT_SWING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_GAIT_SWING_INL_H
+#undef FLANEUR_SIM_GAIT_SWING_INL_H
+#else
+#define FLANEUR_SIM_GAIT_SWING_INL_H
+#endif
+
+#include "sim/base/vec-inl.h"
+#include "sim/gait/fits.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+template <class T>
+struct SwingTime {
+    T u, rest;   // rest = 1 - u
+    T product2;  // (u rest)^2
+    T hop;       // 16 (u rest)^2: 0 at both ends, 1 in the middle
+};
+template <class T>
+HWY_INLINE SwingTime<T> swing_time(T u) {
+    T rest = T(1.0f) - u, product = u * rest;
+    return {u, rest, product * product, T(16.0f) * product * product};
+}
+
+// Both ends of a swing: the place left, and from there to the place of landing; likewise the unit normals of
+// the ground, whose x and z are given.
+template <class T>
+struct SwingEnds {
+    V3<T> from, far;
+    T from_nx, from_nz, far_nx, far_nz;
+};
+
+// Where the foot is on its way.
+template <class T>
+struct SwingPath {
+    V3<T> place;
+    T progress;  // share of the way over ground that lies behind it
+    T steep;     // 0: the ground slopes evenly .. 1: the way leads over a step
+    T step;      // metres by which the landing lies above the slope at the place left
+};
+
+// Over even ground the foot follows its slope, at the progress 3u^2 - 2u^3, less what the fits take off and
+// with what a run adds. What the slope does not explain is a step, with h metres to climb: a foot climbs
+// before it goes on, so that its toes pass the edges, and goes on before it comes down, so that its heel
+// does. Down is up played backwards.
+//
+// The slope rises by -(nx x + nz z) / ny over the way (x, z); 1 / ny is 1 + (nx^2 + nz^2) / 2 to second
+// order, with the mean of both normals.
+template <class T>
+HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>& time, T running) {
+    T one = T(1.0f), u = time.u, rest = time.rest;
+    const V3<T>& far = ends.far;
+    T progress =
+        smoothstep(u) - T(k_progress_late) * time.product2 * (u * u) * (u * u) - T(k_progress_hop) * time.hop;
+    progress = progress + running * T(k_run_progress) * u * rest * rest * rest;
+    T climbed = progress;
+
+    T mean_nx = ends.from_nx + ends.far_nx * T(0.5f), mean_nz = ends.from_nz + ends.far_nz * T(0.5f);
+    T step = far.y +
+             (mean_nx * far.x + mean_nz * far.z) * (one + T(0.5f) * (mean_nx * mean_nx + mean_nz * mean_nz));
+    T height = max(step, T(0.0f) - step), steep = smoothstep(T(k_step_0), T(k_step_1), height);
+    auto steps = steep > T(0.0f);
+    if (any(steps)) {
+        auto up = step > T(0.0f);
+        T v = select(up, u, rest);  // of the climb, or of the descent backwards
+        T far2 = far.x * far.x + far.z * far.z + T(0.01f);
+        T waits = select(up, steep, min(T(k_step_waits) * step * step / far2, one) * steep);
+        T climbs = min(T(k_step_climbs) + height, one);
+        climbs = select(up, climbs, lerp(T(k_step_falls), climbs, waits));
+        T onward = smoothstep((v - T(k_step_wait)) * T(1 / (1 - k_step_wait)));
+        T upward = smoothstep(v / climbs);
+        progress = select(steps, lerp(progress, select(up, onward, one - onward), waits), progress);
+        climbed = select(steps, lerp(climbed, select(up, upward, one - upward), steep), climbed);
+    }
+    T over_step = select(steps, step * (climbed - progress), T(0.0f));
+    V3<T> place{ends.from.x + far.x * progress, ends.from.y + far.y * progress + over_step,
+                ends.from.z + far.z * progress};
+    return {place, progress, steep, step};
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,94 @@
+#include "sim/ground/ground.h"
+
+#include <cassert>
+
+#include "sim/base/hash.h"
+#include "sim/ground/grid.h"
+
+namespace flaneur {
+
+static constexpr float k_triangle_cell = 2, k_wall_cell = 4, k_solid_cell = 2;
+static constexpr float k_least_area = 1e-6f;  // smaller triangles are never hit, square metres
+
+static bool is_wall(const Face& f) { return f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall; }
+
+// Positive on the inner side of a counter-clockwise edge a-b, seen from above.
+static float inside(Vec2 a, Vec2 b, Vec2 p) { return cross(p - a, b - a); }
+
+static void index_solids(Ground& ground) {
+    Vec2 margin{2 * k_grid_margin, 2 * k_grid_margin};
+    ground.solid_grid = make_grid(ground.low - margin, ground.high + margin, k_solid_cell);
+    fill_grid(ground.solid_grid, static_cast<uint32_t>(ground.solids.size()), [&](uint32_t i, auto visit) {
+        Vec2 a = on_ground(ground.solids[i].a), b = on_ground(ground.solids[i].b),
+             c = on_ground(ground.solids[i].c);
+        if (inside(a, b, c) < 0) std::swap(b, c);
+        for_cells_of_triangle(ground.solid_grid, a, b, c, visit);
+    });
+}
+
+void index_ground(Ground& ground) {
+    assert(ground.indices.size() == ground.kinds.size() * 3);
+    constexpr float k_far = 1e30f;
+    Vec2 low{k_far, k_far}, high{-k_far, -k_far};
+    auto include = [&](Vec3 p) {
+        low = {std::min(low.x, p.x), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.z, p.z)};
+    };
+    for (Vec3 v : ground.vertices) include(v);
+    for (const Face& f : ground.faces) include(f.a), include(f.b);
+    for (const Solid& s : ground.solids) include(s.a), include(s.b), include(s.c);
+    if (low.x > high.x) low = high = {0, 0};
+    ground.low = low;
+    ground.high = high;
+
+    Vec2 margin{2 * k_grid_margin, 2 * k_grid_margin};
+    ground.triangle_grid = make_grid(low - margin, high + margin, k_triangle_cell);
+    fill_grid(ground.triangle_grid, static_cast<uint32_t>(ground.kinds.size()), [&](uint32_t i, auto visit) {
+        Vec2 a = on_ground(ground.vertices[ground.indices[i * 3]]);
+        Vec2 b = on_ground(ground.vertices[ground.indices[i * 3 + 1]]);
+        Vec2 c = on_ground(ground.vertices[ground.indices[i * 3 + 2]]);
+        if (inside(a, b, c) < k_least_area) return;
+        for_cells_of_triangle(ground.triangle_grid, a, b, c, visit);
+    });
+    ground.grid_triangles.clear();
+    for (size_t i = 0; i < ground.kinds.size(); ++i) {
+        const uint32_t* index = &ground.indices[i * 3];
+        ground.grid_triangles.push_back({ground.vertices[index[0]], ground.vertices[index[1]],
+                                         ground.vertices[index[2]], ground.kinds[i]});
+    }
+    ground.wall_grid = make_grid(low - margin, high + margin, k_wall_cell);
+    fill_grid(ground.wall_grid, static_cast<uint32_t>(ground.faces.size()), [&](uint32_t i, auto visit) {
+        const Face& f = ground.faces[i];
+        if (is_wall(f)) for_cells_of_segment(ground.wall_grid, on_ground(f.a), on_ground(f.b), visit);
+    });
+    ground.grid_walls.clear();
+    for (uint32_t i : ground.wall_grid.items) {
+        const Face& f = ground.faces[i];
+        Vec2 along = on_ground(f.b) - on_ground(f.a);
+        ground.grid_walls.push_back({on_ground(f.a), along, 1 / std::max(length_squared(along), 1e-12f),
+                                     f.a.y, f.b.y - f.a.y, f.a_top, f.b_top - f.a_top});
+    }
+    index_solids(ground);
+}
+
+uint64_t hash_ground(const Ground& ground) {
+    uint64_t h = hash_bytes(0, ground.name.data(), ground.name.size());
+    auto add = [&h](const void* data, size_t size) { h = hash_bytes(h, data, size); };
+    auto add_array = [&](const auto& values) { add(values.data(), values.size() * sizeof(values[0])); };
+    add_array(ground.vertices);
+    add_array(ground.indices);
+    add_array(ground.kinds);
+    // Field by field where a struct has padding.
+    for (const Face& f : ground.faces) {
+        add(&f.a, sizeof f.a);
+        add(&f.b, sizeof f.b);
+        float tops[] = {f.a_top, f.b_top};
+        add(tops, sizeof tops);
+        h = mix(h ^ (uint64_t{f.building} << 8 | static_cast<uint64_t>(f.kind)));
+    }
+    add_array(ground.solids);
+    add_array(ground.obstacles);
+    return h;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,232 @@
+// The queries: Detour's, and look-ups in the tables made beside the mesh.
+#include "sim/navigation/navmesh.h"
+
+#include <recastnavigation/DetourCommon.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ground/grid.h"
+#include "sim/navigation/navmesh_data.h"
+
+namespace flaneur {
+
+std::optional<NavPoint> nearest(const Navmesh& m, int thread, Vec3 point, Vec3 reach) {
+    NavPoint found;
+    m.queries[thread]->findNearestPoly(floats(point), floats(reach), &m.filter, &found.polygon,
+                                       floats(found.position));
+    // Detour looks at all polygons whose boxes touch the reach, and takes the closest wherever it is.
+    Vec3 off = found.position - point;
+    bool within = std::fabs(off.x) <= reach.x && std::fabs(off.y) <= reach.y && std::fabs(off.z) <= reach.z;
+    if (!found.polygon || !within) return std::nullopt;
+    return found;
+}
+
+static NavPoint inside_place(const Navmesh& m, int thread, size_t index, float v, float w) {
+    const PlacePiece& place = m.places[index];
+    if (v + w > 1) v = 1 - v, w = 1 - w;
+    NavPoint p{place.a + (place.b - place.a) * v + (place.c - place.a) * w, place.polygon};
+    m.queries[thread]->getPolyHeight(p.polygon, floats(p.position), &p.position.y);
+    return p;
+}
+
+NavPoint random_place(const Navmesh& m, int thread, float u, float v, float w) {
+    size_t last = m.places.size();
+    return inside_place(
+        m, thread, item_at(m.place_grid, static_cast<double>(u) * m.place_grid.before[last], 0, last), v, w);
+}
+
+double place_area_near(const Navmesh& m, Vec2 centre, float radius) {
+    return weight_near(m.place_grid, centre, radius);
+}
+
+NavPoint random_place_near(const Navmesh& m, int thread, Vec2 centre, float radius, float u, float v,
+                           float w) {
+    auto place = item_near(m.place_grid, centre, radius, u);
+    return place ? inside_place(m, thread, *place, v, w) : random_place(m, thread, u, v, w);
+}
+
+uint32_t island(const Navmesh& m, uint32_t polygon) {
+    return m.mesh->isValidPolyRef(polygon) ? m.islands[polygon_number(m, polygon)] : ~0u;
+}
+
+bool is_worth_walking(const Navmesh& m, uint32_t polygon) { return island(m, polygon) < m.worthy_islands; }
+
+Surface surface_of(const Navmesh& m, uint32_t polygon) {
+    const dtMeshTile* tile = nullptr;
+    const dtPoly* found = nullptr;
+    if (dtStatusFailed(m.mesh->getTileAndPolyByRef(polygon, &tile, &found))) return Surface::road;
+    return surface_of_area(found->getArea());
+}
+
+int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity) {
+    constexpr int k_most_polygons = 512, k_most_corners = 256;
+    const dtNavMeshQuery& query = *m.queries[thread];
+    dtPolyRef polygons[k_most_polygons];
+    int count = 0;
+    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &m.filter, polygons,
+                   &count, k_most_polygons);
+    if (count == 0 || capacity <= 0) return 0;
+    Vec3 end = to.position;
+    if (polygons[count - 1] != to.polygon) {
+        query.closestPointOnPoly(polygons[count - 1], floats(to.position), floats(end), nullptr);
+    }
+    Vec3 points[k_most_corners];
+    unsigned char flags[k_most_corners];
+    int most = std::min(capacity + 1, k_most_corners);
+    query.findStraightPath(floats(from.position), floats(end), polygons, count, floats(points[0]), flags,
+                           nullptr, &count, most);
+    int written = 0;
+    for (int i = 0; i < count && written < capacity; ++i) {
+        if (i == 0 && !(flags[i] & DT_STRAIGHTPATH_END)) continue;  // the start itself
+        corners[written++] = points[i];
+    }
+    return written;
+}
+
+// Whether `p` lies in the polygon seen from above.
+static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p) {
+    bool left = false, right = false;
+    for (int i = 0, j = polygon.vertCount - 1; i < polygon.vertCount; j = i++) {
+        const float *a = &tile.verts[polygon.verts[j] * 3], *b = &tile.verts[polygon.verts[i] * 3];
+        float side = cross(Vec2{b[0] - a[0], b[2] - a[2]}, p - Vec2{a[0], a[2]});
+        left |= side < 0;
+        right |= side > 0;
+    }
+    return !(left && right);
+}
+
+NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
+    const dtMeshTile* tile = nullptr;
+    const dtPoly* polygon = nullptr;
+    if (dtStatusFailed(m.mesh->getTileAndPolyByRef(from.polygon, &tile, &polygon))) return from;
+    if (in_polygon(*tile, *polygon, on_ground(to))) return {to, from.polygon};
+
+    constexpr int k_most_visited = 16;
+    NavPoint result = from;
+    dtPolyRef visited[k_most_visited];
+    int count = 0;
+    dtStatus status =
+        m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to), &m.filter,
+                                            floats(result.position), visited, &count, k_most_visited);
+    if (dtStatusFailed(status) || count == 0) return from;
+    result.polygon = visited[count - 1];
+    return result;
+}
+
+static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
+    Vec2 ab = on_ground(line.b) - on_ground(line.a);
+    float t = clamp(dot(on_ground(p) - on_ground(line.a), ab) / length_squared(ab), 0, 1);
+    return lerp(line.a, line.b, t);
+}
+
+// Borders of another level do not count, metres.
+static constexpr float k_same_level = 1.5f;
+
+// Whether `p`, no farther than `reach` from the border, lies beyond it by more than `most`.
+static bool is_beyond(const Navmesh& m, Vec3 p, float reach, float most) {
+    BorderLine lines[4];
+    int count = borders_near(m, p, reach, lines, 4);
+    Vec2 at = on_ground(p);
+    float least = 0, side = most;
+    for (int i = 0; i < count; ++i) {
+        Vec2 a = on_ground(lines[i].a), ab = on_ground(lines[i].b) - a;
+        float distance = length_squared(on_ground(closest_on_line(lines[i], p)) - at);
+        float inside = cross(ab, at - a) / length(ab);
+        // Of lines whose common end is the closest, the one that is most athwart tells.
+        if (i > 0 && (distance > least + 1e-6f || std::fabs(inside) < std::fabs(side))) continue;
+        if (i == 0) least = distance;
+        side = inside;
+    }
+    return side < -most;
+}
+
+// Not Detour's raycast: it can run for ever along an edge that the ray touches.
+bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
+    constexpr float k_forgiven_start = 0.02f, k_forgiven_end = 0.05f;
+    Vec2 p = on_ground(from), way = on_ground(to) - p;
+    float distance = length(way);
+    if (distance <= k_forgiven_end) return true;
+    Vec2 direction = way / distance;
+    // From a place on the border straight out over it, maybe to another place on the border.
+    constexpr float k_look = 0.1f, k_beyond = 0.015f;
+    if (is_beyond(m, lerp(from, to, std::min(k_look / distance, 0.5f)), k_look + 0.05f, k_beyond))
+        return false;
+    bool clear = true;
+    for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float) {
+        for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
+            const BorderLine& line = m.borders[m.border_grid.items[k]];
+            Vec2 ab = on_ground(line.b - line.a), to_a = on_ground(line.a) - p;
+            float outward = cross(direction, ab);  // positive when the way leaves the mesh here
+            if (outward <= 1e-6f) continue;
+            float t = cross(to_a, ab) / outward, s = cross(to_a, direction) / outward;
+            if (t <= k_forgiven_start || t >= distance - k_forgiven_end || s < 0 || s > 1) continue;
+            float rise = lerp(line.a.y, line.b.y, s) - lerp(from.y, to.y, t / distance);
+            if (std::fabs(rise) < k_same_level) clear = false;
+        }
+        return clear;
+    });
+    return clear;
+}
+
+int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, int capacity) {
+    const Grid& grid = m.border_grid;
+    Vec2 reach{radius, radius}, p = on_ground(point);
+    CellRange r = cells_of_box(grid, p - reach, p + reach);
+    struct Entry {
+        float distance;
+        uint32_t line;
+        bool operator<(const Entry& e) const {
+            return distance != e.distance ? distance < e.distance : line < e.line;
+        }
+    };
+    constexpr int k_most = 32;
+    Entry best[k_most];
+    int count = 0;
+    capacity = std::min(capacity, k_most);
+    for (int z = r.z0; z <= r.z1; ++z) {
+        for (int x = r.x0; x <= r.x1; ++x) {
+            size_t cell = static_cast<size_t>(z) * grid.width + x;
+            for (uint32_t k = grid.first[cell]; k < grid.first[cell + 1]; ++k) {
+                Vec3 c = closest_on_line(m.borders[grid.items[k]], point);
+                Entry e{length_squared(on_ground(c) - p), grid.items[k]};
+                if (e.distance > radius * radius || std::fabs(c.y - point.y) > k_same_level) continue;
+                if (count == capacity && !(e < best[count - 1])) continue;
+                int at = 0;
+                while (at < count && best[at] < e) ++at;
+                if (at < count && best[at].line == e.line) continue;  // seen in another cell
+                if (count < capacity) ++count;
+                for (int i = count - 1; i > at; --i) best[i] = best[i - 1];
+                best[at] = e;
+            }
+        }
+    }
+    for (int i = 0; i < count; ++i) lines[i] = m.borders[best[i].line];
+    return count;
+}
+
+std::vector<Vec3> navmesh_triangles(const Navmesh& m) {
+    std::vector<Vec3> corners;
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
+        const dtPoly& polygon = tile.polys[p];
+        // Detour winds clockwise seen from above.
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            corners.push_back(tile_vertex(tile, polygon.verts[0]));
+            corners.push_back(tile_vertex(tile, polygon.verts[i - 1]));
+            corners.push_back(tile_vertex(tile, polygon.verts[i]));
+        }
+    });
+    return corners;
+}
+
+std::vector<Surface> navmesh_kinds(const Navmesh& m) {
+    std::vector<Surface> kinds;
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
+        const dtPoly& polygon = tile.polys[p];
+        kinds.insert(kinds.end(), static_cast<size_t>(polygon.vertCount) - 2,
+                     surface_of_area(polygon.getArea()));
+    });
+    return kinds;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,332 @@
+// Puts tiles together and prepares what the queries look up.
+#include <recastnavigation/DetourAlloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <numeric>
+
+#include "sim/base/parallel_for.h"
+#include "sim/ground/grid.h"
+#include "sim/navigation/navmesh_data.h"
+
+namespace flaneur {
+
+static constexpr int k_most_nodes = 4096;      // polygons that one path search may look at
+static constexpr double k_least_island = 300;  // square metres that are worth walking about in
+
+void NavmeshDelete::operator()(Navmesh* m) const { delete m; }
+
+static bool is_place(uint8_t area) {
+    return area == area_of(Surface::sidewalk) || area == area_of(Surface::plaza) ||
+           area == area_of(Surface::path) || area == area_of(Surface::crossing) ||
+           area == area_of(Surface::steps);
+}
+
+static double triangle_area(Vec3 a, Vec3 b, Vec3 c) {
+    return 0.5 *
+           std::fabs(static_cast<double>(cross(on_ground(b) - on_ground(a), on_ground(c) - on_ground(a))));
+}
+
+// Numbers the connected pieces by falling area; `areas` receives the area of each.
+static void find_islands(Navmesh& m, std::vector<double>& areas) {
+    std::vector<uint32_t> parent(m.islands.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    auto root = [&](uint32_t i) {
+        while (parent[i] != i) i = parent[i] = parent[parent[i]];
+        return i;
+    };
+    std::vector<double> area(parent.size(), 0.0);
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        const dtPoly& polygon = tile.polys[p];
+        uint32_t number = polygon_number(m, reference);
+        for (uint32_t l = polygon.firstLink; l != DT_NULL_LINK; l = tile.links[l].next) {
+            if (!tile.links[l].ref) continue;
+            uint32_t a = root(number), b = root(polygon_number(m, tile.links[l].ref));
+            parent[std::max(a, b)] = std::min(a, b);
+        }
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            area[number] +=
+                triangle_area(tile_vertex(tile, polygon.verts[0]), tile_vertex(tile, polygon.verts[i - 1]),
+                              tile_vertex(tile, polygon.verts[i]));
+        }
+    });
+    std::vector<uint32_t> roots;
+    for (uint32_t i = 0; i < parent.size(); ++i) {
+        if (root(i) == i) {
+            roots.push_back(i);
+        } else {
+            area[root(i)] += area[i];
+        }
+    }
+    std::sort(roots.begin(), roots.end(),
+              [&](uint32_t a, uint32_t b) { return area[a] != area[b] ? area[a] > area[b] : a < b; });
+    std::vector<uint32_t> number_of_root(parent.size(), 0);
+    for (uint32_t r = 0; r < roots.size(); ++r) {
+        number_of_root[roots[r]] = r;
+        areas.push_back(area[roots[r]]);
+    }
+    for (uint32_t i = 0; i < parent.size(); ++i) m.islands[i] = number_of_root[root(i)];
+}
+
+// Cuts the places into triangles, sorted by cell, with their areas summed up.
+static void find_places(Navmesh& m, Vec2 low, Vec2 high, const std::vector<double>& island_areas) {
+    std::vector<PlacePiece> places, others;
+    double least = std::min(k_least_island, island_areas.front());
+    while (m.worthy_islands < island_areas.size() && island_areas[m.worthy_islands] >= least)
+        ++m.worthy_islands;
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        const dtPoly& polygon = tile.polys[p];
+        if (m.islands[polygon_number(m, reference)] >= m.worthy_islands) return;
+        Vec3 a = tile_vertex(tile, polygon.verts[0]);
+        for (int i = 2; i < polygon.vertCount; ++i) {
+            Vec3 b = tile_vertex(tile, polygon.verts[i - 1]), c = tile_vertex(tile, polygon.verts[i]);
+            (is_place(polygon.getArea()) ? places : others).push_back({a, b, c, reference});
+        }
+    });
+    if (places.empty()) places.swap(others);  // roads or grass alone
+
+    m.place_grid = make_weighted_grid(
+        low, high, m.settings.tile, places.size(),
+        [&](uint32_t i) { return on_ground(places[i].a + places[i].b + places[i].c) / 3; },
+        [&](uint32_t i) { return triangle_area(places[i].a, places[i].b, places[i].c); });
+    for (uint32_t i : m.place_grid.grid.items) m.places.push_back(places[i]);
+}
+
+static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        constexpr int k_most = 64;
+        float ends[k_most][6];
+        int count = 0;
+        m.queries[0]->getPolyWallSegments(reference, &m.filter, ends[0], nullptr, &count, k_most);
+        const dtPoly& polygon = tile.polys[p];
+        Vec3 centre;
+        for (int i = 0; i < polygon.vertCount; ++i) centre += tile_vertex(tile, polygon.verts[i]);
+        centre = centre / static_cast<float>(polygon.vertCount);
+        for (int i = 0; i < count; ++i) {
+            BorderLine line{{ends[i][0], ends[i][1], ends[i][2]}, {ends[i][3], ends[i][4], ends[i][5]}};
+            Vec2 along = on_ground(line.b) - on_ground(line.a);
+            if (length_squared(along) < 1e-8f) continue;
+            if (cross(along, on_ground(centre) - on_ground(line.a)) < 0) std::swap(line.a, line.b);
+            m.borders.push_back(line);
+        }
+    });
+    m.border_grid = make_grid(low, high, 3);
+    fill_grid(m.border_grid, static_cast<uint32_t>(m.borders.size()), [&](uint32_t i, auto visit) {
+        for_cells_of_segment(m.border_grid, on_ground(m.borders[i].a), on_ground(m.borders[i].b), visit);
+    });
+}
+
+// What people rather walk on: sidewalks, then crossings, pedestrian streets, grass, and roads last.
+static void set_costs(dtQueryFilter& filter) {
+    for (int a = 0; a < DT_MAX_AREAS; ++a) filter.setAreaCost(a, 1);
+    filter.setAreaCost(area_of(Surface::crossing), 1.2f);
+    filter.setAreaCost(area_of(Surface::plaza), 1.3f);
+    filter.setAreaCost(area_of(Surface::grass), 3);
+    filter.setAreaCost(area_of(Surface::road), 25);
+}
+
+static float tile_edge(const NavmeshSettings& s) {
+    return std::max(1.0f, std::floor(s.tile / s.cell + 0.5f)) * s.cell;
+}
+
+// Detour's references have 22 bits for the tile and for the polygon in it, and the fullest tile says how many
+// of them go to polygons. Many small tiles leave too few; in larger ones the full and the empty even out.
+// Ground that small tiles are enough for keeps them.
+static NavmeshSettings suited(const Ground& ground, NavmeshSettings settings) {
+    constexpr float k_most_tiles = 8192, k_few_tiles = 2048;
+    Vec2 size = ground.high - ground.low;
+    auto tiles = [&] { return size.x * size.z / (settings.tile * settings.tile); };
+    if (tiles() <= k_most_tiles) return settings;
+    while (tiles() > k_few_tiles) settings.tile *= 2;
+    return settings;
+}
+
+// Owns what it takes out of `tiles`.
+static Result<NavmeshPtr> join_tiles(const Ground& ground, const NavmeshSettings& settings,
+                                     std::vector<TileData>& tiles, int threads) {
+    NavmeshPtr m(new Navmesh);
+    m->settings = settings;
+    int most_polygons = 1, used_tiles = 0;
+    std::string failure;
+    for (size_t t = 0; t < tiles.size(); ++t) {
+        if (tiles[t].bytes) {
+            ++used_tiles;
+            most_polygons =
+                std::max(most_polygons, reinterpret_cast<const dtMeshHeader*>(tiles[t].bytes)->polyCount);
+        }
+        if (tiles[t].failure && failure.empty()) {
+            failure = "tile " + std::to_string(t) + " of the navigation mesh failed: " + tiles[t].failure;
+        }
+    }
+    if (failure.empty() && used_tiles == 0) {
+        failure = "'" + ground.name + "' has no ground that a walker can stand on";
+    }
+    dtNavMeshParams p{};
+    p.orig[0] = ground.low.x;
+    p.orig[2] = ground.low.z;
+    p.tileWidth = p.tileHeight = tile_edge(settings);
+    p.maxTiles = used_tiles;
+    p.maxPolys = most_polygons;
+    m->mesh.reset(dtAllocNavMesh());
+    if (failure.empty() && dtStatusFailed(m->mesh->init(&p))) {
+        failure = "'" + ground.name + "' is too large for one navigation mesh: cut out a smaller area";
+    }
+    for (TileData& t : tiles) {
+        if (!t.bytes) continue;
+        if (!failure.empty() ||
+            dtStatusFailed(m->mesh->addTile(t.bytes, t.size, DT_TILE_FREE_DATA, 0, nullptr))) {
+            dtFree(t.bytes);
+            if (failure.empty()) failure = "a tile of the navigation mesh could not be added";
+        }
+        t.bytes = nullptr;
+    }
+    if (!failure.empty()) return Error{failure};
+
+    uint32_t polygons = 0;
+    for (int t = 0; t < m->mesh->getMaxTiles(); ++t) {
+        m->first_polygon.push_back(polygons);
+        const dtMeshTile* added = static_cast<const dtNavMesh&>(*m->mesh).getTile(t);
+        if (added->header) polygons += static_cast<uint32_t>(added->header->polyCount);
+    }
+    m->islands.resize(polygons);
+    set_costs(m->filter);
+    prepare_queries(*m, threads);
+    std::vector<double> island_areas;
+    find_islands(*m, island_areas);
+    find_places(*m, ground.low, ground.high, island_areas);
+    find_borders(*m, ground.low, ground.high);
+    return m;
+}
+
+namespace {
+// The parts of the ground by tile.
+struct TileGrids {
+    Grid triangles, walls, solids, obstacles;
+};
+}  // namespace
+
+static std::span<const uint32_t> items_of(const Grid& grid, size_t cell) {
+    return {grid.items.data() + grid.first[cell], grid.first[cell + 1] - grid.first[cell]};
+}
+
+static TileGrids sort_by_tile(const Ground& ground, const NavmeshSettings& settings) {
+    TileGrids grids;
+    float tile = tile_edge(settings);
+    Vec2 rim{tile_rim(settings), tile_rim(settings)}, size = ground.high - ground.low;
+    Grid& triangles = grids.triangles;
+    triangles.origin = ground.low;
+    triangles.cell = tile;
+    triangles.width = static_cast<int>(size.x / tile) + 1;
+    triangles.height = static_cast<int>(size.z / tile) + 1;
+    triangles.first.assign(static_cast<size_t>(triangles.width) * triangles.height + 1, 0);
+    grids.walls = grids.solids = grids.obstacles = triangles;
+    auto cells_of = [&](std::initializer_list<Vec3> corners, auto visit) {
+        Vec2 low = on_ground(*corners.begin()), high = low;
+        for (Vec3 c : corners) {
+            low = {std::min(low.x, c.x), std::min(low.z, c.z)};
+            high = {std::max(high.x, c.x), std::max(high.z, c.z)};
+        }
+        CellRange r = cells_of_box(triangles, low - rim, high + rim);
+        for (int z = r.z0; z <= r.z1; ++z) {
+            for (int x = r.x0; x <= r.x1; ++x) visit(static_cast<size_t>(z) * triangles.width + x);
+        }
+    };
+    fill_grid(triangles, static_cast<uint32_t>(ground.kinds.size()), [&](uint32_t i, auto visit) {
+        const uint32_t* index = &ground.indices[i * 3];
+        cells_of({ground.vertices[index[0]], ground.vertices[index[1]], ground.vertices[index[2]]}, visit);
+    });
+    fill_grid(grids.walls, static_cast<uint32_t>(ground.faces.size()), [&](uint32_t i, auto visit) {
+        const Face& f = ground.faces[i];
+        if (f.kind == FaceKind::facade || f.kind == FaceKind::garden_wall) cells_of({f.a, f.b}, visit);
+    });
+    fill_grid(grids.solids, static_cast<uint32_t>(ground.solids.size()), [&](uint32_t i, auto visit) {
+        const Solid& s = ground.solids[i];
+        cells_of({s.a, s.b, s.c}, visit);
+    });
+    fill_grid(grids.obstacles, static_cast<uint32_t>(ground.obstacles.size()), [&](uint32_t i, auto visit) {
+        const Obstacle& o = ground.obstacles[i];
+        float reach = o.half.x + o.half.z + 2 * settings.agent_radius;
+        cells_of({o.position - Vec3{reach, 0, reach}, o.position + Vec3{reach, 0, reach}}, visit);
+    });
+    return grids;
+}
+
+Result<NavmeshPtr> build_navmesh(const Ground& ground, const NavmeshSettings& wanted, int threads,
+                                 const std::function<bool(float)>& progress) {
+    const NavmeshSettings settings = suited(ground, wanted);
+    TileGrids grids = sort_by_tile(ground, settings);
+    size_t width = static_cast<size_t>(grids.triangles.width), tile_count = grids.triangles.first.size() - 1;
+    std::vector<TileData> tiles(tile_count);
+    std::atomic<size_t> done = 0;
+    std::atomic<bool> given_up = false;
+    WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, tile_count, 1, [&](size_t begin, size_t end, int thread) {
+        for (size_t t = begin; t < end && !given_up; ++t) {
+            TileParts parts{items_of(grids.triangles, t), items_of(grids.walls, t), items_of(grids.solids, t),
+                            items_of(grids.obstacles, t)};
+            tiles[t] =
+                build_tile(ground, settings, static_cast<int>(t % width), static_cast<int>(t / width), parts);
+            size_t so_far = ++done;
+            if (progress && thread == 0 &&
+                !progress(static_cast<float>(so_far) / static_cast<float>(tile_count)))
+                given_up = true;
+        }
+    });
+    if (given_up) {
+        for (TileData& t : tiles) dtFree(t.bytes);
+        return Error{"the navigation mesh of '" + ground.name + "' was given up"};
+    }
+    auto mesh = join_tiles(ground, settings, tiles, thread_count(*workers));
+    if (progress) progress(1);
+    return mesh;
+}
+
+std::string navmesh_bytes(const Navmesh& m) {
+    std::string bytes;
+    for (int t = 0; t < m.mesh->getMaxTiles(); ++t) {
+        const dtMeshTile* tile = static_cast<const dtNavMesh&>(*m.mesh).getTile(t);
+        if (!tile->header) continue;
+        uint64_t size = static_cast<uint64_t>(tile->dataSize);
+        bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+        bytes.append(reinterpret_cast<const char*>(tile->data), tile->dataSize);
+    }
+    return bytes;
+}
+
+Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& wanted,
+                                   std::string_view bytes, int threads) {
+    const NavmeshSettings settings = suited(ground, wanted);
+    std::vector<TileData> tiles;
+    bool whole = true;
+    while (!bytes.empty() && whole) {
+        uint64_t size = 0;
+        whole = bytes.size() >= sizeof size;
+        if (!whole) break;
+        std::memcpy(&size, bytes.data(), sizeof size);
+        bytes.remove_prefix(sizeof size);
+        whole = size >= sizeof(dtMeshHeader) && size <= bytes.size();
+        if (!whole) break;
+        TileData tile;
+        tile.size = static_cast<int>(size);
+        tile.bytes = static_cast<unsigned char*>(dtAlloc(size, DT_ALLOC_PERM));
+        std::memcpy(tile.bytes, bytes.data(), size);
+        bytes.remove_prefix(size);
+        tiles.push_back(tile);
+    }
+    if (!whole) {
+        for (TileData& t : tiles) dtFree(t.bytes);
+        return Error{"what was kept of the navigation mesh of '" + ground.name + "' is damaged"};
+    }
+    WorkersPtr workers = make_workers(threads);
+    return join_tiles(ground, settings, tiles, thread_count(*workers));
+}
+
+void prepare_queries(Navmesh& m, int threads) {
+    while (static_cast<int>(m.queries.size()) < threads) {
+        m.queries.emplace_back(dtAllocNavMeshQuery());
+        m.queries.back()->init(m.mesh.get(), k_most_nodes);
+    }
+}
+
+}  // namespace flaneur

@@ -1,0 +1,88 @@
+// What a Navmesh holds. Private to sim/navigation.
+#pragma once
+
+#include <recastnavigation/DetourNavMesh.h>
+#include <recastnavigation/DetourNavMeshQuery.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/navigation/navmesh.h"
+#include "sim/navigation/weighted_grid.h"
+
+namespace flaneur {
+
+struct DetourDelete {
+    void operator()(dtNavMesh* mesh) const { dtFreeNavMesh(mesh); }
+    void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
+};
+
+// A piece of a polygon where walkers may start or wish to go.
+struct PlacePiece {
+    Vec3 a, b, c;
+    uint32_t polygon = 0;
+};
+
+struct Navmesh {
+    NavmeshSettings settings;
+    std::unique_ptr<dtNavMesh, DetourDelete> mesh;
+    dtQueryFilter filter;
+    std::vector<std::unique_ptr<dtNavMeshQuery, DetourDelete>> queries;  // one a thread
+
+    std::vector<uint32_t> first_polygon;  // one a tile: the number of its first polygon
+    std::vector<uint32_t> islands;        // one a polygon
+    uint32_t worthy_islands = 0;          // so many, the largest, are worth walking about in
+    std::vector<PlacePiece> places;       // in the order of the grid's items
+    WeightedGrid place_grid;              // cells as large as tiles; weights are square metres
+
+    std::vector<BorderLine> borders;
+    Grid border_grid;
+};
+
+// The area id of a surface on the mesh; Recast keeps 0 for what cannot be walked on.
+inline uint8_t area_of(Surface s) { return static_cast<uint8_t>(static_cast<int>(s) + 1); }
+inline Surface surface_of_area(uint8_t area) { return static_cast<Surface>(area - 1); }
+
+inline const float* floats(const Vec3& v) { return &v.x; }
+inline float* floats(Vec3& v) { return &v.x; }
+
+inline uint32_t polygon_number(const Navmesh& m, uint32_t polygon) {
+    const dtNavMesh& mesh = *m.mesh;
+    return m.first_polygon[mesh.decodePolyIdTile(polygon)] + mesh.decodePolyIdPoly(polygon);
+}
+
+// Calls visit(tile, polygon index, reference) for every polygon, tile by tile.
+template <class Visit>
+void for_polygons(const dtNavMesh& mesh, Visit visit) {
+    for (int t = 0; t < mesh.getMaxTiles(); ++t) {
+        const dtMeshTile* tile = mesh.getTile(t);
+        if (!tile->header) continue;
+        uint32_t base = mesh.getPolyRefBase(tile);
+        for (int p = 0; p < tile->header->polyCount; ++p) visit(*tile, p, base | static_cast<uint32_t>(p));
+    }
+}
+
+inline Vec3 tile_vertex(const dtMeshTile& tile, uint16_t index) {
+    const float* v = &tile.verts[index * 3];
+    return {v[0], v[1], v[2]};
+}
+
+// One tile's Detour data, empty if nothing in it can be walked on; why it failed, if it did.
+struct TileData {
+    unsigned char* bytes = nullptr;  // dtFree
+    int size = 0;
+    const char* failure = nullptr;
+};
+// What of the ground touches a tile or its rim, by index.
+struct TileParts {
+    // Of the ground: its triangles, faces, solids and obstacles.
+    std::span<const uint32_t> triangles, walls, solids, obstacles;
+};
+TileData build_tile(const Ground& ground, const NavmeshSettings& settings, int x, int z,
+                    const TileParts& parts);
+
+// How far beyond its edges a tile must know the ground, metres.
+float tile_rim(const NavmeshSettings& settings);
+
+}  // namespace flaneur

@@ -1,0 +1,231 @@
+#include "sim/sim.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "sim/base/math.h"
+#include "sim/world.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr uint32_t k_most_walkers = 1'000'000;
+constexpr Vec3 k_reach{2, 2, 2};  // to the nearest walkable place, half extents, metres
+
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Within [low, high]; NaN is not.
+bool is_within(float v, float low, float high) { return v >= low && v <= high; }
+
+std::string at(Vec3 p) {
+    char text[96];
+    std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", static_cast<double>(p.x), static_cast<double>(p.y),
+                  static_cast<double>(p.z));
+    return text;
+}
+
+Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
+    size_t count = t.indices.size() / 3;
+    if (t.indices.size() % 3 != 0) return Error{"The number of indices is not a multiple of three."};
+    if (!t.kinds.empty() && t.kinds.size() != count)
+        return Error{"There are " + std::to_string(t.kinds.size()) + " kinds of ground for " +
+                     std::to_string(count) + " triangles: give one for each, or none."};
+    for (size_t i = 0; i < t.positions.size(); ++i)
+        if (!is_finite(t.positions[i])) return Error{"Position " + std::to_string(i) + " is not finite."};
+    Ground ground;
+    ground.name = "ground";
+    ground.vertices.assign(t.positions.begin(), t.positions.end());
+    float flattest_wall = sin_cos(max_slope_degrees * k_radians).cosine;
+    for (size_t i = 0; i < count; ++i) {
+        Vec3 corners[3];
+        for (size_t k = 0; k < 3; ++k) {
+            uint32_t index = t.indices[i * 3 + k];
+            if (index >= t.positions.size())
+                return Error{"Triangle " + std::to_string(i) + " refers to position " +
+                             std::to_string(index) + ", but there are " + std::to_string(t.positions.size()) +
+                             "."};
+            corners[k] = t.positions[index];
+        }
+        Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+        if (!(length(normal) > 1e-9f)) continue;
+        if (normal.y >= flattest_wall * length(normal)) {
+            for (size_t k = 0; k < 3; ++k) ground.indices.push_back(t.indices[i * 3 + k]);
+            ground.kinds.push_back(t.kinds.empty() ? Surface::plaza : t.kinds[i]);
+        } else {
+            ground.solids.push_back({corners[0], corners[1], corners[2]});
+        }
+    }
+    if (ground.indices.empty())
+        return Error{"No triangle faces up: wind them counter-clockwise seen from above, with +y up."};
+    index_ground(ground);
+    return ground;
+}
+
+Result<void> check(const WorldOptions& o) {
+    if (o.capacity > k_most_walkers || o.walkers > k_most_walkers)
+        return Error{"There is room for a million walkers at most."};
+    if (o.tasks.run && o.tasks.threads < 1) return Error{"TaskSystem::threads must be at least 1."};
+    if (o.kinds.empty()) return Error{"There must be one kind of walkers at least."};
+    for (size_t k = 0; k < o.kinds.size(); ++k) {
+        const Kind& kind = o.kinds[k];
+        bool sound = kind.share > 0 && std::isfinite(kind.share) && is_within(kind.age, 5, 100) &&
+                     leg_length(kind.body) > 0.1f && thigh_length(kind.body) > 0.05f &&
+                     shank_length(kind.body) > 0.05f;
+        for (Vec3 joint : kind.body.joints) sound = sound && is_finite(joint);
+        for (float length : {kind.body.height, kind.body.heel, kind.body.toe, kind.body.carriage})
+            sound = sound && std::isfinite(length);
+        if (!sound)
+            return Error{
+                "Kind " + std::to_string(k) +
+                " is out of range: share above 0, age 5..100, finite measures, legs longer than 0.1 m."};
+    }
+    const NavmeshSettings& n = o.navmesh;
+    if (!is_within(n.cell, 0.02f, 2) || !is_within(n.cell_height, 0.01f, 1) || !is_within(n.tile, 8, 200) ||
+        !is_within(n.agent_radius, 0, 2) || !is_within(n.agent_height, 0.5f, 4) ||
+        !is_within(n.max_climb, 0, 1) || !is_within(n.max_slope_degrees, 0, 80))
+        return Error{"A setting of the navigation mesh is out of range."};
+    for (const Destination& d : o.destinations) {
+        if (!is_finite(d.position) || !std::isfinite(d.facing.x) || !std::isfinite(d.facing.z) ||
+            !std::isfinite(d.weight))
+            return Error{"A destination has numbers that are not finite."};
+    }
+    for (const Clip& clip : o.idles) {
+        if (clip.joints != k_joint_count || clip.keys == 0 || clip.rows.empty())
+            return Error{
+                "An idle is no clip of the humanoid: make it by make_additive_clip(humanoid(body), ...)."};
+    }
+    if (!is_within(o.hour, 0, 24)) return Error{"The hour must be within 0 and 24."};
+    return {};
+}
+
+}  // namespace
+
+void WorldDelete::operator()(World* world) const { delete world; }
+
+Result<WorldPtr> make_world(const Triangles& triangles, const WorldOptions& options) {
+    if (Result<void> sound = check(options); !sound) return sound.error();
+    Result<Ground> ground = ground_of(triangles, options.navmesh.max_slope_degrees);
+    if (!ground) return ground.error();
+    auto made = make_world(std::make_shared<const Ground>(std::move(ground).value()), options);
+    if (!made) return made.error();
+    return WorldPtr(std::move(made).value().release());
+}
+
+// Where a walker asked for stands, on the mesh; polygon 0: there is no room.
+static NavPoint find_place(const World& w, const WalkerOptions& options, uint32_t slot, uint32_t generation) {
+    auto fits = [&](NavPoint& p) {
+        auto hit = ground_at(w.around, p.position, 1, 2);
+        if (!hit) return false;
+        p.position.y = hit->height;
+        return has_room(w.crowd, p.position, options.radius);
+    };
+    if (options.place) {
+        auto found = nearest(*w.navmesh, 0, *options.place, k_reach);
+        return found && fits(*found) ? *found : NavPoint{};
+    }
+    constexpr uint32_t k_attempts = 64;
+    for (uint32_t attempt = 0; attempt < k_attempts; ++attempt) {
+        RandomKey key{w.seed, slot, generation * k_attempts + attempt, Purpose::spawn};
+        NavPoint p =
+            random_place(*w.navmesh, 0, random_unit(key, 0), random_unit(key, 1), random_unit(key, 2));
+        if (fits(p)) return p;
+    }
+    return {};
+}
+
+Result<WalkerId> add_walker(World& w, const WalkerOptions& o) {
+    const CrowdSlots& slots = w.crowd.slots;
+    if (slots.living.size() >= w.crowd.capacity)
+        return Error{"The world is full with " + std::to_string(w.crowd.capacity) +
+                     " walkers: remove some, or make it with a larger capacity."};
+    if (o.kind && *o.kind >= w.kinds.size())
+        return Error{"There is no kind " + std::to_string(*o.kind) + " of walkers."};
+    if ((o.place && !is_finite(*o.place)) || !std::isfinite(o.heading) || !is_within(o.scale, 0.5f, 2) ||
+        (o.speed && !is_within(*o.speed, 0.3f, 2)) || !is_within(o.radius, k_least_radius, k_widest_radius))
+        return Error{
+            "An option of the walker is out of range: a finite place and heading, scale 0.5..2, speed "
+            "0.3..2 m/s, radius 0.1..0.5 m."};
+    uint32_t slot = slots.left.empty() ? w.crowd.count : slots.left.back();
+    uint32_t generation = slots.generation[slot];
+    NavPoint place = find_place(w, o, slot, generation);
+    if (place.polygon == 0) {
+        if (!o.place) return Error{"There is no room for another walker; or none was found by chance."};
+        return Error{"Nobody can be set down at " + at(*o.place) +
+                     ": there is no walkable ground within 2 m, or somebody stands there."};
+    }
+    Walker walker = draw_walker(w.folk, {w.seed, slot, generation, Purpose::body});
+    if (o.kind && *o.kind != walker.body) {
+        const Folk one = w.folk[*o.kind];
+        walker = draw_walker({&one, 1}, {w.seed, slot, generation, Purpose::body});
+        walker.body = *o.kind;
+    }
+    walker.place = place;
+    walker.heading = wrap_angle(o.heading);
+    walker.scale = o.scale;
+    if (o.speed) walker.preferred_speed = *o.speed;
+    walker.radius = o.radius;
+    walker.errand = o.wanders ? Errand::wander : Errand::arrive;
+    uint32_t i = add_walker(w.crowd, w.around, walker);
+    start_body(w, i);
+    return w.crowd.slots.living.back();
+}
+
+bool is_alive(const World& w, WalkerId id) {
+    const CrowdSlots& slots = w.crowd.slots;
+    return id.index < w.crowd.count && is_there(w.crowd, id.index) &&
+           slots.generation[id.index] == id.generation;
+}
+
+bool remove_walker(World& w, WalkerId id) {
+    if (!is_alive(w, id)) return false;
+    remove_walker(w.crowd, id.index);
+    end_body(w, id.index);
+    return true;
+}
+
+std::span<const WalkerId> walkers(const World& w) { return w.crowd.slots.living; }
+
+Result<void> send_to(World& w, WalkerId id, Vec3 goal) {
+    if (!is_alive(w, id)) return Error{"That walker is gone."};
+    auto place = is_finite(goal) ? nearest(*w.navmesh, 0, goal, k_reach) : std::nullopt;
+    if (!place) return Error{"There is no walkable ground within 2 m of " + at(goal) + "."};
+    if (island(*w.navmesh, place->polygon) != island(*w.navmesh, w.crowd.motion.polygon[id.index]))
+        return Error{"There is no way to " + at(goal) + " from where the walker is."};
+    w.crowd.journeys[id.index].errand = Errand::arrive;
+    send_to(w.crowd, id.index, *place);
+    return {};
+}
+
+bool let_wander(World& w, WalkerId id) {
+    if (!is_alive(w, id)) return false;
+    Journey& j = w.crowd.journeys[id.index];
+    j.errand = Errand::wander;
+    j.arrived = false;
+    j.pause_until = 0;
+    j.path_due = PathDue::to_new_goal;
+    return true;
+}
+
+bool has_arrived(const World& w, WalkerId id) {
+    return is_alive(w, id) && w.crowd.journeys[id.index].errand == Errand::arrive &&
+           has_arrived(w.crowd, id.index);
+}
+
+std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
+    if (!is_alive(w, id)) return std::nullopt;
+    const CrowdMotion& m = w.crowd.motion;
+    uint32_t i = id.index;
+    return WalkerMotion{m.position[i], m.velocity[i], m.heading[i], w.crowd.identity.body[i],
+                        w.crowd.identity.scale[i]};
+}
+
+bool pose_of(const World& w, WalkerId id, std::span<JointPose, k_joint_count> joints, float between) {
+    if (!is_alive(w, id)) return false;
+    for (size_t j = 0; j < joints.size(); ++j)
+        joints[j] = joint_between(w, id.index, static_cast<Joint>(j), between);
+    return true;
+}
+
+}  // namespace flaneur

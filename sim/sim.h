@@ -1,0 +1,155 @@
+// The library: people who walk in somebody else's program, on somebody else's ground. This header is all of
+// it, and its manual.
+//
+//     const Vec3 corners[] = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
+//     const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
+//     auto world = flaneur::make_world({corners, triangles}, {.capacity = 100});
+//     if (!world) return std::puts(world.error().message.c_str()), 1;
+//     for (int i = 0; i < 100; ++i) (void)add_walker(**world, {.wanders = true});
+//     for (int tick = 0; tick < 600; ++tick) step(**world);
+//     for (WalkerId id : walkers(**world)) {
+//         Vec3 p = motion_of(**world, id)->position;
+//         std::printf("%.2f %.2f %.2f\n", p.x, p.y, p.z);
+//     }
+//
+// Units and axes: metres, seconds, radians. Right-handed, +y up; one who stands with heading 0 faces +z, and
+// headings grow towards +x. Time goes on in ticks of 1/60 s; whoever draws at another rate asks for poses
+// between the last two ticks.
+//
+// Errors: what a program cannot know beforehand (is there ground, is there room, is that one still there)
+// comes back as a Result or an empty optional. Breaking what is written here as a must is a bug of the
+// caller; debug builds assert it.
+//
+// Threads: worlds share nothing. Functions that take a `const World&` may run on any number of threads at
+// once, but not beside one that changes the same world. make_world, add_walker and send_to may take long;
+// step, remove_walker, let_wander and all that takes a `const World&` allocate nothing.
+//
+// Determinism: the same ground, options and calls in the same order give the same world to the last bit, on
+// any number of threads, with any instruction set and compiler (hash_world says so). Between kinds of
+// machines (x86-64, arm64) so too where Recast is built with -ffp-contract=off; see docs/determinism.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/animation/clip.h"
+#include "sim/base/result.h"
+#include "sim/base/tasks.h"
+#include "sim/base/vec.h"
+#include "sim/body/body.h"
+#include "sim/crowd/demand.h"
+#include "sim/crowd/walker_id.h"
+#include "sim/ground/surroundings.h"
+#include "sim/navigation/navmesh.h"
+#include "sim/pose/pose.h"
+
+namespace flaneur {
+
+struct World;
+struct WorldDelete {
+    void operator()(World*) const;
+};
+using WorldPtr = std::unique_ptr<World, WorldDelete>;
+
+// What people stand on and bump into.
+struct Triangles {
+    std::span<const Vec3> positions{};
+    // Three a triangle, counter-clockwise seen from above or from outside. What is less steep than
+    // NavmeshSettings::max_slope_degrees is ground; all else is wall, which stops people and paths.
+    std::span<const uint32_t> indices{};
+    // One a triangle, what kind of ground it is; none: all is plaza. Nobody walks on water, and paths prefer
+    // sidewalks, paths and plazas to grass and roads.
+    std::span<const Surface> kinds{};
+};
+
+// A body that walkers may have, and who has such a body.
+struct Kind {
+    // standard_body(height), or the joints of one's own character in the canonical pose (see Body). All must
+    // be finite, legs longer than 0.1 m, their thighs and shanks than 0.05 m.
+    Body body;
+    float share = 1;  // how many have it, against the other kinds' shares; above 0
+    float age = 30;  // years, 5..100: with sex and legs it sets how fast they walk, and with it how they move
+    bool woman = false;
+};
+
+struct WorldOptions {
+    uint32_t capacity = 0;  // walkers there can be at one time, up to 1,000,000; raised to `walkers`
+    uint32_t walkers = 0;   // of them set down at the start by chance, and wander
+    uint64_t seed = 1;      // of all that is left to chance
+    int threads = 0;        // that make_world and step use, the calling one included; 0: one a core
+    TaskSystem tasks{};     // one's own threads instead, if `run` is set; paths are prepared on the caller's
+    std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
+    // One's own answers to where exactly the ground is, for feet, and where walls are, for hands: a height
+    // field, a physics engine. The triangles say where people can go, and may be coarser (by 0.3 m in
+    // height). Asked from all threads at once. Where `ground` is null the triangles answer both; with it, a
+    // null `wall` means that hands find no walls.
+    Surroundings around{};
+    NavmeshSettings navmesh{};
+    std::vector<Destination> destinations{};  // where those go who wander; none: they stroll
+    float hour = 17.5f;                       // of the day, 0..24, at the first tick: who goes where
+    std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
+};
+
+// Takes seconds for a city, as paths are prepared. Triangles and options are copied; what `around.asked` and
+// `tasks.user` point to must outlive the world. Refuses, with a sentence: indices beyond the positions,
+// numbers that are not finite, ground too small to stand on or without room for `walkers`, options out of
+// range.
+Result<WorldPtr> make_world(const Triangles& triangles, const WorldOptions& options = {});
+
+struct WalkerOptions {
+    std::optional<Vec3> place{};  // on the ground or within 2 m of it; none: by chance where there is room
+    float heading = 0;
+    std::optional<uint32_t> kind{};  // index into WorldOptions::kinds; none: by chance and share
+    float scale = 1;                 // of the kind's body, 0.5..2
+    std::optional<float> speed{};    // m/s that it likes to walk, 0.3..2; none: as people of its kind do
+    float radius = 0.25f;            // of the room that nobody else enters, 0.1..0.5
+    bool wanders = false;            // strolls from place to place; else it stands until it is sent
+};
+
+// Refuses, with a sentence: a full world, a place without ground or where somebody stands, options out of
+// range.
+Result<WalkerId> add_walker(World& world, const WalkerOptions& options = {});
+
+// Whoever walks on: the walker is gone at once, and nobody avoids it. False if it was gone before.
+bool remove_walker(World& world, WalkerId id);
+bool is_alive(const World& world, WalkerId id);
+
+// All who are there, in no particular order but the same in equal runs; until somebody is added or removed.
+std::span<const WalkerId> walkers(const World& world);
+
+// Sends a walker to the walkable place nearest to `goal`, within 2 m. It goes by the best way, stands there
+// and waits. Refuses a walker that is gone, a goal without ground, and one to which there is no way. The way
+// itself is found in the next ticks, 32 walkers' in each.
+Result<void> send_to(World& world, WalkerId id, Vec3 goal);
+// Lets it stroll from place to place. False if it is gone.
+bool let_wander(World& world, WalkerId id);
+// Whether it stands where it was last sent, or was set down. Where others stand on the goal, next to them
+// is there.
+bool has_arrived(const World& world, WalkerId id);
+
+// One tick, 1/60 s.
+void step(World& world);
+
+struct WalkerMotion {
+    Vec3 position{};    // on the ground, between the feet
+    Vec2 velocity{};    // m/s over the ground plane
+    float heading = 0;  // where the body faces: yaw about +y, in [-pi, pi]
+    uint32_t kind = 0;
+    float scale = 1;  // of the kind's body
+};
+// After the last tick. None if the walker is gone.
+std::optional<WalkerMotion> motion_of(const World& world, WalkerId id);
+
+// Writes where each joint is in the world and how it is turned, by Joint (k_joint_names, k_joint_parents).
+// Rotations take the axes of the canonical pose, in which all are the identity, to the joint's. `between` is
+// 0 for the tick before the last .. 1 for the last. False, and nothing written, if the walker is gone.
+bool pose_of(const World& world, WalkerId id, std::span<JointPose, k_joint_count> joints, float between = 1);
+
+// The hash of the whole state, poses included.
+uint64_t hash_world(const World& world);
+
+}  // namespace flaneur

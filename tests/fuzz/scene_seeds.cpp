@@ -1,0 +1,30 @@
+// scene_seeds FOLDER: small scenes for the fuzzer to begin with.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "scene_seeds FOLDER\n";
+        return 1;
+    }
+    std::filesystem::path folder = argv[1];
+    std::filesystem::create_directories(folder);
+    int number = 0;
+    for (
+        const char* scene :
+        {R"({"walkers": 500, "seed": 1, "blocks": 4, "camera": "overview", "time": "17:30"})",
+         R"({"city": "maps/a.osm", "terrain": "N43E007.hgt", "walkers": 2000, "weather": "overcast"})",
+         R"({"city": "a.glb", "scale": 0.01, "sun_height": 40.5, "sun_heading": 120})",
+         R"({"people": [{"character": "a.glb", "share": 1}, {"builtin": true, "share": 9}], "idles": ["a.glb:Idle"]})",
+         R"({"asteroid": true, "walkers": 100000, "seed": 18446744073709551615})",
+         R"({"walkers": [[[[]]]], "city": {"a": ["\u001b[2J\n"]}})"}) {
+        std::ofstream file(folder / (std::to_string(++number) + ".json"));
+        file << scene;
+        if (!file) {
+            std::cerr << "Cannot write to " << folder << "\n";
+            return 1;
+        }
+    }
+}

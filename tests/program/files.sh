@@ -1,0 +1,90 @@
+#!/bin/bash
+# files.sh FLANEUR MANUAL MAP VULKAN [CHARACTER]: every key that a JSON or CSV of the program has is in docs/files.md, and every
+# key that is there is written; numbers are numbers.
+set -euo pipefail
+flaneur=$1 manual=$2 map=$3 vulkan=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+{
+    "$flaneur" bench crowd --scene corner --frames 2 --json "bench crowd.json"
+    "$flaneur" bench pose --scene corner --frames 1 --json "bench pose.json"
+    "$flaneur" bench city --scene corner --frames 1 --json "bench city.json"
+    "$flaneur" gait --json gait.json --csv gait.csv
+    "$flaneur" people --count 1 --out .
+    "$flaneur" inspect person_01.glb --json "inspect of a character.json"
+    "$flaneur" inspect "$map" --json "inspect of a map.json"
+    if [[ $vulkan == ON ]]; then
+        "$flaneur" bench frame --scene corner --size 64x36 --frames 1 --json "bench frame.json"
+        "$flaneur" city --check --city "$map" --walkers 2 --seconds 1 --json "city check.json" || true
+    fi
+    if [[ -n ${5-} ]]; then
+        "$flaneur" bench peers --character "$5" --count 2 --size 64x36 --frames 1 --json "bench peers.json"
+    fi
+} > printed.txt
+python3 - "$manual" "$vulkan" << 'END'
+import json, os, re, sys
+
+manual, vulkan = sys.argv[1:]
+drawn = {"bench frame", "bench peers", "city check"}
+
+# What the manual lists: by section, keys of the JSON and columns of the CSV.
+keys, columns, units, section, kind = {}, {}, {}, "", ""
+for line in open(manual, encoding="utf-8"):
+    if line.startswith("## "):
+        section = line[3:].strip()
+    elif line.startswith("| key |"):
+        kind = keys
+    elif line.startswith("| column |"):
+        kind = columns
+    elif row := re.match(r"\| `([^`]+)` \|([^|]*)\|", line):
+        kind.setdefault(section, []).append(row[1])
+        units[section, row[1]] = row[2].strip()
+
+def leaves(value, path=""):
+    if isinstance(value, dict) and value:
+        for key, of in value.items():
+            yield from leaves(of, f"{path}.{key}" if path else key)
+    elif isinstance(value, list):
+        yield path + "[]", None
+        for item in value:
+            if isinstance(item, (dict, list)):
+                yield from leaves(item, path + "[]")
+            else:
+                yield path + "[]", item
+    else:
+        yield path, value
+
+wrong = []
+quantities = {"ms", "ns", "m", "people", "frames", "ticks", "repetitions", "MB"}
+for name, listed in keys.items():
+    file = name + ".json"
+    # Only what is built with Vulkan draws, and peers need a character that dances.
+    if name in drawn and (vulkan != "ON" or name == "bench peers") and not os.path.exists(file):
+        continue
+    patterns = {key: re.compile("[^.]+".join(map(re.escape, key.split("*")))) for key in listed}
+    met = set()
+    for path, value in leaves(json.load(open(file, encoding="utf-8"))):
+        inner = path.endswith("[]") and any(key.startswith(path + ".") for key in listed)
+        by = [key for key in listed if patterns[key].fullmatch(path)]
+        if not by and not inner:
+            wrong.append(f"{file} has {path}, which the manual lacks")
+        met.update(by)
+        if isinstance(value, str) and re.fullmatch(r"-?[0-9.]+(e-?[0-9]+)?", value):
+            wrong.append(f"{file}: {path} is a number in quotes: {value}")
+        for key in by:
+            if units[name, key] in quantities and value is not None and not isinstance(value, (int, float)):
+                wrong.append(f"{file}: {path} is no number: {value}")
+    wrong += [f"{file} lacks {key}, which is in the manual" for key in listed if key not in met]
+for name, listed in columns.items():
+    header = open(name + ".csv", encoding="utf-8").readline().strip().split(",")
+    if header != listed:
+        wrong.append(f"{name}.csv has {header}, the manual {listed}")
+written = {file[:-5] for file in os.listdir(".") if file.endswith(".json")}
+wrong += [f"the manual has no section on {name}" for name in written - keys.keys()]
+if len(keys) < 8 or len(columns) < 1:
+    wrong.append("the manual's tables were not found")
+for line in dict.fromkeys(wrong):
+    print("FAILED:", line)
+sys.exit(bool(wrong))
+END

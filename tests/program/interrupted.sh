@@ -1,0 +1,126 @@
+#!/bin/bash
+# interrupted.sh FLANEUR MAP: whatever the program is at, SIGINT, SIGTERM and SIGHUP end it within a second (two on a
+# busy machine) by that signal, and nothing half-written is left. MAP is a large one; without it that part is left out.
+set -euo pipefail
+flaneur=$1 map=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/here"
+cd "$folder/here"
+failed() { echo "FAILED: $*" && cat ../said && exit 1; }
+
+# Milliseconds that next to nothing takes: 5, or more where others keep the machine busy.
+pace() {
+    local start=${EPOCHREALTIME/./}
+    "$flaneur" --version > /dev/null
+    echo $(((${EPOCHREALTIME/./} - start) / 1000))
+}
+
+# Waits until the process is the program: before, it is the shell, which treats signals as it likes.
+begun() {
+    while [[ -d /proc/$1 && $(cat "/proc/$1/comm" 2> /dev/null) != "$(basename "$flaneur")" ]]; do sleep 0.01; done
+}
+
+# interrupt SIGNAL SECONDS WORDS...: `flaneur WORDS` after so many seconds. $ended says "interrupted", or "done" where it
+# was quicker.
+interrupt() {
+    local signal=$1 after=$2 pid status=0 start took
+    shift 2
+    env --default-signal=INT,TERM,HUP "$flaneur" "$@" > ../printed 2> ../said &
+    pid=$!
+    begun $pid
+    sleep "$after"
+    start=${EPOCHREALTIME/./}
+    kill "-$signal" $pid 2> /dev/null || true
+    wait $pid || status=$?
+    took=$(((${EPOCHREALTIME/./} - start) / 1000))
+    echo "$signal after $after s: status $status after $took ms: flaneur $*"
+    if ((status == 0)); then ended="done" && return; fi
+    ended=interrupted
+    ((status == 128 + $(kill -l "$signal"))) || failed "status $status"
+    # So soon, it may not have come to hear signals yet.
+    [[ $after == 0.1 && ! -s ../said ]] || grep --quiet '^flaneur: Interrupted' ../said || failed "nothing was said"
+    ((took < 2000 + 20 * $(pace))) || failed "it took $took ms"
+    if [[ -n $(find . -name '*.part') ]]; then find . && failed "something half-written is left"; fi
+}
+
+# nothing_left WORDS...: each signal, at several moments; it leaves nothing, not even a folder.
+nothing_left() {
+    local met=0 moment
+    for moment in "INT 0.1" "TERM 0.5" "HUP 1" "INT 2"; do
+        # shellcheck disable=SC2086
+        interrupt $moment "$@"
+        if [[ $ended == interrupted ]]; then
+            met=1
+            if [[ -n $(ls -A) ]]; then find . && failed "left behind"; fi
+        fi
+        rm -rf ./*
+    done
+    ((met)) || failed "it was always quicker"
+}
+
+scene=(--scene corner --walkers 20)
+# With nothing kept: people are made, the mesh is built.
+XDG_CACHE_HOME=$folder/none
+export XDG_CACHE_HOME
+echo '{ "blocks": 20 }' > ../large.json
+nothing_left city --scene ../large.json --out deep/city.glb
+nothing_left people --count 1000 --out deep/people
+nothing_left sim --walkers 3000 --seconds 100000 --hash-log log.txt
+# With all of it kept, they are soon at what they do.
+XDG_CACHE_HOME=$folder/kept
+"$flaneur" sim "${scene[@]}" --seconds 0
+nothing_left sim "${scene[@]}" --seconds 100000 --hash-log log.txt
+nothing_left gait --crowd 20 --seconds 600 --csv a.csv --json a.json
+nothing_left bench crowd "${scene[@]}" --frames 1000000 --json a.json
+nothing_left bench pose "${scene[@]}" --frames 100000 --json a.json
+nothing_left bench city "${scene[@]}" --frames 100000 --json a.json
+if "$flaneur" render --help > /dev/null 2>&1 && "$flaneur" render "${scene[@]}" --frames 0 --size 16x16 --out a.png; then
+    rm a.png
+    nothing_left bench frame "${scene[@]}" --frames 1000000 --size 320x180 --json a.json
+    nothing_left city "${scene[@]}" --seconds 100000 --check --json a.json
+    nothing_left render "${scene[@]}" --frames 10000000 --size 320x180 --out deep/a.png
+    nothing_left people --count 500 --sheet sheet.png
+    interrupt INT 1 gait --speed 1 --strip strip.png --json a.json
+    rm -f strip.png a.json  # either may be whole
+    # Pictures that are whole stay.
+    for moment in 2 4 8 16 32; do
+        interrupt INT "$moment" render "${scene[@]}" --frames 0:100000 --size 64x48 --out many/%06d.png
+        [[ $ended == interrupted ]] || failed "a hundred thousand pictures in $moment s"
+        count=$(find . -name '*.png' | wc -l)
+        if ((count > 0)); then break; fi
+    done
+    grep --quiet "has the first $count of 100001 pictures" ../said || failed "$count pictures"
+    for picture in many/*; do ffprobe -v error "$picture" || failed "$picture is not whole"; done
+    rm -r many
+    # A film is finished with what it has.
+    for moment in 2 4 8 16 32; do
+        interrupt TERM "$moment" render "${scene[@]}" --frames 0:100000 --size 64x48 --out a.mp4
+        if [[ -f a.mp4 ]]; then break; fi
+    done
+    count=$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 a.mp4)
+    grep --quiet "has the first $count of 100001 pictures" ../said || failed "a film of $count pictures"
+    [[ $(ls -A) == a.mp4 ]] || failed "more than a film is left"
+    rm a.mp4
+fi
+
+# What a parent has it ignore stays ignored.
+env --ignore-signal=HUP "$flaneur" sim "${scene[@]}" --seconds 2000 2> ../said &
+pid=$!
+begun $pid
+sleep 0.3
+kill -HUP $pid
+wait $pid || failed "a signal that is ignored was obeyed"
+
+if [[ -f $map ]]; then
+    XDG_CACHE_HOME=$folder/none
+    rm -rf "$folder/none"
+    for moment in "INT 0.3" "TERM 3" "HUP 8" "INT 15"; do
+        # shellcheck disable=SC2086
+        interrupt $moment sim --city "$map" --seconds 100000 --hash-log log.txt
+        [[ -z $(ls -A) ]] || failed "left behind"
+    done
+    nothing_left inspect "$map" --json a.json
+else
+    echo "LEFT OUT: there is no $map to interrupt the loading of."
+fi

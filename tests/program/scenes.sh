@@ -1,0 +1,47 @@
+#!/bin/bash
+# scenes.sh FLANEUR SCENES: the built-in scenes are listed with a line on each; --schema is the file that stands beside them;
+# --check finds every fault of every file, with its place.
+set -euo pipefail
+flaneur=$1 scenes=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+expect() { if [[ $1 != "$2" ]]; then echo "FAILED: '$1' instead of '$2'" && exit 1; fi; }
+said() { if ! grep --quiet --line-regexp --extended-regexp "$1" check.txt; then echo "FAILED: nothing like $1 in:" && cat check.txt && exit 1; fi; }
+
+"$flaneur" scenes > list.txt
+expect "$(grep --count -E '^[a-z]+ +[A-Z].{10,}$' list.txt)" "$(find "$scenes" -name '*.json' -not -name '*.schema.json' | wc -l)"
+"$flaneur" scenes --schema | cmp - "$scenes/scene.schema.json"
+find "$scenes" -name "*.json" -not -name "*.schema.json" -exec "$flaneur" scenes --check district {} + > good.txt
+expect "$(grep --count ': good$' good.txt)" "$(($(find "$scenes" -name '*.json' -not -name '*.schema.json' | wc -l) + 1))"
+
+echo '{ "walkers": 3 }' > good.json
+cat > bad.json << 'END'
+{
+    "about": "Zürich", "walkers": -1,
+    "people": [{ "builtin": true }, { "builtin": true, "share": 0 }],
+    "wlakers": [1, "}", 3],
+    "camera": "sideways"
+}
+END
+printf '{\n  "walkers": 3,\n}\n' > broken.json
+printf '{ "walkers": 1e999 }\n' > large.json
+printf '{ "asteroid": true,\n  "city": "a.osm" }\n' > both.json
+if "$flaneur" scenes --check good.json bad.json broken.json large.json both.json nowhere.json > check.txt 2> sentence.txt; then
+    echo "FAILED: faults do not count." && exit 1
+fi
+cat check.txt sentence.txt
+said 'good\.json: good'
+said 'bad\.json:2:35: "walkers" must be a whole number from 0 to 100000, not -1\.'
+said 'bad\.json:3:65: in "people", number 2: "share" must be a number from 0.001 to 1000, not 0\.'
+said 'bad\.json:4:5: "wlakers" is not known; a scene may have .*'
+said 'bad\.json:5:15: "camera": sideways is none of .*'
+said 'broken\.json:3:1: this is not JSON\.'
+said 'large\.json:1:14: this number is too large\.'
+said 'both\.json:1:3: "asteroid" and "city" are two places; .*'
+said 'Cannot read the scene nowhere\.json.*'
+expect "$(wc -l < check.txt)" 9
+expect "$(cat sentence.txt)" "flaneur: 5 of 6 scenes cannot be used; the lines above say why."
+
+# An unreadable scene and a sound one make no good check.
+if "$flaneur" scenes --check good.json nowhere.json > /dev/null 2>&1; then echo "FAILED: a missing file is good." && exit 1; fi

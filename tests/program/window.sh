@@ -1,0 +1,115 @@
+#!/bin/bash
+# window.sh FLANEUR: a window under Xvfb is resized, minimised, restored, steered and closed, and the validation layer
+# has nothing to say about it. It obeys while it loads, loses no key and no picture, and draws nothing while minimised.
+set -euo pipefail
+folder=$(mktemp -d)
+children=()
+finish() {
+    for child in "${children[@]}"; do kill "$child" 2> /dev/null || true; done
+    wait
+    rm -rf "$folder"
+}
+trap finish EXIT
+
+exec 3> "$folder/display"
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp -noreset 2> "$folder/xvfb" &
+children+=($!)
+for _ in {1..100}; do if [[ -s $folder/display ]]; then break; fi; sleep 0.1; done
+DISPLAY=:$(cat "$folder/display")
+export DISPLAY
+unset WAYLAND_DISPLAY
+for what in TitleFont MenuFont IconFont ResizeFont IconManagerFont; do echo "$what \"fixed\""; done > "$folder/twmrc"
+printf 'RandomPlacement\nNoTitle\n"F4" = : all : f.delete\n' >> "$folder/twmrc"
+LC_ALL=C twm -f "$folder/twmrc" &
+manager=$!
+children+=("$manager")
+
+failed() { echo "FAILED: $*" && exit 1; }
+cd "$folder"
+"$1" view --validate --scene corner --size 400x300 2> >(tee said >&2) &
+viewer=$!
+children+=("$viewer")
+window=$(timeout 120 xdotool search --sync --onlyvisible --name '^flaneur - ' | head -1)
+for size in "640 360" "300 700" "1 1" "500 400"; do
+    # shellcheck disable=SC2086
+    xdotool windowsize "$window" $size sleep 0.5
+done
+xdotool windowminimize "$window"
+until xwininfo -id "$window" | grep 'IsUnMapped'; do sleep 0.1; done
+for _ in {1..40}; do
+    title=$(xdotool getwindowname "$window")
+    if [[ $title == "flaneur - 0 fps"* ]]; then break; fi
+    sleep 0.25
+done
+[[ $title == "flaneur - 0 fps"* ]] || failed "a minimised window is drawn: $title"
+xdotool windowmap "$window"
+until xwininfo -id "$window" | grep 'IsViewable'; do sleep 0.1; done
+xdotool windowfocus "$window" mousemove --window "$window" 200 150
+for key in 2 3 Tab Tab space F12 1 F1 F2 F10 F11 F3 w a; do xdotool key $key sleep 0.3; done
+xdotool mousedown 1 mousemove_relative 40 10 sleep 0.3 mouseup 1 sleep 0.3
+kill -0 $viewer $manager
+
+# It is paused, since Space was pressed once: pictures of one tick, of which none is lost, after views went on and off
+# by keys one at a time and by keys within one frame.
+take() {  # FILE: a picture as FILE
+    local before after
+    before=$(find out -name 'view-*.png' | wc -l)
+    xdotool sleep 1 key F12
+    for _ in {1..80}; do
+        after=$(find out -name 'view-*.png' | wc -l)
+        if ((after > before)); then break; fi
+        sleep 0.25
+    done
+    ((after == before + 1)) || failed "$((after - before)) pictures after F12"
+    sleep 0.5
+    cp "$(find out -name 'view-*.png' -printf '%T@ %p\n' | sort -n | tail -1 | cut -d' ' -f2)" "$1"
+}
+xdotool key 1
+take plain.png
+xdotool key F7 sleep 1 key F10 sleep 1 key F11
+take apart.png
+xdotool key F7 sleep 1 key F10 sleep 1 key F11 sleep 1
+xdotool key --delay 0 F7 F10 F11
+take together.png
+if cmp --silent plain.png apart.png; then failed "views change nothing"; fi
+cmp apart.png together.png || failed "keys pressed within one frame are lost"
+rm -r out && touch out
+xdotool key F12
+for _ in {1..80}; do if grep --quiet 'Cannot write out/view-' said; then break; fi; sleep 0.25; done
+grep --quiet 'Cannot write out/view-' said || failed "nothing is said of a picture that cannot be written"
+rm out
+sleep 0.5
+kill -0 $viewer || failed "a picture that cannot be written ends the program"
+xdotool windowfocus "$window" mousemove --window "$window" 100 100 key F4
+timeout 60 tail --pid=$viewer --follow /dev/null
+wait $viewer
+
+# It obeys while it loads, and afterwards: what ends it, with which status.
+loading() {  # STATUS WHEN-TITLE WORDS...: the words end it
+    local status=0 start took
+    XDG_CACHE_HOME=$folder/none "$1" view --scene square --walkers 3000 --size 400x300 &
+    viewer=$!
+    window=$(timeout 120 xdotool search --sync --onlyvisible --name "$3" | head -1)
+    xdotool windowfocus "$window" mousemove --window "$window" 100 100
+    start=${EPOCHREALTIME/./}
+    "${@:4}"
+    wait $viewer || status=$?
+    took=$(((${EPOCHREALTIME/./} - start) / 1000))
+    ((status == $2)) || failed "status $status after ${*:4}"
+    # As much longer as next to nothing takes longer on a busy machine.
+    start=${EPOCHREALTIME/./}
+    "$1" --version > /dev/null
+    ((took < 2000 + 20 * (${EPOCHREALTIME/./} - start) / 1000)) || failed "$took ms after ${*:4}"
+    if [[ $3 == 'flaneur: '* && -n $(find "$folder" -name '*.part') ]]; then failed "something half-written is left"; fi
+}
+rm -rf "$folder/none"
+end_viewer() { kill -TERM $viewer; }
+loading "$1" 143 'flaneur: ' end_viewer
+loading "$1" 143 'flaneur - ' end_viewer
+rm -rf "$folder/none"
+for way in "xdotool key Escape" "xdotool key F4"; do
+    # shellcheck disable=SC2086
+    loading "$1" 0 'flaneur: ' $way
+done
+
+"$1" view --validate --scene corner --size 320x200 --frames 5

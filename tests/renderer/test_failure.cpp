@@ -1,0 +1,95 @@
+// What becomes of failures of the driver: for each call that can fail, in turn, that call fails.
+#include "renderer/frame/state.h"
+#include "tests/renderer/faults.h"
+#include "tests/renderer/synthetic_scene.h"
+#include "tests/renderer/test_renderer.h"
+
+namespace flaneur {
+namespace {
+
+std::map<std::string, int> alive() {
+    std::map<std::string, int> out;
+    for (const auto& [kind, count] : faults().live)
+        if (count != 0) out[kind] = count;
+    return out;
+}
+
+TEST(Failure, ARendererThatCannotBeMadeLeavesNothingBehind) {
+    const auto before = (faults(), alive());
+    RendererPtr renderer;
+    auto attempt = [&]() -> Result<void> {
+        Result<RendererPtr> made = make_renderer(on_lavapipe());
+        if (!made) return made.error();
+        renderer = std::move(*made);
+        return {};
+    };
+    const int calls = fail_everywhere(attempt, [&] { EXPECT_EQ(alive(), before); });
+    EXPECT_GT(calls, 60);
+    renderer.reset();
+    EXPECT_EQ(alive(), before);
+}
+
+TEST(Failure, ASceneThatCannotBeUploadedLeavesTheOldOne) {
+    const auto before = (faults(), alive());
+    const SyntheticScene scene = synthetic_scene(12);
+    {
+        const RendererPtr renderer = std::move(*make_renderer(on_lavapipe()));
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        const FrameInput frame = scene.frame(street_camera());
+        const Image image = draw_image(*renderer, frame, 64, 48).value();
+        const auto held = alive();
+        const int calls = fail_everywhere([&] { return upload_scene(*renderer, scene.meshes); },
+                                          [&] { EXPECT_EQ(alive(), held); });
+        EXPECT_GT(calls, 20);
+        EXPECT_EQ(draw_image(*renderer, frame, 64, 48).value().rgba, image.rgba);
+        EXPECT_EQ(alive(), held);
+    }
+    EXPECT_EQ(alive(), before);
+}
+
+TEST(Failure, WhatIsLeftBehindIsHeard) {
+    int messages = 0;
+    RendererOptions options;
+    options.validation = true;
+    options.on_message = [&](const std::string&) { ++messages; };
+    for (bool is_left : {false, true}) {
+        RendererPtr renderer = std::move(*make_renderer(options));
+        const VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO, nullptr, 0};
+        VkFence fence = {};
+        if (is_left) {
+            ASSERT_EQ(vkCreateFence(renderer->device.handle, &info, nullptr, &fence), VK_SUCCESS);
+            --faults().live["Fence"];
+        }
+        renderer.reset();
+        EXPECT_EQ(messages > 0, is_left);
+    }
+}
+
+// Pictures of a new size with all that is made on the way: targets, buffers, the views' pipelines.
+TEST(Failure, APictureThatFailsCanBeDrawnAgain) {
+    const auto before = (faults(), alive());
+    const SyntheticScene scene = synthetic_scene(12);
+    FrameInput frame = scene.frame(street_camera());
+    const GizmoLine line{.a = {-1, 1, 5}, .b = {1, 1, 5}};
+    frame.lines = std::span(&line, 1);
+    frame.are_ghosts = true;
+    {
+        const RendererPtr fresh = std::move(*make_renderer(on_lavapipe()));
+        ASSERT_TRUE(upload_scene(*fresh, scene.meshes));
+        const Image image = draw_image(*fresh, frame, 64, 48).value();
+        const RendererPtr renderer = std::move(*make_renderer(on_lavapipe()));
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        uint32_t width = 64;
+        auto attempt = [&]() -> Result<void> {
+            const Result<Image> drawn = draw_image(*renderer, frame, ++width, 48);
+            return drawn ? Result<void>() : drawn.error();
+        };
+        const int calls = fail_everywhere(attempt, [] {});
+        EXPECT_GT(calls, 20);
+        EXPECT_EQ(draw_image(*renderer, frame, 64, 48).value().rgba, image.rgba);
+    }
+    EXPECT_EQ(alive(), before);
+}
+
+}  // namespace
+}  // namespace flaneur

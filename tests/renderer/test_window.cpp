@@ -1,0 +1,137 @@
+#include <GLFW/glfw3.h>
+#include <volk.h>
+
+#include "renderer/frame/state.h"
+#include "tests/renderer/faults.h"
+#include "tests/renderer/synthetic_scene.h"
+#include "tests/renderer/test_renderer.h"
+
+namespace flaneur {
+namespace {
+
+// Where there is no display (or none to be had from xvfb-run), these tests are left out, aloud.
+class Window : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!glfwInit()) GTEST_SKIP() << "there is no display: run under xvfb-run to test windows";
+        faults();
+        glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+        window = glfwCreateWindow(320, 200, "flaneur test", nullptr, nullptr);
+        ASSERT_TRUE(window);
+        Result<RendererPtr> made = make_window_renderer(validated(), window);
+        ASSERT_TRUE(made) << made.error().message;
+        renderer = std::move(*made);
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+    }
+    void TearDown() override {
+        if (renderer) {
+            EXPECT_EQ(validation_messages(*renderer), 0u);
+        }
+        renderer.reset();
+        if (window) glfwDestroyWindow(window);
+        glfwTerminate();
+    }
+    void draw_some(int frames) {
+        for (int i = 0; i < frames; ++i) {
+            glfwPollEvents();
+            const Result<void> drawn = draw_window(*renderer, scene.frame(street_camera()));
+            ASSERT_TRUE(drawn) << drawn.error().message;
+        }
+    }
+    SyntheticScene scene = synthetic_scene(20);
+    GLFWwindow* window = nullptr;
+    RendererPtr renderer;
+};
+
+TEST_F(Window, DrawsManyFrames) {
+    draw_some(12);
+    EXPECT_GT(frame_stats(*renderer).walkers_drawn, 0u);
+    EXPECT_FALSE(frame_stats(*renderer).stages.empty());
+}
+
+TEST_F(Window, IsResized) {
+    const int sizes[][2] = {{400, 300}, {64, 48}, {1, 1}, {640, 360}, {320, 200}};
+    for (const auto& size : sizes) {
+        draw_some(2);
+        glfwSetWindowSize(window, size[0], size[1]);
+        draw_some(3);
+    }
+}
+
+TEST_F(Window, IsResizedAThousandTimes) {
+    for (int i = 0; i < 1000; ++i) {
+        glfwSetWindowSize(window, 1 + i * 37 % 190, 1 + i * 61 % 130);
+        draw_some(1);
+        if (HasFailure()) break;
+    }
+}
+
+TEST_F(Window, LostAndOutdatedSurfacesAreMadeAnew) {
+    for (const char* call : {"vkAcquireNextImageKHR", "vkQueuePresentKHR"})
+        for (VkResult code : {VK_ERROR_OUT_OF_DATE_KHR, VK_ERROR_SURFACE_LOST_KHR}) {
+            draw_some(1);
+            fail_at(1, code, call);
+            draw_some(3);
+            EXPECT_EQ(faults().failed, call);
+        }
+}
+
+TEST_F(Window, WhatCannotBeMendedGetsASentence) {
+    draw_some(1);
+    fail_at(1, VK_ERROR_DEVICE_LOST, "vkQueuePresentKHR");
+    const Result<void> drawn = draw_window(*renderer, scene.frame(street_camera()));
+    ASSERT_FALSE(drawn);
+    EXPECT_NE(drawn.error().message.find("device was lost"), std::string::npos) << drawn.error().message;
+    draw_some(2);
+}
+
+TEST_F(Window, AFrameThatFailsCanBeDrawnAgain) {
+    draw_some(2);
+    auto attempt = [&] {
+        renderer->is_swapchain_stale = true;
+        return draw_window(*renderer, scene.frame(street_camera()));
+    };
+    EXPECT_GT(fail_everywhere(attempt, [&] { draw_some(3); }), 15);
+    draw_some(2);
+}
+
+TEST_F(Window, IsIconifiedAndRestored) {
+    draw_some(2);
+    glfwIconifyWindow(window);
+    draw_some(3);
+    glfwRestoreWindow(window);
+    draw_some(2);
+    glfwHideWindow(window);
+    draw_some(2);
+    glfwShowWindow(window);
+    draw_some(2);
+}
+
+TEST_F(Window, IsClosedWhileFramesAreInFlight) {
+    draw_some(3);
+    glfwSetWindowShouldClose(window, GLFW_TRUE);
+    glfwPollEvents();
+    EXPECT_TRUE(glfwWindowShouldClose(window));
+}
+
+TEST_F(Window, DrawsOffScreenToo) {
+    draw_some(2);
+    const Result<Image> image = draw_image(*renderer, scene.frame(street_camera()), 160, 90);
+    ASSERT_TRUE(image) << image.error().message;
+    const RendererPtr other = std::move(*make_renderer(validated()));
+    ASSERT_TRUE(upload_scene(*other, scene.meshes));
+    const Result<Image> same = draw_image(*other, scene.frame(street_camera()), 160, 90);
+    ASSERT_TRUE(same) << same.error().message;
+    EXPECT_EQ(image->rgba, same->rgba);
+    draw_some(2);
+}
+
+TEST_F(Window, TakesAnotherScene) {
+    draw_some(2);
+    scene = synthetic_scene(5);
+    ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+    draw_some(2);
+}
+
+}  // namespace
+}  // namespace flaneur

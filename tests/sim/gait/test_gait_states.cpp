@@ -1,0 +1,440 @@
+// One walker through all that feet do: pushes, steps aside, moving and rough ground, stairs, runs and jumps.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/locomotion.h"
+#include "sim/gait/gait.h"
+#include "sim/gait/norms.h"
+#include "sim/pose/pose.h"
+#include "tests/sim/small_grounds.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_leg_share = 0.53f;  // of the height of a standard body
+
+// A walker that wishes, and what was seen of it in the last tick.
+struct Tried {
+    Ground ground;
+    Gait gait;
+    std::vector<PoseBlock> poses;
+    Motion motion;
+    Vec3 position;
+    Vec2 wish;
+    uint32_t tick = 0;
+    float height = 1.72f;
+
+    Sole soles[2];
+    Quat rotations[k_joint_count];
+    Vec3 pelvis, pelvis_before;
+    int swinging[2] = {0, 0};
+
+    float drift = 0;         // of a foot planted in this tick and the one before, metres
+    float fastest = 0;       // turn of any joint, degrees a second
+    float acceleration = 0;  // of the pelvis, m/s2
+    bool landed[2] = {false, false};
+
+    const GaitBlock& block() const { return gait.blocks[0]; }
+    const FootBlock& foot(int side) const { return gait.blocks[0].feet[side]; }
+    Vec2 foot_place(int side) const { return {foot(side).to.x[0], foot(side).to.z[0]}; }
+    bool in_air(int side) const { return foot(side).swinging[0] != 0; }
+};
+
+Tried make_tried(Ground ground, float height = 1.72f) {
+    Tried t;
+    t.ground = std::move(ground);
+    t.height = height;
+    uint32_t body = 0;
+    float scale = 1;
+    if (auto hit = ground_at(t.ground, {0, 1, 0}, 3, 4)) t.position.y = hit->height;
+    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};
+    Manner short_steps;
+    short_steps.stride = 0.9f;
+    start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, surroundings_of(t.ground), 5,
+               &short_steps);
+    t.poses.resize(1);
+    return t;
+}
+
+void observe(Tried& t) {
+    pose_blocks(t.gait, 0, 1, t.poses);
+    t.fastest = t.drift = 0;
+    for (int j = 0; j < k_joint_count; ++j) {
+        JointPose p = joint_pose(t.poses, 0, static_cast<Joint>(j));
+        ASSERT_TRUE(std::isfinite(dot(p.position, p.position)));
+        float d = std::min(1.0f, std::fabs(dot(p.rotation, t.rotations[j])));
+        if (t.tick > 0) t.fastest = std::max(t.fastest, 2 * std::acos(d) / k_tick / k_radians);
+        t.rotations[j] = p.rotation;
+    }
+    Vec3 pelvis = joint_pose(t.poses, 0, hips).position;
+    Vec3 second = pelvis - t.pelvis * 2 + t.pelvis_before;
+    t.acceleration = t.tick > 1 ? length(second) / (k_tick * k_tick) : 0;
+    t.pelvis_before = t.pelvis;
+    t.pelvis = pelvis;
+    for (Side side : {k_left, k_right}) {
+        Sole now = sole(t.poses, t.gait, 0, side);
+        bool air = t.in_air(side);
+        if (t.tick > 0 && !air && !t.swinging[side]) {
+            const Sole& last = t.soles[side];
+            t.drift = std::max(t.drift, std::min(length(now.heel - last.heel), length(now.ball - last.ball)));
+        }
+        t.landed[side] = !air && t.swinging[side];
+        t.swinging[side] = air;
+        t.soles[side] = now;
+    }
+}
+
+// One tick towards `wish`.
+void advance(Tried& t, Vec2 wish) {
+    GroundHit under;
+    if (auto hit = ground_at(t.ground, t.position)) under = *hit;
+    t.wish = wish_on(under, wish);
+    t.motion = next_motion(t.motion, t.wish, k_tick);
+    t.position += at_height(t.motion.velocity * k_tick, 0);
+    if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
+    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};
+    advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
+    observe(t);
+    ++t.tick;
+}
+
+void for_seconds(Tried& t, float seconds, Vec2 wish, const std::function<void()>& check = {}) {
+    for (int k = 0; k < static_cast<int>(seconds / k_tick); ++k) {
+        advance(t, wish);
+        if (check) check();
+    }
+}
+
+Ground wide_floor() {
+    Ground ground;
+    add_floor(ground, {-150, -150}, {150, 150}, 0, Surface::plaza);
+    index_ground(ground);
+    return ground;
+}
+
+// How far left of the other foot's place a foot lies, as the walker faces.
+float leftward(const Tried& t) {
+    Vec2 facing = heading_direction(t.motion.heading);
+    return dot(t.foot_place(k_left) - t.foot_place(k_right), {facing.z, -facing.x});
+}
+
+TEST(GaitStates, StepsAreEvenFromTheThird) {
+    Tried t = make_tried(wide_floor());
+    std::vector<float> lengths;
+    Vec2 last{};
+    for_seconds(t, 8, {0, 1.3f}, [&] {
+        EXPECT_LT(t.drift, 5e-4f);
+        for (int side : {0, 1}) {
+            if (!t.landed[side]) continue;
+            lengths.push_back(length(t.foot_place(side) - last));
+            last = t.foot_place(side);
+        }
+    });
+    ASSERT_GT(lengths.size(), 8u);
+    float steady = lengths.back();
+    for (size_t k = 2; k < lengths.size(); ++k) EXPECT_NEAR(lengths[k], steady, 0.12f * steady) << k;
+}
+
+TEST(GaitStates, StopsWithTheFeetSideBySide) {
+    for (float speed : {0.6f, 0.95f, 1.3f, 1.6f}) {
+        Tried t = make_tried(wide_floor());
+        for_seconds(t, 4, {0, speed});
+        int steps = 0;
+        for_seconds(t, 2.5f, {0, 0}, [&] { steps += t.landed[0] + t.landed[1]; });
+        EXPECT_TRUE(t.block().standing[0]);
+        EXPECT_LE(steps, 4);
+        EXPECT_LT(std::fabs(t.foot_place(0).z - t.foot_place(1).z), 0.1f) << speed;
+    }
+}
+
+TEST(GaitStates, NoJointJumps) {
+    Tried t = make_tried(wide_floor());
+    auto check = [&] {
+        EXPECT_LT(t.fastest, 900) << t.tick;
+        EXPECT_LT(t.acceleration, 90) << t.tick;
+        EXPECT_LT(t.drift, 5e-4f) << t.tick;
+    };
+    for (Vec2 wish : {Vec2{0, 1.3f},
+                      {0, 0},
+                      {0, 0.9f},
+                      {0.3f, 1.3f},
+                      {0.01f, -1.2f},
+                      {-1.0f, 0.3f},
+                      {0, 0},
+                      {0.2f, 0},
+                      {0, 0.2f},
+                      {0, 1.6f},
+                      {0, 0.4f},
+                      {0, 0}}) {
+        for_seconds(t, 3, wish, check);
+    }
+}
+
+TEST(GaitStates, FeetKeepTheirSidesInStepsAsideAndBack) {
+    for (Vec2 wish : {Vec2{0.24f, 0}, {-0.24f, 0}, {0, -0.24f}, {0.16f, -0.16f}}) {
+        Tried t = make_tried(wide_floor());
+        for_seconds(t, 6, wish, [&] { EXPECT_GT(leftward(t), 0.03f) << t.tick; });
+        for_seconds(t, 2, {0, 0}, [&] { EXPECT_GT(leftward(t), 0.03f); });
+        EXPECT_EQ(t.motion.heading, 0);
+        EXPECT_GT(length(on_ground(t.position)), 1.0f);
+    }
+}
+
+TEST(GaitStates, CatchesAnyPush) {
+#ifdef FLANEUR_SANITIZED  // a tenth of the speed, and the same code
+    constexpr uint32_t k_trials = 40;
+#else
+    constexpr uint32_t k_trials = 200;
+#endif
+    for (uint32_t trial = 0; trial < k_trials; ++trial) {
+        RandomKey key{9, trial, 0, Purpose::spawn};
+        Tried t = make_tried(wide_floor(), random_between(key, 1.2f, 1.95f, 0));
+        for_seconds(t, 0.5f, {0, 0});
+        float speed = random_between(key, 0.2f, 1.2f, 1);
+        Vec2 push = heading_direction(random_between(key, -k_pi, k_pi, 2)) * speed;
+        t.motion.velocity += push;
+        int steps = 0;
+        float leg = k_leg_share * t.height;
+        for_seconds(t, 3, {0, 0}, [&] {
+            steps += t.landed[0] + t.landed[1];
+            EXPECT_LT(t.drift, 5e-4f) << trial;
+            // Never so far from both feet that one would fall.
+            float nearest = 9;
+            for (int side : {0, 1}) {
+                nearest = std::min(nearest, length(t.foot_place(side) - on_ground(t.position)));
+            }
+            EXPECT_LT(nearest, 0.6f * leg) << trial;
+        });
+        EXPECT_LE(steps, 4) << trial;
+        EXPECT_TRUE(t.block().standing[0]) << trial;
+        for (int side : {0, 1}) EXPECT_LT(length(t.foot_place(side) - on_ground(t.position)), 0.2f) << trial;
+    }
+}
+
+TEST(GaitStates, APushAlongTheWayIsCaughtAhead) {
+    Tried t = make_tried(wide_floor());
+    for_seconds(t, 0.5f, {0, 0});
+    t.motion.velocity = {0, 0.9f};
+    float foremost = 0;
+    bool landed = false;
+    for_seconds(t, 1, {0, 0}, [&] {
+        for (int side : {0, 1}) {
+            if (!t.landed[side] || landed) continue;
+            landed = true;
+            foremost = t.foot_place(side).z - t.position.z;
+        }
+    });
+    EXPECT_TRUE(landed);
+    EXPECT_GT(foremost, -0.02f);
+}
+
+TEST(GaitStates, StandsFastOnAMovingTurningPlatform) {
+    Tried t = make_tried(wide_floor());
+    for_seconds(t, 1, {0, 0});
+    Vec3 pivot{0.7f, 0, -0.4f};
+    Vec3 centre = pivot;  // of the platform, as it moves
+    float yaw = 0;
+    auto in_platform = [&](Vec3 p) {
+        SinCos turn = sin_cos(-yaw);
+        Vec3 d = p - centre;
+        return Vec3{d.x * turn.cosine + d.z * turn.sine, d.y, d.z * turn.cosine - d.x * turn.sine};
+    };
+    Vec3 stood[2] = {in_platform(t.soles[0].ball), in_platform(t.soles[1].ball)};
+    for (int k = 0; k < 240; ++k) {
+        float by = 0.006f, turn = 0.012f;
+        Vec3 move{by, 0, 0.5f * by};
+        carry_feet(t.gait, 0, centre, turn, move);
+        Vec3 d = t.position - centre;
+        SinCos sc = sin_cos(turn);
+        t.position =
+            centre + Vec3{d.x * sc.cosine + d.z * sc.sine, d.y, d.z * sc.cosine - d.x * sc.sine} + move;
+        t.motion.heading = wrap_angle(t.motion.heading + turn);
+        centre += move;
+        yaw += turn;
+        advance(t, {0, 0});
+        for (Side side : {k_left, k_right}) {
+            EXPECT_FALSE(t.in_air(side)) << k;
+            EXPECT_LT(length(in_platform(t.soles[side].ball) - stood[side]), 1e-3f) << k;
+        }
+    }
+}
+
+TEST(GaitStates, WhoseGroundIsPulledAwayStepsAfterIt) {
+    Tried t = make_tried(wide_floor());
+    for_seconds(t, 0.5f, {0, 0});
+    int steps = 0;
+    for (int k = 0; k < 300; ++k) {
+        carry_feet(t.gait, 0, {}, 0, {0, 0, -0.3f * k_tick});
+        advance(t, {0, 0});
+        steps += t.landed[0] + t.landed[1];
+        for (int side : {0, 1}) EXPECT_LT(length(t.foot_place(side) - on_ground(t.position)), 0.5f);
+    }
+    EXPECT_GT(steps, 5);
+}
+
+TEST(GaitStates, StandsAndWalksOnRoughGround) {
+    // Slabs of random heights, one a foot or so.
+    Ground ground;
+    RandomKey key{21, 0, 0, Purpose::city};
+    constexpr float k_slab = 0.45f;
+    for (int i = -4; i <= 4; ++i) {
+        for (int j = -4; j <= 40; ++j) {
+            float x = static_cast<float>(i) * k_slab, z = static_cast<float>(j) * k_slab;
+            float y = random_between(key, 0, 0.12f, static_cast<uint32_t>((i + 4) * 64 + j + 4));
+            add_floor(ground, {x - k_slab / 2, z - k_slab / 2}, {x + k_slab / 2, z + k_slab / 2}, y,
+                      Surface::path);
+        }
+    }
+    index_ground(ground);
+    Tried t = make_tried(ground);
+    int sunk = 0, planted = 0;
+    auto check = [&] {
+        EXPECT_LT(t.drift, 1e-3f) << t.tick;
+        for (Side side : {k_left, k_right}) {
+            if (t.in_air(side)) continue;
+            ++planted;
+            auto hit = ground_at(t.ground, t.soles[side].ball, 0.3f, 0.5f);
+            sunk += hit && hit->height - t.soles[side].ball.y > 5e-3f;
+        }
+    };
+    for_seconds(t, 1, {0, 0}, check);
+    for_seconds(t, 12, {0, 0.9f}, check);
+    for_seconds(t, 2, {0, 0}, check);
+    EXPECT_GT(t.position.z, 8);
+    EXPECT_LT(sunk, planted / 100);
+}
+
+TEST(GaitStates, ClimbsOneTreadAStep) {
+    for (float sign : {1.0f, -1.0f}) {
+        Ground ground;
+        add_floor(ground, {-5, -10}, {5, 3}, 0, Surface::plaza);
+        for (int i = 0; i < 14; ++i) {
+            float z = 3 + static_cast<float>(i) * 0.32f, y = sign * 0.16f * static_cast<float>(i + 1);
+            add_floor(ground, {-5, z}, {5, i < 13 ? z + 0.32f : 30}, y, Surface::steps);
+        }
+        index_ground(ground);
+        Tried t = make_tried(ground);
+        int on_treads = 0;
+        for_seconds(t, 13, {0, 1.3f}, [&] {
+            EXPECT_LT(t.drift, 5e-4f) << t.tick;
+            if (t.position.z > 3.7f) {
+                EXPECT_LT(t.fastest, 900) << t.tick;
+            }
+            for (int side : {0, 1}) {
+                float z = t.foot_place(side).z;
+                if (!t.landed[side] || z < 3.4f || z > 6.8f) continue;
+                ++on_treads;
+                EXPECT_GT(t.foot(side).forefoot[0], 0.6f);
+                EXPECT_NEAR(std::fabs(t.foot(0).to.y[0] - t.foot(1).to.y[0]), 0.16f, 0.165f);
+            }
+        });
+        EXPECT_GE(on_treads, 8);
+        EXPECT_LE(on_treads, 14);
+        EXPECT_GT(t.position.z, 7);
+    }
+}
+
+TEST(GaitStates, RunsFromFroudeOneHalf) {
+    Tried t = make_tried(wide_floor());
+    float leg = t.gait.people[0].joints[left_upper_leg][1][0];
+    float limit = std::sqrt(0.5f * k_gravity * leg);
+    for_seconds(t, 4, {0, limit - 0.1f});
+    EXPECT_EQ(t.block().running[0], 0);
+    for_seconds(t, 3, {0, limit + 0.1f});
+    EXPECT_EQ(t.block().running[0], 1);
+    for_seconds(t, 3, {0, limit - 0.05f});
+    EXPECT_EQ(t.block().running[0], 1) << "no fluttering about the limit";
+    for_seconds(t, 3, {0, limit - 0.4f});
+    EXPECT_EQ(t.block().running[0], 0);
+
+    for_seconds(t, 3, {0, 3.1f});
+    int steps = 0, flight = 0, stance = 0, ticks = 600;
+    for_seconds(t, static_cast<float>(ticks) * k_tick, {0, 3.1f}, [&] {
+        steps += t.landed[0] + t.landed[1];
+        flight += t.in_air(0) && t.in_air(1);
+        stance += !t.in_air(0);
+        EXPECT_LT(t.drift, 5e-4f);
+    });
+    EXPECT_NEAR(static_cast<float>(steps) * 6, 155, 10);
+    EXPECT_NEAR(static_cast<float>(stance) / static_cast<float>(ticks), 0.43f, 0.04f);
+    EXPECT_GT(flight, ticks / 12);
+}
+
+TEST(GaitStates, JumpsWhenAskedAndWhereItMust) {
+    // Standing: both feet leave, both come down where they were.
+    Tried hop = make_tried(wide_floor());
+    for_seconds(hop, 0.5f, {0, 0});
+    jump(hop.gait, 0);
+    float highest = 0;
+    for_seconds(hop, 2, {0, 0}, [&] {
+        if (hop.in_air(0) && hop.in_air(1))
+            highest = std::max(highest, std::min(hop.soles[0].ball.y, hop.soles[1].ball.y));
+        EXPECT_LT(hop.drift, 5e-4f);
+    });
+    EXPECT_GT(highest, 0.1f);
+    EXPECT_LT(highest, 0.4f);
+    EXPECT_TRUE(hop.block().standing[0]);
+    EXPECT_EQ(hop.block().jump[0], 0);
+    EXPECT_EQ(hop.block().lift[0], 0);
+
+    Ground gap, ledge;
+    add_floor(gap, {-5, -10}, {5, 5}, 0, Surface::path);
+    add_floor(gap, {-5, 5.9f}, {5, 20}, 0, Surface::path);
+    add_floor(ledge, {-5, -10}, {5, 5}, 0, Surface::path);
+    add_floor(ledge, {-5, 5}, {5, 20}, 0.6f, Surface::path);
+    for (Ground* ground : {&gap, &ledge}) {
+        index_ground(*ground);
+        Tried t = make_tried(*ground);
+        int flight = 0;
+        for_seconds(t, 8, {0, 1.4f}, [&] {
+            flight += t.block().lift[0] > 0;
+            EXPECT_LT(t.drift, 5e-4f) << t.tick;
+            for (Side side : {k_left, k_right}) {
+                if (!t.landed[side]) continue;
+                auto hit = ground_at(t.ground, t.soles[side].ball, 0.3f, 0.3f);
+                EXPECT_TRUE(hit && std::fabs(hit->height - t.soles[side].ball.y) < 0.1f) << t.tick;
+            }
+        });
+        EXPECT_GT(flight, 10);
+        EXPECT_LT(flight, 60);
+        EXPECT_GT(t.position.z, 8);
+    }
+}
+
+TEST(GaitStates, HeadLeadsAHalfTurn) {
+    Tried t = make_tried(wide_floor());
+    for_seconds(t, 4, {0, 1.3f});
+    float head_at = 0, body_at = 0, seconds = 0;
+    for_seconds(t, 3, {0.001f, -1.3f}, [&] {
+        seconds += k_tick;
+        Vec3 ahead = rotate(joint_pose(t.poses, 0, head).rotation, {0, 0, 1});
+        float head_yaw = std::fabs(heading_of(on_ground(ahead)));
+        if (head_at == 0 && head_yaw > 0.5f) head_at = seconds;
+        if (body_at == 0 && std::fabs(t.motion.heading) > 0.5f) body_at = seconds;
+    });
+    EXPECT_GT(body_at - head_at, 0.15f);
+    EXPECT_LT(body_at - head_at, 0.35f);
+}
+
+TEST(GaitStates, WeightShiftsWhileStanding) {
+    Tried t = make_tried(wide_floor());
+    float least = 1, most = 0, before = t.block().load[0];
+    for_seconds(t, 30, {0, 0}, [&] {
+        float load = t.block().load[0];
+        EXPECT_LT(std::fabs(load - before), 0.01f);
+        EXPECT_FALSE(t.in_air(0) || t.in_air(1));
+        least = std::min(least, load);
+        most = std::max(most, load);
+        before = load;
+    });
+    EXPECT_GT(most - least, 0.1f);
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+
+namespace flaneur {
+namespace {
+
+TEST(Printable, LeavesWordsAndWritesOutControls) {
+    EXPECT_EQ(printable("plain: caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x9a\xb6"),
+              "plain: caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x9a\xb6");
+    EXPECT_EQ(printable("a\x1b[2J\a\nb\r\t\x7f"), "a\\x1b[2J\\x07\\x0ab\\x0d\\x09\\x7f");
+    EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "2J"),
+              "\\xc2\\x9b"
+              "2J")
+        << "a control sequence in one character";
+    // No UTF-8: cut short, overlong, alone.
+    EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");
+    EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b");
+    EXPECT_EQ(printable("\x9b"
+                        "1"),
+              "\\x9b"
+              "1");
+}
+
+std::string said_by(const std::function<int()>& program, int expected) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run_guarded(program), expected);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Guarded, TellsWhatNobodyCaught) {
+    EXPECT_EQ(said_by([] { return 7; }, 7), "");
+    EXPECT_EQ(said_by([]() -> int { throw std::bad_alloc(); }, 1).find("flaneur: There is not enough memory"),
+              0u);
+    EXPECT_NE(said_by([]() -> int { throw std::runtime_error("a\nb"); }, 1).find("(a\\x0ab)."),
+              std::string::npos);
+    EXPECT_NE(said_by([]() -> int { throw 3; }, 1).find("made a mistake"), std::string::npos);
+}
+
+TEST(GuardedDeathTest, TellsOfOtherThreadsToo) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    auto program = [] {
+        std::thread([] { throw std::bad_alloc(); }).join();
+        return 0;
+    };
+    EXPECT_EXIT(run_guarded(program), testing::ExitedWithCode(1), "flaneur: There is not enough memory");
+}
+
+}  // namespace
+}  // namespace flaneur

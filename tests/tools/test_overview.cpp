@@ -1,0 +1,70 @@
+// An overview has in the picture what there is to see, wherever it lies.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "sim/sim.h"
+#include "sim/world.h"
+#include "tools/flaneur/view/camera.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_aspect = 16.0f / 9;
+
+bool is_in_picture(const Camera& camera, Vec3 at) {
+    glm::vec3 ahead = glm::normalize(camera.target - camera.eye);
+    glm::vec3 right = glm::normalize(glm::cross(ahead, glm::vec3(0, 1, 0))), up = glm::cross(right, ahead);
+    glm::vec3 way = glm::vec3(at.x, at.y, at.z) - camera.eye;
+    float depth = glm::dot(way, ahead), half = std::tan(camera.vertical_fov / 2) * depth;
+    return depth > 0 && std::fabs(glm::dot(way, up)) < half &&
+           std::fabs(glm::dot(way, right)) < half * k_aspect;
+}
+
+// A meadow of 300 x 300 m, at a height, with a row of people somewhere.
+WorldPtr meadow_with_people(float height, Vec3 first, int count) {
+    constexpr float k_half = 150;
+    const Vec3 corners[] = {{-k_half, height, -k_half},
+                            {-k_half, height, k_half},
+                            {k_half, height, k_half},
+                            {k_half, height, -k_half}};
+    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
+    WorldOptions options;
+    options.capacity = static_cast<uint32_t>(count);
+    Result<WorldPtr> world = make_world({corners, triangles, {}}, options);
+    EXPECT_TRUE(world);
+    for (int i = 0; i < count; ++i) {
+        WalkerOptions walker;
+        walker.place = first + Vec3{static_cast<float>(i), 0, 0};
+        EXPECT_TRUE(add_walker(**world, walker));
+    }
+    return std::move(*world);
+}
+
+TEST(Overview, HasPeopleInThePictureWhereverTheyAre) {
+    const Vec3 to_sun{0, 0.6f, 0.8f};
+    for (Vec3 first : {Vec3{0, 0, 0}, Vec3{-145, 0, -145}, Vec3{100, 0, -60}}) {
+        for (float height : {0.0f, 430.0f, -90.0f}) {
+            Vec3 at = first + Vec3{0, height, 0};
+            WorldPtr world = meadow_with_people(height, at, 20);
+            Camera camera = overview_camera(*world, to_sun);
+            for (int i = 0; i < 20; ++i) {
+                Vec3 person = at + Vec3{static_cast<float>(i), 1, 0};
+                EXPECT_TRUE(is_in_picture(camera, person)) << first.x << " " << height << " " << i;
+            }
+            EXPECT_LT(glm::distance(camera.eye, {at.x + 10, at.y, at.z}), 60) << "nor are they specks";
+            EXPECT_GT(camera.eye.y, height + 1);
+        }
+    }
+}
+
+TEST(Overview, LooksAtTheGroundWhereNobodyIs) {
+    WorldPtr world = meadow_with_people(0, {}, 0);
+    Camera camera = overview_camera(*world, {0, 1, 0});
+    EXPECT_TRUE(is_in_picture(camera, {0, 0, 0}));
+    EXPECT_GT(camera.eye.y, 10);
+}
+
+}  // namespace
+}  // namespace flaneur

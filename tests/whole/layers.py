@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+"""layers.py ROOT: who includes whom, how full the rooms are, and that names are defined once.
+
+The table says which rooms a room may include, besides itself. A room may name only rooms above it, so no circle can be
+stated; every folder that holds code is a room; and an arrow that nobody takes any more has to go. Where a folder's
+public headers lie below its other rooms and its sources above them, those are two rooms: "assets" and "assets sources".
+"""
+import os
+import re
+import sys
+
+ROOMS = """
+sim/base:
+sim/body: sim/base
+sim/ik: sim/base
+sim/ground: sim/base
+sim/navigation: sim/base, sim/ground
+sim/gait: sim/base, sim/body, sim/ground
+sim/pose: sim/base, sim/gait, sim/ik
+sim/animation: sim/base, sim/pose
+sim/crowd: sim/base, sim/ground, sim/navigation
+sim/surface: sim/base
+sim: sim/animation, sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/navigation, sim/pose, sim/surface
+
+assets/files: sim/base
+assets/terrain: assets/files, sim/base
+assets: sim/base, sim/body, sim/crowd, sim/ground, sim/surface
+assets/plan: assets, sim/base
+assets/props: assets, sim/base
+assets/people: assets, sim/base
+assets/levels: assets, assets/people, sim/base
+assets/district: assets, assets/plan, sim/base
+assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
+assets/gltf: assets, assets/files, sim/base
+assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
+assets/gltf/character: assets, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
+assets/cache: assets, assets/files, sim/base, sim/navigation
+assets/scene: assets, assets/files
+assets sources: assets, sim/base
+
+shaders:
+shaders/base: shaders
+shaders/city: shaders/base
+shaders/people: shaders, shaders/base
+shaders/picture: shaders/base
+shaders/shadow: shaders, shaders/base, shaders/people
+shaders/views: shaders/base, shaders/people
+
+renderer: shaders, sim/base
+renderer/device: renderer, sim/base
+renderer/light: renderer
+renderer/visible: renderer, renderer/light
+renderer/people: renderer, renderer/visible, sim/base
+renderer/pipelines: renderer, renderer/device, renderer/people
+renderer/loaded: renderer, renderer/device, renderer/people, renderer/pipelines, renderer/visible, sim/base
+renderer/frame: renderer, renderer/device, renderer/light, renderer/loaded, renderer/people, renderer/pipelines, renderer/visible, sim/base
+renderer/passes: renderer/frame
+renderer/picture: renderer, renderer/device, renderer/frame, renderer/passes
+renderer sources: renderer, renderer/device, renderer/picture, renderer/visible
+
+tools/flaneur/console: sim/base
+tools/flaneur/options: assets, assets/files, sim/base
+tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/gait: sim, sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/pose, tools/flaneur/console, tools/flaneur/output
+tools/flaneur/extract: assets, assets/props, renderer, sim, sim/base, tools/flaneur/gait
+tools/flaneur/overlay: renderer, sim/gait, tools/flaneur/extract, tools/flaneur/options
+tools/flaneur/view: assets, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/flaneur/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay
+tools/flaneur/sheets: assets, sim/base, sim/crowd, sim/gait, tools/flaneur/console, tools/flaneur/extract, tools/flaneur/gait, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
+tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
+tools/flaneur/bench: assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/flaneur/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view
+"""
+MOST_FILES = 25
+CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")
+TOPS = ("sim", "assets", "renderer", "shaders", "tools")
+
+faults = []
+
+
+def read_table(table):
+    rooms = {}
+    for line in filter(None, table.splitlines()):
+        room, _, allowed = line.partition(":")
+        rooms[room.strip()] = words = [word.strip() for word in allowed.split(",") if word.strip()]
+        faults.extend(f"{room}: {word} does not stand above it in the table" for word in words if word not in rooms)
+        if room.strip() in words:
+            faults.append(f"{room} names itself")
+    return rooms
+
+
+def files_below(root, top):
+    for folder, folders, names in os.walk(os.path.join(root, top)):
+        folders[:] = sorted(f for f in folders if not f.startswith(".") and f not in ("build", "out"))
+        for name in sorted(names):
+            yield os.path.relpath(os.path.join(folder, name), root)
+
+
+def check_arrows(root, rooms):
+    def room_of(path):
+        folder = os.path.dirname(path)
+        sources = folder + " sources"
+        return sources if sources in rooms and not path.endswith(".h") else folder
+
+    taken = set()
+    for path in (p for top in TOPS for p in files_below(root, top) if p.endswith(CODE)):
+        room = room_of(path)
+        if room not in rooms:
+            faults.append(f"{path}: {room} is no room of the table")
+            continue
+        taken.add((room, room))
+        with open(os.path.join(root, path), encoding="utf-8") as file:
+            included = re.findall(r'^\s*#\s*include\s+"([^"]+)"', file.read(), re.MULTILINE)
+        for header in (h for h in included if h.split("/")[0] in TOPS):
+            other = room_of(header)
+            taken.add((room, other))
+            if other != room and other not in rooms[room]:
+                faults.append(f"{path} includes {header}: {room} may not include {other}")
+    for room, allowed in rooms.items():
+        if (room, room) not in taken:
+            faults.append(f"{room} is a room of the table without code")
+        faults.extend(f"{room} includes nothing of {o} any more" for o in allowed if (room, o) not in taken)
+
+
+def check_fullness(root):
+    count = {}
+    for path in files_below(root, "."):
+        folder = os.path.dirname(os.path.normpath(path))
+        count[folder] = count.get(folder, 0) + 1
+    for folder, files in sorted(count.items()):
+        if files > MOST_FILES and folder != "docs/images":
+            faults.append(f"{folder} holds {files} files side by side, more than {MOST_FILES}")
+
+
+TOKEN = re.compile(
+    r"""//[^\n]*|/\*.*?\*/|\#(?:[^\n\\]|\\.)*                      # comments and what the preprocessor reads
+    |R"(\w*)\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)+'    # strings, characters
+    |(?:inline\s+)?namespace\b[^{;=]*(?=[{;=])
+    |\busing\s+(?P<alias>[A-Z]\w*)\s*=
+    |(?:template\s*<[^{};]*>\s*)?\b(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?P<name>[A-Z]\w*)[^;{}()=]*(?=\{)
+    |[{}]""",
+    re.VERBOSE | re.DOTALL,
+)
+
+
+def types_of(text, is_header):
+    """The types that TEXT defines in namespaces that other files share, each with its namespace. Aliases count in headers."""
+    scopes, opening = [], None
+    for match in TOKEN.finditer(text):
+        token = match.group(0)
+        if re.match(r"(inline\s+)?namespace\b", token):
+            opening = token.split("namespace")[1].strip() or "nameless"
+        elif name := match.group("name") or (is_header and match.group("alias")):
+            if all(scope and scope != "nameless" for scope in scopes) and not token.split(name)[1].startswith("<"):
+                yield "::".join(scopes + [name])
+        elif token == "{":
+            scopes.append(opening)  # None: neither a namespace's
+            opening = None
+        elif token == "}" and scopes:
+            scopes.pop()
+
+
+def check_names(root):
+    defined = {}
+    for path in (p for top in TOPS + ("tests",) for p in files_below(root, top) if p.endswith((".h", ".cpp"))):
+        with open(os.path.join(root, path), encoding="utf-8") as file:
+            for name in types_of(file.read(), path.endswith(".h")):
+                defined.setdefault(name, []).append(path)
+    faults.extend(f"{name} is defined in {' and in '.join(where)}" for name, where in defined.items() if len(where) > 1)
+    return len(defined)
+
+
+root = sys.argv[1]
+rooms = read_table(ROOMS)
+check_arrows(root, rooms)
+check_fullness(root)
+types = check_names(root)
+print(f"{len(rooms)} rooms, {types} types that files share.")
+for fault in faults:
+    print("FAILED:", fault)
+sys.exit(1 if faults or types < 100 else 0)

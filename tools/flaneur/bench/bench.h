@@ -1,0 +1,57 @@
+// What the loads of `flaneur bench` have in common.
+#pragma once
+
+#include <functional>
+
+#include "sim/world.h"
+#include "tools/flaneur/options/options.h"
+#include "tools/flaneur/output/figures.h"
+
+namespace flaneur {
+
+struct FrameStats;
+
+inline constexpr uint32_t k_warm_up = 60;  // ticks before measuring; people get under way
+
+void add_setting(Figures& figures, const Options& options, const World& world);
+// What each stage took in the last tick.
+void add_stages(Figures& figures, const World& world);
+
+// Frames with all that belongs to them. Only in builds with Vulkan.
+Result<Figures> bench_frame(const Options& options);
+// The scene of a renderers' comparison: options.bench_count copies of a character that play its own clip,
+// drawn with levels of detail and with every triangle. Prints both, and gives them as JSON:
+// {"modes": [figures_json's, ..], "flip"}. Only in builds with Vulkan.
+Result<std::string> bench_peers(const Options& options);
+void add_counts(Figures& figures, const FrameStats& stats);
+
+// What all threads have worked together: unlike the time that goes by, it is about the same on a busy
+// machine.
+double cpu_ms();
+
+// Something that `bench pose` measures. `ns` runs it and says what it took for each walker, chain or tree.
+// Goals: on SSE4, AVX2 and AVX-512; 0 where there is none.
+struct Kernel {
+    std::string name;
+    std::function<double()> ns;
+    double goals[3] = {};
+};
+// Does `work` four times: the first ones fill caches and set the clock rate, the last is measured and shared
+// among `count`.
+double ns_each(size_t count, const std::function<void()>& work);
+// Three clips blended for so many walkers of 22 joints, each at times and with shares of its own.
+Kernel blend_kernel(size_t walkers);
+// FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
+std::vector<Kernel> fabrik_kernels(size_t count);
+
+// How fast a city is read and made ready, and nanoseconds that queries for feet, hands and eyes take, on one
+// thread. Prints a table beside the goals and gives it as JSON: {"setting": {..}, "counts": {..}, "kernels":
+// [{"name", "median_ns", "least_ns", "goal_ns"}]}.
+Result<std::string> bench_city(const Options& options);
+
+// The kernels that pose people, on one thread and on each instruction set that the CPU has. Prints a table
+// beside the goals and gives it as JSON: {"setting": {..}, "kernels": [{"name", "isa", "median_ns",
+// "least_ns", "goal_ns"}]}.
+Result<std::string> bench_pose(const Options& options);
+
+}  // namespace flaneur

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/base/math.h"
+#include "sim/crowd/crowd.h"
+#include "tools/flaneur/city/check.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/load.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr uint32_t k_look_ticks = 15;
+constexpr uint32_t k_stuck_ticks = 60 * 60;
+constexpr float k_still = 1;        // metres; who stays within them does not get on
+constexpr float k_wall = 0.1f;      // metres; nearer to a wall one is in it
+constexpr float k_walking = 0.2f;   // m/s
+constexpr float k_at_crossing = 3;  // metres
+constexpr size_t k_most_places = 5;
+
+// What one walker has come to.
+struct Watch {
+    Vec2 anchor;
+    uint32_t since = 0;
+    bool in_wall = false, lost = false, stuck = false;
+};
+
+bool is_by_crossing(const City& city, Vec3 p) {
+    for (float reach : {k_at_crossing * 0.5f, k_at_crossing}) {
+        for (int k = 0; k < 8; ++k) {
+            Vec2 way = heading_direction(static_cast<float>(k) * (k_pi / 4) - k_pi);
+            auto hit = ground_at(city.ground, p + at_height(way * reach, 0), 0.5f, 0.5f);
+            if (hit && hit->kind == Surface::crossing) return true;
+        }
+    }
+    return false;
+}
+
+// Why one does not get on.
+const char* cause(const Crowd& c, uint32_t i) {
+    int close = 0;
+    for (int k = 0; k < c.scratch.neighbour_count[i]; ++k) {
+        uint32_t slot = c.scratch.neighbours[size_t{i} * k_neighbours + static_cast<size_t>(k)];
+        close += length(on_ground(c.scratch.sorted[slot].position - c.motion.position[i])) < 0.75f;
+    }
+    if (close > 0) return "stuck among others";
+    if (c.journeys[i].path_due != PathDue::no) return "waits for a way";
+    return c.journeys[i].corner >= c.journeys[i].corner_count ? "has no way" : "stuck by itself";
+}
+
+}  // namespace
+
+Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
+                                         uint32_t walkers, double seconds, float hour, uint64_t seed) {
+    Folk folk;
+    Result<Crowd> made = populate(city.ground, surroundings_of(city.ground), city.destinations, mesh, workers,
+                                  walkers, {&folk, 1}, seed, hour);
+    if (!made) return made.error();
+    Crowd& c = *made;
+    std::vector<Watch> watches(c.count);
+    for (uint32_t i = 0; i < c.count; ++i) watches[i].anchor = on_ground(c.motion.position[i]);
+    Finding in_wall{"walkers in a wall", 0, 0, false, {}}, lost{"walkers off the ground", 0, 0, false, {}},
+        stuck{"walkers stuck for a minute", 0, 0, false, {}},
+        on_road{"walking on roads off crossings, %", 0, 5, false, {}},
+        overlap{"deepest overlap of two walkers, m", 0, 0.05, false, {}};
+    auto count = [&](bool& counted, Finding& finding, uint32_t i, const std::string& why) {
+        if (counted) return;
+        counted = true;
+        ++finding.value;
+        if (finding.where.size() >= k_most_places) return;
+        char text[128];
+        Vec3 p = c.motion.position[i];
+        std::snprintf(text, sizeof text, "%.1f,%.1f,%.1f %s", static_cast<double>(p.x),
+                      static_cast<double>(p.y), static_cast<double>(p.z), why.c_str());
+        finding.where.emplace_back(text);
+    };
+    size_t walking = 0, roads = 0;
+    auto ticks = static_cast<uint32_t>(seconds / static_cast<double>(k_tick));
+    for (uint32_t tick = 0; tick < ticks; ++tick) {
+        step_crowd(c, surroundings_of(city.ground), mesh, workers, tick, seed);
+        if (is_stopping()) return interrupted();
+        overlap.value = std::max(overlap.value, static_cast<double>(deepest_overlap(c)));
+        if (tick % k_look_ticks != 0) continue;
+        if (tick % 600 == 0) show_progress("walking " + std::to_string(tick / 60) + " s");
+        for (uint32_t i = 0; i < c.count; ++i) {
+            Watch& watch = watches[i];
+            Vec3 p = c.motion.position[i];
+            auto under = ground_at(city.ground, p, 0.3f, 0.5f);
+            if (!under || std::fabs(under->height - p.y) > 0.02f)
+                count(watch.lost, lost, i, under ? "in the air" : "no ground");
+            if (closest_wall(city.ground, p + Vec3{0, 1, 0}, k_wall)) count(watch.in_wall, in_wall, i, "");
+            if (tick < c.journeys[i].pause_until || length(on_ground(p) - watch.anchor) > k_still) {
+                watch.anchor = on_ground(p);
+                watch.since = tick;
+            }
+            if (tick - watch.since > k_stuck_ticks) count(watch.stuck, stuck, i, cause(c, i));
+            if (length(c.motion.velocity[i]) < k_walking || !under) continue;
+            ++walking;
+            bool off = under->kind == Surface::road && !is_by_crossing(city, p);
+            roads += off;
+            if (off && on_road.where.size() < k_most_places && tick % 3600 == 0 && tick > 0) {
+                bool counted = false;
+                double value = on_road.value;
+                count(counted, on_road, i, "");
+                on_road.value = value;
+            }
+        }
+    }
+    clear_progress();
+    on_road.value = walking ? 100 * static_cast<double>(roads) / static_cast<double>(walking) : 0;
+    return std::vector<Finding>{in_wall, lost, stuck, on_road, overlap};
+}
+
+}  // namespace flaneur

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <span>
+
+#include "assets/outfit.h"
+#include "sim/base/levels.h"
+#include "tools/flaneur/extract/convert.h"
+#include "tools/flaneur/extract/extract.h"
+#include "tools/flaneur/extract/strides.h"
+
+namespace flaneur {
+
+namespace {
+
+PersonVertex to_vertex(const CharacterVertex& v) {
+    PersonVertex out{};
+    out.position = to_glm(v.position);
+    out.colour = v.colour;
+    out.uv = {v.u, v.v};
+    out.normal[0] = packed(v.normal.x);
+    out.normal[1] = packed(v.normal.y);
+    out.normal[2] = packed(v.normal.z);
+    out.normal[3] = static_cast<int8_t>(v.tint);
+    std::copy(std::begin(v.joints), std::end(v.joints), std::begin(out.joints));
+    std::copy(std::begin(v.weights), std::end(v.weights), std::begin(out.weights));
+    out.texture = v.texture == CharacterVertex::k_no_texture ? ~0u : v.texture;
+    return out;
+}
+
+Quat nearest_mix(Quat a, Quat b, float t) {
+    float sign = dot(a, b) < 0 ? -1.0f : 1.0f;
+    return normalize(Quat{lerp(a.x, sign * b.x, t), lerp(a.y, sign * b.y, t), lerp(a.z, sign * b.z, t),
+                          lerp(a.w, sign * b.w, t)});
+}
+
+// From the stage onto the compound.
+void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float between,
+                      std::span<JointPose> joints) {
+    const Roam::Frame &before = roam.previous_frames[walker], &last = roam.frames[walker];
+    Roam::Frame frame{lerp(before.position, last.position, between),
+                      nearest_mix(before.rotation, last.rotation, between)};
+    for (JointPose& joint : joints)
+        joint = set_onto(frame, crowd.motion.position[walker], crowd.motion.heading[walker], joint);
+}
+
+constexpr uint32_t k_no_mesh = ~0u;  // nobody is drawn
+constexpr float k_walks = 0.5f;      // amplitude from which a walker is nearer to walking than to standing
+
+}  // namespace
+
+PersonMesh extract_character(const Character& character) {
+    PersonMesh mesh;
+    mesh.vertices.reserve(character.vertices.size());
+    for (const CharacterVertex& v : character.vertices) mesh.vertices.push_back(to_vertex(v));
+    mesh.lods = character.lods;
+    for (const Texture& t : character.textures) {
+        mesh.textures.push_back({static_cast<uint32_t>(t.width), static_cast<uint32_t>(t.height), t.rgba});
+    }
+    mesh.strides = extract_strides(character);
+    return mesh;
+}
+
+void pose_character(const Character& character, float scale, const JointPose* joints,
+                    JointTransform* palette) {
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        Quat turn = joints[j].rotation * character.bind_to_canonical[j];
+        Vec3 shift = joints[j].position - rotate(turn, character.bind_joints[j] * scale);
+        palette[j] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+    }
+}
+
+Wardrobe make_wardrobe(const World& world, const std::vector<Character>& characters) {
+    Wardrobe wardrobe;
+    wardrobe.outfits.resize(world.crowd.count);
+    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+        auto tints = outfit(characters[world.crowd.identity.body[i]].person, world.seed, i);
+        static_assert(tints.size() == k_tints);
+        std::copy(tints.begin(), tints.end(), std::begin(wardrobe.outfits[i].tints));
+    }
+    return wardrobe;
+}
+
+void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
+                    float between, const PoseNeeds& needs, PeopleFrame& frame) {
+    const Crowd& crowd = world.crowd;
+    frame.walkers.resize(crowd.count);
+    parallel_for(*world.workers, crowd.count, 256, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin; i < end; ++i) {
+            WalkerDraw& draw = frame.walkers[i];
+            if (!is_there(crowd, static_cast<uint32_t>(i))) {
+                draw = {};
+                draw.mesh = k_no_mesh;
+                draw.instance.palette = k_no_palette;
+                continue;
+            }
+            const Character& character = characters[crowd.identity.body[i]];
+            JointPose root = joint_between(world, i, hips, between);
+            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, std::span(&root, 1));
+            draw.centre = to_glm(root.position);
+            draw.radius = k_body_sphere * character.body.height * crowd.identity.scale[i];
+            draw.mesh = crowd.identity.body[i];
+            draw.is_upright = !world.roam;
+            draw.instance.palette =
+                draw.is_upright && !needs_pose(needs, draw.centre, draw.radius) ? k_no_palette : 0;
+            draw.instance.scale = crowd.identity.scale[i];
+            std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
+                      std::begin(draw.instance.tints));
+            const GaitBlock& gait = world.gait.blocks[i / k_block];
+            draw.heading = gait.heading[i % k_block];
+            draw.phase = gait.amplitude[i % k_block] > k_walks ? gait.phase[i % k_block] : -1;
+        }
+    });
+    frame.posed.clear();
+    for (uint32_t i = 0; i < crowd.count; ++i) {
+        uint32_t& first = frame.walkers[i].instance.palette;
+        if (first == k_no_palette) continue;
+        first = static_cast<uint32_t>(frame.posed.size()) * k_palette_joints;
+        frame.posed.push_back(i);
+    }
+    frame.palette.resize(frame.posed.size() * k_palette_joints);
+    parallel_for(*world.workers, frame.posed.size(), 32, [&](size_t begin, size_t end, int) {
+        for (size_t p = begin; p < end; ++p) {
+            const uint32_t i = frame.posed[p];
+            JointPose joints[k_joint_count];
+            for (int j = 0; j < k_joint_count; ++j)
+                joints[j] = joint_between(world, i, static_cast<Joint>(j), between);
+            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
+            pose_character(characters[crowd.identity.body[i]], crowd.identity.scale[i], joints,
+                           &frame.palette[p * k_palette_joints]);
+        }
+    });
+}
+
+}  // namespace flaneur

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/base/hash.h"
+#include "tools/flaneur/commands.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/gait/crowd.h"
+#include "tools/flaneur/gait/report.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/sheets/strip.h"
+
+namespace flaneur {
+
+namespace {
+
+// Preferred speed, m/s, by decade of age from the twenties on: Bohannon & Andrews, Physiotherapy 97, 2011.
+constexpr double k_women[] = {1.34, 1.34, 1.39, 1.31, 1.24, 1.13, 0.94};
+constexpr double k_men[] = {1.36, 1.43, 1.43, 1.43, 1.34, 1.26, 0.97};
+// Middle heights, metres, of girls and boys at 4, 6 .. 18 years: WHO growth reference, 2007.
+constexpr double k_girls_grow[] = {1.03, 1.15, 1.27, 1.39, 1.51, 1.60, 1.625, 1.63};
+constexpr double k_boys_grow[] = {1.03, 1.16, 1.27, 1.38, 1.49, 1.63, 1.73, 1.765};
+
+double usual_height(const GaitOptions& gait) {
+    const double* grow = gait.sex == Sex::woman ? k_girls_grow : k_boys_grow;
+    double at = std::clamp((gait.age - 4.0) / 2, 0.0, 7.0);
+    auto i = static_cast<size_t>(std::min(at, 6.0));
+    return grow[i] + (grow[i + 1] - grow[i]) * (at - static_cast<double>(i));
+}
+
+// Children walk at the Froude number of those in their twenties.
+double usual_speed(const GaitOptions& gait, double height) {
+    const double* table = gait.sex == Sex::woman ? k_women : k_men;
+    double decade = std::clamp((gait.age - 25.0) / 10, 0.0, 6.0);
+    auto i = static_cast<size_t>(std::min(decade, 5.0));
+    double speed = table[i] + (table[i + 1] - table[i]) * (decade - static_cast<double>(i));
+    return gait.age < 18 ? speed * std::sqrt(height / (gait.sex == Sex::woman ? 1.63 : 1.765)) : speed;
+}
+
+double height_of(const GaitOptions& gait) { return gait.height > 0 ? gait.height : usual_height(gait); }
+double speed_of(const GaitOptions& gait) {
+    return gait.speed > 0 ? gait.speed : usual_speed(gait, height_of(gait));
+}
+
+Manner manner_of(const GaitOptions& gait) {
+    Manner middle = manner_at_age(static_cast<float>(gait.age));
+    return gait.style == 0 ? middle : draw_manner(middle, {gait.style, 0, 0, Purpose::style});
+}
+
+std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
+    std::vector<Report> reports{try_level(person, speed, gait.seconds)};
+    for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
+    reports.push_back(try_gaits(person));
+    reports.push_back(try_turn(person, speed, 180));
+    reports.push_back(try_bends(person, speed));
+    for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));
+    for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
+    reports.push_back(try_kerb(person, speed, 0.12));
+    return reports;
+}
+
+std::vector<Report> chosen_trials(const Person& person, double speed, const GaitOptions& gait) {
+    if (gait.turn != 0) return {try_turn(person, speed, gait.turn)};
+    if (!gait.stairs.empty()) return {try_stairs(person, speed, gait.stairs == "up", gait.riser, gait.tread)};
+    if (gait.slope != 0) return {try_slope(person, speed, gait.slope)};
+    if (gait.kerb != 0) return {try_kerb(person, speed, gait.kerb)};
+    if (gait.check) return every_trial(person, speed, gait);
+    return {try_level(person, speed, gait.seconds)};
+}
+
+std::vector<Report> try_person(const GaitOptions& gait) {
+    double height = height_of(gait), speed = speed_of(gait);
+    Person person{standard_body(static_cast<float>(height)), manner_of(gait)};
+    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, %s manner\n",
+                gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
+                static_cast<double>(leg_length(person.body)),
+                gait.style == 0 ? "the middle" : ("style " + std::to_string(gait.style) + " of").c_str());
+    return chosen_trials(person, speed, gait);
+}
+
+// The crowd of the built-in city, or of the one that the scene names.
+Result<Report> try_crowd(const Options& options) {
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    World& world = *loaded->world;
+    std::vector<WalkerWatch> watches(world.crowd.count);
+    auto ticks = static_cast<uint32_t>(std::lround(options.gait.seconds / static_cast<double>(k_tick)));
+    while (world.tick < ticks) {
+        if (is_stopping()) return interrupted();
+        step(world);
+        parallel_for(*world.workers, watches.size(), 16, [&](size_t begin, size_t end, int) {
+            for (size_t i = begin; i < end; ++i) watch_walker(watches[i], world, i);
+        });
+        if (world.tick % 60 == 0) {
+            show_progress("watching, " + std::to_string(world.tick / 60) + " s of " +
+                          std::to_string(ticks / 60) + " s");
+        }
+    }
+    clear_progress();
+    for (const std::string& line : worst_places(watches)) std::printf("%s.\n", line.c_str());
+    return judge_crowd(watches, world);
+}
+
+Result<void> write(PartFilePtr file, const std::string& text) {
+    std::fwrite(text.data(), 1, text.size(), file->file);
+    return keep_file(std::move(file));
+}
+
+}  // namespace
+
+Result<void> run_gait(const Options& options) {
+    const GaitOptions& gait = options.gait;
+    PartFilePtr files[3];
+    const std::string* paths[3] = {&gait.csv, &options.json, &gait.svg};
+    for (int i = 0; i < 3; ++i) {
+        if (paths[i]->empty()) continue;
+        Result<PartFilePtr> file = open_file(*paths[i]);
+        if (!file) return file.error();
+        files[i] = std::move(*file);
+    }
+#ifdef FLANEUR_VULKAN
+    if (!gait.strip.empty()) {
+        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), manner_of(gait));
+        if (!drawn) return drawn;
+    }
+#endif
+    std::vector<Report> reports;
+    if (gait.crowd > 0) {
+        Result<Report> crowd = try_crowd(options);
+        if (!crowd) return crowd.error();
+        reports.push_back(std::move(*crowd));
+    } else {
+        reports = try_person(gait);
+    }
+    int failed = 0, bars = 0;
+    for (const Report& r : reports) {
+        print_report(r, reports.size() == 1);
+        failed += failed_count(r);
+        bars += static_cast<int>(r.verdicts.size());
+    }
+    std::printf("\n%d of %d bars met.\n", bars - failed, bars);
+    // One word for all that was walked, to compare machines by.
+    uint64_t poses = 0;
+    for (const Report& r : reports) poses = mix(poses ^ r.poses);
+    if (gait.crowd == 0) std::printf("Poses %016" PRIx64 ".\n", poses);
+    if (files[0]) {
+        if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
+    }
+    if (files[1]) {
+        if (Result<void> done = write(std::move(files[1]), reports_json(reports)); !done) return done;
+    }
+    if (files[2]) {
+        if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
+    }
+    if (!gait.check || failed == 0) return {};
+    return Error{std::to_string(failed) + " of " + std::to_string(bars) +
+                 " bars are not met; the lines above that say FAIL name them."};
+}
+
+}  // namespace flaneur

@@ -1,0 +1,174 @@
+#include "tools/flaneur/load/load.h"
+
+#include <filesystem>
+#include <string>
+
+#include "assets/asteroid.h"
+#include "assets/cache/cache_file.h"
+#include "assets/cache/navmesh_cache.h"
+#include "assets/cache/person_cache.h"
+#include "assets/cities.h"
+#include "assets/gltf/character/clip.h"
+#include "assets/population.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr uint32_t k_built_in_people = 24;
+
+constexpr int k_most_blocks = 32;
+
+void print_notes(const std::string& source, const std::vector<std::string>& notes) {
+    std::string line;
+    for (const std::string& note : notes) say((line = source).append(": ").append(note));
+}
+
+// Fills both: a kind for each character. The built-in people share what they have evenly.
+Result<void> add_people(const Options& options, std::vector<Character>& characters,
+                        std::vector<Kind>& kinds) {
+    const Scene& scene = options.scene;
+    kinds.clear();
+    std::vector<PeopleShare> people = scene.people;
+    if (people.empty()) people.emplace_back();
+    for (const PeopleShare& some : people) {
+        std::vector<Character> added;
+        if (some.character.empty()) {
+            auto made = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
+            if (!made) return made.error();
+            added = std::move(*made);
+        } else {
+            Result<Character> character = read_character(some.character, options.force);
+            if (!character) return character.error();
+            added.push_back(std::move(*character));
+        }
+        for (Character& c : added) {
+            kinds.push_back(
+                {c.body, some.share / static_cast<float>(added.size()), c.person.age, c.person.woman});
+            characters.push_back(std::move(c));
+        }
+    }
+    return {};
+}
+
+Result<std::vector<Clip>> load_idles(const Scene& scene) {
+    std::vector<Clip> clips;
+    for (const std::string& idle : scene.idles) {
+        show_progress("reading " + idle);
+        ClipName name = split_clip(idle);
+        Result<RecordedMotion> motion = load_motion(name.file, name.clip);
+        if (!motion) return motion.error();
+        Result<Clip> clip = additive_clip(*motion);
+        if (!clip) return Error{idle + ": " + clip.error().message};
+        clips.push_back(std::move(*clip));
+    }
+    return clips;
+}
+
+// A district as large as the scene says, or as its walkers need to walk rather than queue: some 750 to a
+// block.
+int district_blocks(const Scene& scene) {
+    int blocks = scene.blocks;
+    while (blocks < k_most_blocks && blocks * blocks * 750 < scene.walkers) ++blocks;
+    return blocks;
+}
+
+}  // namespace
+
+Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
+    auto mesh = cached_navmesh(ground, {}, threads, cache_folder(), [](float share) {
+        show_progress("building the navigation mesh " + std::to_string(static_cast<int>(share * 100)) + " %");
+        return !is_stopping();
+    });
+    clear_progress();
+    return mesh;
+}
+
+CityOptions city_options(const Scene& scene) {
+    return {scene.terrain, scene.scale, scene.center, scene.radius, [](std::string_view what, float done) {
+                show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
+            }};
+}
+
+Result<City> read_city(const Scene& scene) {
+    show_progress("making the city");
+    if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
+    Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
+                                           : load_city(scene.city, city_options(scene));
+    if (is_stopping()) return interrupted();
+    if (city) print_notes(city->ground.name, city->notes);
+    return city;
+}
+
+Result<Character> read_character(const std::string& path, bool force) {
+    show_progress("reading " + path);
+    Result<Character> character = load_character(path, {force});
+    if (character) print_notes(path, character->notes);
+    return character;
+}
+
+Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& options, int threads) {
+    show_progress("making people");
+    std::vector<Character> people(options.size());
+    std::string folder = cache_folder();
+    WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, people.size(), 1, [&](size_t begin, size_t end, int) {
+        for (size_t i = begin; i < end && !is_stopping(); ++i) people[i] = cached_person(options[i], folder);
+    });
+    if (is_stopping()) return interrupted();
+    return people;
+}
+
+Result<void> find_files(const Scene& scene) {
+    std::vector<std::string> paths{scene.city, scene.terrain};
+    for (const PeopleShare& some : scene.people) paths.push_back(some.character);
+    for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
+    std::error_code unknown;
+    for (const std::string& path : paths)
+        if (!path.empty() && !std::filesystem::is_regular_file(path, unknown))
+            return Error{"There is no file " + path + "; check the path."};
+    return {};
+}
+
+Result<Loaded> load(const Options& options) {
+    const Scene& scene = options.scene;
+    if (Result<void> found = find_files(scene); !found) return found.error();
+    Loaded loaded;
+    Result<City> city = read_city(scene);
+    if (!city) return city.error();
+    loaded.city = std::make_shared<City>(std::move(*city));
+
+    WorldOptions world;
+    world.destinations = loaded.city->destinations;
+    Result<void> peopled = add_people(options, loaded.characters, world.kinds);
+    if (!peopled) return peopled.error();
+
+    Result<std::vector<Clip>> idles = load_idles(scene);
+    if (!idles) return idles.error();
+
+    world.idles = std::move(*idles);
+    world.walkers = static_cast<uint32_t>(scene.walkers);
+    world.seed = scene.seed;
+    world.threads = options.threads;
+    world.hour = scene.hour;
+    auto progress = [](std::string_view what, float done) {
+        show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
+        return !is_stopping();
+    };
+    Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, options.threads);
+    if (!mesh) return mesh.error();
+    auto made = make_world(std::shared_ptr<const Ground>(loaded.city, &loaded.city->ground), std::move(*mesh),
+                           world, progress);
+    clear_progress();
+    if (!made) return made.error();
+    loaded.world = std::move(*made);
+    if (scene.asteroid) {
+        Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound);
+        if (!set) return set.error();
+    }
+    return loaded;
+}
+
+}  // namespace flaneur

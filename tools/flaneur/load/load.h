@@ -1,0 +1,42 @@
+// From options to a city with people in it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assets/character.h"
+#include "assets/cities.h"
+#include "sim/base/result.h"
+#include "sim/world.h"
+#include "tools/flaneur/options/options.h"
+
+namespace flaneur {
+
+struct Loaded {
+    std::shared_ptr<const City> city;  // whose ground the world stands on
+    std::unique_ptr<World> world;
+    std::vector<Character> characters;  // one for each of the world's bodies
+};
+
+// Refuses a scene that names a file which is not there: in no time, before anything is read.
+Result<void> find_files(const Scene& scene);
+
+// Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
+Result<Loaded> load(const Options& options);
+
+// What a scene says of its city; how far it is comes on the terminal.
+CityOptions city_options(const Scene& scene);
+
+// The city of a scene, as load() makes it, without anybody in it.
+Result<City> read_city(const Scene& scene);
+
+// Where people can walk in it: as an earlier run kept it, or built.
+Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads);
+
+// Refuses in a sentence; says on stderr what was repaired.
+Result<Character> read_character(const std::string& path, bool force);
+
+// Makes people, in the order of `options`, on so many threads; 0: one a core. Fails only when interrupted.
+Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& options, int threads);
+
+}  // namespace flaneur

@@ -1,0 +1,115 @@
+// The command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "assets/scene.h"
+#include "sim/base/result.h"
+#include "sim/base/vec.h"
+
+namespace flaneur {
+
+enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache };
+enum class BenchLoad { frame, crowd, pose, city, peers };
+
+// Ticks first, first + step, ... not beyond last.
+struct TickRange {
+    uint32_t first = 600, last = 600, step = 1;
+};
+constexpr uint32_t count(const TickRange& t) { return (t.last - t.first) / t.step + 1; }
+
+enum class Sex { woman, man };
+enum class StripView { side, front };
+
+// Who walks where; zeros and empty words ask for nothing.
+struct GaitOptions {
+    double speed = 0;   // m/s; 0: what people of that age and sex prefer
+    double height = 0;  // metres; 0: what people of that age and sex have
+    Sex sex = Sex::man;
+    double age = 30;
+    uint64_t style = 0;  // draws what differs between people of one body; 0: the middle manner
+    double seconds = 25;
+    double turn = 0;                    // degrees to the left
+    std::string stairs;                 // up, down
+    double riser = 0.17, tread = 0.29;  // metres
+    double slope = 0;                   // metres up in a hundred
+    double kerb = 0;                    // metres
+    double wall = 0;                    // metres to the left of the way; only where a strip is drawn
+    int crowd = 0;                      // walkers to watch, instead of one
+    bool check = false;
+    std::string csv, svg, strip;
+    StripView view = StripView::side;
+};
+
+// Empty words ask for nothing.
+struct PeopleOptions {
+    uint32_t count = 24;     // of the built-in people, where no characters are given
+    std::string folder;      // for .glb files
+    std::string sheet;       // a picture of them
+    bool close = false;      // of their faces
+    Size cell = {480, 400};  // pixels of one of them on the sheet
+};
+
+struct Options {
+    Command command = Command::view;
+    Scene scene;      // with what the command line says instead
+    int threads = 0;  // 0: one a core
+
+    bool force = false;  // characters need no more than two legs
+
+    // view, render, bench frame
+    std::string device;
+    bool validate = false;
+
+    // view
+    uint32_t close_after = 0;  // frames; 0: stays open
+
+    // render
+    TickRange ticks;
+    bool resume = false;
+
+    std::string out;  // where render, city and bench peers write
+
+    // sim
+    double seconds = 10;
+    bool hash = false;
+    std::string hash_log;
+    std::string isa = "best";
+
+    // bench
+    BenchLoad load = BenchLoad::frame;
+    uint32_t bench_frames = 120;  // or ticks, or repetitions
+    uint32_t bench_count = 100;   // characters of peers
+
+    // city
+    bool check = false;
+
+    bool clear_cache = false;  // cache
+
+    std::string json;  // where bench, city, gait and inspect write their figures too
+
+    GaitOptions gait;
+    PeopleOptions people;
+
+    // inspect
+    std::string file;
+
+    // scenes
+    std::vector<std::string> scene_files;  // to check; empty: none
+    bool schema = false;
+};
+
+// "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.
+Result<PeopleShare> parse_people(const std::string& text);
+// 0 .. 2^64 - 1.
+Result<uint64_t> parse_seed(const std::string& text);
+// "600", "0:600" or "0:600:2".
+Result<TickRange> parse_ticks(const std::string& text);
+
+// What to do; or, when help was asked for and printed, nothing (monostate).
+Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv);
+
+}  // namespace flaneur

@@ -1,0 +1,198 @@
+#include "tools/flaneur/options/scene.h"
+
+#include <algorithm>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "tools/flaneur/options/refusal.h"
+#include "tools/flaneur/options/spelling.h"
+
+namespace flaneur {
+
+CLI::Option* add_characters(CLI::App& app, SceneWords& words, const char* description, const char* type) {
+    return app
+        .add_option_function<std::vector<std::string>>(
+            "--character",
+            [&words](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    Result<PeopleShare> people = parse_people(text);
+                    if (!people)
+                        throw CLI::ValidationError("--character " + people.error().message,
+                                                   CLI::ExitCodes::ValidationError);
+                    words.people.push_back(*people);
+                }
+            },
+            description)
+        ->type_name(type)
+        ->allow_extra_args(false)
+        ->take_all();
+}
+
+CLI::Option* add_force(CLI::App& app, Options& options) {
+    return app.add_flag("--force", options.force,
+                        "Let characters walk that have two legs but lack arms or a head");
+}
+
+void add_map_options(CLI::App& app, SceneWords& words) {
+    add_parsed(app, "--center", parse_place, words.center,
+               "The middle of what is drawn of a map, degrees; without it, the whole map or, of a large one, "
+               "where there is most to see",
+               "LAT,LON", "");
+    app.add_option(
+           "--radius", words.radius,
+           "How far that reaches to each side, 100 to 3000 metres; without it, as far as can be built "
+           "in half a minute, and 1200 about a center")
+        ->type_name("M")
+        ->check(number_between(k_least_map_radius, k_most_map_radius));
+}
+
+void add_place_options(CLI::App& app, SceneWords& words) {
+    app.add_option("--scene", words.scene, "A built-in scene (" + joined(scene_names()) + ") or a .json file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str()
+        ->group("Scene");
+    app.add_option("--city", words.city,
+                   "An OpenStreetMap extract, .osm or .osm.pbf, or a glTF scene, .glb or .gltf")
+        ->type_name("FILE")
+        ->group("Scene");
+    add_map_options(app, words);
+    for (const char* name : {"--center", "--radius"}) app.get_option(name)->group("Scene");
+    app.add_option("--terrain", words.terrain,
+                   "Heights of the ground under it: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF (.tif)")
+        ->type_name("FILE")
+        ->group("Scene");
+    app.add_option("--scale", words.scale, "Metres to a unit of a glTF city; without it, 1")
+        ->type_name("M")
+        ->check(number_between(k_least_scale, k_most_scale))
+        ->group("Scene");
+    add_parsed(app, "--seed", parse_seed, words.seed,
+               "Another seed makes other people, ways and, built in, another city", "S", "")
+        ->group("Scene");
+}
+
+void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
+    app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
+        ->type_name("N")
+        ->transform(whole_between(0, k_max_walkers))
+        ->group("Scene");
+    add_parsed(app, "--time", parse_time, words.hour,
+               "The time of day, which moves the sun and sends people elsewhere", "HH:MM", "17:30")
+        ->group("Scene");
+    add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
+        ->group("Scene");
+    app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
+        ->type_name("N")
+        ->transform(whole_between(0, 256))
+        ->capture_default_str()
+        ->group("Scene");
+}
+
+void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
+    add_place_options(app, words);
+    add_characters(
+        app, words,
+        "A skinned humanoid, .glb, .gltf or .vrm, or builtin for the built-in people, and its share "
+        "of the walkers; may be given several times",
+        "FILE[:SHARE]")
+        ->group("Scene");
+    add_force(app, options)->group("Scene");
+    app.add_option(
+           "--idle", words.idles,
+           "An animation of a skinned humanoid, .glb or .gltf, that people who stand play; may be given "
+           "several times")
+        ->type_name("FILE[:CLIP]")
+        ->allow_extra_args(false)
+        ->take_all()
+        ->group("Scene");
+    add_walking_options(app, words, options);
+}
+
+void add_camera_option(CLI::App& app, SceneWords& words) {
+    add_parsed(
+        app, "--camera", parse_camera, words.camera,
+        "overview, street, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres",
+        "CAMERA", "");
+}
+
+// Refuses a camera that has nothing to show.
+static Result<void> check_camera(const SceneWords& words, const Options& options) {
+    using enum CameraChoice::Kind;
+    const CameraChoice& camera = options.scene.camera;
+    std::string who = words.camera ? "--camera " : "The camera of the scene " + words.scene + ", ";
+    if (options.scene.asteroid && options.command == Command::render && camera.kind != fixed &&
+        camera.kind != overview) {
+        return Error{who + (camera.kind == street ? "street" : "follow") +
+                     ", is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
+                     "22,13,34/1,0,0."};
+    }
+    if (camera.kind == follow && camera.walker >= static_cast<uint32_t>(options.scene.walkers)) {
+        return Error{who + "follow:" + std::to_string(camera.walker) +
+                     " follows nobody: walkers are numbered from 0, and there are " +
+                     std::to_string(options.scene.walkers) + "."};
+    }
+    return {};
+}
+
+Result<void> settle_scene(const SceneWords& words, Options& options) {
+    Result<Scene> scene = load_scene(words.scene);
+    if (!scene && has_ending(words.scene, ".json")) return scene.error();
+    if (!scene) return Error{scene.error().message + did_you_mean(words.scene, scene_names())};
+    options.scene = *scene;
+    if (words.city) {
+        options.scene.city = *words.city;
+        options.scene.asteroid = false;
+        options.scene.center = std::nullopt;  // of the scene's own city
+        options.scene.radius = 0;
+    }
+    if (words.terrain) options.scene.terrain = *words.terrain;
+    bool no_map = options.scene.city.empty() && options.command != Command::inspect;
+    if (!options.scene.terrain.empty() && no_map)
+        return Error{"--terrain " + options.scene.terrain +
+                     " lies under an OpenStreetMap city only; give one with --city."};
+    if (words.center) options.scene.center = words.center;
+    if (words.radius) options.scene.radius = *words.radius;
+    if (words.center || words.radius) {
+        const std::string& map = options.command == Command::inspect ? options.file : options.scene.city;
+        if (kind_of(map) != FileKind::map)
+            return Error{std::string(words.center ? "--center" : "--radius") +
+                         " chooses what is drawn of an OpenStreetMap city; give one with --city."};
+    }
+    if (words.scale) {
+        options.scene.scale = *words.scale;
+        bool has_units = !options.scene.city.empty() && kind_of(options.scene.city) != FileKind::map;
+        if (!has_units)
+            return Error{"--scale is for a glTF city; " +
+                         (options.scene.city.empty() ? std::string("the built-in one")
+                                                     : "the map " + options.scene.city) +
+                         " is in metres."};
+    }
+    if (!words.people.empty()) options.scene.people = words.people;
+    if (!words.idles.empty()) options.scene.idles = words.idles;
+    if (words.walkers) options.scene.walkers = *words.walkers;
+    if (words.seed) options.scene.seed = *words.seed;
+    if (words.hour) {
+        options.scene.hour = *words.hour;
+        options.scene.sun_height = options.scene.sun_heading = std::nullopt;
+    }
+    if (words.is_overcast) options.scene.is_overcast = *words.is_overcast;
+    if (options.command == Command::gait) {
+        const GaitOptions& gait = options.gait;
+        int walks =
+            (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) + (gait.crowd > 0);
+        if (walks > 1)
+            return Error{"gait measures one of --turn, --stairs, --slope, --kerb and --crowd at a time."};
+        bool steady = gait.turn == 0 && gait.kerb == 0 && gait.crowd == 0;
+        if (!steady && !gait.svg.empty())
+            return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
+    }
+    if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
+    if (options.command == Command::city && !options.check && !has_ending(options.out, ".glb"))
+        return Error{"city --out " + options.out + " is no .glb, which is what a city is written as."};
+    if (words.camera) options.scene.camera = *words.camera;
+    if (words.size) options.scene.size = *words.size;
+    if (words.quality) options.scene.quality = *words.quality;
+    if (words.views) options.scene.views = *words.views;
+    return check_camera(words, options);
+}
+
+}  // namespace flaneur

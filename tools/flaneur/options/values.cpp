@@ -1,0 +1,45 @@
+// How values on the command line are read.
+#include <string_view>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "tools/flaneur/options/options.h"
+
+namespace flaneur {
+
+Result<PeopleShare> parse_people(const std::string& text) {
+    PeopleShare people{text};
+    size_t colon = text.rfind(':');
+    if (colon != std::string::npos && parse_number(std::string_view(text).substr(colon + 1), people.share)) {
+        people.character.resize(colon);
+        if (!(static_cast<double>(people.share) >= k_least_share &&
+              static_cast<double>(people.share) <= k_most_share))
+            return Error{excerpt(text) + " has a share that is not from 0.001 to 1000"};
+    }
+    if (people.character.empty()) return Error{excerpt(text) + " names no file"};
+    if (people.character == "builtin") people.character.clear();
+    return people;
+}
+
+Result<uint64_t> parse_seed(const std::string& text) {
+    uint64_t seed = 0;
+    if (parse_number(text, seed)) return seed;
+    return Error{excerpt(text) + " is not a whole number from 0 to 18446744073709551615"};
+}
+
+Result<TickRange> parse_ticks(const std::string& text) {
+    constexpr uint32_t k_most = 10'000'000;
+    auto parts = split(text, ':');
+    TickRange ticks;
+    bool good = parts.size() <= 3 && parse_number(parts[0], ticks.first);
+    ticks.last = ticks.first;
+    if (good && parts.size() > 1) good = parse_number(parts[1], ticks.last);
+    if (good && parts.size() > 2) good = parse_number(parts[2], ticks.step) && ticks.step > 0;
+    if (!good) return Error{excerpt(text) + " is not a tick (600) or a range of ticks (0:600 or 0:600:2)"};
+    if (ticks.first > ticks.last) return Error{excerpt(text) + " ends before it begins"};
+    if (ticks.last > k_most)
+        return Error{excerpt(text) + " goes beyond tick 10000000, 46 hours of simulated time"};
+    return ticks;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,277 @@
+#include "tools/flaneur/output/output.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <system_error>
+
+#include "assets/files/file.h"
+#include "assets/files/picture.h"
+#include "tools/flaneur/output/film.h"
+
+namespace flaneur {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Error cannot_write(const std::string& path, const std::string& why) {
+    return Error{"Cannot write " + path + ": " + why + "."};
+}
+
+// Those under way, for abandon_outputs.
+struct OpenFiles {
+    std::mutex mutex;
+    std::vector<const PartFile*> files;
+};
+
+OpenFiles& open_files() {
+    static auto* all = new OpenFiles;  // never destroyed: the process may be ending
+    return *all;
+}
+
+void remember(const PartFile* file) {
+    std::lock_guard lock(open_files().mutex);
+    open_files().files.push_back(file);
+}
+
+void forget(const PartFile* file) {
+    std::lock_guard lock(open_files().mutex);
+    std::erase(open_files().files, file);
+}
+
+// The file itself, and the folders made for it.
+void remove_traces(const PartFile& f) {
+    std::error_code ignored;
+    if (!f.part.empty()) fs::remove(f.part, ignored);
+    for (fs::path p = fs::path(f.target).parent_path(); !f.made_folder.empty(); p = p.parent_path()) {
+        if (!fs::remove(p, ignored) || p == f.made_folder) break;
+    }
+}
+
+// The number of an open file that the path names, as /dev/stdout does in the end.
+std::optional<int> descriptor_of(const std::string& path) {
+    for (std::string_view folder : {"/proc/self/fd/", "/dev/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        int number = 0;
+        const char* last = path.data() + path.size();
+        auto [end, error] = std::from_chars(path.data() + folder.size(), last, number);
+        if (error == std::errc() && end == last) return number;
+    }
+    return std::nullopt;
+}
+
+// Where the path leads: an absolute path that is no link.
+Result<std::string> followed(const std::string& path) {
+    constexpr int k_most_links = 40;
+    if (path.empty()) return cannot_write("a file without a name", "say where");
+    if (path == "-") return std::string("/proc/self/fd/1");
+    std::error_code error;
+    fs::path at = fs::absolute(path, error);
+    for (int links = 0; links < k_most_links && !error; ++links) {
+        if (descriptor_of(at.string()) || !fs::is_symlink(at, error)) return at.string();
+        fs::path to = fs::read_symlink(at, error);
+        at = to.is_absolute() ? to : at.parent_path() / to;
+    }
+    return cannot_write(path, error ? error.message() : "it is a link that leads nowhere");
+}
+
+// Whether what is written goes on at once, to a pipe or a device.
+bool is_stream(const std::string& path) {
+    Result<std::string> target = followed(path);
+    struct stat now {};
+    return target && (descriptor_of(*target) ||
+                      (stat(target->c_str(), &now) == 0 && !S_ISREG(now.st_mode) && !S_ISDIR(now.st_mode)));
+}
+
+// Makes the missing folders above `target`; gives the topmost of them, or an empty text.
+Result<std::string> make_folders(const std::string& path, const std::string& target) {
+    std::error_code error;
+    std::string made;
+    fs::path folder = fs::path(target).parent_path();
+    for (fs::path p = folder; !p.empty() && !fs::exists(p, error) && !error; p = p.parent_path())
+        made = p.string();
+    if (!error) fs::create_directories(folder, error);
+    if (error)
+        return cannot_write(path,
+                            "the folder " + folder.string() + " cannot be made (" + error.message() + ")");
+    return made;
+}
+
+// A text with one place for a whole number, %d or %0Nd.
+struct Numbered {
+    std::string before, after;
+    size_t digits = 0;
+};
+
+std::optional<Numbered> parse_numbered(const std::string& path) {
+    size_t percent = path.find('%');
+    if (percent == std::string::npos || path.find('%', percent + 1) != std::string::npos) return {};
+    size_t end = path.find('d', percent);
+    if (end == std::string::npos) return {};
+    Numbered numbered{path.substr(0, percent), path.substr(end + 1)};
+    const char* first = path.data() + percent + 1;
+    const char* last = path.data() + end;
+    if (first == last) return numbered;
+    auto [stop, error] = std::from_chars(first, last, numbered.digits);
+    if (*first != '0' || error != std::errc() || stop != last || numbered.digits > 20) return {};
+    return numbered;
+}
+
+std::string path_for(const Numbered& numbered, uint32_t tick) {
+    std::string number = std::to_string(tick);
+    if (number.size() < numbered.digits) number.insert(0, numbered.digits - number.size(), '0');
+    return numbered.before + number + numbered.after;
+}
+
+}  // namespace
+
+void PartFileDelete::operator()(PartFile* f) const {
+    if (f->file) {
+        std::fclose(f->file);
+        forget(f);
+        remove_traces(*f);
+    }
+    delete f;
+}
+
+void abandon_outputs() {
+    abandon_films();
+    OpenFiles& all = open_files();
+    std::lock_guard lock(all.mutex);
+    for (const PartFile* f : all.files) remove_traces(*f);
+}
+
+Result<PartFilePtr> open_file(const std::string& path) {
+    PartFilePtr f(new PartFile);
+    f->path = path;
+    Result<std::string> target = followed(path);
+    if (!target) return target.error();
+    f->target = *target;
+    if (std::optional<int> descriptor = descriptor_of(f->target)) {
+        f->file = fdopen(dup(*descriptor), "wb");
+        if (!f->file) return cannot_write(path, std::strerror(errno));
+        return f;
+    }
+    struct stat now {};
+    bool is_there = stat(f->target.c_str(), &now) == 0;
+    if (is_there && S_ISDIR(now.st_mode)) return cannot_write(path, "it is a folder");
+    if (is_there && !S_ISREG(now.st_mode)) {
+        f->file = std::fopen(f->target.c_str(), "wbe");
+        if (!f->file) return cannot_write(path, std::strerror(errno));
+        return f;
+    }
+    constexpr mode_t k_writable = S_IWUSR | S_IWGRP | S_IWOTH;
+    if (is_there && ((now.st_mode & k_writable) == 0 || access(f->target.c_str(), W_OK) != 0))
+        return cannot_write(path, "it is there already and protected from writing");
+    Result<std::string> made = make_folders(path, f->target);
+    if (!made) return made.error();
+    f->made_folder = *made;
+    // Short, so that whatever name fits may be asked for.
+    static std::atomic<int> number = 0;
+    std::string name = ".flaneur-" + std::to_string(getpid()) + "-" + std::to_string(number++) + ".part";
+    f->part = (fs::path(f->target).parent_path() / name).string();
+    remember(f.get());
+    f->file = std::fopen(f->part.c_str(), "wbxe");
+    if (!f->file) {
+        Error error = cannot_write(path, std::strerror(errno));
+        forget(f.get());
+        f->part.clear();
+        remove_traces(*f);
+        return error;
+    }
+    if (is_there) fchmod(fileno(f->file), now.st_mode & 07777);
+    return f;
+}
+
+Result<void> keep_file(PartFilePtr f) {
+    if (f->part.empty()) std::fflush(stdout);  // which it may be
+    bool whole = std::fflush(f->file) == 0 && std::ferror(f->file) == 0;
+    if (!whole) return cannot_write(f->path, std::strerror(errno));
+    std::error_code error;
+    if (!f->part.empty()) fs::rename(f->part, f->target, error);
+    if (error) return cannot_write(f->path, error.message());
+    std::fclose(f->file);
+    f->file = nullptr;
+    forget(f.get());
+    return {};
+}
+
+Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size) {
+    size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
+    assert(rgba.size() == pixels * 4);
+    std::vector<uint8_t> rgb(pixels * 3);
+    for (size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[i * 3], &rgba[i * 4], 3);
+    std::string png = encode_png(rgb, size.width, size.height, 3);
+    if (png.empty()) return cannot_write(f->path, "there is not enough memory to compress the picture");
+    std::fwrite(png.data(), 1, png.size(), f->file);
+    return keep_file(std::move(f));
+}
+
+struct Output {
+    Size size;
+    PartFilePtr first;  // one picture; of numbered ones the first, opened early to see that it can be written
+    std::optional<Numbered> numbered;
+    FilmPtr film;
+    bool resume = false;
+};
+
+void OutputDelete::operator()(Output* output) const { delete output; }
+
+Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks, bool resume) {
+    OutputPtr output(new Output);
+    output->size = size;
+    output->resume = resume;
+    if (has_ending(path, ".mp4")) {
+        Result<FilmPtr> film = open_film(path, size, ticks.step, resume);
+        if (!film) return film.error();
+        output->film = std::move(*film);
+        return output;
+    }
+    if (!has_ending(path, ".png") && !is_stream(path))
+        return Error{"--out " + path + " must end in .png for pictures or in .mp4 for a film."};
+    output->numbered = parse_numbered(fs::path(path).filename().string());
+    if (output->numbered) {
+        output->numbered->before = (fs::path(path).parent_path() / output->numbered->before).string();
+    } else if (count(ticks) > 1) {
+        return Error{"--out " + path + " is one picture, but --frames asks for " +
+                     std::to_string(count(ticks)) +
+                     "; number them with DIR/%05d.png, or write a film: FILE.mp4."};
+    } else if (resume) {
+        return Error{"--resume goes on with films and numbered pictures, and --out " + path + " is neither."};
+    }
+    if (is_written(*output, 0, ticks.first)) return output;
+    Result<PartFilePtr> file = open_file(output->numbered ? path_for(*output->numbered, ticks.first) : path);
+    if (!file) return file.error();
+    output->first = std::move(*file);
+    return output;
+}
+
+bool is_written(const Output& output, uint32_t number, uint32_t tick) {
+    if (!output.resume) return false;
+    if (output.film) return number < pictures_begun_with(*output.film);
+    std::error_code ignored;
+    return fs::exists(path_for(*output.numbered, tick), ignored);
+}
+
+Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick) {
+    if (output.film) return write_film(*output.film, rgba);
+    if (output.first) return write_png(std::move(output.first), rgba, output.size);
+    Result<PartFilePtr> file = open_file(path_for(*output.numbered, tick));
+    if (!file) return file.error();
+    return write_png(std::move(*file), rgba, output.size);
+}
+
+Result<void> finish_output(Output& output) {
+    if (output.film) return finish_film(std::move(output.film));
+    return {};
+}
+
+}  // namespace flaneur

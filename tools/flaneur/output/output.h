@@ -1,0 +1,63 @@
+// Files that the program writes: pictures, films and texts. A file is written beside its final place under a
+// name that ends in .part, and renamed when it is whole; what fails or is given up on leaves nothing behind.
+// Links are followed, and stay. A device, a pipe or a socket, and what /dev/stdout and /dev/fd/3 stand for,
+// is written to as it is; "-" is standard output.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/base/result.h"
+#include "tools/flaneur/options/options.h"
+
+namespace flaneur {
+
+// A file under way. `file` is open for writing until keep_file.
+struct PartFile {
+    std::string path;         // as it was asked for
+    std::string target;       // where it will be: where `path` leads
+    std::string part;         // where it is meanwhile; empty: written in place
+    std::string made_folder;  // the topmost folder made for it, removed with it while empty
+    FILE* file = nullptr;
+};
+struct PartFileDelete {
+    void operator()(PartFile*) const;
+};
+using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
+
+// Makes missing folders. Refuses, at once, a place that cannot be written to, and a file that is protected
+// from writing.
+Result<PartFilePtr> open_file(const std::string& path);
+// Closes and renames.
+Result<void> keep_file(PartFilePtr file);
+
+// Removes what is under way, and ends ffmpeg, while other threads may still be at work on it: to be called
+// when the process is about to end.
+void abandon_outputs();
+
+// `rgba` has rows from the top; alpha is dropped.
+Result<void> write_png(PartFilePtr file, const std::vector<uint8_t>& rgba, Size size);
+
+// Where render's pictures go: FILE.png or a stream (one tick), a pattern such as DIR/%05d.png (numbered by
+// tick), or FILE.mp4.
+struct Output;
+struct OutputDelete {
+    void operator()(Output*) const;
+};
+using OutputPtr = std::unique_ptr<Output, OutputDelete>;
+
+// Refuses what could not be finished: another ending, one picture for many ticks, no ffmpeg, a place that
+// cannot be written to. `resume` goes on with a film or numbered pictures that were given up on.
+Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks,
+                              bool resume = false);
+// Whether the picture, the one with this number from 0, was there when it went on.
+bool is_written(const Output& output, uint32_t number, uint32_t tick);
+Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick);
+// To be called once after the last image. Numbered pictures are kept as they come; a film of the images so
+// far is whole.
+Result<void> finish_output(Output& output);
+
+}  // namespace flaneur

@@ -1,0 +1,190 @@
+#include "tools/flaneur/overlay/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "tools/flaneur/extract/convert.h"
+#include "tools/flaneur/overlay/lettering.h"
+#include "tools/flaneur/overlay/shapes.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_letters = 10;  // pixels that capitals are tall
+constexpr float k_margin = 18;   // pixels
+constexpr uint32_t k_white = ink(0xf6f3ec), k_grey = ink(0xb9b6ae);
+
+struct LegendEntry {
+    const char* what;
+    uint32_t colour;
+};
+constexpr LegendEntry k_level_legend[] = {
+    {"finest mesh", k_level_colours[0]}, {"second", k_level_colours[1]},   {"third", k_level_colours[2]},
+    {"fourth", k_level_colours[3]},      {"coarsest", k_level_colours[4]}, {"impostor", k_level_colours[5]}};
+
+// Metres a second, rising.
+struct SpeedColour {
+    float speed;
+    const char* what;
+    uint32_t colour;
+};
+constexpr SpeedColour k_speed_colours[] = {{0, "stands", ink(0x3d5a99)},
+                                           {0.6f, "0.6 m/s", ink(0x3f9f9a)},
+                                           {1.2f, "1.2 m/s", ink(0x8fc15a)},
+                                           {1.6f, "1.6 m/s", ink(0xe9c445)},
+                                           {2.2f, "2.2 m/s", ink(0xdb5a3a)}};
+
+// Fruin's levels of service on walkways, people to a square metre (J. J. Fruin, Pedestrian Planning and
+// Design, 1971: 35, 25, 15, 10 and 5 square feet a person).
+constexpr LegendEntry k_density_legend[] = {
+    {"A  below 0.31 people/m2", k_fruin_colours[0]}, {"B  0.31 to 0.43", k_fruin_colours[1]},
+    {"C  0.43 to 0.72", k_fruin_colours[2]},         {"D  0.72 to 1.08", k_fruin_colours[3]},
+    {"E  1.08 to 2.15", k_fruin_colours[4]},         {"F  above 2.15", k_fruin_colours[5]}};
+
+constexpr LegendEntry k_walkable_legend[] = {
+    {"road", k_surface_colours[0]},  {"sidewalk", k_surface_colours[1]}, {"crossing", k_surface_colours[2]},
+    {"plaza", k_surface_colours[3]}, {"path", k_surface_colours[4]},     {"steps", k_surface_colours[5]},
+    {"grass", k_surface_colours[6]}};
+
+constexpr LegendEntry k_overdraw_legend[] = {{"drawn once", ink(0x291409)},
+                                             {"four times", ink(0xa35224)},
+                                             {"eight times", ink(0xffa347)},
+                                             {"sixteen times and more", ink(0xffff8f)}};
+
+constexpr LegendEntry k_skeleton_legend[] = {
+    {"left", k_left_colour}, {"right", k_right_colour}, {"trunk", k_trunk_colour}};
+
+uint32_t mixed(uint32_t a, uint32_t b, float t) {
+    uint32_t out = 0;
+    for (uint32_t shift = 0; shift < 32; shift += 8) {
+        const float from = static_cast<float>(a >> shift & 255), to = static_cast<float>(b >> shift & 255);
+        out |= static_cast<uint32_t>(std::lround(from + (to - from) * t)) << shift;
+    }
+    return out;
+}
+
+uint32_t speed_colour(float speed) {
+    size_t i = 1;
+    while (i + 1 < std::size(k_speed_colours) && speed > k_speed_colours[i].speed) ++i;
+    const SpeedColour &low = k_speed_colours[i - 1], &high = k_speed_colours[i];
+    return mixed(low.colour, high.colour,
+                 std::clamp((speed - low.speed) / (high.speed - low.speed), 0.0f, 1.0f));
+}
+
+void colour_by_speed(const World& world, PeopleFrame& people) {
+    for (uint32_t i = 0; i < world.crowd.count; ++i)
+        std::fill_n(people.walkers[i].instance.tints, k_tints,
+                    speed_colour(length(world.crowd.motion.velocity[i])));
+}
+
+void add_row(Overlay& overlay, glm::vec2 corner, float row, std::string_view text, uint32_t colour,
+             uint32_t swatch) {
+    const float y = (corner.y > 0.5f ? -1.0f : 1.0f) * (k_margin + row * 1.9f * k_letters);
+    if (swatch != 0) {
+        Pen pen{.a = glm::vec3(corner, 0), .b = glm::vec3(corner, 0), .place = GizmoPlace::on_picture};
+        pen.shift_a = {k_margin + 4, y - 0.5f * k_letters};
+        pen.shift_b = pen.shift_a + glm::vec2(12, 0);
+        pen.pixels = 10;
+        pen.colour = swatch | 0xff000000u;
+        overlay.lines.push_back(pen);
+    }
+    add_text(overlay.lines,
+             {glm::vec3(corner, 0), {k_margin + (swatch != 0 ? 30.0f : 0.0f), y}, GizmoPlace::on_picture},
+             text, colour, k_letters);
+}
+
+// From the lower left corner up.
+struct Legend {
+    Overlay& overlay;
+    float row = 0;
+    void add(const char* title, std::span<const LegendEntry> entries) {
+        for (size_t i = entries.size(); i-- > 0;)
+            add_row(overlay, {0, 1}, row++, entries[i].what, k_white, entries[i].colour);
+        add_row(overlay, {0, 1}, row, title, k_grey, 0);
+        row += 1.6f;
+    }
+};
+
+}  // namespace
+
+void follow_trails(const World& world, Trails& trails) {
+    const Crowd& crowd = world.crowd;
+    if (world.tick % k_trail_ticks != 0) return;
+    trails.places.resize(size_t{crowd.count} * k_trail_places);
+    for (uint32_t i = 0; i < crowd.count; ++i)
+        trails.places[i * k_trail_places + trails.taken % k_trail_places] = crowd.motion.position[i];
+    ++trails.taken;
+}
+
+glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Character& character, Joint joint,
+                       glm::vec3 v) {
+    const Quat back = conjugate(character.bind_to_canonical[joint]);
+    const glm::vec4 turn = people.palette[people.walkers[walker].instance.palette + joint].rotation;
+    return to_glm(rotate(Quat{turn.x, turn.y, turn.z, turn.w}, rotate(back, Vec3{v.x, v.y, v.z})));
+}
+
+glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Joint joint) {
+    const Character& character = input.characters[input.world.crowd.identity.body[walker]];
+    const JointTransform& moved = people.palette[people.walkers[walker].instance.palette + joint];
+    const Quat turn{moved.rotation.x, moved.rotation.y, moved.rotation.z, moved.rotation.w};
+    return glm::vec3(moved.translation) +
+           to_glm(rotate(turn, character.bind_joints[joint] * input.world.crowd.identity.scale[walker]));
+}
+
+void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, Overlay& overlay,
+              FrameInput& frame) {
+    using enum WorkView;
+    overlay.lines.clear();
+    overlay.fills.clear();
+    if (views.mask == 0) return;
+    Legend legend{overlay};
+    if (views[wireframe]) frame.surfaces = Surfaces::wireframe;
+    if (views[normals]) frame.surfaces = Surfaces::normals;
+    if (views[overdraw]) {
+        frame.surfaces = Surfaces::overdraw;
+        legend.add("Overdraw", k_overdraw_legend);
+    }
+    if (views[lods]) {
+        frame.people_colours = PeopleColours::levels;
+        legend.add("Levels of detail", k_level_legend);
+    }
+    if (views[speed]) {
+        frame.people_colours = PeopleColours::tints;
+        colour_by_speed(input.world, people);
+        std::vector<LegendEntry> entries;
+        for (const SpeedColour& colour : k_speed_colours) entries.push_back({colour.what, colour.colour});
+        legend.add("Speed", entries);
+    }
+    if (views[density]) {
+        add_density(input, overlay);
+        legend.add("Density", k_density_legend);
+    }
+    if (views[walkable]) {
+        add_walkable(input, overlay);
+        legend.add("Walkable", k_walkable_legend);
+    }
+    if (views[trails]) add_trails(input, overlay);
+    if (views[skeletons]) {
+        frame.are_ghosts = true;
+        add_skeletons(input, people, overlay);
+        legend.add("Skeletons", k_skeleton_legend);
+    }
+    if (views[gizmos]) add_gait_gizmos(input, people, overlay);
+    frame.lines = overlay.lines;
+    frame.fills = overlay.fills;
+}
+
+void add_key_list(WorkViews views, Overlay& overlay, FrameInput& frame) {
+    add_row(overlay, {0, 0}, 0.5f, "F1  this list", k_white, 0);
+    for (int i = 0; i < k_work_views; ++i) {
+        const bool is_on = views[static_cast<WorkView>(i)];
+        add_row(overlay, {0, 0}, 1.5f + static_cast<float>(i),
+                std::string("F").append(std::to_string(i + 2)).append("  ").append(k_work_view_names[i]),
+                is_on ? ink(0xf2c14e) : k_white, 0);
+    }
+    frame.lines = overlay.lines;
+}
+
+}  // namespace flaneur

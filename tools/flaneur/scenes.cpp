@@ -1,0 +1,42 @@
+#include <cstdio>
+#include <string>
+
+#include "assets/scene.h"
+#include "tools/flaneur/commands.h"
+#include "tools/flaneur/console/console.h"
+
+namespace flaneur {
+
+Result<void> run_scenes(const Options& options) {
+    if (options.schema) {
+        std::fputs(scene_schema().c_str(), stdout);
+        return {};
+    }
+    if (options.scene_files.empty()) {
+        for (const std::string& name : scene_names()) {
+            Result<Scene> scene = load_scene(name);
+            if (!scene) return scene.error();
+            std::printf("%-12s %s\n", name.c_str(), scene->about.c_str());
+        }
+        return {};
+    }
+    size_t bad = 0;
+    for (const std::string& file : options.scene_files) {
+        Result<std::vector<SceneFault>> faults = check_scene(file);
+        if (!faults) {
+            std::printf("%s\n", printable(faults.error().message).c_str());
+        } else if (faults->empty()) {
+            std::printf("%s: good\n", printable(file).c_str());
+        } else {
+            for (const SceneFault& f : *faults)
+                std::printf("%s:%d:%d: %s.\n", printable(file).c_str(), f.line, f.column,
+                            printable(f.what).c_str());
+        }
+        bad += !faults || !faults->empty();
+    }
+    if (bad == 0) return {};
+    return Error{std::to_string(bad) + " of " + std::to_string(options.scene_files.size()) +
+                 " scenes cannot be used; the lines above say why."};
+}
+
+}  // namespace flaneur

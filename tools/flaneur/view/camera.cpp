@@ -1,0 +1,171 @@
+#include "tools/flaneur/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/extract/convert.h"
+
+namespace flaneur {
+
+Camera make_camera(Vec3 eye, Vec3 target) {
+    Camera camera;
+    camera.eye = to_glm(eye);
+    camera.target = to_glm(target);
+    camera.vertical_fov = k_fov;
+    return camera;
+}
+
+bool sees(const Ground& ground, Vec3 from, Vec3 to) {
+    Vec3 way = to - from;
+    float distance = length(way);
+    return distance < 1e-3f || !raycast(ground, from, way / distance, distance);
+}
+
+namespace {
+
+constexpr float k_eye = 1.6f;        // of the street camera, metres
+constexpr float k_sight = 60;        // how far ahead it cares, metres
+constexpr size_t k_candidates = 48;  // places that it tries
+constexpr int k_headings = 24;
+constexpr float k_half_view = 0.45f;  // radians, on the ground plane
+
+Vec3 heading_vector(float yaw) {
+    Vec2 d = heading_direction(yaw);
+    return {d.x, 0, d.z};
+}
+
+// Where walkers stand who have most others around, as places to look from; the city's middle if there is
+// nobody.
+std::vector<Vec3> places_to_stand(const World& world) {
+    const Ground& ground = *world.ground;
+    Vec2 middle = (ground.low + ground.high) * 0.5f;
+    constexpr size_t k_sample = 1000;
+    constexpr float k_company = 25;
+    size_t stride = world.crowd.count / k_sample + 1;
+    std::vector<std::pair<float, uint32_t>> ids;
+    for (size_t i = 0; i < world.crowd.count; i += stride) {
+        float company = 0;
+        for (size_t j = 0; j < world.crowd.count; j += stride) {
+            float distance = length(world.crowd.motion.position[i] - world.crowd.motion.position[j]);
+            if (distance < k_company) company += 1 - distance / k_company;
+        }
+        ids.push_back({-company, static_cast<uint32_t>(i)});
+    }
+    size_t kept = std::min(k_candidates, ids.size());
+    std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(kept), ids.end());
+    std::vector<Vec3> places;
+    for (size_t i = 0; i < kept; ++i) places.push_back(world.crowd.motion.position[ids[i].second]);
+    if (!places.empty()) return places;
+    for (float x = -40; x <= 40; x += 8) {
+        for (float z = -40; z <= 40; z += 8) {
+            Vec3 above{middle.x + x, 500, middle.z + z};
+            if (auto hit = ground_at(ground, above, 500, 1500))
+                places.push_back({above.x, hit->height, above.z});
+        }
+    }
+    if (places.empty()) places.push_back({middle.x, 0, middle.z});
+    return places;
+}
+
+// How good the view from `eye` is in each direction.
+std::vector<float> rate_headings(const City& city, const World& world, Vec3 eye) {
+    std::vector<float> rating(k_headings, 0.0f);
+    auto add = [&](Vec3 at, float worth) {
+        float yaw = heading_of({at.x - eye.x, at.z - eye.z});
+        for (int h = 0; h < k_headings; ++h) {
+            float off = wrap_angle(yaw - static_cast<float>(h) * (2 * k_pi / k_headings));
+            if (std::fabs(off) < k_half_view) rating[static_cast<size_t>(h)] += worth;
+        }
+    };
+    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+        if (!is_there(world.crowd, i)) continue;
+        Vec3 chest = world.crowd.motion.position[i] + Vec3{0, 1.3f, 0};
+        float distance = length(chest - eye);
+        if (distance > k_sight || distance < 0.35f) continue;  // far off, or whose eye it is
+        if (distance < 3) {
+            add(chest, distance < 1.5f ? -20 : -2);  // would fill the picture
+        } else if (sees(*world.ground, eye, chest)) {
+            add(chest, 6 / (6 + distance));
+        }
+    }
+    for (const Prop& prop : city.props) {
+        float distance = length(Vec2{prop.position.x - eye.x, prop.position.z - eye.z});
+        if (distance < 5) add(prop.position, prop.kind == PropKind::bollard ? -0.5f : -3);
+    }
+    for (int h = 0; h < k_headings; ++h) {
+        float yaw = static_cast<float>(h) * (2 * k_pi / k_headings);
+        auto sight = [&](float off) {
+            auto hit = raycast(*world.ground, eye, heading_vector(yaw + off), k_sight);
+            return hit ? hit->distance : k_sight;
+        };
+        float& r = rating[static_cast<size_t>(h)];
+        r += 3 * sight(0) / k_sight;
+        // Houses on both sides make a street of it.
+        for (float off : {-0.5f, -0.25f, 0.25f, 0.5f}) {
+            float far = sight(off);
+            r += far < 4 ? -1.5f : far < 45 ? 1.0f : 0.0f;
+        }
+    }
+    // In a wall, or so near that it would fill the picture.
+    constexpr float k_near_wall = 0.5f;
+    for (int h = 0; h < k_headings; ++h) {
+        float yaw = static_cast<float>(h) * (2 * k_pi / k_headings);
+        if (!raycast(*world.ground, eye, heading_vector(yaw), k_near_wall)) continue;
+        for (float& r : rating) r -= 100;
+        break;
+    }
+    return rating;
+}
+
+}  // namespace
+
+Camera street_camera(const City& city, const World& world) {
+    float best = -1e30f;
+    Camera camera;
+    for (Vec3 place : places_to_stand(world)) {
+        Vec3 eye = place + Vec3{0, k_eye, 0};
+        std::vector<float> rating = rate_headings(city, world, eye);
+        auto top = std::max_element(rating.begin(), rating.end());
+        if (*top <= best) continue;
+        best = *top;
+        float yaw = static_cast<float>(top - rating.begin()) * (2 * k_pi / k_headings);
+        camera = make_camera(eye, eye + heading_vector(yaw) * 10.0f + Vec3{0, -0.35f, 0});
+    }
+    return camera;
+}
+
+Camera follow_camera(const World& world, uint32_t walker, float between) {
+    Vec2 velocity = world.crowd.motion.velocity[walker];
+    float back = (1 - between) * k_tick;
+    Vec3 feet = world.crowd.motion.position[walker] - Vec3{velocity.x, 0, velocity.z} * back;
+    Vec3 ahead =
+        heading_vector(world.crowd.motion.heading[walker] - world.crowd.motion.turn_rate[walker] * back);
+    Vec3 head = feet + Vec3{0, 1.6f, 0};
+    Vec3 right{-ahead.z, 0, ahead.x};
+    Vec3 away = ahead * -3.5f + Vec3{0, 0.4f, 0} + right * 0.5f;  // over the right shoulder
+    float distance = length(away);
+    Vec3 direction = away / distance;
+    if (auto hit = raycast(*world.ground, head, direction, distance + 0.3f))
+        distance = std::max(hit->distance - 0.3f, 0.6f);
+    return make_camera(head + direction * distance, feet + Vec3{0, 1.25f, 0} + ahead * 2.5f + right * 0.2f);
+}
+
+Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,
+                     float between) {
+    switch (choice.kind) {
+        case CameraChoice::Kind::overview:
+            return overview_camera(world, {sun.direction.x, sun.direction.y, sun.direction.z});
+        case CameraChoice::Kind::street:
+            return street_camera(city, world);
+        case CameraChoice::Kind::follow:
+            return follow_camera(world, choice.walker, between);
+        case CameraChoice::Kind::fixed:
+            return make_camera(choice.eye, choice.target);
+    }
+    return {};
+}
+
+}  // namespace flaneur

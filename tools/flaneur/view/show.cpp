@@ -1,0 +1,86 @@
+#include "tools/flaneur/view/show.h"
+
+#include <cstdio>
+
+#include "renderer/light/daylight.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/view/sun.h"
+
+namespace flaneur {
+
+RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& messages) {
+    auto count = [&messages](const std::string& message) {
+        ++messages;
+        clear_progress();
+        std::fprintf(stderr, "%s\n", message.c_str());
+    };
+    RendererOptions out{options.device, quality_named(options.scene.quality), options.validate, count};
+    // Where on earth the scene is shows only when it is loaded.
+    for (const float latitude : {0.0f, 45.0f, 65.0f}) {
+        const bool is_lit = make_daylight(scene_sun(options.scene, latitude), false).lamps > 0;
+        (is_lit ? out.warms_up_by_night : out.warms_up_by_day) = true;
+    }
+    return out;
+}
+
+Result<void> check_messages(uint32_t messages) {
+    if (messages == 0) return {};
+    return Error{"The validation layer had something to say (" + std::to_string(messages) +
+                 " times); see above."};
+}
+
+Result<Show> make_show(RendererPtr renderer, const Options& options) {
+    Show show;
+    show.renderer = std::move(renderer);
+    say("Drawing on " + device_name(*show.renderer) + ", " + quality_name(*show.renderer) + " quality");
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    show_progress("handing the city to the device");
+    show.loaded = std::move(*loaded);
+    const World& world = *show.loaded.world;
+    set_work_views(show, options.scene.views);
+    show.wardrobe = make_wardrobe(world, show.loaded.characters);
+    show.sun = scene_sun(options.scene, show.loaded.city->latitude);
+    show.is_overcast = options.scene.is_overcast;
+    show.lit_windows = lit_windows(options.scene.hour);
+    SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    if (make_daylight(show.sun, show.is_overcast).lamps > 0) meshes.lamps = extract_lamps(*show.loaded.city);
+    Result<void> uploaded = upload_scene(*show.renderer, meshes);
+    clear_progress();
+    if (!uploaded) return uploaded.error();
+    return show;
+}
+
+FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
+    const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
+                                       static_cast<uint32_t>(size.height));
+    extract_people(*show.loaded.world, show.loaded.characters, show.wardrobe, between, needs, show.people);
+    FrameInput frame;
+    frame.camera = camera;
+    frame.sun = show.sun;
+    frame.walkers = show.people.walkers;
+    frame.palette = show.people.palette;
+    frame.is_overcast = show.is_overcast;
+    frame.lit_windows = show.lit_windows;
+    lay_over({*show.loaded.world, show.loaded.characters, camera, between}, show.work_views, show.people,
+             show.overlay, frame);
+    return frame;
+}
+
+void step(Show& show) {
+    step(*show.loaded.world);
+    if (show.work_views[WorkView::trails])
+        follow_trails(*show.loaded.world, show.overlay.trails);
+    else
+        show.overlay.trails = {};
+}
+
+void set_work_views(Show& show, WorkViews views) {
+    if (views[WorkView::wireframe] && !can_draw_wireframe(*show.renderer)) {
+        say("This device draws no wireframe (it lacks fillModeNonSolid): normals are shown instead.");
+        views = toggled(views, WorkView::normals);
+    }
+    show.work_views = views;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,44 @@
+// A loaded city on a device, ready to be drawn tick by tick.
+#pragma once
+
+#include <atomic>
+
+#include "renderer/renderer.h"
+#include "tools/flaneur/extract/extract.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/options/options.h"
+#include "tools/flaneur/overlay/overlay.h"
+
+namespace flaneur {
+
+struct Show {
+    RendererPtr renderer;
+    Loaded loaded;
+    Wardrobe wardrobe;
+    Sun sun;
+    bool is_overcast = false;
+    float lit_windows = 0;  // share
+    PeopleFrame people;
+    WorkViews work_views;
+    Overlay overlay;
+};
+
+// Counts what the validation layer says, with --validate, until the renderer is gone.
+RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& messages);
+// Refuses if it said anything.
+Result<void> check_messages(uint32_t messages);
+
+// Loads what the options name and uploads it. Says on stderr which device draws.
+Result<Show> make_show(RendererPtr renderer, const Options& options);
+
+// One tick, and what the views for work keep of it.
+void step(Show& show);
+
+// Shows these from the next frame on. Where the device draws no wireframe, normals take its place, and stderr
+// says so.
+void set_work_views(Show& show, WorkViews views);
+
+// The frame between the world's last two ticks, valid until the next call, for a picture of this size.
+FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between);
+
+}  // namespace flaneur
