@@ -6,6 +6,12 @@
 
 static std::atomic<size_t> s_count = 0;
 
+#ifdef FLANEUR_SANITIZED  // a sanitizer brings its own operator new, and tells of each allocation
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*)(const volatile void*, size_t),
+                                                         void (*)(const volatile void*));
+static const int s_installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, size_t) { ++s_count; }, [](const volatile void*) {});
+#else
 void* operator new(size_t size) {
     ++s_count;
     if (void* p = std::malloc(size)) return p;
@@ -13,6 +19,7 @@ void* operator new(size_t size) {
 }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, size_t) noexcept { std::free(p); }
+#endif
 
 namespace flaneur {
 

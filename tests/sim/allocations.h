@@ -4,7 +4,7 @@
 
 namespace flaneur {
 
-// How often operator new was called in this program so far, on any thread.
+// How often memory was asked for in this program so far, by operator new at least, on any thread.
 size_t allocations();
 
 }  // namespace flaneur
