@@ -23,7 +23,8 @@ namespace flaneur {
 struct Character;
 
 struct CharacterOptions {
-    bool force = false;  // two legs will do: what lacks arms or a head is taken, stiff above them
+    bool force = false;      // two legs will do: what lacks arms or a head is taken, stiff above them
+    std::string cache = "";  // a folder that keeps levels of detail between runs; empty: none
 };
 
 // A glTF 2.0 or VRM file (.glb, .gltf, .vrm) with a skinned humanoid. Limbs and facing are found by geometry

@@ -46,7 +46,8 @@ std::vector<KeptFile> files_in(const fs::path& folder) {
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
         std::string name = at->path().filename().string();
         std::error_code gone;
-        if (!name.starts_with("navmesh-") && !name.starts_with("person-")) continue;
+        auto is = [&](const char* kind) { return name.starts_with(kind); };
+        if (!is("levels-") && !is("navmesh-") && !is("person-")) continue;
         if (!at->is_regular_file(gone)) continue;
         KeptFile file{at->path(), at->file_size(gone), at->last_write_time(gone), name.ends_with(".part")};
         if (!gone) files.push_back(std::move(file));

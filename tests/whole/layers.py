@@ -31,10 +31,10 @@ assets/people: assets, sim/base
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
+assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base
 assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
-assets/gltf/character: assets, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
-assets/cache: assets, assets/files, sim/base, sim/navigation
+assets/gltf/character: assets, assets/cache, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
 assets/scene: assets, assets/files
 assets sources: assets, sim/base
 

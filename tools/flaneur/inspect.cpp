@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "assets/cache/cache_file.h"
 #include "assets/character.h"
 #include "assets/cities.h"
 #include "assets/files/file.h"
@@ -184,7 +185,7 @@ Result<Json> inspect(const Options& options) {
         if (!city) return city.error();
         return facts_of(*city, "map");
     }
-    Result<Character> character = load_character(path, {options.force});
+    Result<Character> character = load_character(path, {options.force, cache_folder()});
     if (character) return facts_of(*character);
     if (has_skin(path)) return character.error();
     // A glTF scene with nobody in it may be a city.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "assets/cache/levels_cache.h"
 #include "assets/gltf/character/bake.h"
 #include "assets/gltf/character/body.h"
 #include "assets/people/skin.h"
@@ -243,7 +244,7 @@ Result<Character> make_character(const tinygltf::Model& model, const std::string
     Character& character = mapped->character;
     character.name = file_name(path);
     character.textures = std::move(scene->textures);
-    build_lods(character);
+    cached_lods(character, options.cache);
     return std::move(character);
 }
 

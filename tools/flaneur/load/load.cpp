@@ -104,7 +104,7 @@ Result<City> read_city(const Scene& scene) {
 
 Result<Character> read_character(const std::string& path, bool force) {
     show_progress("reading " + path);
-    Result<Character> character = load_character(path, {force});
+    Result<Character> character = load_character(path, {force, cache_folder()});
     if (character) print_notes(path, character->notes);
     return character;
 }
