@@ -22,6 +22,7 @@ set(flaneur_assets_links
 set(flaneur_renderer_links
     "glfw glfw GLFW/glfw3.h libglfw3-dev"
     "glm - glm/glm.hpp libglm-dev")
+set(flaneur_extract_links ${flaneur_sim_links} ${flaneur_assets_links} ${flaneur_renderer_links})
 
 # flaneur_find(missing component): makes flaneur::recast and so on, and appends the Debian packages of what is not here.
 function(flaneur_find missing component)

@@ -1,9 +1,11 @@
 # cmake -DFROM=source -DTO=folder "-DHEADERS=sim/sim.h;..." -P headers.cmake
 # Writes the public headers, and those that they include, to FOLDER/flaneur, where users find them: our own sources say
-# "sim/base/vec.h", which in somebody else's include path would be anybody's; users' say <flaneur/sim/base/vec.h>.
+# "sim/base/vec.h", which in somebody else's include path would be anybody's; users' say <flaneur/sim/base/vec.h>. Where
+# ours says "tools/extract/", it is <flaneur/extract/>.
 cmake_minimum_required(VERSION 3.25)
 set(todo ${HEADERS})
 set(done "")
+set(places "")
 while(todo)
     list(POP_FRONT todo header)
     list(APPEND done ${header})
@@ -20,18 +22,20 @@ while(todo)
             set(from_${include} ${header})
         endif()
     endforeach()
-    string(REGEX REPLACE "\n#include \"([^\"]+)\"" "\n#include <flaneur/\\1>" text "${text}")
+    string(REGEX REPLACE "\n#include \"(tools/)?([^\"]+)\"" "\n#include <flaneur/\\2>" text "${text}")
+    string(REGEX REPLACE "^tools/" "" place ${header})
+    list(APPEND places ${place})
     set(old "")
-    if(EXISTS ${TO}/flaneur/${header})
-        file(READ ${TO}/flaneur/${header} old)
+    if(EXISTS ${TO}/flaneur/${place})
+        file(READ ${TO}/flaneur/${place} old)
     endif()
     if(NOT text STREQUAL old)  # else what includes it is not built again
-        file(WRITE ${TO}/flaneur/${header} "${text}")
+        file(WRITE ${TO}/flaneur/${place} "${text}")
     endif()
 endwhile()
 file(GLOB_RECURSE old RELATIVE ${TO}/flaneur ${TO}/flaneur/*)
 foreach(header IN LISTS old)
-    if(NOT header IN_LIST done)
+    if(NOT header IN_LIST places)
         file(REMOVE ${TO}/flaneur/${header})
     endif()
 endforeach()

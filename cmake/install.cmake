@@ -2,7 +2,7 @@
 # the program. And the headers as users see them, in the build folder, for those who take flaneur in by FetchContent.
 get_property(FLANEUR_HEADERS GLOBAL PROPERTY FLANEUR_HEADERS)
 get_property(FLANEUR_LIBRARIES GLOBAL PROPERTY FLANEUR_LIBRARIES)
-file(GLOB_RECURSE INSTALLABLE CONFIGURE_DEPENDS sim/*.h assets/*.h renderer/*.h shaders/*.h)
+file(GLOB_RECURSE INSTALLABLE CONFIGURE_DEPENDS sim/*.h assets/*.h renderer/*.h shaders/*.h tools/extract/*.h)
 set(HEADERS_STAMP ${PROJECT_BINARY_DIR}/include/stamp)
 add_custom_command(
     OUTPUT ${HEADERS_STAMP}

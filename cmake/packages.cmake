@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION "crowds that walk about a city, as libraries
  Static libraries, headers and a CMake package: flaneur::sim lets people walk
  on your ground in your skeletons, bit for bit the same on every x86-64 machine;
  flaneur::assets makes and reads cities and people; flaneur::renderer draws them
- with Vulkan. With examples.")
+ with Vulkan, of what flaneur::extract makes of both. With examples.")
 set(needed "")
 foreach(library IN LISTS FLANEUR_LIBRARIES)
     foreach(row IN LISTS flaneur_${library}_links)

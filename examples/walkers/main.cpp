@@ -15,16 +15,12 @@ static int fail(const Error& error) {
 int main() {
     const Vec3 corners[] = {{-50, 0, -50}, {-50, 0, 50}, {50, 0, 50}, {50, 0, -50}};
     const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
-    WorldOptions options;
-    options.capacity = 1000;
-    Result<WorldPtr> made = make_world({corners, triangles, {}}, options);
+    Result<WorldPtr> made = make_world({corners, triangles}, {.capacity = 1000});
     if (!made) return fail(made.error());
     World& world = **made;
 
-    WalkerOptions stroller;
-    stroller.wanders = true;
     for (int i = 0; i < 1000; ++i) {
-        Result<WalkerId> walker = add_walker(world, stroller);
+        Result<WalkerId> walker = add_walker(world, {.wanders = true});
         if (!walker) return fail(walker.error());
     }
     for (int tick = 0; tick < 600; ++tick) step(world);

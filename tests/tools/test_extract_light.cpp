@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "assets/cities.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/parts.h"
 
 namespace flaneur {
 namespace {

@@ -39,19 +39,17 @@ class OverlayTest : public testing::Test {
             step(*loaded.world);
             follow_trails(*loaded.world, overlay.trails);
         }
-        wardrobe = make_wardrobe(*loaded.world, loaded.characters);
         const Vec3 p = loaded.world->crowd.motion.position[0];
         camera.eye = {p.x + 3, p.y + 4, p.z + 3};
         camera.target = {p.x, p.y, p.z};
     }
     FrameInput frame_of(WorkViews views) {
-        extract_people(*loaded.world, loaded.characters, wardrobe, 1, {}, people);
+        extract_people(*loaded.world, loaded.characters, people);
         FrameInput frame;
         lay_over({*loaded.world, loaded.characters, camera}, views, people, overlay, frame);
         return frame;
     }
     Loaded loaded;
-    Wardrobe wardrobe;
     Camera camera;
     PeopleFrame people;
     Overlay overlay;

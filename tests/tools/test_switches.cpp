@@ -11,7 +11,7 @@
 #include "renderer/renderer.h"
 #include "tests/debt.h"
 #include "tests/renderer/test_renderer.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/extract.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/flip.h"
 
@@ -23,7 +23,6 @@ const glm::vec3 k_backdrop(0.45f, 0.44f, 0.42f);
 
 struct People {
     Loaded loaded;
-    Wardrobe wardrobe;
     PeopleFrame frame;
     RendererPtr renderer;
 };
@@ -33,16 +32,14 @@ People walking_people() {
     Options options;
     options.scene = *load_scene("corner");
     options.scene.walkers = 24;
-    People people{std::move(*load(options)), {}, {}, std::move(*make_renderer(on_lavapipe()))};
+    People people{std::move(*load(options)), {}, std::move(*make_renderer(on_lavapipe()))};
     World& world = *people.loaded.world;
     for (int i = 0; i < 150; ++i) step(world);
-    people.wardrobe = make_wardrobe(world, people.loaded.characters);
     SceneMeshes scene;
     for (const Character& c : people.loaded.characters) scene.people.push_back(extract_character(c));
     EXPECT_TRUE(upload_scene(*people.renderer, scene));
     const Camera all{.eye = {0, 900, 0}, .target = {1, 0, 0}, .vertical_fov = 1, .near_plane = 1};
-    extract_people(world, people.loaded.characters, people.wardrobe, 1, {make_view(all, 100, 100)},
-                   people.frame);
+    extract_people(world, people.loaded.characters, people.frame, 1, {make_view(all, 100, 100)});
     return people;
 }
 

@@ -31,7 +31,7 @@ fi
 
 build_example skeleton -O2
 build/skeleton/skeleton | tee skeleton.txt
-awk '/^(thigh|shin|foot)/ { legs++; if ($7 > 1) far = 1 } END { exit legs != 6 || far }' skeleton.txt ||
+awk '/^(thigh|shin|foot)/ { legs++; if ($8 > 1) far = 1 } END { exit legs != 6 || far }' skeleton.txt ||
     fail "the legs of the other skeleton are not where flaneur's are"
 if grep -qE '^(arm|thigh|shin).* 0.000 0.000 0.000 1.000' skeleton.txt; then fail "a bone keeps its rest"; fi
 

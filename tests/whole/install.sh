@@ -70,6 +70,8 @@ refuses 0.1 sim "On Debian: apt install librecast-dev"
 
 # As a folder of a larger project, whose targets may be named like our folders, it brings its libraries and no more.
 mkdir "$folder/larger"
+draws=$([[ $components == *renderer* ]] && echo ON || echo OFF)
+header=$([[ $draws == ON ]] && echo extract/extract.h || echo assets/scene.h)
 cat > "$folder/larger/CMakeLists.txt" << END
 cmake_minimum_required(VERSION 3.25)
 project(larger LANGUAGES CXX)
@@ -77,7 +79,7 @@ add_library(sim INTERFACE)
 add_library(assets INTERFACE)
 add_library(renderer INTERFACE)
 add_subdirectory($root flaneur)
-file(WRITE \${CMAKE_BINARY_DIR}/main.cpp "#include <flaneur/assets/scene.h>\nint main() {}\n")
+file(WRITE \${CMAKE_BINARY_DIR}/main.cpp "#include <flaneur/$header>\nint main() {}\n")
 add_executable(larger \${CMAKE_BINARY_DIR}/main.cpp)
 target_include_directories(larger PRIVATE \$<TARGET_PROPERTY:flaneur::assets,INTERFACE_INCLUDE_DIRECTORIES>)
 add_dependencies(larger flaneur_headers)
@@ -87,7 +89,7 @@ if(CMAKE_BUILD_TYPE OR CMAKE_CXX_STANDARD OR CMAKE_RUNTIME_OUTPUT_DIRECTORY OR T
     message(FATAL_ERROR "flaneur changes the project around it")
 endif()
 END
-cmake -S "$folder/larger" -B "$folder/larger/build" -DFLANEUR_VULKAN="$([[ $components == *renderer* ]] && echo ON || echo OFF)" \
+cmake -S "$folder/larger" -B "$folder/larger/build" -DFLANEUR_VULKAN=$draws \
     > "$folder/log" 2>&1 && cmake --build "$folder/larger/build" --target larger >> "$folder/log" 2>&1 ||
     { cat "$folder/log" && fail "it does not build within another project"; }
 if grep -q -- '-W' "$folder/larger/build/flaneur/sim/CMakeFiles/flaneur_sim.dir/flags.make"; then

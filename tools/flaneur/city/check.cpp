@@ -8,8 +8,8 @@
 
 #include "sim/base/rng.h"
 #include "sim/ground/grid.h"
+#include "tools/extract/extract.h"
 #include "tools/flaneur/console/console.h"
-#include "tools/flaneur/extract/extract.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
 

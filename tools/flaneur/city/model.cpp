@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/extract.h"
 
 namespace flaneur {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "sim/gait/footing.h"
-#include "tools/flaneur/extract/convert.h"
+#include "tools/extract/convert.h"
 #include "tools/flaneur/overlay/lettering.h"
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/overlay/shapes.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/flaneur/extract/convert.h"
+#include "tools/extract/convert.h"
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/overlay/shapes.h"
 

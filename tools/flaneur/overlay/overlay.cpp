@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "tools/flaneur/extract/convert.h"
+#include "tools/extract/convert.h"
 #include "tools/flaneur/overlay/lettering.h"
 #include "tools/flaneur/overlay/shapes.h"
 

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "tools/flaneur/extract/extract.h"
+#include "sim/world.h"
+#include "tools/extract/extract.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/overlay/shapes.h"
 

@@ -7,7 +7,7 @@
 #include "sim/base/levels.h"
 #include "sim/base/math.h"
 #include "sim/crowd/locomotion.h"
-#include "tools/flaneur/extract/convert.h"
+#include "tools/extract/convert.h"
 #include "tools/flaneur/gait/measure.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/extract/convert.h"
+#include "tools/extract/convert.h"
 
 namespace flaneur {
 

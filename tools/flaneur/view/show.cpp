@@ -37,9 +37,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     if (!loaded) return loaded.error();
     show_progress("handing the city to the device");
     show.loaded = std::move(*loaded);
-    const World& world = *show.loaded.world;
     set_work_views(show, options.scene.views);
-    show.wardrobe = make_wardrobe(world, show.loaded.characters);
     show.sun = scene_sun(options.scene, show.loaded.city->latitude);
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
@@ -54,7 +52,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
     const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
                                        static_cast<uint32_t>(size.height));
-    extract_people(*show.loaded.world, show.loaded.characters, show.wardrobe, between, needs, show.people);
+    extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs);
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "renderer/renderer.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/extract.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/overlay/overlay.h"
@@ -14,7 +14,6 @@ namespace flaneur {
 struct Show {
     RendererPtr renderer;
     Loaded loaded;
-    Wardrobe wardrobe;
     Sun sun;
     bool is_overcast = false;
     float lit_windows = 0;  // share

@@ -1,5 +1,5 @@
-#include "tools/flaneur/extract/convert.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/parts.h"
 
 namespace flaneur {
 

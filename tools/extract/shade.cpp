@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/extract/convert.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/parts.h"
 
 namespace flaneur {
 

@@ -1,11 +1,13 @@
 #include <algorithm>
+#include <cassert>
 #include <span>
 
 #include "assets/outfit.h"
 #include "sim/base/levels.h"
-#include "tools/flaneur/extract/convert.h"
-#include "tools/flaneur/extract/extract.h"
-#include "tools/flaneur/extract/strides.h"
+#include "sim/world.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/strides.h"
 
 namespace flaneur {
 
@@ -42,6 +44,15 @@ void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float
         joint = set_onto(frame, crowd.motion.position[walker], crowd.motion.heading[walker], joint);
 }
 
+// What a walker wears, and whoever takes its index later does not.
+PeopleFrame::Outfit dress(const World& world, const Character& character, WalkerId wearer) {
+    PeopleFrame::Outfit out{wearer, {}};
+    const uint64_t seed = world.seed ^ static_cast<uint64_t>(wearer.generation) << 32;
+    std::ranges::copy(outfit(character.person, seed, wearer.index), out.tints);
+    static_assert(k_tint_count == k_tints);
+    return out;
+}
+
 constexpr uint32_t k_no_mesh = ~0u;  // nobody is drawn
 constexpr float k_walks = 0.5f;      // amplitude from which a walker is nearer to walking than to standing
 
@@ -68,21 +79,12 @@ void pose_character(const Character& character, float scale, const JointPose* jo
     }
 }
 
-Wardrobe make_wardrobe(const World& world, const std::vector<Character>& characters) {
-    Wardrobe wardrobe;
-    wardrobe.outfits.resize(world.crowd.count);
-    for (uint32_t i = 0; i < world.crowd.count; ++i) {
-        auto tints = outfit(characters[world.crowd.identity.body[i]].person, world.seed, i);
-        static_assert(tints.size() == k_tints);
-        std::copy(tints.begin(), tints.end(), std::begin(wardrobe.outfits[i].tints));
-    }
-    return wardrobe;
-}
-
-void extract_people(const World& world, const std::vector<Character>& characters, const Wardrobe& wardrobe,
-                    float between, const PoseNeeds& needs, PeopleFrame& frame) {
+void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& frame,
+                    float between, const PoseNeeds& needs) {
     const Crowd& crowd = world.crowd;
+    assert(characters.size() >= world.kinds.size());
     frame.walkers.resize(crowd.count);
+    frame.outfits.resize(crowd.count);
     parallel_for(*world.workers, crowd.count, 256, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) {
             WalkerDraw& draw = frame.walkers[i];
@@ -102,8 +104,10 @@ void extract_people(const World& world, const std::vector<Character>& characters
             draw.instance.palette =
                 draw.is_upright && !needs_pose(needs, draw.centre, draw.radius) ? k_no_palette : 0;
             draw.instance.scale = crowd.identity.scale[i];
-            std::copy(std::begin(wardrobe.outfits[i].tints), std::end(wardrobe.outfits[i].tints),
-                      std::begin(draw.instance.tints));
+            const WalkerId wearer{static_cast<uint32_t>(i), crowd.slots.generation[i]};
+            PeopleFrame::Outfit& worn = frame.outfits[i];
+            if (worn.wearer != wearer) worn = dress(world, character, wearer);
+            std::ranges::copy(worn.tints, draw.instance.tints);
             const GaitBlock& gait = world.gait.blocks[i / k_block];
             draw.heading = gait.heading[i % k_block];
             draw.phase = gait.amplitude[i % k_block] > k_walks ? gait.phase[i % k_block] : -1;

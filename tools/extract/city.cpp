@@ -10,8 +10,9 @@
 #include "assets/colour.h"
 #include "assets/props/props.h"
 #include "sim/base/rng.h"
-#include "tools/flaneur/extract/convert.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/parts.h"
 
 namespace flaneur {
 

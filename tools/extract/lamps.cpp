@@ -6,8 +6,9 @@
 
 #include "sim/base/math.h"
 #include "sim/base/parallel_for.h"
-#include "tools/flaneur/extract/convert.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/parts.h"
 
 namespace flaneur {
 

@@ -1,0 +1,69 @@
+// The bridge from simulation to picture: cities and characters (assets/city.h, assets/character.h) as meshes,
+// and the walkers of a world (sim/sim.h) as what a frame shows of them, for the renderer
+// (renderer/renderer.h).
+//
+//     std::vector<Character> characters;  // give the world a Kind for each, in the same order
+//     Result<void> uploaded = upload_scene(*renderer, extract_scene(city, characters));
+//     PeopleFrame people;                 // kept, as is `frame`
+//     for (;;) {
+//         step(*world);
+//         extract_people(*world, characters, people);
+//         frame.walkers = people.walkers;
+//         frame.palette = people.palette;
+//         Result<void> drawn = draw_window(*renderer, frame);
+//     }
+//
+// Nothing here changes a world, draws or keeps what it is handed. Metres, seconds, radians; right-handed, +y
+// up; colours are sRGB, R in the lowest byte.
+#pragma once
+
+#include <vector>
+
+#include "assets/character.h"
+#include "assets/city.h"
+#include "renderer/scene.h"
+#include "renderer/view.h"
+#include "sim/sim.h"
+
+namespace flaneur {
+
+// What is uploaded once: the city's ground, facades, roofs, props and scenery, and people[i] of
+// characters[i]. Without lamps.
+SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
+
+// Where the light of street lamps and shop windows falls, for SceneMeshes::lamps; houses stop it. Only seen
+// when it is dark. Takes seconds for a large city, on all cores.
+LampMap extract_lamps(const City& city);
+
+// A character's mesh, for SceneMeshes::people: its vertices, levels of detail and textures, and the walk that
+// its impostors are baked from.
+PersonMesh extract_character(const Character& character);
+
+// The moving part of a frame. It is of one world; kept between frames, it allocates only while that grows.
+struct PeopleFrame {
+    // By WalkerId::index. Of those who are gone, nothing is drawn. Clothes are in `instance.tints`, by Tint,
+    // drawn by chance for each walker and the same in each frame; write others over them after each call.
+    std::vector<WalkerDraw> walkers;
+    std::vector<JointTransform> palette;
+    std::vector<uint32_t> posed;  // indices of those who have a part of the palette, in its order
+
+    struct Outfit {
+        WalkerId wearer;
+        uint32_t tints[k_tints];
+    };
+    std::vector<Outfit> outfits;  // what everyone wears, by WalkerId::index
+};
+
+// Everyone in the world, on its threads: one of kind i as characters[i], of which there must be one for each
+// kind. `between` is 0 for the tick before the last .. 1 for the last. Only those get joints whom `needs`
+// asks for, as pose_needs() of renderer.h has it for a camera; as it is made here, everyone does.
+void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& people,
+                    float between = 1, const PoseNeeds& needs = {});
+
+// For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
+// character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h
+// gives them.
+void pose_character(const Character& character, float scale, const JointPose* joints,
+                    JointTransform* palette);
+
+}  // namespace flaneur
