@@ -78,7 +78,7 @@ struct Kind {
 
 struct WorldOptions {
     uint32_t capacity = 0;  // walkers there can be at one time, up to 1,000,000; raised to `walkers`
-    uint32_t walkers = 0;   // of them set down at the start by chance, and wander
+    uint32_t walkers = 0;   // of them set down by chance at the start, 0.95..1.05 times their body, to wander
     uint64_t seed = 1;      // of all that is left to chance
     int threads = 0;        // that make_world and step use, the calling one included; 0: one a core
     TaskSystem tasks{};     // one's own threads instead, if `run` is set; paths are prepared on the caller's

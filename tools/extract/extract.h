@@ -54,9 +54,10 @@ struct PeopleFrame {
     std::vector<Outfit> outfits;  // what everyone wears, by WalkerId::index
 };
 
-// Everyone in the world, on its threads: one of kind i as characters[i], of which there must be one for each
-// kind. `between` is 0 for the tick before the last .. 1 for the last. Only those get joints whom `needs`
-// asks for, as pose_needs() of renderer.h has it for a camera; as it is made here, everyone does.
+// Everyone in the world; one of kind i as characters[i], of which there must be one for each kind. `between`
+// is 0 for the tick before the last .. 1 for the last. Only those get joints whom `needs` asks for, as
+// pose_needs() of renderer.h has it for a camera; as it is made here, everyone does. Runs on the world's own
+// threads, so that there may be one such call at a time for each world, and none beside step().
 void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& people,
                     float between = 1, const PoseNeeds& needs = {});
 
