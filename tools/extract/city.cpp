@@ -9,6 +9,7 @@
 #include "assets/cities.h"
 #include "assets/colour.h"
 #include "assets/props/props.h"
+#include "assets/skin.h"
 #include "sim/base/rng.h"
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
@@ -131,8 +132,19 @@ WindowKind windows_of(const Building& b) {
 
 constexpr float k_foot_shade = 0.84f;  // of sRGB
 
-void add_faces(CityMesh& mesh, const City& city) {
+// Those of `remnants` that are of `index`, which comes later with each call; none: it is whole.
+const Remnant* next_remnant(const std::vector<Remnant>& remnants, size_t& next, size_t index) {
+    return next < remnants.size() && remnants[next].of == index ? &remnants[next++] : nullptr;
+}
+
+void add_fan(CityMesh& mesh, const std::vector<uint32_t>& corners) {
+    for (size_t k = 2; k < corners.size(); ++k)
+        mesh.indices.insert(mesh.indices.end(), {corners[0], corners[k - 1], corners[k]});
+}
+
+void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
     std::vector<int> doors = find_doors(city);
+    size_t next = 0;
     for (size_t i = 0; i < city.ground.faces.size(); ++i) {
         const Face& f = city.ground.faces[i];
         Vec3 along = f.b - f.a;
@@ -169,26 +181,48 @@ void add_faces(CityMesh& mesh, const City& city) {
             city.buildings[f.building].wall_colour)
             colour = city.buildings[f.building].wall_colour;
         // Walls see less sky at their foot; facades are drawn so.
+        float foot_shade = f.kind == FaceKind::facade ? 1 : k_foot_shade;
         uint32_t low = f.kind == FaceKind::facade ? colour : shaded(colour, k_foot_shade);
         auto corner = [&](Vec3 at, float y, float u) {
             CityVertex v = vertex({at.x, y, at.z}, normal, colour, {u, y - foot}, material, extra);
             v.house = house;
             return add_vertex(mesh, v);
         };
+        const Remnant* remnant = next_remnant(skin.faces, next, i);
+        if (remnant && remnant->pieces.empty()) continue;
         uint32_t a = corner(f.a, f.a.y, 0), b = corner(f.b, f.b.y, width);
         mesh.vertices[a].colour = mesh.vertices[b].colour = low;
         uint32_t c = corner(f.b, f.b_top, width), d = corner(f.a, f.a_top, 0);
-        for (uint32_t v : {a, b, c, a, c, d}) mesh.indices.push_back(v);
+        if (!remnant) {
+            add_fan(mesh, {a, b, c, d});
+            continue;
+        }
+        // Joined to the whole wall's corners, which windows are fitted to, by triangles without extent.
+        for (uint32_t v : {a, c, c}) mesh.indices.push_back(v);
+        for (const std::vector<Vec3>& piece : remnant->pieces) {
+            std::vector<uint32_t> fan;
+            for (Vec3 p : piece) {
+                float u = dot(on_ground(p - f.a), on_ground(along)) / std::max(width, 1e-6f),
+                      share = u / width;
+                fan.push_back(corner(p, p.y, u));
+                float bottom = lerp(f.a.y, f.b.y, share), top = lerp(f.a_top, f.b_top, share);
+                float up = clamp((p.y - bottom) / std::max(top - bottom, 1e-3f), 0, 1);
+                mesh.vertices[fan.back()].colour = shaded(colour, lerp(foot_shade, 1, up));
+            }
+            for (uint32_t v : {a, fan[0], fan[0]}) mesh.indices.push_back(v);
+            add_fan(mesh, fan);
+        }
     }
 }
 
-void add_roofs(CityMesh& mesh, const City& city) {
+void add_roofs(CityMesh& mesh, const City& city, const Skin& skin) {
     // What has no facade is no house but a wall, and its roof a coping.
     std::vector<uint8_t> is_house(city.buildings.size(), 0);
     for (const Face& f : city.ground.faces) {
         if (f.kind == FaceKind::facade && f.building < is_house.size()) is_house[f.building] = 1;
     }
     Welds welds = welds_of(mesh, city.roof_vertices.size());
+    size_t next = 0;
     for (size_t t = 0; t < city.roof_buildings.size(); ++t) {
         const uint32_t* corners = &city.roof_indices[3 * t];
         Vec3 p[3];
@@ -205,9 +239,19 @@ void add_roofs(CityMesh& mesh, const City& city) {
         if (building < city.buildings.size() && city.buildings[building].roof_colour && !is_cornice)
             colour = city.buildings[building].roof_colour;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
-        for (size_t k = 0; k < 3; ++k)
+        const Remnant* remnant = next_remnant(skin.roofs, next, t);
+        for (size_t k = 0; k < 3 && !remnant; ++k)
             add_welded(mesh, welds, corners[k],
                        vertex(p[k], normal, colour, {p[k].x, p[k].z}, k_material_roof));
+        if (!remnant) continue;
+        for (const std::vector<Vec3>& piece : remnant->pieces) {
+            std::vector<uint32_t> fan;
+            for (Vec3 q : piece) {
+                welds.before.push_back(Welds::k_none);
+                fan.push_back(add_vertex(mesh, vertex(q, normal, colour, {q.x, q.z}, k_material_roof)));
+            }
+            add_fan(mesh, fan);
+        }
     }
 }
 
@@ -315,8 +359,9 @@ bool is_shop_front(const City& city, const Face& f) {
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters) {
     SceneMeshes scene;
     if (!city.scenery.holds_ground) add_ground(scene.city, city);
-    add_faces(scene.city, city);
-    add_roofs(scene.city, city);
+    const Skin skin = skin_of(city);
+    add_faces(scene.city, city, skin);
+    add_roofs(scene.city, city, skin);
     add_shades(city, scene.city);
     add_scenery(city.scenery, scene.city);
     add_props(scene.city, city);

@@ -57,6 +57,8 @@ void add_drawn(const CityMesh& drawn, StillModel& model) {
     std::array<StillSurface, k_kinds.size()> surfaces;
     for (size_t at = 0; at < drawn.indices.size(); ++at) {
         if (drawn.seen_from[at / 3] == SeenFrom::far) continue;
+        const uint32_t* corners = &drawn.indices[at - at % 3];
+        if (corners[1] == corners[2]) continue;  // only joins a wall's pieces
         const CityVertex& v = drawn.vertices[drawn.indices[at]];
         if (v.material == k_material_scenery) continue;  // is taken from the city, with its pictures
         if (v.material == k_material_shade) continue;
