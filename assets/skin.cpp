@@ -13,7 +13,7 @@ namespace {
 // parallel.
 constexpr double k_one_plane = 0.006;
 constexpr float k_parallel = 0.9976f;  // four degrees
-constexpr double k_under = 0.001;      // what is left reaches so far under what is drawn before it, metres
+constexpr double k_under = 0.0002;     // what is left reaches so far under what is drawn before it, metres
 constexpr double k_least_area = 1e-4, k_least_width = 1e-3;  // of what is cut away or left
 
 enum class Sort : uint8_t { ground, facade, wall, roof };

@@ -176,8 +176,8 @@ TEST(Fights, HorrorsHaveNone) {
 
 TEST(Fights, TheDistrictHasNone) { expect_peace("district", generate_district({})); }
 
-// What is drawn of a cut wall keeps its windows: the wall's corners are joined to it.
-TEST(Fights, PiecesKeepTheirWallsWindows) {
+// Places on a wall stay what they were where it is cut.
+TEST(Fights, PiecesKeepTheirPlaces) {
     City city;
     city.buildings.resize(2);
     city.ground.faces = {{{0, 0, 5}, {10, 0, 5}, 12, 12, FaceKind::facade, 0},

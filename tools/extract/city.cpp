@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include "assets/cities.h"
@@ -197,8 +198,13 @@ void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
             add_fan(mesh, {a, b, c, d});
             continue;
         }
-        // Joined to the whole wall's corners, which windows are fitted to, by triangles without extent.
-        for (uint32_t v : {a, c, c}) mesh.indices.push_back(v);
+        // Windows are fitted to what is joined by triangles, if only by some without extent: to all that is
+        // left or, where a door has its bay, to the whole wall.
+        std::optional<uint32_t> joint;
+        if (doors[i] >= 0) {
+            joint = a;
+            mesh.indices.insert(mesh.indices.end(), {a, c, c});
+        }
         for (const std::vector<Vec3>& piece : remnant->pieces) {
             std::vector<uint32_t> fan;
             for (Vec3 p : piece) {
@@ -209,7 +215,8 @@ void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
                 float up = clamp((p.y - bottom) / std::max(top - bottom, 1e-3f), 0, 1);
                 mesh.vertices[fan.back()].colour = shaded(colour, lerp(foot_shade, 1, up));
             }
-            for (uint32_t v : {a, fan[0], fan[0]}) mesh.indices.push_back(v);
+            if (joint) mesh.indices.insert(mesh.indices.end(), {*joint, fan[0], fan[0]});
+            joint = fan[0];
             add_fan(mesh, fan);
         }
     }
