@@ -11,7 +11,7 @@
 #include "tests/folder.h"
 #include "tests/sketch.h"
 #include "tests/tools/fights.h"
-#include "tools/flaneur/extract/extract.h"
+#include "tools/extract/extract.h"
 
 namespace flaneur {
 namespace {
