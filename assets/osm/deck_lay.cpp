@@ -206,6 +206,8 @@ void finish_edge(OsmImport& in, const DeckField& field, Vec3 a, Vec3 b, uint32_t
             city.ground.faces.push_back(
                 {{a.x, a.y - down, a.z}, {b.x, b.y - down, b.z}, a.y, b.y, FaceKind::riser, ~0u});
         }
+        // What is higher beyond, a platform for one, ends at the deck.
+        if (down < -0.01f) city.ground.faces.push_back({b, a, b.y - down, a.y - down, FaceKind::riser, ~0u});
         return;
     }
     std::optional<WallPoint> wall = closest_wall(city.ground, middle + Vec3{0, 1, 0}, 0.25f);

@@ -146,7 +146,7 @@ TEST(OsmGround, KerbsEndInNosesAndNoWedges) {
             width += kind_at(city, {x, z}) == Surface::road ? 0 : 0.02f;
         if (width > 0) narrowest = std::min(narrowest, width);
     }
-    EXPECT_GT(narrowest, 1.2f);
+    EXPECT_GT(narrowest, 1);
     EXPECT_LT(narrowest, 2);
     EXPECT_NE(kind_at(city, {-45, 5}), Surface::road) << "the island";
 }
@@ -173,7 +173,7 @@ TEST(OsmGround, TracksAreNotWalkedOn) {
     EXPECT_TRUE(here(city, {-10, 2.2f}).is_bare) << "ballast";
     EXPECT_EQ(kind_at(city, {-10, 4}), Surface::grass);
     EXPECT_EQ(kind_at(city, {20, 0}), Surface::path) << "a crossing";
-    EXPECT_GT(upright_rails(city, {-56, -1}, {18.6f, 1}), 0);
+    EXPECT_GT(upright_rails(city, {-61, -1}, {19.2f, 1}), 0);
     EXPECT_EQ(upright_rails(city, {19.3f, -1}, {20.7f, 1}), 0);
     ASSERT_FALSE(city.grooves.empty());
     for (const City::Groove& g : city.grooves) EXPECT_NEAR(g.a.x, 20, 1.8f);
