@@ -52,12 +52,14 @@ uint64_t hash_city(const City& city) {
     for (const Building& b : city.buildings) {
         float sizes[] = {b.base, b.top, b.storey};
         add(sizes, sizeof sizes);
-        h = mix(h ^ (uint64_t{b.seed} << 16 | uint64_t{b.style} << 8 | b.has_shop));
+        h = mix(h ^ (uint64_t{b.seed} << 16 | uint64_t{b.style} << 8 |
+                     uint64_t{static_cast<uint8_t>(b.finish)} << 1 | b.has_shop));
         h = mix(h ^ (uint64_t{b.wall_colour} << 32 | b.roof_colour));
     }
     add_array(city.roof_vertices);
     add_array(city.roof_indices);
     add_array(city.roof_buildings);
+    if (!city.grooves.empty()) add_array(city.grooves);
     for (const Prop& p : city.props) {
         add(&p.position, sizeof p.position);
         float sizes[] = {p.yaw, p.height, p.radius};

@@ -14,12 +14,16 @@
 
 namespace flaneur {
 
+// What is on a building's walls: windows; panes from ground to roof; nothing; or courses of stone.
+enum class Finish : uint8_t { windows, glass, plain, stone };
+
 struct Building {
     float base = 0, top = 0;  // lowest ground and eaves, metres
     float storey = 3.2f;      // height of a storey, for windows
     uint8_t style = 0;        // index of a wall colour, see k_wall_colours in assets/cities.h
     uint8_t has_shop = 0;     // 1: a shop front at street level
-    uint32_t seed = 0;        // for everything that varies without meaning
+    Finish finish = Finish::windows;
+    uint32_t seed = 0;  // for everything that varies without meaning
     // sRGB, R in the lowest byte; 0: what the style and the seed make of it.
     uint32_t wall_colour = 0, roof_colour = 0;
 };
@@ -83,7 +87,8 @@ struct City {
     std::optional<OnEarth> on_earth;  // of a map
 
     // One a ground triangle, a unit direction: the way people walk over a crossing (its stripes lie square to
-    // it), up a flight of steps, down a dropped kerb; (1, 0) where there is none; zero on bare asphalt.
+    // it), up a flight of steps, down a dropped kerb, along the rails between which sleepers lie; (1, 0)
+    // where there is none; zero on bare asphalt and bare ballast.
     std::vector<Vec2> ground_axes;
 
     std::vector<Building> buildings;
@@ -92,6 +97,12 @@ struct City {
     std::vector<Vec3> roof_vertices;
     std::vector<uint32_t> roof_indices;
     std::vector<uint32_t> roof_buildings;  // one a triangle: index into buildings
+
+    // Rails that lie flush in streets: dark lines on the ground, from a to b.
+    struct Groove {
+        Vec3 a, b;
+    };
+    std::vector<Groove> grooves;
 
     std::vector<Prop> props;
     std::vector<Destination> destinations;

@@ -34,6 +34,8 @@ struct CityVertex {
 
 // How a facade's windows look; at most four kinds.
 enum class WindowKind : uint8_t { sash, shuttered, arched, wide };
+// In place of a storey's height: a wall without windows, and one of panes from foot to top.
+inline constexpr float k_no_windows = 0, k_all_glass = k_storey_unit;
 // CityVertex::extra of a facade: the height of its storeys (up to 25 m, to 5 cm), whether it has shop fronts,
 // and which bay the door is in, counted from u = 0 (up to the 15th; -1: none).
 inline uint16_t facade_extra(float storey, bool shop, int door_bay = -1,

@@ -36,7 +36,8 @@ FLANEUR_CONST int k_impostor_views = k_impostor_sides * k_impostor_tilts;
 FLANEUR_CONST int k_person_cells = k_stride_poses * k_impostor_views;
 
 // Sine and cosine of the tilts: 0, 22.5 and 50 degrees.
-FLANEUR_CONST vec2 k_tilts[k_impostor_tilts] = {vec2(0, 1), vec2(0.38268f, 0.92388f), vec2(0.76604f, 0.64279f)};
+FLANEUR_CONST vec2 k_tilts[k_impostor_tilts] = {vec2(0, 1), vec2(0.38268f, 0.92388f),
+                                                vec2(0.76604f, 0.64279f)};
 
 struct ImpostorCell {
     vec4 box;  // what is seen, metres about the body's centre on the plane square to the view: left and lower
@@ -62,22 +63,24 @@ FLANEUR_CONST uint k_material_path = 4;
 FLANEUR_CONST uint k_material_steps = 5;
 FLANEUR_CONST uint k_material_grass = 6;
 FLANEUR_CONST uint k_material_water = 7;
+FLANEUR_CONST uint k_material_ballast = 8;   // of railways
+FLANEUR_CONST uint k_material_sleepers = 9;  // and between the rails; u: metres along them
 FLANEUR_CONST uint k_material_facade =
-    8;  // u: metres along the wall, v: metres above its foot; windows by storey
-FLANEUR_CONST uint k_material_stone = 9;  // garden walls, kerbs, risers
-FLANEUR_CONST uint k_material_roof = 10;
-FLANEUR_CONST uint k_material_leaves = 11;
-FLANEUR_CONST uint k_material_trunk = 12;
-FLANEUR_CONST uint k_material_metal = 13;    // lamps, bollards, benches
-FLANEUR_CONST uint k_material_light = 14;    // heads of street lamps, which glow at night
-FLANEUR_CONST uint k_material_shade = 15;    // darkens the ground below it; u: 0 where most, 1 where it ends,
+    10;  // u: metres along the wall, v: metres above its foot; windows by storey
+FLANEUR_CONST uint k_material_stone = 11;  // garden walls, kerbs, risers
+FLANEUR_CONST uint k_material_roof = 12;
+FLANEUR_CONST uint k_material_leaves = 13;
+FLANEUR_CONST uint k_material_trunk = 14;
+FLANEUR_CONST uint k_material_metal = 15;    // lamps, bollards, benches
+FLANEUR_CONST uint k_material_light = 16;    // heads of street lamps, which glow at night
+FLANEUR_CONST uint k_material_shade = 17;    // darkens the ground below it; u: 0 where most, 1 where it ends,
                                              //   v: how much
-FLANEUR_CONST uint k_material_scenery = 16;  // u, v of a picture; extra: its layer, 0 for none
+FLANEUR_CONST uint k_material_scenery = 18;  // u, v of a picture; extra: its layer, 0 for none
 
 // Facades. A wall is fitted with bays about so wide, each with one window, metres.
 FLANEUR_CONST float k_bay = 2.7f;
-// CityVertex::extra of one, from the lowest bit on: height of its storeys, in units of so many metres; whether it has
-// shop fronts; 1 + the bay of its door, or 0; its WindowKind.
+// CityVertex::extra of one, from the lowest bit on: height of its storeys, in units of so many metres;
+// whether it has shop fronts; 1 + the bay of its door, or 0; its WindowKind.
 FLANEUR_CONST float k_storey_unit = 0.05f;
 FLANEUR_CONST uint k_storey_mask = 0x1ffu;
 FLANEUR_CONST uint k_shop_shift = 9u;
@@ -92,20 +95,20 @@ FLANEUR_CONST int k_still_layer = 2;
 FLANEUR_CONST int k_shadow_layers = 3;
 
 // Bindings of the one descriptor set that every pipeline uses.
-FLANEUR_CONST int k_binding_frame = 0;      // FrameConstants
-FLANEUR_CONST int k_binding_instances = 1;  // WalkerInstance[]
-FLANEUR_CONST int k_binding_palette = 2;    // JointTransform[]
-FLANEUR_CONST int k_binding_impostors = 3;  // ImpostorInstance[]
-FLANEUR_CONST int k_binding_cells = 4;      // ImpostorCell[]
-FLANEUR_CONST int k_binding_shadow = 5;     // k_shadow_layers
-FLANEUR_CONST int k_binding_textures = 6;   // base colours of people, layer 0 white
-FLANEUR_CONST int k_binding_picture = 7;    // the picture before anti-aliasing, luma in alpha
-FLANEUR_CONST int k_binding_atlas = 8;      // of impostors
-FLANEUR_CONST int k_binding_scenery = 9;    // pictures of the city's scenery, layer 0 white
-FLANEUR_CONST int k_binding_lamps = 10;     // LampMap
-FLANEUR_CONST int k_binding_depth = 11;     // of the picture, four samples
-FLANEUR_CONST int k_binding_occlusion = 12; // half as wide and high, 1 where nothing is near
-FLANEUR_CONST int k_bindings = 13;       
+FLANEUR_CONST int k_binding_frame = 0;       // FrameConstants
+FLANEUR_CONST int k_binding_instances = 1;   // WalkerInstance[]
+FLANEUR_CONST int k_binding_palette = 2;     // JointTransform[]
+FLANEUR_CONST int k_binding_impostors = 3;   // ImpostorInstance[]
+FLANEUR_CONST int k_binding_cells = 4;       // ImpostorCell[]
+FLANEUR_CONST int k_binding_shadow = 5;      // k_shadow_layers
+FLANEUR_CONST int k_binding_textures = 6;    // base colours of people, layer 0 white
+FLANEUR_CONST int k_binding_picture = 7;     // the picture before anti-aliasing, luma in alpha
+FLANEUR_CONST int k_binding_atlas = 8;       // of impostors
+FLANEUR_CONST int k_binding_scenery = 9;     // pictures of the city's scenery, layer 0 white
+FLANEUR_CONST int k_binding_lamps = 10;      // LampMap
+FLANEUR_CONST int k_binding_depth = 11;      // of the picture, four samples
+FLANEUR_CONST int k_binding_occlusion = 12;  // half as wide and high, 1 where nothing is near
+FLANEUR_CONST int k_bindings = 13;
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
@@ -113,8 +116,8 @@ FLANEUR_CONST int k_constant_light = 1;     // one of k_light_*
 FLANEUR_CONST int k_constant_smooth = 2;    // whether edges are smoothed
 FLANEUR_CONST int k_constants = 3;
 
-// What lights a scene: sun and sky; these and lamps; the sun alone, everywhere, with neither shadows nor haze, and
-// surfaces without patterns.
+// What lights a scene: sun and sky; these and lamps; the sun alone, everywhere, with neither shadows nor
+// haze, and surfaces without patterns.
 FLANEUR_CONST int k_light_day = 0;
 FLANEUR_CONST int k_light_night = 1;
 FLANEUR_CONST int k_light_plain = 2;
@@ -141,12 +144,12 @@ struct FrameConstants {
     mat4 shadow_from_world;  // to the near shadow map: u, v, depth in 0..1
     vec4 far_scale;          // far map's u, v, depth = near map's * scale + offset
     vec4 far_offset;
-    vec4 shadow_texels;  // metres a texel: near, far; resolution; 1 / resolution
-    vec4 people_shadows; // how plain people's are at d metres from the eye: x - y * d * d, within 0..1
-    vec4 eye;            // metres
-    vec4 ray_forward;    // the view ray through normalised device coordinates x, y is
-    vec4 ray_right;      //   forward + x * right + y * down; w of forward: metres a pixel
-                         //   at one metre
+    vec4 shadow_texels;   // metres a texel: near, far; resolution; 1 / resolution
+    vec4 people_shadows;  // how plain people's are at d metres from the eye: x - y * d * d, within 0..1
+    vec4 eye;             // metres
+    vec4 ray_forward;     // the view ray through normalised device coordinates x, y is
+    vec4 ray_right;       //   forward + x * right + y * down; w of forward: metres a pixel
+                          //   at one metre
     vec4 ray_down;
     vec4 sun_direction;  // towards the sun, or the moon; down where neither throws shadows
     vec4 sun_light;      // what a white surface square to the sun reflects; w: its disc, against that

@@ -61,8 +61,8 @@ struct Triangles {
     // Three a triangle, counter-clockwise seen from above or from outside. What is less steep than
     // NavmeshSettings::max_slope_degrees is ground; all else is wall, which stops people and paths.
     std::span<const uint32_t> indices{};
-    // One a triangle, what kind of ground it is; none: all is plaza. Nobody walks on water, and paths prefer
-    // sidewalks, paths and plazas to grass and roads.
+    // One a triangle, what kind of ground it is; none: all is plaza. Nobody walks on water or
+    // railway tracks, and paths prefer sidewalks, paths and plazas to grass and roads.
     std::span<const Surface> kinds{};
 };
 

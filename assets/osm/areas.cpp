@@ -80,7 +80,7 @@ std::vector<Region> regions_of_relation(OsmImport& in, const OsmRelation& relati
     for (bool inner : {false, true}) {
         std::vector<std::vector<int64_t>> parts;
         for (const OsmRelation::Member& member : relation.ways) {
-            if (member.inner != inner) continue;
+            if (member.inner != inner || member.part) continue;
             const OsmWay* way = in.map.way(member.way);
             if (way && way->nodes.size() >= 2) parts.push_back(way->nodes);
             if (!way && !inner) parts.clear();
@@ -118,9 +118,10 @@ std::optional<AreaKind> area_kind(const OsmTags& tags) {
         any_of("leisure", {"swimming_pool"})) {
         return AreaKind{k_rank_water, Surface::water, -0.3f};
     }
+    if (std::optional<float> height = platform_of(tags))
+        return AreaKind{k_rank_platform, Surface::plaza, *height};
     if (any_of("highway", {"pedestrian", "footway", "platform"}) || any_of("place", {"square"}) ||
-        any_of("area:highway", {"pedestrian", "footway"}) || any_of("railway", {"platform"}) ||
-        any_of("man_made", {"pier"})) {
+        any_of("area:highway", {"pedestrian", "footway"}) || any_of("man_made", {"pier"})) {
         return AreaKind{k_rank_plaza, Surface::plaza};
     }
     if (any_of("amenity", {"parking", "fuel", "bus_station"}) ||
@@ -134,9 +135,10 @@ std::optional<AreaKind> area_kind(const OsmTags& tags) {
         return AreaKind{k_rank_grass, Surface::grass};
     }
     if (any_of("natural", {"beach", "sand", "bare_rock", "shingle"}) ||
-        any_of("landuse", {"construction", "brownfield", "railway"})) {
+        any_of("landuse", {"construction", "brownfield"})) {
         return AreaKind{k_rank_grass, Surface::path};
     }
+    if (any_of("landuse", {"railway"})) return AreaKind{k_rank_grass, Surface::track, k_track};
     return std::nullopt;
 }
 
@@ -148,6 +150,20 @@ bool may_be_area(const OsmTags& tags) {
 
 }  // namespace
 
+// Squares reach the houses about them.
+static void pave_about(OsmImport& in, const Area& square) {
+    constexpr float k_about = 6;  // metres
+    for (const Ring& ring : square.rings) {
+        OsmPaving paving;
+        for (Point p : ring) paving.line.push_back(to_metres(p));
+        paving.line.push_back(paving.line[0]);
+        paving.left = k_about;
+        paving.area = square;
+        paving.area.rings.clear();
+        in.pavings.push_back(std::move(paving));
+    }
+}
+
 void add_osm_areas(OsmImport& in) {
     auto add = [&](const OsmTags& tags, const std::vector<Region>& regions) {
         std::optional<AreaKind> kind = area_kind(tags);
@@ -157,8 +173,10 @@ void add_osm_areas(OsmImport& in) {
             area.rank = kind->rank;
             area.kind = kind->kind;
             area.lift = flat(kind->lift);
+            if (kind->kind == Surface::track) area.axis = {};
             if (kind->rank == k_rank_water) area.lift = level(lowest_ground(in.plan, region) + kind->lift);
             area.rings = rings_of(region);
+            if (kind->rank == k_rank_plaza) pave_about(in, area);
             in.plan.areas.push_back(std::move(area));
         }
     };

@@ -53,11 +53,28 @@ void measure(const GroundPlan& plan, FoundBuilding& f) {
     }
 }
 
+// What sort of building a relation says it is, its outline and parts are.
+void join_outlines(OsmImport& in) {
+    for (const OsmRelation& relation : in.map.relations) {
+        if (!relation.tags.is("type", "building")) continue;
+        for (const OsmRelation::Member& member : relation.ways) {
+            const OsmWay* way = in.map.way(member.way);
+            if (!way || member.inner) continue;
+            OsmTags& tags = in.joined[way->id];
+            if (tags.items.empty()) tags = way->tags;
+            for (const auto& item : relation.tags.items) {
+                if (is_one_of(item.first, {"man_made", "historic", "amenity"})) tags.items.push_back(item);
+            }
+        }
+    }
+}
+
 std::vector<FoundBuilding> find_buildings(OsmImport& in) {
     std::vector<FoundBuilding> all;
     auto consider = [&](int64_t id, const OsmTags& tags, auto regions) {
         std::string_view building = tags["building"], part = tags["building:part"];
-        bool wanted = !building.empty() && building != "no",
+        bool wanted = (!building.empty() && building != "no") ||
+                      (building.empty() && part.empty() && is_structure(tags)),
              is_part = !wanted && !part.empty() && part != "no";
         if (!wanted && !is_part) return;
         if (is_hidden(tags)) {
@@ -79,8 +96,14 @@ std::vector<FoundBuilding> find_buildings(OsmImport& in) {
             all.push_back(std::move(found));
         }
     };
+    join_outlines(in);
+    for (const OsmNode& node : in.map.nodes) {
+        if (std::optional<Ring> ring = round_structure(node.tags, in.project(node)))
+            consider(node.id, node.tags, [&] { return std::vector<Region>{{*ring, {}}}; });
+    }
     for (const OsmWay& way : in.map.ways) {
-        consider(way.id, way.tags, [&] {
+        auto joined = in.joined.find(way.id);
+        consider(way.id, joined == in.joined.end() ? way.tags : joined->second, [&] {
             in.counts.open_buildings += !way.closed();
             return regions_of_way(in, way);
         });
@@ -378,7 +401,8 @@ void build(OsmImport& in, const FoundBuilding& f, const OsmHouse& house, Context
     building.style = house.style;
     building.wall_colour = house.wall_colour;
     building.roof_colour = house.roof_colour;
-    building.has_shop = on_ground && has_shop(f, context.shops);
+    building.finish = house.finish;
+    building.has_shop = on_ground && house.finish == Finish::windows && has_shop(f, context.shops);
     building.seed = static_cast<uint32_t>(
         random_bits({static_cast<uint64_t>(f.whole ? f.whole->id : f.id), 0, 0, Purpose::city}));
 

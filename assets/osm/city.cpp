@@ -112,8 +112,10 @@ void write_notes(OsmImport& in) {
 
 void add_osm_outdoors(OsmImport& in) {
     add_osm_streets(in);
+    add_osm_railways(in);
     add_osm_barriers(in);
     add_osm_areas(in);
+    pave_to_walls(in);
     std::vector<DeckPiece> decks = solve_decks(in);
     clear_ground_below(in, decks);
     Area rest;
@@ -124,6 +126,7 @@ void add_osm_outdoors(OsmImport& in) {
     in.plan.areas.push_back(std::move(rest));
     lay_ground(in.plan, in.city);
     lay_decks(in, decks);
+    lay_osm_rails(in, decks);
     add_osm_props(in);
     list_obstacles(in.city);
     add_osm_destinations(in);

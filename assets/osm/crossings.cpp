@@ -51,7 +51,8 @@ std::vector<Footway> find_footways(const OsmImport& in) {
                         way.tags.is("path", "crossing");
         // Service ways too: the kerbs are dropped there, so that people cross there.
         bool passes = way.tags.is("highway", "footway") || way.tags.is("highway", "path") ||
-                      way.tags.is("highway", "pedestrian") || way.tags.is("highway", "service");
+                      way.tags.is("highway", "pedestrian") || way.tags.is("highway", "service") ||
+                      way.tags.is("highway", "living_street");
         if ((!crossing && !passes) || is_hidden(way.tags)) continue;
         for (uint32_t i = 0; i < way.nodes.size(); ++i) footways.push_back({way.nodes[i], &way, i, crossing});
     }

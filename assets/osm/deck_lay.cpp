@@ -90,12 +90,16 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
                 Area area;
                 area.rank = rank;
                 area.kind = kind;
-                if (street.way->tags.is("highway", "service")) area.axis = {};
+                if (street.way->tags.is("highway", "service") || kind == Surface::track) area.axis = {};
                 area.lift = lift_of(decks[i], lift);
                 add_strip(area.rings, {decks[i].a, decks[i].b}, left, right, round_start, round_end);
                 plan.areas.push_back(std::move(area));
             };
             if (drives) add(k_rank_road, Surface::road, 0, half, half);
+            if (foot == Surface::track) {
+                add(k_rank_road, foot, k_kerb, k_sleeper * 0.5f, k_sleeper * 0.5f);
+                plan.areas.back().axis = normalize_or(decks[i].b - decks[i].a, {1, 0});
+            }
             if (!drives || halves.left + halves.right > 2 * half) {
                 add(k_rank_sidewalk, drives ? Surface::sidewalk : foot, k_kerb, halves.left, halves.right);
             }
@@ -202,6 +206,8 @@ void finish_edge(OsmImport& in, const DeckField& field, Vec3 a, Vec3 b, uint32_t
             city.ground.faces.push_back(
                 {{a.x, a.y - down, a.z}, {b.x, b.y - down, b.z}, a.y, b.y, FaceKind::riser, ~0u});
         }
+        // What is higher beyond, a platform for one, ends at the deck.
+        if (down < -0.01f) city.ground.faces.push_back({b, a, b.y - down, a.y - down, FaceKind::riser, ~0u});
         return;
     }
     std::optional<WallPoint> wall = closest_wall(city.ground, middle + Vec3{0, 1, 0}, 0.25f);

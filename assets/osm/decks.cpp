@@ -47,7 +47,8 @@ bool share_a_node(const OsmWay& a, const OsmWay& b) {
 std::vector<int64_t> nodes_on_ground(const OsmImport& in) {
     std::vector<int64_t> nodes;
     std::vector<uint32_t> ways;
-    for (const LinePiece& s : in.streets.segments) ways.push_back(s.owner);
+    for (const SegmentIndex* lines : {&in.streets, &in.tracks})
+        for (const LinePiece& s : lines->segments) ways.push_back(s.owner);
     ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
     for (uint32_t way : ways) {
         const OsmWay& w = in.map.ways[way];
@@ -171,8 +172,10 @@ void find_wants(const OsmImport& in, Net& net) {
             want(net.links[i].a, level);
             want(net.links[i].b, level);
         };
-        in.streets.near((piece.a + piece.b) * 0.5f, k_piece,
+        for (const SegmentIndex* lines : {&in.streets, &in.tracks}) {
+            lines->near((piece.a + piece.b) * 0.5f, k_piece,
                         [&](const LinePiece& s) { crossed(s.a, s.b, in.map.ways[s.owner], s.half); });
+        }
         pieces.near((piece.a + piece.b) * 0.5f, k_piece, [&](const LinePiece& s) {
             const OsmStreet& other = in.raised[net.pieces[s.owner].street];
             if (other.highway.level < level && other.highway.level > 0)
@@ -246,8 +249,10 @@ std::vector<DeckPiece> solve_decks(const OsmImport& in) {
     for (size_t i = 0; i < net.pieces.size(); ++i) {
         const DeckJoint &a = net.joints[net.links[i].a], &b = net.joints[net.links[i].b];
         DeckPiece& piece = net.pieces[i];
-        piece.a_height = a.height;
-        piece.b_height = b.height;
+        // Tracks lie lower on the ground than the ways that decks go on as.
+        float sunk = in.raised[piece.street].highway.kind == Surface::track ? k_kerb - k_track : 0;
+        piece.a_height = a.height - (a.fixed ? sunk : 0);
+        piece.b_height = b.height - (b.fixed ? sunk : 0);
         piece.starts_on_ground = a.fixed;
         piece.ends_on_ground = b.fixed;
     }

@@ -11,6 +11,8 @@ inline constexpr float k_level_height = 4.8f;  // of one `layer` above the one b
 inline constexpr float k_deck = 0.45f;         // from a deck's top to its underside, metres
 inline constexpr float k_headroom = 2.45f;     // where there is less below a deck, there is no ground, metres
 
+inline constexpr float k_sleeper = 2.6f;  // its length, metres
+
 // A straight piece of a raised way. Heights are those of a terrain that runs through the air: a
 // carriageway's, or a kerb's height below a pavement's.
 struct DeckPiece {
@@ -32,5 +34,8 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks);
 
 // Decks with their pavements, steps, undersides and railings. After the ground is laid; indexes the city.
 void lay_decks(OsmImport& in, const std::vector<DeckPiece>& decks);
+
+// Rails on what is laid.
+void lay_osm_rails(OsmImport& in, const std::vector<DeckPiece>& decks);
 
 }  // namespace flaneur

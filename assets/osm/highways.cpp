@@ -13,6 +13,11 @@ static bool is_paved(std::string_view surface) {
     return std::find(std::begin(k_paved), std::end(k_paved), surface) != std::end(k_paved);
 }
 
+int level_of(const OsmTags& tags) {
+    bool bridge = tags.has("bridge") && !tags.is("bridge", "no");
+    return static_cast<int>(clamp(parse_number(tags["layer"]).value_or(0), bridge ? 1.0f : 0.0f, 5));
+}
+
 std::optional<OsmHighway> highway_of(const OsmTags& tags) {
     struct Class {
         std::string_view name;
@@ -32,7 +37,7 @@ std::optional<OsmHighway> highway_of(const OsmTags& tags) {
         {"tertiary_link", {5, 0, true, road}},
         {"residential", {7, 3, true, road}},
         {"unclassified", {7, 2.6f, true, road}},
-        {"living_street", {5.5f, 2.4f, true, road}},
+        {"living_street", {5.5f, 0, false, plaza}},
         {"road", {6, 2.4f, true, road}},
         {"service", {4, 0, false, plaza}},  // shared with what few cars there are
         {"busway", {6.5f, 0, true, road}},
@@ -48,11 +53,10 @@ std::optional<OsmHighway> highway_of(const OsmTags& tags) {
     const Class* found = std::find_if(std::begin(k_classes), std::end(k_classes),
                                       [&](const Class& c) { return c.name == name; });
     if (found == std::end(k_classes) || is_hidden(tags)) return std::nullopt;
-    std::optional<float> layer = parse_number(tags["layer"]), storey = parse_number(tags["level"]);
+    std::optional<float> storey = parse_number(tags["level"]);
     if (storey && *storey < 0) return std::nullopt;
     OsmHighway way = found->road;
-    bool bridge = tags.has("bridge") && !tags.is("bridge", "no");
-    way.level = static_cast<int>(clamp(layer.value_or(0), bridge ? 1.0f : 0.0f, 5));
+    way.level = level_of(tags);
     if (way.kind == Surface::path && is_paved(tags["surface"])) way.kind = Surface::sidewalk;
     if (name == "service" && tags.is("service", "alley")) way.width = 3.5f;
     if (name == "service" && tags.is("service", "driveway")) way.width = 3;

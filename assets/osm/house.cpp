@@ -29,8 +29,8 @@ std::string_view type_of(const OsmTags& tags) {
         return tags["amenity"];
     if (tags.is("tourism", "hotel")) return "hotel";
     if (is_one_of(tags["shop"], {"mall", "supermarket", "department_store"})) return "retail";
-    if (tags.is("man_made", "tower")) return "tower";
     if (tags.has("office")) return "office";
+    if (std::string_view structure = structure_of(tags); !structure.empty()) return structure;
     return "yes";
 }
 
@@ -65,7 +65,10 @@ float usual_height(std::string_view type, double square_metres, const OsmSurroun
         {"college", 14},    {"public", 12},         {"civic", 12},         {"government", 16},
         {"hospital", 17},   {"fire_station", 9},    {"castle", 14},        {"palace", 16},
         {"tower", 24},      {"water_tower", 24},    {"bell_tower", 24},    {"bunker", 4},
-        {"pavilion", 5},    {"construction", 13},   {"ruins", 4},
+        {"pavilion", 5},    {"construction", 13},   {"ruins", 4},          {"chimney", 40},
+        {"silo", 14},       {"storage_tank", 9},    {"gasometer", 28},     {"cooling_tower", 70},
+        {"lighthouse", 24}, {"obelisk", 16},        {"column", 16},        {"campanile", 30},
+        {"monument", 9},    {"city_gate", 9},       {"tomb", 4},
     };
     for (const Type& t : k_types) {
         if (t.name == type) return t.height;
@@ -102,13 +105,17 @@ std::optional<float> height_of(const OsmTags& tags) {
     return height && *height >= 1 && *height < k_highest ? height : std::nullopt;
 }
 
-uint8_t style_of(const OsmTags& tags, const OsmTags& whole, uint64_t id) {
+uint8_t style_of(const OsmTags& tags, const OsmTags& whole, std::string_view type, uint64_t id) {
     std::string_view material = tags["building:material"];
     if (material.empty()) material = whole["building:material"];
     if (material == "brick") return 3;
     if (is_one_of(material, {"concrete", "glass", "metal", "steel", "cement_block"})) return 4;
     if (is_one_of(material, {"limestone", "stone", "sandstone", "marble", "granite"})) return 0;
     if (is_one_of(material, {"plaster", "stucco", "render"})) return 1;
+    if (is_hall_of_prayer(type)) return 0;
+    std::optional<Finish> finish = named_finish(type);
+    if (finish == Finish::stone) return 0;
+    if (finish == Finish::plain && !is_shed(type)) return 4;
     constexpr uint8_t styles[] = {0, 1, 1, 1, 2, 3, 4, 5, 5, 6, 6, 7, 8, 9};
     return styles[static_cast<size_t>(random_unit({id, 0, 0, Purpose::city}, 3) * 14)];
 }
@@ -301,7 +308,7 @@ OsmHouse house_of(const OsmTags& tags, const OsmTags& whole, const Region& outli
     float low = parse_metres(tags["min_height"])
                     .value_or(parse_number(tags["building:min_level"]).value_or(0) * k_storey);
     house.canopy = type == "roof" || type == "carport";
-    house.style = style_of(tags, whole, id);
+    house.style = style_of(tags, whole, type, id);
 
     float breadth = breadth_of(outline);
     float eaves = levels ? *levels * k_storey + k_attic : 0;
@@ -334,6 +341,12 @@ OsmHouse house_of(const OsmTags& tags, const OsmTags& whole, const Region& outli
     }
     float inside = house.top - house.roof_height - house.bottom;
     house.storey = clamp(levels && *levels >= 1 ? inside / *levels : k_storey, 2.6f, 4.5f);
+    house.finish = finish_of(tags, whole, type, breadth, house.top - house.bottom);
+    if (is_hall_of_prayer(type) && house.finish == Finish::windows) {
+        // One row of tall windows, more only up the highest walls.
+        constexpr float k_row = 9, k_least = 4.6f, k_most = 14;
+        house.storey = clamp(inside / std::max(1.0f, std::floor(inside / k_row + 0.5f)), k_least, k_most);
+    }
     if (house.roof == RoofKind::flat) house.roof_height = house.canopy ? 0 : inside > 6 ? 0.7f : 0.2f;
 
     auto colour = [&](std::string_view key, bool roof) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,10 +47,13 @@ struct OsmRelation {
     struct Member {
         int64_t way = 0;
         bool inner = false;
+        bool part = false;  // of a building: no piece of its outline
     };
     std::vector<Member> ways;
     OsmTags tags;
 };
+
+inline constexpr float k_track = 0;  // height of ballast above the terrain: level with roads, metres
 
 // OpenStreetMap takes no longer ways.
 inline constexpr size_t k_osm_most_nodes = 2000;
@@ -152,9 +156,11 @@ enum class OsmSort : uint8_t {
     bin,
     traffic_light,
     bus_stop,
-    barrier
+    barrier,
+    track,
+    platform
 };
-inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::barrier) + 1;
+inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::platform) + 1;
 
 // How often something was met, for City::notes and City::tallies.
 struct OsmCounts {
@@ -180,6 +186,12 @@ struct OsmHighway {
 };
 // None for what is not built, below ground, indoors or not for streets and ways.
 std::optional<OsmHighway> highway_of(const OsmTags& tags);
+// The same of tracks.
+std::optional<OsmHighway> track_of(const OsmTags& tags);
+// OsmHighway::level.
+int level_of(const OsmTags& tags);
+// How high a platform of trams or trains is, metres; none for what is none or below ground.
+std::optional<float> platform_of(const OsmTags& tags);
 
 // A street or way of the map. Lines of its known points, as `lines_of` gives them.
 struct OsmStreet {
@@ -194,6 +206,16 @@ struct OsmMass {
     float bottom = 0, eaves = 0;  // heights, metres
 };
 
+// Ground that goes on from a line to the walls beside it: where there are none within reach it ends, but for
+// gaps between houses.
+struct OsmPaving {
+    std::vector<Vec2> line;
+    float left = 0, right = 0;  // how far walls may be, metres; 0: nothing is paved on that side
+    bool to_streets = false;    // the middle of a carriageway will do for a wall
+    bool needs_both = false;    // walls on both sides, or none
+    Area area;                  // what is laid
+};
+
 // What the steps read and add to.
 struct OsmImport {
     const OsmMap& map;
@@ -205,8 +227,11 @@ struct OsmImport {
     // carriageway and sidewalks (0: none), and what lies above the ground or leads up there by steps.
     SegmentIndex streets{};
     std::vector<OsmStreet> raised{};
-    uint32_t walls = ~0u;  // see wall_building
+    std::vector<OsmPaving> pavings{};
+    SegmentIndex tracks{};  // railways on the ground, as streets
+    uint32_t walls = ~0u;   // see wall_building
     std::vector<OsmMass> masses{};
+    std::map<int64_t, OsmTags> joined{};  // of outlines and parts, with what relations say of their building
 };
 
 // The known points of a way; missing ones split it. Lines of fewer than two points are left out.
@@ -226,7 +251,11 @@ void add_osm_streets(OsmImport& in);
 void add_osm_crossings(OsmImport& in, const std::vector<OsmStreet>& roads);
 // Walls, fences and hedges, with gaps where streets and ways pass. After the streets.
 void add_osm_barriers(OsmImport& in);
+// Tracks, on the ground or raised, and platforms. After the streets.
+void add_osm_railways(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares
+// Lays OsmImport::pavings, below what the map draws itself. After streets, areas and buildings.
+void pave_to_walls(OsmImport& in);
 // Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
 void add_osm_sea(OsmImport& in);
 // Lays the terrain of an elevation file under the plan, level with the sea where there is sea: after

@@ -145,8 +145,8 @@ struct Taker {
         for (const osmium::RelationMember& member : relation.members()) {
             if (member.type() != osmium::item_type::way) continue;
             std::string_view role = member.role();
-            if (role == "outer" || role == "inner" || role == "outline" || role.empty()) {
-                r.ways.push_back({member.ref(), role == "inner"});
+            if (role == "outer" || role == "inner" || role == "outline" || role == "part" || role.empty()) {
+                r.ways.push_back({member.ref(), role == "inner", role == "part"});
             }
         }
         return r;

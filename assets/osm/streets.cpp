@@ -11,6 +11,9 @@ namespace flaneur {
 namespace {
 
 constexpr float k_apron = 5;  // paved beyond a sidewalk, metres
+// How far the walls may be that streets without sidewalks are paved to, metres: from the middle of streets
+// that belong to people, and from the edges of lanes and alleys.
+constexpr float k_wide = 14, k_beside_lane = 4.5f, k_beside_alley = 2.5f;
 
 // What tags say about one side's sidewalk.
 enum class SideTag { unknown, none, own, separate };
@@ -84,6 +87,11 @@ float sidewalk_width(const OsmStreet& road, const SegmentIndex& footways, const 
     return is_median ? 0 : tagged_sidewalk(road, left);
 }
 
+// Streets that people have to themselves, or first of all.
+bool is_for_people(const OsmTags& tags) {
+    return tags.is("highway", "pedestrian") || tags.is("highway", "living_street");
+}
+
 void add_way(OsmImport& in, const OsmStreet& way) {
     const OsmHighway& highway = way.highway;
     for (const std::vector<Vec2>& line : way.lines) {
@@ -96,6 +104,13 @@ void add_way(OsmImport& in, const OsmStreet& way) {
         if (service) area.axis = {};
         area.lift = flat(k_kerb);
         add_strip(area.rings, line, highway.width * 0.5f, highway.width * 0.5f, true);
+        OsmPaving paving{line, 0, 0, false, false, area};
+        paving.area.rings.clear();
+        bool is_wide = is_for_people(way.way->tags);
+        paving.to_streets = is_wide;
+        paving.needs_both = !is_wide && !service;
+        paving.left = paving.right = is_wide ? k_wide : highway.width * 0.5f + k_beside_alley;
+        in.pavings.push_back(std::move(paving));
         in.plan.areas.push_back(std::move(area));
     }
 }
@@ -151,12 +166,43 @@ void add_steps(OsmImport& in, const OsmStreet& steps) {
     }
 }
 
-// Whether people walk on the carriageway as cars drive on it: small streets without sidewalks, and living
-// streets.
+// Whether people walk on the carriageway as cars drive on it: small streets without sidewalks.
 bool is_shared(const OsmStreet& road, const Street& street) {
     std::string_view name = road.way->tags["highway"];
     bool small = name == "residential" || name == "unclassified" || name == "road";
-    return name == "living_street" || (small && street.left + street.right == 0);
+    return small && street.left + street.right == 0;
+}
+
+// Beside a carriageway without a sidewalk, up to houses that are near: the lane goes on, or a sidewalk.
+void pave_beside(OsmImport& in, const Street& street, bool is_lane) {
+    OsmPaving paving;
+    paving.line = street.line;
+    float reach = street.width * 0.5f + k_beside_lane;
+    if (street.left <= 0) paving.left = reach;
+    if (street.right <= 0) paving.right = reach;
+    paving.area.kind = is_lane ? Surface::plaza : Surface::sidewalk;
+    if (is_lane) paving.area.axis = {};
+    paving.area.lift = flat(is_lane ? 0 : k_kerb);
+    in.pavings.push_back(std::move(paving));
+}
+
+// Where carriageways run together, wedges and ribbons of kerb would be left between them that nobody can
+// stand on; they are road, and islands end as wide as a kerb's nose.
+void fill_wedges(GroundPlan& plan) {
+    constexpr float k_nose = 0.7f;  // half of the least width, metres
+    Rings roads;
+    for (const Area& area : plan.areas) {
+        if (area.rank == k_rank_road && area.kind == Surface::road)
+            roads.insert(roads.end(), area.rings.begin(), area.rings.end());
+    }
+    roads = unite(roads);
+    Area fill;
+    fill.rank = k_rank_road;
+    fill.kind = Surface::road;
+    fill.rings = subtract(inset_rings(inset_rings(roads, -k_nose), k_nose), roads);
+    // Less what rounding to millimetres leaves along every kerb, and a little into the roads.
+    fill.rings = inset_rings(inset_rings(fill.rings, 0.01f), -0.02f);
+    if (!fill.rings.empty()) plan.areas.push_back(std::move(fill));
 }
 
 // Where a street goes on as a narrower one, its end is square: a round one would bulge into the other.
@@ -248,6 +294,7 @@ void add_osm_streets(OsmImport& in) {
                           street.round_end);
                 in.plan.areas.push_back(std::move(lane));
             }
+            pave_beside(in, street, is_shared(road, street));
             add_street(in.plan, street);
             in.streets.add(line, index_of(road), street.width * 0.5f + std::max(street.left, street.right));
             // What lies between the sidewalk and the houses is paved too, unless the map says otherwise.
@@ -272,6 +319,7 @@ void add_osm_streets(OsmImport& in) {
         }
     }
     add_osm_crossings(in, roads);
+    fill_wedges(in.plan);
 }
 
 }  // namespace flaneur

@@ -101,6 +101,9 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
      [](const OsmTags& t) {
          return any_of(t, "barrier", {"wall", "retaining_wall", "city_wall", "fence", "hedge", "guard_rail"});
      }},
+    {"railway tracks", Sort::lines, [](const OsmTags& t) { return track_of(t).has_value(); }},
+    {"platforms of trains and trams", Sort::lines,
+     [](const OsmTags& t) { return platform_of(t).has_value(); }},
 };
 
 }  // namespace

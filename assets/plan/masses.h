@@ -20,12 +20,15 @@ enum GroundRank : int {
     k_rank_crossing,
     k_rank_road,
     k_rank_dropped_kerb,
+    k_rank_platform,
     k_rank_sidewalk,
     k_rank_plaza,
     k_rank_path,
+    k_rank_track,
     k_rank_water,
     k_rank_grass,
     k_rank_apron,
+    k_rank_tram,
     k_rank_rest,
 };
 

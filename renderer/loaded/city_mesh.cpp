@@ -50,8 +50,13 @@ void fit_windows(PreparedCity& city) {
         if (!is_facade(vertex)) continue;
         const Extent& wall = walls[first_of(parent, i)];
         const float width = wall.high_u - wall.low_u, height = wall.high_v;
-        const float storey = std::max(static_cast<float>(vertex.extra & k_storey_mask) * k_storey_unit, 2.0f);
+        const uint32_t said = vertex.extra & k_storey_mask;
+        const float storey = std::max(static_cast<float>(said) * k_storey_unit, 2.0f);
         vertex.normal[3] = 0;
+        if (said == 0) {
+            vertex.uv.y /= storey;
+            continue;
+        }
         if (!(width >= k_least_wall && height >= storey * 0.8f && width < 1e5f && height < 1e4f)) continue;
         const float bays = std::max(std::round(width / k_bay), 1.0f);
         const float storeys = std::clamp(std::round(height / storey), 1.0f, 127.0f);

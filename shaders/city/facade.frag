@@ -34,8 +34,9 @@ void main() {
     float has_shutters = float(abs(manner - 1.0) < 0.5) * (1.0 - ground);
     float is_arched = float(abs(manner - 2.0) < 0.5) * (1.0 - is_shop);
     float is_wide = float(manner > 2.5);
-    float is_attic = float(height < 2.3);
-    float is_french = float(taste > 0.55 && manner < 0.5) * (1.0 - ground) * (1.0 - is_attic);
+    float is_glass = float(in_wall.x > 0.01 && in_wall.x < 1.0);
+    float is_attic = float(height < 2.3) * (1.0 - is_glass);
+    float is_french = float(taste > 0.55 && manner < 0.5) * (1.0 - ground) * (1.0 - is_attic) * (1.0 - is_glass);
 
     // The opening: a window, a door, or a shop's wide pane.
     float half_width = mix(mix(0.5, 0.64, taste), 1.0, is_wide);
@@ -43,6 +44,8 @@ void main() {
     vec2 high = vec2(half_width, height - mix(0.62, 0.3, is_attic));
     low = mix(mix(low, vec2(-1.12, 0.45), is_shop), vec2(-0.62, 0.02), is_door);
     high = mix(mix(high, vec2(1.12, height - 0.75), is_shop), vec2(0.62, min(2.75, height - 0.3)), is_door);
+    low = mix(low, vec2(-0.5 * k_bay, 0.0), is_glass * (1.0 - is_door));
+    high = mix(high, vec2(0.5 * k_bay, height), is_glass * (1.0 - is_door));
     float spring = high.y - high.x;
     vec2 from_head = vec2(at.x, max(at.y - spring, 0.0));
     float head = mix(1.0, saturate((high.x - length(from_head)) / max(pixel.x, pixel.y) + 0.5), is_arched);
@@ -134,7 +137,7 @@ void main() {
         mirror.y = abs(mirror.y + 0.03 * lean);
         float grazing = 1.0 - saturate(-dot(ray, normal));
         float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
-        float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * glass;
+        float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * (1.0 - is_glass) * glass;
         vec3 indoors = ambient(normal), tone = vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop);
         if (k_light == k_light_night) {
             // Lamps of many colours behind some windows and in every shop; ceilings are brighter than floors.

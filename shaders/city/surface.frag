@@ -13,6 +13,7 @@ layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 layout(location = 0) out vec4 out_picture;
 
 const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
+const vec3 k_ballast = vec3(0.1413, 0.1248, 0.1095);  // and between sleepers
 
 void main() {
     vec3 normal = normalize(in_normal);
@@ -51,7 +52,7 @@ void main() {
         float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
         float paint = saturate((swing - 0.5) * edge / pixel.x + 0.5);
         paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
-        albedo = mix(k_asphalt, albedo, paint);
+        albedo = mix(in_pattern.z > 2.0 ? k_ballast : k_asphalt, albedo, paint);
     }
 
     float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));

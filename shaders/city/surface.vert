@@ -15,8 +15,9 @@ layout(location = 3) flat out vec3 out_colour;
 layout(location = 4) flat out vec4 out_pattern;  // see below
 
 // How a surface's slabs lie: edge in metres, width of the joints, how their lightness varies, and how much of the
-// sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1).
-const vec4 k_patterns[11] = {
+// sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1); sleepers are such
+// with ballast between them (above 2).
+const vec4 k_patterns[13] = {
     vec4(0.035, 0.0, 0.16, 0.0),   // road: grains
     vec4(0.8, 0.012, 0.05, 0.0),   // sidewalk
     vec4(0.5, 0.0, 2.0, 0.0),      // crossing
@@ -25,6 +26,8 @@ const vec4 k_patterns[11] = {
     vec4(1.6, 0.010, 0.04, 0.0),   // steps
     vec4(0.09, 0.0, 0.26, 0.0),    // grass
     vec4(0.4, 0.0, 0.04, 0.6),     // water
+    vec4(0.11, 0.0, 0.3, 0.0),     // ballast
+    vec4(0.3, 0.0, 3.0, 0.0),      // sleepers
     vec4(1.0, 0.0, 0.0, 0.0),      // facade
     vec4(0.9, 0.012, 0.05, 0.0),   // stone
     vec4(0.6, 0.012, 0.05, 0.0)    // roof

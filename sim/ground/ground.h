@@ -11,9 +11,11 @@
 
 namespace flaneur {
 
-// What a piece of ground is. All but water can be walked on; navigation prefers some over others.
-enum class Surface : uint8_t { road, sidewalk, crossing, plaza, path, steps, grass, water };
-inline constexpr int k_surface_count = 8;
+// What a piece of ground is. All but water and railway tracks can be walked on; navigation prefers some over
+// others.
+enum class Surface : uint8_t { road, sidewalk, crossing, plaza, path, steps, grass, water, track };
+inline constexpr int k_surface_count = 9;
+inline bool is_walked(Surface s) { return s != Surface::water && s != Surface::track; }
 
 // What a vertical face is. Facades and garden walls stop walkers and can be touched; kerbs and risers are
 // stepped over.

@@ -40,8 +40,9 @@ using RecastPtr = std::unique_ptr<T, RecastDelete>;
 }  // namespace
 
 // Where two surfaces share a voxel the later one names it: a kerb's upper level wins over the road.
-static constexpr Surface k_order[] = {Surface::water, Surface::road,  Surface::grass,    Surface::crossing,
-                                      Surface::path,  Surface::plaza, Surface::sidewalk, Surface::steps};
+static constexpr Surface k_order[] = {Surface::water, Surface::track,    Surface::road,
+                                      Surface::grass, Surface::crossing, Surface::path,
+                                      Surface::plaza, Surface::sidewalk, Surface::steps};
 static_assert(std::size(k_order) == k_surface_count);
 
 static bool rasterize(rcContext& context, const Ground& ground, const NavmeshSettings& s,
@@ -55,7 +56,7 @@ static bool rasterize(rcContext& context, const Ground& ground, const NavmeshSet
             const Vec3 &a = ground.vertices[index[0]], &b = ground.vertices[index[1]],
                        &c = ground.vertices[index[2]];
             Vec3 normal = normalize_or(cross(b - a, c - a), {0, 0, 0});
-            bool walkable = kind != Surface::water && normal.y >= least_normal;
+            bool walkable = is_walked(kind) && normal.y >= least_normal;
             if (!rcRasterizeTriangle(&context, floats(a), floats(b), floats(c),
                                      walkable ? area_of(kind) : RC_NULL_AREA, field, k_merge)) {
                 return false;

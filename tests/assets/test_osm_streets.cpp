@@ -1,7 +1,6 @@
 // Streets, steps, bridges, walls and places of mapped cities.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -12,44 +11,16 @@
 #include "assets/plan/streets.h"
 #include "sim/navigation/navmesh.h"
 #include "tests/assets/city_checks.h"
+#include "tests/assets/osm_drawing.h"
 
 namespace flaneur {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A map drawn in metres about the equator: +x east, +z south, as the city will have them.
-struct Drawing {
-    std::string nodes, ways;
-    int next = 1;
-
-    int node(float x, float z, const std::string& tags = "") {
-        // The map below is square to a tenth of a per cent.
-        char place[80];
-        std::snprintf(place, sizeof place, "lon=\"%.9f\" lat=\"%.9f\"", static_cast<double>(x) / 111319.5,
-                      static_cast<double>(-z) / 110574.3);
-        nodes += "<node id=\"" + std::to_string(next) + "\" " + place + ">" + tags + "</node>";
-        return next++;
-    }
-    void way(const std::vector<int>& refs, const std::string& tags) {
-        ways += "<way id=\"" + std::to_string(next++) + "\">";
-        for (int ref : refs) ways += "<nd ref=\"" + std::to_string(ref) + "\"/>";
-        ways += tags + "</way>";
-    }
-    void way(const std::vector<Vec2>& points, const std::string& tags) {
-        std::vector<int> refs;
-        for (Vec2 p : points) refs.push_back(node(p.x, p.z));
-        way(refs, tags);
-    }
-};
-
-std::string tag(const std::string& key, const std::string& value) {
-    return "<tag k=\"" + key + "\" v=\"" + value + "\"/>";
-}
-
 // The streets of a drawing on a terrain, which is about (0, 0) if the drawing is. A frame keeps it so.
 City build(Drawing drawing, const std::function<float(Vec2)>& terrain = {}) {
-    Result<OsmMap> map = parse_osm("<osm version=\"0.6\">" + drawing.nodes + drawing.ways + "</osm>", "osm");
+    Result<OsmMap> map = parse_osm(osm_of(drawing), "osm");
     EXPECT_TRUE(map) << map.error().message;
     OsmImport in{*map, projection_about(0, 0), {}, {}, {}};
     in.plan.low = {-60, -60};

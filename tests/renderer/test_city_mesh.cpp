@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "renderer/loaded/city_mesh.h"
+#include "renderer/shapes.h"
 #include "tests/renderer/synthetic_scene.h"
 
 namespace flaneur {
@@ -75,6 +76,23 @@ TEST(CityMesh, NarrowWallsHaveNone) {
     const Result<PreparedCity> city = prepare_city(mesh);
     ASSERT_TRUE(city);
     for (const CityVertex& vertex : city->vertices) EXPECT_EQ(vertex.normal[3], 0);
+}
+
+// Of a silo or a shed: v stays metres, as the shader reads it.
+TEST(CityMesh, WallsMayHaveNoWindowsOrPanesAlone) {
+    auto storeys = [](float storey) {
+        CityMesh mesh;
+        add_wall(mesh, {9, 0, 0}, {0, 0, 0}, 8, k_material_facade, vertex_colour(0xd8c9ae),
+                 facade_extra(storey, false));
+        const Result<PreparedCity> city = prepare_city(mesh);
+        EXPECT_TRUE(city);
+        float high = 0;
+        for (const CityVertex& vertex : city->vertices) high = std::max(high, vertex.uv.y);
+        return std::pair(static_cast<int>(city->vertices[0].normal[3]), high);
+    };
+    EXPECT_EQ(storeys(k_no_windows), std::pair(0, 4.0f));
+    EXPECT_EQ(storeys(k_all_glass), std::pair(4, 4.0f));
+    EXPECT_EQ(storeys(4).first, 2);
 }
 
 TEST(CityMesh, RefusesBrokenMeshesInASentence) {

@@ -29,10 +29,12 @@ constexpr uint32_t k_ground_colours[k_surface_count] = {
     rgb(0xa8a195),  // steps
     rgb(0x6f8a4c),  // grass
     rgb(0x3d5560),  // water
+    rgb(0x6a635c),  // track: ballast
 };
 constexpr uint32_t k_ground_materials[k_surface_count] = {
-    k_material_road, k_material_sidewalk, k_material_crossing, k_material_plaza,
-    k_material_path, k_material_steps,    k_material_grass,    k_material_water};
+    k_material_road,  k_material_sidewalk, k_material_crossing, k_material_plaza,  k_material_path,
+    k_material_steps, k_material_grass,    k_material_water,    k_material_ballast};
+constexpr uint32_t k_sleepers = rgb(0x8a8178);
 constexpr uint32_t k_kerb = rgb(0x8c8984), k_riser = rgb(0x9a948a), k_garden_wall = rgb(0xb5a88f);
 constexpr uint32_t k_flat_roof = rgb(0x8b8983), k_cornice = rgb(0xb5ac9c), k_tile_roof = rgb(0xb5694a),
                    k_slate_roof = rgb(0x5b626b);
@@ -92,13 +94,17 @@ void add_ground(CityMesh& mesh, const City& city) {
         for (size_t k = 0; k < 3; ++k) p[k] = city.ground.vertices[corners[k]];
         Vec3 normal = normalize_or(cross(p[1] - p[0], p[2] - p[0]), {0, 1, 0});
         bool bare = city.ground_axes[t] == Vec2{};
-        auto kind = static_cast<size_t>(bare ? Surface::road : city.ground.kinds[t]);
+        Surface kind = city.ground.kinds[t];
+        if (bare && kind != Surface::track) kind = Surface::road;
+        bool has_sleepers = kind == Surface::track && !bare;
+        auto look = static_cast<size_t>(kind);
         for (size_t k = 0; k < 3; ++k) {
             glm::vec2 uv{p[k].x, p[k].z};
-            if (kind == static_cast<size_t>(Surface::crossing))
+            if (kind == Surface::crossing || has_sleepers)
                 uv = {dot(on_ground(p[k]), city.ground_axes[t]), 0};
             add_welded(mesh, welds, corners[k],
-                       vertex(p[k], normal, k_ground_colours[kind], uv, k_ground_materials[kind]));
+                       vertex(p[k], normal, has_sleepers ? k_sleepers : k_ground_colours[look], uv,
+                              has_sleepers ? k_material_sleepers : k_ground_materials[look]));
         }
     }
 }
@@ -169,8 +175,11 @@ void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
                 // A window in the roof is one storey.
                 float high = f.a_top - f.a.y;
                 bool is_dormer = f.a.y > b.top && high < b.storey;
-                extra = facade_extra(is_dormer ? high : clamp(b.storey, 1, 20), is_shop_front(city, f),
-                                     doors[i], windows_of(b));
+                float storey = is_dormer ? high : clamp(b.storey, 1, 20);
+                if (b.finish == Finish::glass) storey = k_all_glass;
+                if (b.finish == Finish::plain) storey = k_no_windows;
+                if (b.finish == Finish::stone) material = k_material_stone;
+                extra = facade_extra(storey, is_shop_front(city, f), doors[i], windows_of(b));
                 // Storeys are counted from the ground at the door; walls go down to the lowest.
                 if (b.base > foot && b.base < foot + 3) foot = b.base;
             } else {

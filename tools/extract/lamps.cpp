@@ -75,7 +75,7 @@ std::vector<Source> sources_of(const City& city) {
         if (f.kind == FaceKind::facade) {
             head = head + outwards(f) * k_before_houses;
             std::optional<GroundHit> hit = ground_at(city.ground, head, 1, 1);
-            if (!hit || hit->kind == Surface::grass || hit->kind == Surface::water) continue;
+            if (!hit || hit->kind == Surface::grass || !is_walked(hit->kind)) continue;
         }
         head.y += k_unseen_height;
         if (!lamps.any_within(k_unseen_apart, on_ground(head))) hang(head, k_unseen_height);

@@ -156,6 +156,16 @@ void add_prop_shade(Shades& out, const Prop& prop) {
     }
 }
 
+void add_groove(Shades& out, const City::Groove& groove) {
+    constexpr float k_half = 0.045f, k_strength = 0.55f;
+    Vec2 a = on_ground(groove.a), b = on_ground(groove.b), along = normalize_or(b - a, {1, 0});
+    Vec2 side = Vec2{-along.z, along.x} * k_half;
+    add_quad(out, {add_vertex(out, a - side, groove.a.y, 0, k_strength),
+                   add_vertex(out, b - side, groove.b.y, 0, k_strength),
+                   add_vertex(out, b + side, groove.b.y, 0, k_strength),
+                   add_vertex(out, a + side, groove.a.y, 0, k_strength)});
+}
+
 Strip strip_of(const City& city, const Face& f) {
     switch (f.kind) {
         case FaceKind::facade:
@@ -180,6 +190,7 @@ void add_shades(const City& city, CityMesh& mesh) {
         if (strip.width > 0) add_strip(out, f, strip);
     }
     for (const Prop& prop : city.props) add_prop_shade(out, prop);
+    for (const City::Groove& groove : city.grooves) add_groove(out, groove);
 }
 
 }  // namespace flaneur

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, k_surface_count> k_surface_names = {
-    "road", "sidewalk", "crossing", "plaza", "path", "steps", "grass", "water"};
+    "road", "sidewalk", "crossing", "plaza", "path", "steps", "grass", "water", "track"};
 constexpr std::array<const char*, size_t{k_prop_count}> k_prop_names = {
     "trees",     "lamps",   "benches",  "bollards",       "bins",    "cars",
     "fountains", "statues", "planters", "traffic_lights", "shelters"};

@@ -52,6 +52,8 @@ constexpr Word k_words[] = {
     {"river", ground_of(Surface::water)},
     {"pond", ground_of(Surface::water)},
     {"sea", ground_of(Surface::water)},
+    {"ballast", ground_of(Surface::track)},
+    {"sleeper", ground_of(Surface::track)},
     {"path", ground_of(Surface::path)},
     {"trail", ground_of(Surface::path)},
     {"plaza", ground_of(Surface::plaza)},

@@ -155,7 +155,7 @@ Pieces join_ground(const City& city, float climb) {
         return static_cast<int64_t>(std::lround(p.x * 1000)) * (int64_t{1} << 32) + std::lround(p.z * 1000);
     };
     for (uint32_t t = 0; t < city.ground.kinds.size(); ++t) {
-        if (city.ground.kinds[t] == Surface::water) continue;
+        if (!is_walked(city.ground.kinds[t])) continue;
         for (uint32_t k = 0; k < 3; ++k) {
             Vec3 a = city.ground.vertices[city.ground.indices[t * 3 + k]],
                  b = city.ground.vertices[city.ground.indices[t * 3 + (k + 1) % 3]];

@@ -18,7 +18,7 @@ struct DrawnKind {
     float roughness, metallic;
 };
 // By k_material_* of shaders/shared.h.
-constexpr std::array<DrawnKind, 14> k_kinds = {{{"road", k_ground, 0.95f, 0},
+constexpr std::array<DrawnKind, 16> k_kinds = {{{"road", k_ground, 0.95f, 0},
                                                 {"sidewalk", k_ground, 0.9f, 0},
                                                 {"crossing", k_ground, 0.85f, 0},
                                                 {"plaza", k_ground, 0.85f, 0},
@@ -26,6 +26,8 @@ constexpr std::array<DrawnKind, 14> k_kinds = {{{"road", k_ground, 0.95f, 0},
                                                 {"steps", k_ground, 0.9f, 0},
                                                 {"grass", k_ground, 1, 0},
                                                 {"water", k_ground, 0.1f, 0},
+                                                {"ballast", k_ground, 1, 0},
+                                                {"sleepers", k_ground, 1, 0},
                                                 {"facade", k_facades, 0.9f, 0},
                                                 {"stone", k_ground, 0.9f, 0},
                                                 {"roof", k_roofs, 0.85f, 0},

@@ -60,8 +60,8 @@ glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Charact
 inline constexpr uint32_t k_fruin_colours[] = {ink(0x4f9f6a), ink(0x9dbb4f), ink(0xe0cf4a),
                                                ink(0xe79a3c), ink(0xd9573a), ink(0x9b2335)};
 inline constexpr uint32_t k_surface_colours[k_surface_count] = {
-    ink(0x5f6f86, 0.6f), ink(0x3f9f9a, 0.6f), ink(0xe7c14a, 0.6f), ink(0xd98c5f, 0.6f),
-    ink(0x9dbb4f, 0.6f), ink(0xa06ab4, 0.6f), ink(0x5f8f3f, 0.6f), ink(0x3d5a99, 0.6f)};
+    ink(0x5f6f86, 0.6f), ink(0x3f9f9a, 0.6f), ink(0xe7c14a, 0.6f), ink(0xd98c5f, 0.6f), ink(0x9dbb4f, 0.6f),
+    ink(0xa06ab4, 0.6f), ink(0x5f8f3f, 0.6f), ink(0x3d5a99, 0.6f), ink(0x6b5f57, 0.6f)};
 inline constexpr uint32_t k_left_colour = ink(0x3fa7b5), k_right_colour = ink(0xe2725b);
 inline constexpr uint32_t k_trunk_colour = ink(0xf3e9d8), k_joint_colour = ink(0xffffff);
 

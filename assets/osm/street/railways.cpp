@@ -1,0 +1,211 @@
+// Railways: tracks on their ballast, rails in streets, platforms.
+#include <algorithm>
+#include <cmath>
+
+#include "assets/colour.h"
+#include "assets/osm/decks.h"
+#include "assets/osm/map.h"
+#include "assets/plan/masses.h"
+#include "assets/plan/roofs.h"
+#include "assets/plan/streets.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_gauge = 1.435f, k_rail = 0.07f, k_rail_height = 0.12f;  // metres
+constexpr float k_look = 0.5f;  // where what lies below the rails is looked at, metres
+
+bool is_yes(const OsmTags& tags, std::string_view key) { return tags.has(key) && !tags.is(key, "no"); }
+
+// Trams take what is left over between streets, trains their own bed.
+void add_track(GroundPlan& plan, const std::vector<Vec2>& line, float half, bool is_tram) {
+    Area sleepers;
+    sleepers.rank = is_tram ? k_rank_tram : k_rank_track;
+    sleepers.kind = Surface::track;
+    sleepers.lift = flat(k_track);
+    Area ballast = sleepers;
+    ballast.axis = {};
+    add_strip(ballast.rings, line, half, half, false);
+    for (size_t i = 0; i + 1 < line.size(); ++i) {
+        sleepers.axis = normalize_or(line[i + 1] - line[i], {1, 0});
+        sleepers.rings.clear();
+        add_strip(sleepers.rings, {line[i], line[i + 1]}, k_sleeper * 0.5f, k_sleeper * 0.5f, false);
+        plan.areas.push_back(sleepers);
+    }
+    plan.areas.push_back(std::move(ballast));
+}
+
+// Tracks climb to their bridges over so many metres of the ways before them.
+constexpr float k_climb = 60;
+
+// Which tracks leave the ground: bridges, and what leads up to them.
+std::vector<bool> find_climbing(const std::vector<OsmStreet>& tracks) {
+    struct Reached {
+        int64_t node;
+        float away;
+    };
+    std::vector<bool> climbs(tracks.size());
+    std::vector<Reached> reached;
+    auto reach = [&](size_t i, float away) {
+        climbs[i] = true;
+        for (int64_t node : {tracks[i].way->nodes.front(), tracks[i].way->nodes.back()})
+            reached.push_back({node, away});
+    };
+    for (size_t i = 0; i < tracks.size(); ++i)
+        if (tracks[i].highway.level > 0) reach(i, 0);
+    for (size_t r = 0; r < reached.size(); ++r) {
+        auto [node, away] = reached[r];
+        for (size_t i = 0; i < tracks.size(); ++i) {
+            const OsmWay& way = *tracks[i].way;
+            if (climbs[i] || away > k_climb || (way.nodes.front() != node && way.nodes.back() != node))
+                continue;
+            float whole = away;
+            for (const std::vector<Vec2>& line : tracks[i].lines) whole += length_of(line);
+            reach(i, whole);
+        }
+    }
+    return climbs;
+}
+
+// A rail from a to b, on ballast.
+void add_rail(City& city, Vec3 a, Vec3 b, uint32_t building) {
+    Vec2 along = normalize_or(on_ground(b) - on_ground(a), {1, 0});
+    Vec3 side = at_height(Vec2{-along.z, along.x} * (k_rail * 0.5f), 0), up{0, k_rail_height, 0};
+    Vec3 al = a - side, ar = a + side, bl = b - side, br = b + side;
+    add_quad(city, al + up, ar + up, br + up, bl + up, building);
+    add_quad(city, ar, br, br + up, ar + up, building);
+    add_quad(city, bl, al, al + up, bl + up, building);
+}
+
+// One rail along a straight piece of track: upright where there is ballast below it, flush in what people
+// walk on, and nowhere else.
+void lay_rail(OsmImport& in, Vec3 a, Vec3 b, uint32_t building) {
+    City& city = in.city;
+    enum class Bed { none, ballast, street };
+    float whole = length(on_ground(b) - on_ground(a));
+    int steps = std::max(1, static_cast<int>(std::ceil(whole / k_look)));
+    auto at = [&](int i) { return lerp(a, b, static_cast<float>(i) / static_cast<float>(steps)); };
+    auto look = [&](int i, float& height) {
+        Vec3 p = (at(i) + at(i + 1)) * 0.5f;
+        std::optional<GroundHit> hit = ground_at(city.ground, p, 0.6f, 0.6f);
+        if (!hit) return Bed::none;
+        height = hit->height - p.y;  // above the straight line
+        return hit->kind == Surface::track ? Bed::ballast : Bed::street;
+    };
+    for (int from = 0; from < steps;) {
+        float off = 0;
+        Bed bed = look(from, off);
+        int to = from + 1;
+        for (float here = 0; to < steps && look(to, here) == bed && std::fabs(here - off) < 0.02f;) ++to;
+        Vec3 p = at(from), q = at(to);
+        p.y += off, q.y += off;
+        if (bed == Bed::ballast) add_rail(city, p, q, building);
+        if (bed == Bed::street) city.grooves.push_back({p, q});
+        from = to;
+    }
+}
+
+}  // namespace
+
+std::optional<OsmHighway> track_of(const OsmTags& tags) {
+    std::string_view railway = tags["railway"];
+    bool is_tram = railway == "tram";
+    if (!is_tram && railway != "rail" && railway != "light_rail" && railway != "subway" &&
+        railway != "narrow_gauge" && railway != "funicular" && railway != "preserved")
+        return std::nullopt;
+    std::optional<float> storey = parse_number(tags["level"]);
+    if (is_hidden(tags) || is_yes(tags, "tunnel") || (storey && *storey < 0)) return std::nullopt;
+    OsmHighway track;
+    track.width = is_tram ? 3.2f : 5;
+    track.kind = Surface::track;
+    track.level = level_of(tags);
+    return track;
+}
+
+std::optional<float> platform_of(const OsmTags& tags) {
+    bool is_tram = is_yes(tags, "tram") && !is_yes(tags, "train");
+    bool is_platform =
+        tags.is("railway", "platform") ||
+        (tags.is("public_transport", "platform") &&
+         (is_tram || is_yes(tags, "train") || is_yes(tags, "light_rail") || is_yes(tags, "subway")));
+    std::optional<float> storey = parse_number(tags["level"]);
+    if (!is_platform || is_hidden(tags) || is_yes(tags, "tunnel") || (storey && *storey < 0))
+        return std::nullopt;
+    return is_tram ? 2 * k_kerb : 3 * k_kerb;
+}
+
+void add_osm_railways(OsmImport& in) {
+    constexpr float k_platform_width = 3.2f;
+    std::vector<OsmStreet> tracks;
+    for (const OsmWay& way : in.map.ways) {
+        if (std::optional<OsmHighway> track = track_of(way.tags)) {
+            OsmStreet street{&way, *track, lines_of(in, way)};
+            if (street.lines.empty()) continue;
+            count_built(in.counts, OsmSort::track);
+            tracks.push_back(std::move(street));
+        }
+        std::optional<float> height = platform_of(way.tags);
+        if (!height || way.closed()) continue;
+        OsmHighway platform{clamp(parse_metres(way.tags["width"]).value_or(k_platform_width), 1.5f, 20), 0,
+                            false, Surface::plaza, level_of(way.tags)};
+        OsmStreet street{&way, platform, lines_of(in, way)};
+        if (street.lines.empty()) continue;
+        count_built(in.counts, OsmSort::platform);
+        if (platform.level > 0) {
+            in.raised.push_back(std::move(street));
+            continue;
+        }
+        Area area;
+        area.rank = k_rank_platform;
+        area.kind = Surface::plaza;
+        area.lift = flat(*height);
+        for (const std::vector<Vec2>& line : street.lines)
+            add_strip(area.rings, line, platform.width * 0.5f, platform.width * 0.5f, false);
+        in.plan.areas.push_back(std::move(area));
+    }
+    std::vector<bool> climbs = find_climbing(tracks);
+    for (size_t i = 0; i < tracks.size(); ++i) {
+        for (const std::vector<Vec2>& line : tracks[i].lines) {
+            auto owner = static_cast<uint32_t>(tracks[i].way - in.map.ways.data());
+            if (climbs[i]) continue;
+            add_track(in.plan, line, tracks[i].highway.width * 0.5f,
+                      tracks[i].way->tags.is("railway", "tram"));
+            in.tracks.add(line, owner, tracks[i].highway.width * 0.5f);
+        }
+        if (climbs[i]) in.raised.push_back(std::move(tracks[i]));
+    }
+    in.tracks.sort();
+}
+
+void lay_osm_rails(OsmImport& in, const std::vector<DeckPiece>& decks) {
+    constexpr float k_piece = 2;  // on terrain, metres
+    uint32_t building = ~0u;
+    auto lay = [&](Vec3 a, Vec3 b) {
+        if (building == ~0u) {
+            building = static_cast<uint32_t>(in.city.buildings.size());
+            Building steel;
+            steel.top = 1;
+            steel.roof_colour = rgb(0x9a8f84);
+            in.city.buildings.push_back(steel);
+        }
+        Vec2 along = normalize_or(on_ground(b) - on_ground(a), {1, 0});
+        Vec3 off = at_height(Vec2{along.z, -along.x} * (k_gauge * 0.5f), 0);
+        for (float side : {-1.0f, 1.0f}) lay_rail(in, a + off * side, b + off * side, building);
+    };
+    for (const LinePiece& s : in.tracks.segments) {
+        int parts =
+            in.plan.terrain ? std::max(1, static_cast<int>(std::ceil(length(s.b - s.a) / k_piece))) : 1;
+        auto at = [&](int i) {
+            Vec2 p = lerp(s.a, s.b, static_cast<float>(i) / static_cast<float>(parts));
+            return at_height(p, terrain_at(in.plan, p) + k_track);
+        };
+        for (int i = 0; i < parts; ++i) lay(at(i), at(i + 1));
+    }
+    for (const DeckPiece& piece : decks) {
+        if (in.raised[piece.street].highway.kind == Surface::track)
+            lay(at_height(piece.a, piece.a_height + k_kerb), at_height(piece.b, piece.b_height + k_kerb));
+    }
+}
+
+}  // namespace flaneur
