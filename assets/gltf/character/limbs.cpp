@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 
 namespace flaneur {
 
@@ -21,7 +22,9 @@ float limb_hints(const Rig& rig, int start) {
         if (!in[j]) continue;
         BoneKind k = rig.kind[j];
         if (k == BoneKind::upper_arm || k == BoneKind::lower_arm || k == BoneKind::hand) hints += 1;
-        if (k == BoneKind::upper_leg || k == BoneKind::foot || k == BoneKind::toes) hints -= 1;
+        if (k == BoneKind::upper_leg || k == BoneKind::lower_leg || k == BoneKind::foot ||
+            k == BoneKind::toes)
+            hints -= 1;
     }
     return clamp(hints, -1, 1);
 }
@@ -40,10 +43,26 @@ void keep_longest(std::vector<T>& all, size_t most, Length&& length_of) {
     if (all.size() > most) all.resize(most, all.front());
 }
 
-// As long, and with as many joints or as much flesh: one of them may lack its hand.
+// 1 on the left, -1 on the right, by the first name along the chain that tells; 0 where names tell of
+// neither, and nothing where there are none.
+std::optional<int> chain_side(const Rig& rig, int start) {
+    std::optional<int> side;
+    for (int j : longest_path(rig, start)) {
+        const std::string& name = rig.joints[size_t(j)].name;
+        if (!name.empty() && side.value_or(0) == 0) side = bone_side(name);
+    }
+    return side;
+}
+
+// As long, and with as many joints or as much flesh: one of them may lack its hand. Where names tell left
+// from right, one of each: a tail is no leg's like. What they tell to be one of each may be longer by what it
+// holds.
 bool mirrors(const Rig& rig, int a, int b) {
-    float la = rig.reach[size_t(a)], lb = rig.reach[size_t(b)];
-    if (std::max(la, lb) < 0.05f * rig.extent || std::min(la, lb) < 0.65f * std::max(la, lb)) return false;
+    float la = rig.reach[size_t(a)], lb = rig.reach[size_t(b)], alike = std::min(la, lb) / std::max(la, lb);
+    if (std::max(la, lb) < 0.05f * rig.extent || alike < 0.4f) return false;
+    auto side_of_a = chain_side(rig, a), side_of_b = chain_side(rig, b);
+    bool named = side_of_a && side_of_b && (*side_of_a != 0 || *side_of_b != 0);
+    if (named ? *side_of_a * *side_of_b >= 0 : alike < 0.65f) return false;
     Vec3 gap = rig.place(longest_path(rig, a).back()) - rig.place(longest_path(rig, b).back());
     if (length(gap) < 0.01f * rig.extent) return false;
     bool as_many = std::abs(rig.size[size_t(a)] - rig.size[size_t(b)]) <= 2 + rig.size[size_t(a)] / 3;
@@ -195,9 +214,7 @@ Vec3 end_of(const Rig& rig, const LimbPair& p) {
 }
 
 std::string side_of(const Rig& rig, int start) {
-    int side = 0;
-    for (int j : longest_path(rig, start))
-        if (side == 0) side = bone_side(rig.joints[size_t(j)].name);
+    int side = chain_side(rig, start).value_or(0);
     return side > 0 ? "left " : side < 0 ? "right " : "";
 }
 
@@ -218,6 +235,7 @@ Result<std::vector<Limbs>> find_limbs(const Rig& rig) {
                 rig.below(legs.a, arms.a) || rig.below(legs.a, arms.b) || arms.b == legs.b)
                 continue;
             if (arms.length < 0.3f * legs.length || legs.length < 0.2f * arms.length) continue;  // fingers
+            if (arms.hints < -0.5f) continue;  // legs by name, of more than two
             Vec3 down = normalize_or(ends[l] - middles[l], {}),
                  trunk = normalize_or(middles[a] - middles[l], {});
             float cosine = dot(down, trunk);

@@ -209,14 +209,16 @@ void map_trunk(const Rig& rig, const RigFrame& frame, const Limbs& limbs, const 
     for (size_t n = 0; n < count; ++n) map.joints[size_t(spine) + slots[n]] = trunk[n];
 }
 
-// The head is the heaviest joint of the chain that rises from between the arms. Joints of that chain below
-// the shoulders belong to the trunk.
+// The head is the heaviest joint of the chain that rises from between the arms; what a name puts on one side
+// is none. Joints of that chain below the shoulders belong to the trunk.
 bool map_head(const Rig& rig, const RigFrame& frame, const Limbs& limbs, std::vector<int>& trunk,
               RigMap& map) {
     int best_child = k_not_found;
     float best_level = -1e9f;
     for (int child : rig.children[size_t(limbs.arms.from)]) {
-        if (child == limbs.arms.a || child == limbs.arms.b || rig.below(limbs.legs.a, child)) continue;
+        if (child == limbs.arms.a || child == limbs.arms.b || rig.below(limbs.legs.a, child) ||
+            bone_side(rig.joints[size_t(child)].name) != 0)
+            continue;
         float level = -1e9f;
         std::vector<uint8_t> in = rig.subtree(child);
         for (size_t j = 0; j < in.size(); ++j)
