@@ -50,12 +50,14 @@ HWY_INLINE V3<L> moved_by(const float* joint, Q4<L> turn, V3<L> v) {
            V3<L>{row_at(joint, k_shift), row_at(joint, k_shift + 1), row_at(joint, k_shift + 2)};
 }
 
-// As bits of a float: x, y, z times 511, ten bits each.
+// As bits of a float: x, y, z times 511, ten bits each. Normals of meshes, in 127ths, may be longer than one.
 HWY_INLINE L packed(V3<L> n) {
     const LaneTag tag;
     const hn::Rebind<int32_t, LaneTag> whole;
     const auto low = hn::Set(whole, 1023);
-    auto part = [&](L v) HWY_ATTR { return hn::And(hn::NearestInt((v * L(511.0f)).v), low); };
+    auto part = [&](L v) HWY_ATTR {
+        return hn::And(hn::NearestInt((clamp(v, L(-1.0f), L(1.0f)) * L(511.0f)).v), low);
+    };
     return hn::BitCast(tag,
                        hn::Or(part(n.x), hn::Or(hn::ShiftLeft<10>(part(n.y)), hn::ShiftLeft<20>(part(n.z)))));
 }

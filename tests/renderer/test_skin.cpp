@@ -162,6 +162,33 @@ TEST(Skin, PutsVerticesWhereTheFormulaDoes) {
     EXPECT_LT(normal, 2.0 / 511);
 }
 
+// In 127ths a normal may be longer than one. Turned along an axis it must not come out as the opposite.
+TEST(Skin, ALongNormalPointsWhereItShould) {
+    Crowd crowd = random_crowd(0.3f);
+    const glm::vec3 long_normal = glm::vec3(127, 8, -8) / 127.0f;
+    for (PersonVertex& vertex : crowd.vertices)
+        vertex.normal[0] = 127, vertex.normal[1] = 8, vertex.normal[2] = -8;
+    std::vector<glm::vec3> axes;
+    for (int a = 0; a < 3; ++a)
+        for (float sign : {-1.0f, 1.0f}) axes.push_back({}), axes.back()[a] = sign;
+    for (size_t i = 0; i < crowd.palette.size(); ++i) {
+        const glm::vec3 from = glm::normalize(long_normal), to = axes[i / k_palette_joints % axes.size()];
+        crowd.palette[i].rotation = glm::normalize(glm::vec4(glm::cross(from, to), 1 + glm::dot(from, to)));
+    }
+    const Camera camera{.eye = {0, 300, 0}, .target = {1, 0, 0}, .vertical_fov = 0.6f};
+    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000, 1));
+    size_t drawn = 0;
+    for (const DrawCommand& draw : out.draws) {
+        drawn += draw.index_count;
+        for (uint32_t i = 0; i < draw.index_count; ++i) {
+            const SkinnedVertex& vertex = out.at(draw, i);
+            const glm::dvec3 axis(axes[vertex.tint % axes.size()]);
+            ASSERT_LT(glm::length(normal_of(vertex) - axis), 2.0 / 511) << vertex.tint;
+        }
+    }
+    EXPECT_GT(drawn, 1000u);
+}
+
 TEST(Skin, LeavesOutOnlyWhatShowsNothing) {
     const Crowd crowd = random_crowd(0.08f);
     const Camera camera{.eye = {3, 2, 0}, .target = {30, 0, 10}, .vertical_fov = 0.6f};
