@@ -76,6 +76,13 @@ struct Squares {
     int column(float x) const { return std::clamp(static_cast<int>((x - low.x) / k_side), 0, columns - 1); }
     int row(float z) const { return std::clamp(static_cast<int>((z - low.z) / k_side), 0, rows - 1); }
 
+    // Whether of the squares that both touch this is the first, in which they meet once.
+    bool is_first(size_t square, const Sheet& a, const Sheet& b) const {
+        auto x = static_cast<size_t>(column(std::max(a.low.x, b.low.x) - k_margin)),
+             z = static_cast<size_t>(row(std::max(a.low.z, b.low.z) - k_margin));
+        return square == z * static_cast<size_t>(columns) + x;
+    }
+
     template <class Visit>
     void visit(Vec3 from, Vec3 to, Visit each) const {
         for (int z = row(from.z - k_margin); z <= row(to.z + k_margin); ++z)
@@ -201,6 +208,7 @@ Polygon share_of(const Sheet& winner, const Sheet& loser, const Plane& plane) {
 
 // Cuts the share out of every piece; whether there was something to cut.
 bool cut(std::vector<Polygon>& pieces, const Polygon& share) {
+    if (!is_something(share)) return false;
     std::vector<Polygon> left;
     bool is_cut = false;
     for (Polygon& piece : pieces) {
@@ -245,12 +253,7 @@ Skin skin_of(const City& city) {
                 for (uint32_t i = squares.first[square]; i < squares.first[square + 1]; ++i)
                     for (uint32_t k = i + 1; k < squares.first[square + 1]; ++k) {
                         const Sheet &a = all[squares.items[i]], &b = all[squares.items[k]];
-                        if (!may_share_a_plane(a, b)) continue;
-                        // Each two once: in the first square that both touch.
-                        if (squares.column(std::max(a.low.x, b.low.x) - Squares::k_margin) != x ||
-                            squares.row(std::max(a.low.z, b.low.z) - Squares::k_margin) !=
-                                static_cast<int>(z))
-                            continue;
+                        if (!squares.is_first(square, a, b) || !may_share_a_plane(a, b)) continue;
                         bool first = a.sort <= b.sort;  // items are in the order of the city
                         met[z].push_back({squares.items[first ? k : i], first ? a : b});
                     }
@@ -265,7 +268,8 @@ Skin skin_of(const City& city) {
         squares.visit(one[0].low, one[0].high, [&](size_t square) {
             for (uint32_t i = squares.first[square]; i < squares.first[square + 1]; ++i) {
                 const Sheet& s = all[squares.items[i]];
-                if (s.sort == Sort::roof && may_share_a_plane(one[0], s))
+                if (s.sort == Sort::roof && squares.is_first(square, one[0], s) &&
+                    may_share_a_plane(one[0], s))
                     met[rows].push_back({squares.items[i], one[0]});
             }
         });

@@ -156,7 +156,7 @@ static void pave_about(OsmImport& in, const Area& square) {
     for (const Ring& ring : square.rings) {
         OsmPaving paving;
         for (Point p : ring) paving.line.push_back(to_metres(p));
-        paving.line.push_back(paving.line[0]);
+        for (size_t i : {0, 1}) paving.line.push_back(paving.line[i]);  // round the first corner too
         paving.left = k_about;
         paving.area = square;
         paving.area.rings.clear();
@@ -168,6 +168,8 @@ void add_osm_areas(OsmImport& in) {
     auto add = [&](const OsmTags& tags, const std::vector<Region>& regions) {
         std::optional<AreaKind> kind = area_kind(tags);
         if (!regions.empty()) count_built(in.counts, tags, OsmSort::pedestrian_area, OsmSort::water);
+        if (!regions.empty() && kind && kind->rank == k_rank_platform)
+            count_built(in.counts, OsmSort::platform);
         for (const Region& region : regions) {
             Area area;
             area.rank = kind->rank;

@@ -73,8 +73,9 @@ std::vector<FoundBuilding> find_buildings(OsmImport& in) {
     std::vector<FoundBuilding> all;
     auto consider = [&](int64_t id, const OsmTags& tags, auto regions) {
         std::string_view building = tags["building"], part = tags["building:part"];
-        bool wanted = (!building.empty() && building != "no") ||
-                      (building.empty() && part.empty() && is_structure(tags)),
+        bool wanted =
+                 (!building.empty() && building != "no") ||
+                 (building.empty() && part.empty() && is_structure(tags) && !tags.is("type", "building")),
              is_part = !wanted && !part.empty() && part != "no";
         if (!wanted && !is_part) return;
         if (is_hidden(tags)) {
@@ -198,7 +199,7 @@ BuildingsAround look_around(OsmImport& in, const std::vector<FoundBuilding>& all
     }
     for (const OsmWay& way : in.map.ways) {
         std::optional<OsmHighway> highway = highway_of(way.tags);
-        if (!highway || !highway->drives || way.tags.is("highway", "living_street")) continue;
+        if (!highway || !highway->drives) continue;
         for (int64_t id : way.nodes) {
             const OsmNode* node = in.map.node(id);
             if (!node) continue;

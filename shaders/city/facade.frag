@@ -32,9 +32,9 @@ void main() {
     // Each house has windows of its own: 0 sashes, 1 with shutters, 2 round heads, 3 wide ones.
     float taste = hash(uvec2(house, 0u));
     float has_shutters = float(abs(manner - 1.0) < 0.5) * (1.0 - ground);
-    float is_arched = float(abs(manner - 2.0) < 0.5) * (1.0 - is_shop);
-    float is_wide = float(manner > 2.5);
     float is_glass = float(in_wall.x > 0.01 && in_wall.x < 1.0);
+    float is_arched = float(abs(manner - 2.0) < 0.5) * (1.0 - is_shop) * (1.0 - is_glass);
+    float is_wide = float(manner > 2.5);
     float is_attic = float(height < 2.3) * (1.0 - is_glass);
     float is_french = float(taste > 0.55 && manner < 0.5) * (1.0 - ground) * (1.0 - is_attic) * (1.0 - is_glass);
 

@@ -126,6 +126,18 @@ TEST(OsmGround, SquaresReachTheHouses) {
     City city = build(d);
     EXPECT_EQ(kind_at(city, {0, 22}), Surface::plaza);
     EXPECT_EQ(kind_at(city, {0, -22}), Surface::grass);
+
+    // Round every corner alike, the one that the map begins with too.
+    Drawing about;
+    about.area({-20, -20}, {20, 20}, tag("place", "square"));
+    for (float side : {-1.0f, 1.0f}) {
+        about.area({-40, std::min(24 * side, 40 * side)}, {40, std::max(24 * side, 40 * side)}, house());
+        about.area({std::min(24 * side, 40 * side), -23.5f}, {std::max(24 * side, 40 * side), 23.5f},
+                   house());
+    }
+    City square = build(about);
+    for (float x : {-22.0f, 22.0f})
+        for (float z : {-22.0f, 22.0f}) EXPECT_EQ(kind_at(square, {x, z}), Surface::plaza) << x << ", " << z;
 }
 
 // Two carriageways that run together, 2 degrees apart: what is left between them is an island, and its end no
@@ -218,6 +230,14 @@ TEST(OsmGround, TramsRunInTheStreet) {
     EXPECT_GT(flush, 2 * 80);
     EXPECT_EQ(kind_at(city, {48, 1.5f}), Surface::track) << "beyond the street a bed of its own";
     EXPECT_GT(upright_rails(city, {40, 0}, {56, 3}), 0);
+
+    // Up to their bridge too.
+    Drawing bridge;
+    bridge.way({{-55, 0}, {30, 0}}, tag("highway", "residential") + tag("width", "8"));
+    int a = bridge.node(-55, 1.5f), b = bridge.node(32, 1.5f), c = bridge.node(55, 1.5f);
+    bridge.way({a, b}, tag("railway", "tram"));
+    bridge.way({b, c}, tag("railway", "tram") + tag("bridge", "yes") + tag("layer", "1"));
+    EXPECT_EQ(kind_at(build(bridge), {-20, 1.5f}), Surface::road);
 }
 
 TEST(OsmGround, PlatformsAreSteppedUpTo) {
@@ -349,19 +369,21 @@ TEST(OsmGround, StructuresOfOnePointStand) {
 
 // A column on its plinth, whose relation says what both are.
 TEST(OsmGround, RelationsSayWhatTheirPartsAre) {
-    Drawing d;
-    int plinth = d.next + 4;
-    d.area({-10, -10}, {10, 10}, tag("building", "yes") + tag("height", "9"));
-    int column = d.next + 4;
-    d.area({12, -3}, {18, 3}, tag("building:part", "yes") + tag("height", "50"));
-    auto member = [](int way, const std::string& role) {
-        return "<member type=\"way\" ref=\"" + std::to_string(way) + "\" role=\"" + role + "\"/>";
-    };
-    d.ways += "<relation id=\"1\">" + member(plinth, "outline") + member(column, "part") +
-              tag("type", "building") + tag("historic", "monument") + "</relation>";
-    City city = build(d);
-    ASSERT_EQ(city.buildings.size(), 2u);
-    for (const Building& b : city.buildings) EXPECT_EQ(b.finish, Finish::stone) << b.top;
+    for (const std::string& what : {tag("historic", "monument"), tag("man_made", "column")}) {
+        Drawing d;
+        int plinth = d.next + 4;
+        d.area({-10, -10}, {10, 10}, tag("building", "yes") + tag("height", "9"));
+        int column = d.next + 4;
+        d.area({12, -3}, {18, 3}, tag("building:part", "yes") + tag("height", "50"));
+        auto member = [](int way, const std::string& role) {
+            return "<member type=\"way\" ref=\"" + std::to_string(way) + "\" role=\"" + role + "\"/>";
+        };
+        d.ways += "<relation id=\"1\">" + member(plinth, "outline") + member(column, "part") +
+                  tag("type", "building") + what + "</relation>";
+        City city = build(d);
+        ASSERT_EQ(city.buildings.size(), 2u);
+        for (const Building& b : city.buildings) EXPECT_EQ(b.finish, Finish::stone) << b.top;
+    }
 }
 
 }  // namespace

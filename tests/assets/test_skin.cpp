@@ -80,12 +80,17 @@ TEST(Skin, FacadesComeBeforeGardenWalls) {
 }
 
 TEST(Skin, WhatDoesNotFightIsWhole) {
-    // Back to back; a centimetre before; beside; above; at an angle; a garden wall in its like.
+    // Back to back; a centimetre before, and 8 mm; beside; above; at an angle; in the other's line beyond it;
+    // a garden wall in its like.
     Face back = wall(0, 10, 0, 12, 5, 1);
     std::swap(back.a, back.b);
-    for (const Face& other : {back, wall(0, 10, 0, 12, 5.01f, 1), wall(10, 20, 0, 12, 5, 1),
-                              wall(0, 10, 12, 20, 5, 1), Face{{0, 0, 5}, {10, 0, 7}, 12, 12, {}, 1}})
+    for (const Face& other :
+         {back, wall(0, 10, 0, 12, 5.01f, 1), wall(5, 20, 0, 6, 5.008f, 1), wall(10, 20, 0, 12, 5, 1),
+          wall(0, 10, 12, 20, 5, 1), Face{{0, 0, 5}, {10, 0, 7}, 12, 12, {}, 1}})
         EXPECT_TRUE(skin_of(city_of({wall(0, 10, 0, 12, 5, 0), other})).faces.empty());
+    Face front{{0, 0, 0}, {7, 0, 7}, 12, 12, FaceKind::facade, 0},
+        next{{6.9f, 0, 7}, {14, 0, 13.9f}, 12, 12, FaceKind::facade, 1};
+    EXPECT_TRUE(skin_of(city_of({front, next})).faces.empty());
     Face garden = wall(0, 10, 0, 2, 5, 2, FaceKind::garden_wall);
     EXPECT_TRUE(skin_of(city_of({garden, garden})).faces.empty());
 }

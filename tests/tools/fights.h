@@ -32,7 +32,7 @@ inline constexpr float k_least_area = 0.001f, k_least_width = 0.005f;
 // Props and scenery are left out, and the shades on the ground, which lie on it by intention.
 std::vector<Fight> find_fights(const CityMesh& mesh);
 
-// "3 pairs, 1.25 m2 (2 facade-facade, 1 roof-ground)", and the largest of them with their places.
+// "3 pairs, 1.25 m2; facade-facade 2, 1.00 m2; ...", and the largest of them with their places.
 std::string told(std::vector<Fight> fights, size_t most = 5);
 
 }  // namespace flaneur

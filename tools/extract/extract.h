@@ -28,7 +28,7 @@
 namespace flaneur {
 
 // What is uploaded once: the city's ground, facades, roofs, props and scenery, and people[i] of
-// characters[i]. Without lamps.
+// characters[i]. Without lamps. Runs on threads of its own, one for each core.
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
 
 // Where the light of street lamps and shop windows falls, for SceneMeshes::lamps; houses stop it. Only seen

@@ -61,7 +61,8 @@ bool mirrors(const Rig& rig, int a, int b) {
     float la = rig.reach[size_t(a)], lb = rig.reach[size_t(b)], alike = std::min(la, lb) / std::max(la, lb);
     if (std::max(la, lb) < 0.05f * rig.extent || alike < 0.4f) return false;
     auto side_of_a = chain_side(rig, a), side_of_b = chain_side(rig, b);
-    bool named = side_of_a && side_of_b && (*side_of_a != 0 || *side_of_b != 0);
+    // A copy may have kept the name of its original, and its side.
+    bool named = side_of_a && side_of_b && *side_of_a != *side_of_b;
     if (named ? *side_of_a * *side_of_b >= 0 : alike < 0.65f) return false;
     Vec3 gap = rig.place(longest_path(rig, a).back()) - rig.place(longest_path(rig, b).back());
     if (length(gap) < 0.01f * rig.extent) return false;

@@ -91,9 +91,10 @@ Rings paved_of(const OsmImport& in, const SegmentIndex& walls, const OsmPaving& 
                     nearest = std::min(nearest, *share);
             };
             walls.near(lerp(look.at, end, 0.5f), far * 0.5f, meet);
-            in.streets.near(lerp(look.at, end, 0.5f), far * 0.5f, [&](const LinePiece& piece) {
-                if (paving.to_streets && piece.half > 0) meet(piece);
-            });
+            auto meet_street = [&](const LinePiece& piece) {
+                if (piece.half > 0) meet(piece);
+            };
+            if (paving.to_streets) in.streets.near(lerp(look.at, end, 0.5f), far * 0.5f, meet_street);
             if (nearest <= 1) look.off = nearest * far;
         }
     }

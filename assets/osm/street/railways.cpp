@@ -18,10 +18,12 @@ constexpr float k_look = 0.5f;  // where what lies below the rails is looked at,
 
 bool is_yes(const OsmTags& tags, std::string_view key) { return tags.has(key) && !tags.is(key, "no"); }
 
+bool is_tram(const OsmTags& tags) { return tags.is("railway", "tram"); }
+
 // Trams take what is left over between streets, trains their own bed.
-void add_track(GroundPlan& plan, const std::vector<Vec2>& line, float half, bool is_tram) {
+void add_track(GroundPlan& plan, const std::vector<Vec2>& line, float half, uint8_t rank) {
     Area sleepers;
-    sleepers.rank = is_tram ? k_rank_tram : k_rank_track;
+    sleepers.rank = rank;
     sleepers.kind = Surface::track;
     sleepers.lift = flat(k_track);
     Area ballast = sleepers;
@@ -36,10 +38,10 @@ void add_track(GroundPlan& plan, const std::vector<Vec2>& line, float half, bool
     plan.areas.push_back(std::move(ballast));
 }
 
-// Tracks climb to their bridges over so many metres of the ways before them.
+// Tracks climb to their bridges over at least so many metres of the ways before them.
 constexpr float k_climb = 60;
 
-// Which tracks leave the ground: bridges, and what leads up to them.
+// Which tracks leave the ground: bridges, and whole ways that lead up to them. Trams climb with their street.
 std::vector<bool> find_climbing(const std::vector<OsmStreet>& tracks) {
     struct Reached {
         int64_t node;
@@ -58,7 +60,8 @@ std::vector<bool> find_climbing(const std::vector<OsmStreet>& tracks) {
         auto [node, away] = reached[r];
         for (size_t i = 0; i < tracks.size(); ++i) {
             const OsmWay& way = *tracks[i].way;
-            if (climbs[i] || away > k_climb || (way.nodes.front() != node && way.nodes.back() != node))
+            if (climbs[i] || away > k_climb || is_tram(way.tags) ||
+                (way.nodes.front() != node && way.nodes.back() != node))
                 continue;
             float whole = away;
             for (const std::vector<Vec2>& line : tracks[i].lines) whole += length_of(line);
@@ -110,29 +113,28 @@ void lay_rail(OsmImport& in, Vec3 a, Vec3 b, uint32_t building) {
 
 std::optional<OsmHighway> track_of(const OsmTags& tags) {
     std::string_view railway = tags["railway"];
-    bool is_tram = railway == "tram";
-    if (!is_tram && railway != "rail" && railway != "light_rail" && railway != "subway" &&
+    if (!is_tram(tags) && railway != "rail" && railway != "light_rail" && railway != "subway" &&
         railway != "narrow_gauge" && railway != "funicular" && railway != "preserved")
         return std::nullopt;
     std::optional<float> storey = parse_number(tags["level"]);
     if (is_hidden(tags) || is_yes(tags, "tunnel") || (storey && *storey < 0)) return std::nullopt;
     OsmHighway track;
-    track.width = is_tram ? 3.2f : 5;
+    track.width = is_tram(tags) ? 3.2f : 5;
     track.kind = Surface::track;
     track.level = level_of(tags);
     return track;
 }
 
 std::optional<float> platform_of(const OsmTags& tags) {
-    bool is_tram = is_yes(tags, "tram") && !is_yes(tags, "train");
+    bool is_for_trams = is_yes(tags, "tram") && !is_yes(tags, "train");
     bool is_platform =
         tags.is("railway", "platform") ||
         (tags.is("public_transport", "platform") &&
-         (is_tram || is_yes(tags, "train") || is_yes(tags, "light_rail") || is_yes(tags, "subway")));
+         (is_for_trams || is_yes(tags, "train") || is_yes(tags, "light_rail") || is_yes(tags, "subway")));
     std::optional<float> storey = parse_number(tags["level"]);
     if (!is_platform || is_hidden(tags) || is_yes(tags, "tunnel") || (storey && *storey < 0))
         return std::nullopt;
-    return is_tram ? 2 * k_kerb : 3 * k_kerb;
+    return is_for_trams ? 2 * k_kerb : 3 * k_kerb;
 }
 
 void add_osm_railways(OsmImport& in) {
@@ -170,7 +172,7 @@ void add_osm_railways(OsmImport& in) {
             auto owner = static_cast<uint32_t>(tracks[i].way - in.map.ways.data());
             if (climbs[i]) continue;
             add_track(in.plan, line, tracks[i].highway.width * 0.5f,
-                      tracks[i].way->tags.is("railway", "tram"));
+                      is_tram(tracks[i].way->tags) ? k_rank_tram : k_rank_track);
             in.tracks.add(line, owner, tracks[i].highway.width * 0.5f);
         }
         if (climbs[i]) in.raised.push_back(std::move(tracks[i]));
@@ -179,7 +181,7 @@ void add_osm_railways(OsmImport& in) {
 }
 
 void lay_osm_rails(OsmImport& in, const std::vector<DeckPiece>& decks) {
-    constexpr float k_piece = 2;  // on terrain, metres
+    constexpr float k_piece = 2, k_flat_piece = 60;  // on terrain and without, metres
     uint32_t building = ~0u;
     auto lay = [&](Vec3 a, Vec3 b) {
         if (building == ~0u) {
@@ -194,8 +196,8 @@ void lay_osm_rails(OsmImport& in, const std::vector<DeckPiece>& decks) {
         for (float side : {-1.0f, 1.0f}) lay_rail(in, a + off * side, b + off * side, building);
     };
     for (const LinePiece& s : in.tracks.segments) {
-        int parts =
-            in.plan.terrain ? std::max(1, static_cast<int>(std::ceil(length(s.b - s.a) / k_piece))) : 1;
+        float piece = in.plan.terrain ? k_piece : k_flat_piece;
+        int parts = std::max(1, static_cast<int>(std::ceil(length(s.b - s.a) / piece)));
         auto at = [&](int i) {
             Vec2 p = lerp(s.a, s.b, static_cast<float>(i) / static_cast<float>(parts));
             return at_height(p, terrain_at(in.plan, p) + k_track);
