@@ -383,6 +383,9 @@ TEST(OsmGround, RelationsSayWhatTheirPartsAre) {
         City city = build(d);
         ASSERT_EQ(city.buildings.size(), 2u);
         for (const Building& b : city.buildings) EXPECT_EQ(b.finish, Finish::stone) << b.top;
+        float low = 99;
+        for (const Building& b : city.buildings) low = std::min(low, b.top);
+        EXPECT_FLOAT_EQ(low, 9) << "the plinth, once";
     }
 }
 
