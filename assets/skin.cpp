@@ -124,7 +124,8 @@ bool may_share_a_plane(const Sheet& a, const Sheet& b) {
     bool is_before = false, is_behind = false;
     for (uint32_t k = 0; k < b.count; ++k) {
         float off = dot(a.normal, b.corners[k] - a.corners[0]);
-        is_before |= off<0.01f, is_behind |= off> - 0.01f;
+        is_before = is_before || off < 0.01f;
+        is_behind = is_behind || off > -0.01f;
     }
     return is_before && is_behind;
 }

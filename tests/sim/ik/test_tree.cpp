@@ -1,19 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "sim/base/rng.h"
 #include "sim/ik/fabrik_tree-inl.h"
+#include "tests/sim/ik/vectors.h"
 
 namespace flaneur {
 namespace {
 
 using namespace HWY_NAMESPACE;
-using Vector = V3<float>;
-constexpr float k_tolerance = 1e-4f;  // metres
-
-float length(Vector v) { return std::sqrt(dot(v, v)); }
-Vector direction_from(RandomKey key, uint32_t k) {
-    return normalize(Vector{random_normal(key, k), random_normal(key, k + 1), random_normal(key, k + 2)});
-}
 
 struct Tree {
     TreeShape shape;
