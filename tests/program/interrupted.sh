@@ -1,6 +1,6 @@
 #!/bin/bash
-# interrupted.sh FLANEUR MAP: whatever the program is at, SIGINT, SIGTERM and SIGHUP end it within a second (two on a
-# busy machine) by that signal, and nothing half-written is left. MAP is a large one; without it that part is left out.
+# interrupted.sh FLANEUR MAP: whatever the program is at, SIGINT, SIGTERM and SIGHUP end it within two seconds by that
+# signal, and nothing half-written is left. MAP is a large one; without it that part is left out.
 set -euo pipefail
 flaneur=$1 map=$2
 folder=$(mktemp -d)
@@ -9,22 +9,25 @@ mkdir "$folder/here"
 cd "$folder/here"
 failed() { echo "FAILED: $*" && cat ../said && exit 1; }
 
-# Milliseconds that next to nothing takes: 5, or more where others keep the machine busy.
-pace() {
-    local start=${EPOCHREALTIME/./}
-    "$flaneur" --version > /dev/null
-    echo $(((${EPOCHREALTIME/./} - start) / 1000))
-}
-
 # Waits until the process is the program: before, it is the shell, which treats signals as it likes.
 begun() {
     while [[ -d /proc/$1 && $(cat "/proc/$1/comm" 2> /dev/null) != "$(basename "$flaneur")" ]]; do sleep 0.01; done
 }
 
 # interrupt SIGNAL SECONDS WORDS...: `flaneur WORDS` after so many seconds. $ended says "interrupted", or "done" where it
-# was quicker.
+# was quicker. A machine may be busy once; who is slow is slow three times.
 interrupt() {
-    local signal=$1 after=$2 pid status=0 start took
+    local took
+    for again in 1 2 3; do
+        interrupt_once "$@"
+        if ((took < 2000)); then return; fi
+        if ((again < 3)); then rm -rf ./*; fi
+    done
+    failed "it took $took ms"
+}
+
+interrupt_once() {
+    local signal=$1 after=$2 pid status=0 start
     shift 2
     env --default-signal=INT,TERM,HUP "$flaneur" "$@" > ../printed 2> ../said &
     pid=$!
@@ -35,12 +38,11 @@ interrupt() {
     wait $pid || status=$?
     took=$(((${EPOCHREALTIME/./} - start) / 1000))
     echo "$signal after $after s: status $status after $took ms: flaneur $*"
-    if ((status == 0)); then ended="done" && return; fi
+    if ((status == 0)); then ended="done" took=0 && return; fi
     ended=interrupted
     ((status == 128 + $(kill -l "$signal"))) || failed "status $status"
     # So soon, it may not have come to hear signals yet.
     [[ $after == 0.1 && ! -s ../said ]] || grep --quiet '^flaneur: Interrupted' ../said || failed "nothing was said"
-    ((took < 2000 + 20 * $(pace))) || failed "it took $took ms"
     if [[ -n $(find . -name '*.part') ]]; then find . && failed "something half-written is left"; fi
 }
 

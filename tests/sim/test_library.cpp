@@ -77,13 +77,19 @@ TEST(Library, TheProgramOnTopOfTheHeader) {
     EXPECT_GT(moved / 100, 3);
 }
 
-// Thousands come and go while it runs; the hash at the end.
-uint64_t come_and_go(const WorldOptions& options, bool look) {
+struct Visit {
+    uint64_t hash = 0;  // at the end
+    size_t added = 0;
+    size_t allocated = 0;  // by the steps
+};
+
+// Hundreds come and go each second while it runs.
+Visit come_and_go(const WorldOptions& options, uint32_t ticks, bool look = false) {
     WorldPtr w = made(plane(30), options);
     std::vector<WalkerId> gone;
     std::set<std::pair<uint32_t, uint32_t>> seen;
-    size_t added = 0, allocated = 0;
-    for (uint32_t tick = 0; tick < 400; ++tick) {
+    Visit visit;
+    for (uint32_t tick = 0; tick < ticks; ++tick) {
         auto number = [&](uint32_t i) { return random_unit({77, tick, 0, Purpose::spawn}, i); };
         for (uint32_t k = 0; k < 8 && walkers(*w).size() < 150; ++k) {
             WalkerOptions o;
@@ -91,7 +97,7 @@ uint64_t come_and_go(const WorldOptions& options, bool look) {
             o.radius = k % 3 == 0 ? 0.18f : 0.27f;
             auto id = add_walker(*w, o);
             if (!id) continue;
-            ++added;
+            ++visit.added;
             EXPECT_TRUE(seen.insert({id->index, id->generation}).second) << "an id came again";
             if (!o.wanders) {
                 EXPECT_TRUE(send_to(*w, *id, {number(k) * 50 - 25, 0, number(k + 50) * 50 - 25}));
@@ -99,7 +105,7 @@ uint64_t come_and_go(const WorldOptions& options, bool look) {
         }
         size_t before = allocations();
         step(*w);
-        allocated += allocations() - before;
+        visit.allocated += allocations() - before;
         for (uint32_t k = 0; k < 7 && walkers(*w).size() > 20; ++k) {
             auto all = walkers(*w);
             WalkerId id = all[static_cast<size_t>(number(100 + k) * static_cast<float>(all.size()))];
@@ -109,10 +115,6 @@ uint64_t come_and_go(const WorldOptions& options, bool look) {
         if (!look) continue;
         EXPECT_LT(deepest_overlap(*w), 0.05f);
         for (WalkerId id : walkers(*w)) EXPECT_TRUE(is_alive(*w, id));
-    }
-    EXPECT_GT(added, 2000u);
-    if (!options.tasks.run) {
-        EXPECT_EQ(allocated, 0u) << "in a step";
     }
     JointPose joints[k_joint_count];
     for (WalkerId id : gone) {
@@ -124,24 +126,42 @@ uint64_t come_and_go(const WorldOptions& options, bool look) {
         EXPECT_FALSE(motion_of(*w, id));
         EXPECT_FALSE(pose_of(*w, id, joints));
     }
-    return hash_world(*w);
+    visit.hash = hash_world(*w);
+    return visit;
 }
 
-TEST(Library, WalkersComeAndGoAndRunsAreEqual) {
+WorldOptions with_room(int threads) {
     WorldOptions options;
     options.capacity = 160;
-    options.threads = 1;
-    uint64_t expected = come_and_go(options, true);
+    options.threads = threads;
+    return options;
+}
+
+TEST(Library, ThousandsComeAndGo) {
+    Visit visit = come_and_go(with_room(1), 400, true);
+    EXPECT_GT(visit.added, 2000u);
+    EXPECT_EQ(visit.allocated, 0u) << "in a step";
+}
+
+TEST(Library, WhoComesAndGoesIsEqualOnEveryThreadCount) {
+    Visit expected = come_and_go(with_room(1), 200);
     for (int threads : {2, 7}) {
-        options.threads = threads;
-        EXPECT_EQ(come_and_go(options, false), expected) << threads << " threads";
+        Visit visit = come_and_go(with_room(threads), 200);
+        EXPECT_EQ(visit.hash, expected.hash) << threads << " threads";
+        EXPECT_EQ(visit.allocated, 0u) << threads << " threads";
     }
+    WorldOptions another = with_room(1);
+    another.seed = 2;
+    EXPECT_NE(come_and_go(another, 200).hash, expected.hash);
+}
+
+TEST(Library, StepsOnSomebodyElsesThreads) {
+    WorldOptions options = with_room(1);
+    uint64_t expected = come_and_go(options, 100).hash;
     int jobs = 0;
     options.tasks = {run_on_threads, &jobs, 3};
-    EXPECT_EQ(come_and_go(options, false), expected) << "tasks of one's own";
-    EXPECT_GT(jobs, 400);
-    options.seed = 2;
-    EXPECT_NE(come_and_go(options, false), expected);
+    EXPECT_EQ(come_and_go(options, 100).hash, expected);
+    EXPECT_GT(jobs, 100);
 }
 
 TEST(Library, NobodyStandsWhereOneLeft) {
