@@ -84,9 +84,19 @@ xdotool windowfocus "$window" mousemove --window "$window" 100 100 key F4
 timeout 60 tail --pid=$viewer --follow /dev/null
 wait $viewer
 
-# It obeys while it loads, and afterwards: what ends it, with which status.
-loading() {  # STATUS WHEN-TITLE WORDS...: the words end it
-    local status=0 start took
+# It obeys while it loads, and afterwards: what ends it, with which status. A machine may be busy once; who is slow is
+# slow three times.
+loading() {  # FLANEUR STATUS WHEN-TITLE WORDS...: the words end it
+    local took
+    for again in 1 2 3; do
+        loading_once "$@"
+        if ((took < 2000)); then return; fi
+        if ((again < 3)); then rm -rf "$folder/none"; fi
+    done
+    failed "$took ms after ${*:4}"
+}
+loading_once() {
+    local status=0 start
     XDG_CACHE_HOME=$folder/none "$1" view --scene square --walkers 3000 --size 400x300 &
     viewer=$!
     window=$(timeout 120 xdotool search --sync --onlyvisible --name "$3" | head -1)
@@ -96,10 +106,6 @@ loading() {  # STATUS WHEN-TITLE WORDS...: the words end it
     wait $viewer || status=$?
     took=$(((${EPOCHREALTIME/./} - start) / 1000))
     ((status == $2)) || failed "status $status after ${*:4}"
-    # As much longer as next to nothing takes longer on a busy machine.
-    start=${EPOCHREALTIME/./}
-    "$1" --version > /dev/null
-    ((took < 2000 + 20 * (${EPOCHREALTIME/./} - start) / 1000)) || failed "$took ms after ${*:4}"
     if [[ $3 == 'flaneur: '* && -n $(find "$folder" -name '*.part') ]]; then failed "something half-written is left"; fi
 }
 rm -rf "$folder/none"
