@@ -18,7 +18,11 @@ expect "$(probe width,height,r_frame_rate,nb_read_frames city.mp4)" 66,48,30/1,1
 expect "$(probe width,height strip.png)" 2880,420
 "$1" people --count 2 --sheet sheet.png --size 130x120 > /dev/null
 "$1" people --count 2 --sheet faces.png --size 130x120 --close > /dev/null
+"$1" people --count 2 --sheet backs.png --size 130x120 --turn 180 > /dev/null
+"$1" people --count 2 --sheet again.png --size 130x120 --turn 0 > /dev/null
 expect "$(probe width,height sheet.png)" 260,120
 expect "$(probe width,height faces.png)" 260,120
 if cmp -s sheet.png faces.png; then echo "FAILED: --close changes nothing." && exit 1; fi
-expect "$(echo *)" "city.mp4 faces.png many one sheet.png strip.png"
+if cmp -s sheet.png backs.png; then echo "FAILED: --turn changes nothing." && exit 1; fi
+cmp sheet.png again.png
+expect "$(echo *)" "again.png backs.png city.mp4 faces.png many one sheet.png strip.png"

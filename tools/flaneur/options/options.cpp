@@ -29,6 +29,7 @@ Examples:
   flaneur people --count 24 --seed 1 --sheet out/people.png    pictures of 24 of the built-in people
   flaneur people --count 24 --seed 1 --out out/people          the same people as out/people/person_01.glb, ...
   flaneur people --count 6 --close --size 800x500 --sheet out/faces.png
+  flaneur people --turn 180 --sheet out/backs.png              all of them from behind
   flaneur people --character me.glb --character you.glb --sheet out/us.png)";
 
 constexpr const char* k_inspect_footer =
@@ -319,6 +320,11 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
     command->add_option("--out", people.folder, "Write them as person_01.glb and so on")->type_name("FOLDER");
     CLI::Option* sheet = command->add_option("--sheet", people.sheet, "Draw them, a .png")->type_name("FILE");
     command->add_flag("--close", people.close, "Draw their faces")->needs(sheet);
+    command->add_option("--turn", people.turn, "Turn them to their left, so that 180 shows their backs")
+        ->type_name("DEGREES")
+        ->needs(sheet)
+        ->check(number_between(-360.0, 360.0))
+        ->capture_default_str();
     add_parsed(*command, "--size", parse_size, people.cell, "Pixels of each one's cell of the sheet", "WxH",
                "480x400")
         ->needs(sheet);

@@ -50,6 +50,7 @@ struct PeopleOptions {
     std::string folder;      // for .glb files
     std::string sheet;       // a picture of them
     bool close = false;      // of their faces
+    double turn = 0;         // degrees to their left that they are turned from how a sheet shows them
     Size cell = {480, 400};  // pixels of one of them on the sheet
 };
 

@@ -146,8 +146,8 @@ struct PosedPair {
     float width = 0, tall = 0;
 };
 
-PosedPair pair_of(const Character& character, const Moments& moments) {
-    PosedPair pair{tee(character), placed(moments.stepping, k_turned, 0)};
+PosedPair pair_of(const Character& character, const Moments& moments, float turn) {
+    PosedPair pair{placed(tee(character), turn, 0), placed(moments.stepping, k_turned + turn, 0)};
     Reach a = reach_of(character, pair.tee), b = reach_of(character, pair.stepping);
     pair.width = a.left + a.right + b.left + b.right + 3 * k_gap;
     pair.tall = std::max(a.up, b.up);
@@ -225,13 +225,13 @@ Result<void> draw_part(Sheet& sheet, const std::vector<Sitter>& sitters,
     return {};
 }
 
-// The head from ahead and half from the side.
+// The head from ahead and half from the side, turned.
 Result<void> draw_face(Sheet& sheet, const std::vector<Sitter>& sitters, uint32_t i, const Moments& moments,
-                       int left, int top, Size size) {
+                       float turn, int left, int top, Size size) {
     Size half{size.width / 2, size.height};
     float neck_up = sitters[i].character.body.height - moments.standing[head].position.y;
     for (int side : {0, 1}) {
-        PosedFigure figure{i, placed(moments.standing, side == 0 ? 0 : k_turned, 0)};
+        PosedFigure figure{i, placed(moments.standing, turn + (side == 0 ? 0 : k_turned), 0)};
         Vec3 target = figure.joints[head].position + Vec3{0, 0.45f * neck_up, 0};
         Camera camera = camera_at(target, 0, 1.3f * neck_up, 1.9f * neck_up, half);
         Result<void> drawn = draw_part(sheet, sitters, {figure}, camera, left + side * half.width, top, half);
@@ -254,12 +254,13 @@ Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool o
     int columns = sheet.size.width / people.cell.width;
     int letters = std::max(people.cell.height / 250, 1);
     Size picture{people.cell.width, people.cell.height - 14 * letters};
+    auto turn = static_cast<float>(people.turn) * k_radians;
     std::vector<Moments> moments;
     std::vector<PosedPair> pairs;
     float widest = 0, tallest = 0;
     for (const Sitter& sitter : sitters) {
         moments.push_back(moments_of(sitter));
-        pairs.push_back(pair_of(sitter.character, moments.back()));
+        pairs.push_back(pair_of(sitter.character, moments.back(), turn));
         widest = std::max(widest, pairs.back().width);
         tallest = std::max(tallest, pairs.back().tall);
     }
@@ -270,7 +271,7 @@ Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool o
         int top = static_cast<int>(i) / columns * people.cell.height;
         Result<void> drawn;
         if (people.close) {
-            drawn = draw_face(sheet, sitters, i, moments[i], left, top, picture);
+            drawn = draw_face(sheet, sitters, i, moments[i], turn, left, top, picture);
         } else {
             float wide = one_scale ? widest : pairs[i].width, tall = one_scale ? tallest : pairs[i].tall;
             Camera camera = camera_at({0, 0.48f * tall, 0}, 1.5f, wide, 1.16f * tall, picture);

@@ -22,7 +22,8 @@ struct Sitter {
 Result<PartFilePtr> open_sheet(const PeopleOptions& people, size_t count);
 
 // Shows each in a cell: with its arms held out, from ahead, beside a step of its walk,
-// half from the side; all at one scale, or each as large as fits. Close: two views of the face instead.
+// half from the side; all at one scale, or each as large as fits. Close: two views of the face instead. All
+// turned by PeopleOptions::turn.
 Result<void> draw_sheet(PartFilePtr file, const std::vector<Sitter>& sitters, bool one_scale,
                         const Options& options);
 
