@@ -66,6 +66,7 @@ Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
 Result<void> check(const WorldOptions& o) {
     if (o.capacity > k_most_walkers || o.walkers > k_most_walkers)
         return Error{"There is room for a million walkers at most."};
+    if (o.threads < 0 || o.threads > 1024) return Error{"WorldOptions::threads must be from 0 to 1024."};
     if (o.tasks.run && o.tasks.threads < 1) return Error{"TaskSystem::threads must be at least 1."};
     if (o.kinds.empty()) return Error{"There must be one kind of walkers at least."};
     for (size_t k = 0; k < o.kinds.size(); ++k) {
@@ -104,13 +105,24 @@ Result<void> check(const WorldOptions& o) {
 
 void WorldDelete::operator()(World* world) const { delete world; }
 
+static Result<WorldPtr> whole_world(std::shared_ptr<const Ground> ground, const WorldOptions& options) {
+    auto made = make_world(std::move(ground), options);
+    if (!made) return made.error();
+    return WorldPtr(std::move(made).value().release());
+}
+
 Result<WorldPtr> make_world(const Triangles& triangles, const WorldOptions& options) {
     if (Result<void> sound = check(options); !sound) return sound.error();
     Result<Ground> ground = ground_of(triangles, options.navmesh.max_slope_degrees);
     if (!ground) return ground.error();
-    auto made = make_world(std::make_shared<const Ground>(std::move(ground).value()), options);
-    if (!made) return made.error();
-    return WorldPtr(std::move(made).value().release());
+    return whole_world(std::make_shared<const Ground>(std::move(ground).value()), options);
+}
+
+Result<WorldPtr> make_world_on(const Ground& ground, const WorldOptions& options) {
+    if (Result<void> sound = check(options); !sound) return sound.error();
+    if (ground.triangle_grid.first.empty())
+        return Error{"The ground is not indexed: call index_ground first."};
+    return whole_world(std::make_shared<const Ground>(ground), options);
 }
 
 // Where a walker asked for stands, on the mesh; polygon 0: there is no room.

@@ -43,6 +43,7 @@
 #include "sim/body/body.h"
 #include "sim/crowd/demand.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
@@ -59,7 +60,8 @@ using WorldPtr = std::unique_ptr<World, WorldDelete>;
 struct Triangles {
     std::span<const Vec3> positions{};
     // Three a triangle, counter-clockwise seen from above or from outside. What is less steep than
-    // NavmeshSettings::max_slope_degrees is ground; all else is wall, which stops people and paths.
+    // NavmeshSettings::max_slope_degrees is ground; all else is wall, which stops people and paths where it
+    // is higher than NavmeshSettings::max_climb, and is stepped over where it is not: kerbs and steps.
     std::span<const uint32_t> indices{};
     // One a triangle, what kind of ground it is; none: all is plaza. Nobody walks on water or
     // railway tracks, and paths prefer sidewalks, paths and plazas to grass and roads.
@@ -80,7 +82,7 @@ struct WorldOptions {
     uint32_t capacity = 0;  // walkers there can be at one time, up to 1,000,000; raised to `walkers`
     uint32_t walkers = 0;   // of them set down by chance at the start, 0.95..1.05 times their body, to wander
     uint64_t seed = 1;      // of all that is left to chance
-    int threads = 0;        // that make_world and step use, the calling one included; 0: one a core
+    int threads = 0;        // that make_world and step use, the calling one included, to 1024; 0: one a core
     TaskSystem tasks{};     // one's own threads instead, if `run` is set; paths are prepared on the caller's
     std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
     // One's own answers to where exactly the ground is, for feet, and where walls are, for hands: a height
@@ -99,6 +101,11 @@ struct WorldOptions {
 // numbers that are not finite, ground too small to stand on or without room for `walkers`, options out of
 // range.
 Result<WorldPtr> make_world(const Triangles& triangles, const WorldOptions& options = {});
+
+// The same on ground that knows kerbs, walls and obstacles by themselves, such as City::ground of
+// flaneur::assets; it is copied, and must be indexed, as that is. Give City::destinations as
+// WorldOptions::destinations.
+Result<WorldPtr> make_world_on(const Ground& ground, const WorldOptions& options = {});
 
 struct WalkerOptions {
     std::optional<Vec3> place{};  // on the ground or within 2 m of it; none: by chance where there is room

@@ -52,7 +52,8 @@ class BoundedDecompressor final : public osmium::io::Decompressor {
         : m_inner(inner), m_room(std::max(k_least, packed * k_most_times)) {}
     std::string read() override {
         std::string bytes = m_inner->read();
-        if (bytes.size() > m_room) throw TooMuch("unpacks to more than a hundred times its size");
+        if (bytes.size() > m_room)
+            throw TooMuch("unpacks to more than a hundred times its size, as no map does");
         m_room -= bytes.size();
         return bytes;
     }
@@ -251,7 +252,8 @@ auto guarded(const std::string& name, const std::string& advice, Read read) -> R
     try {
         return read();
     } catch (const TooMuch& e) {
-        return Error{"The map " + name + " " + e.what() + "; " + advice + "."};
+        return Error{"The map " + name + " " + e.what() + "; " +
+                     (advice.empty() ? "download or export it again" : advice) + "."};
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {

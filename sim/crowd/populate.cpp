@@ -115,9 +115,9 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
             if (is_free(placed, c, p.position)) w.place = p;
         }
         if (w.place.polygon == 0) {
-            return Error{"only about " + std::to_string(i) + " of " + std::to_string(walkers) +
+            return Error{"Only about " + std::to_string(i) + " of " + std::to_string(walkers) +
                          " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
-                         "': take fewer, or more ground"};
+                         "': take fewer, or more ground."};
         }
         NavPoint place = w.place;
         w = draw_walker(folk, {seed, i, 0, Purpose::body});

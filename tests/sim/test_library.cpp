@@ -11,6 +11,7 @@
 #include "sim/sim.h"
 #include "sim/world.h"
 #include "tests/sim/allocations.h"
+#include "tests/sim/small_grounds.h"
 
 namespace flaneur {
 namespace {
@@ -164,6 +165,21 @@ TEST(Library, StepsOnSomebodyElsesThreads) {
     EXPECT_GT(jobs, 100);
 }
 
+// Ground that knows what stands in the way keeps people out of it, as triangles alone cannot.
+TEST(Library, PeopleWalkOnAGroundWithItsObstacles) {
+    Ground ground = square(20);
+    ground.obstacles.push_back({{0, 0, 0}, 0, {2, 2}});
+    auto made = make_world_on(ground, {.walkers = 30});
+    ASSERT_TRUE(made) << made.error().message;
+    for (int tick = 0; tick < 1200; ++tick) {
+        step(**made);
+        for (WalkerId id : walkers(**made)) {
+            Vec3 p = motion_of(**made, id)->position;
+            EXPECT_FALSE(std::fabs(p.x) < 2 && std::fabs(p.z) < 2) << p.x << ", " << p.z;
+        }
+    }
+}
+
 TEST(Library, NobodyStandsWhereOneLeft) {
     WorldPtr w = made(plane(10), {.capacity = 3});
     auto a = add_walker(*w, {.place = Vec3{0, 0, 0}});
@@ -270,6 +286,8 @@ TEST(Library, WhatCannotBeIsRefusedWithASentence) {
     refused(make_world(p.triangles(), {.kinds = {}}), "kind");
     refused(make_world(p.triangles(), {.hour = 30}), "hour");
     refused(make_world(p.triangles(), {.capacity = 2000000}), "million");
+    refused(make_world(p.triangles(), {.threads = -3}), "threads");
+    refused(make_world_on(Ground(), {.capacity = 1}), "index_ground");
     WorldPtr w = made(p, {.capacity = 1});
     refused(add_walker(*w, {.place = Vec3{50, 0, 0}}), "ground");
     refused(add_walker(*w, {.kind = 3}), "kind");

@@ -308,6 +308,7 @@ Finding check_paths(const City& city, const Navmesh& mesh) {
 Result<void> check_city(const Options& options) {
     if (options.scene.asteroid)
         return Error{"--check is for cities: an asteroid has neither houses nor streets to check."};
+    if (options.scene.walkers == 0) return Error{"--check watches walkers: --walkers 0 leaves it nobody."};
     PartFilePtr file;
     if (!options.json.empty()) {
         Result<PartFilePtr> opened = open_file(options.json);

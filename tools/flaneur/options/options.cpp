@@ -401,6 +401,21 @@ void add_cache(CLI::App& app, Options& options) {
     cache->add_flag("--clear", options.clear_cache, "Remove it");
 }
 
+// A name that is empty, as of a variable that nobody set, is not the same as no name.
+Result<void> check_names(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        for (const CLI::Option* option : command->get_options()) {
+            std::string type = option->get_type_name();
+            if (!type.starts_with("FILE") && !type.starts_with("FOLDER")) continue;
+            for (const std::string& name : option->results())
+                if (name.empty())
+                    return Error{option->get_name() + " is empty: give the name of a " +
+                                 (type.starts_with("FILE") ? "file" : "folder") + ", or leave it out."};
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv) {
@@ -432,6 +447,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     } catch (const CLI::ParseError& error) {
         return refusal(app, error, argc, argv);
     }
+    if (Result<void> named = check_names(app); !named) return named.error();
     Result<void> settled = settle_scene(words, options);
     if (!settled) return settled.error();
     return Parsed(std::move(options));

@@ -1,0 +1,13 @@
+#!/bin/bash
+# empty_names.sh FLANEUR: a name that is empty, as of a variable that nobody set, is refused and not taken for none.
+set -euo pipefail
+refused() {
+    if "$@" 2> said; then echo "FAILED: ${*:2} was not refused." && exit 1; fi
+    grep --quiet 'is empty: give the name of a ' said || { cat said && exit 1; }
+}
+cd "$(mktemp -d)"
+refused "$1" sim --city "" --seconds 0
+refused "$1" sim --seconds 0 --hash-log ""
+refused "$1" gait --json ""
+refused "$1" people --count 1 --out ""
+refused "$1" city --check --json ""
