@@ -255,6 +255,7 @@ void measure_rig(const GltfScene& scene, const Pose& pose, BakedMesh& mesh) {
         int parent = parent_joint(scene, pose, node);
         joint.parent = parent < 0 ? -1 : pose.rig_of[size_t(parent)];
         joint.place = pose.world[size_t(node)].t;
+        joint.rest = scene.nodes[size_t(node)].world.t;
         mesh.rig.push_back(joint);
         mesh.nodes.push_back(node);
         mesh.binds.push_back(pose.world[size_t(node)]);

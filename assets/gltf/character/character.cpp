@@ -107,14 +107,39 @@ Places fill_places(const BakedMesh& mesh, const RigMap& map, const Canon& canon)
     return p;
 }
 
+// By vertex: the rig's joint that moves it most.
+std::vector<int> most_moved_by(const BakedMesh& mesh) {
+    std::vector<int> by;
+    for (const auto& influences : mesh.influences)
+        by.push_back(std::max_element(influences.begin(), influences.end(), [](auto& a, auto& b) {
+                         return a.second < b.second;
+                     })->first);
+    return by;
+}
+
+// Loose things are held as they are at rest, however far away they were bound.
+void bring_loose(const GltfScene& scene, const RigMap& map, BakedMesh& mesh) {
+    auto at_rest = [&](int joint) -> const Affine& {
+        return scene.nodes[size_t(mesh.nodes[size_t(joint)])].world;
+    };
+    std::vector<int> moved_by = most_moved_by(mesh);
+    for (size_t v = 0; v < mesh.vertices.size(); ++v) {
+        int thing = moved_by[v], holder = map.joints[map.carried_by[size_t(thing)]];
+        if (!map.loose[size_t(thing)] || holder == k_not_found || mesh.rig[size_t(holder)].made_up) continue;
+        const Affine& bound = mesh.binds[size_t(thing)];
+        if (!invertible(at_rest(holder)) || !invertible(bound)) continue;
+        Affine moved =
+            mesh.binds[size_t(holder)] * inverse(at_rest(holder)) * at_rest(thing) * inverse(bound);
+        CharacterVertex& vertex = mesh.vertices[v];
+        vertex.position = transform(moved, vertex.position);
+        vertex.normal = normalize_or(rotate_scale(moved, vertex.normal), vertex.normal);
+    }
+}
+
 // By vertex: 1 where it is of a thing that hangs from a bone, or whose joint below a hand reaches farther
 // than fingers do.
 std::vector<uint8_t> held_things(const BakedMesh& mesh, const RigMap& map, const Character& c) {
-    std::vector<int> moved_by;
-    for (const auto& influences : mesh.influences)
-        moved_by.push_back(std::max_element(influences.begin(), influences.end(), [](auto& a, auto& b) {
-                               return a.second < b.second;
-                           })->first);
+    std::vector<int> moved_by = most_moved_by(mesh);
     std::vector<uint8_t> held = mesh.rigid, far(mesh.rig.size(), 0);
     for (size_t v = 0; v < c.vertices.size(); ++v) {
         size_t hand = c.vertices[v].joints[0];
@@ -204,6 +229,7 @@ Result<MappedCharacter> map_character(const GltfScene& scene, const CharacterOpt
     if (!mesh) return mesh.error();
     auto map = map_rig(mesh->rig, mesh->low, mesh->high, options.force);
     if (!map) return map.error();
+    bring_loose(scene, *map, *mesh);
     MappedCharacter out;
     out.map = *map;
     out.nodes = mesh->nodes;

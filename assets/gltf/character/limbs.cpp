@@ -14,6 +14,8 @@ namespace {
 constexpr size_t k_most_children = 12, k_most_pairs = 128;
 constexpr size_t k_most_choices = 8;
 constexpr float k_much_less_likely = 1.5f;
+// Cosine of the angle between legs and trunk, at most: short legs with long feet reach ahead as much as down.
+constexpr float k_upright = -0.4f;
 
 float limb_hints(const Rig& rig, int start) {
     float hints = 0;
@@ -246,10 +248,10 @@ Result<std::vector<Limbs>> find_limbs(const Rig& rig) {
                           2 * (legs.length + arm) / rig.extent;
             score -= std::fabs(dot(sides[a], trunk));  // one arm is no higher than the other
             if (score > best) best = score, best_cosine = cosine;
-            if (cosine <= -0.5f) choices.push_back({legs, arms, score});
+            if (cosine <= k_upright) choices.push_back({legs, arms, score});
         }
     if (best < -1e8f) return missing_limbs(rig, pairs);
-    if (best_cosine > -0.5f)
+    if (best_cosine > k_upright)
         return Error{
             "no arms, left or right, were found above its legs: the limbs do not belong to an upright body, "
             "which a character needs"};

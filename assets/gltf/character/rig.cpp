@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/gltf/character/facing.h"
 #include "assets/gltf/character/limbs.h"
+#include "assets/gltf/character/rig_carry.h"
 #include "assets/gltf/character/rig_tree.h"
 
 namespace flaneur {
@@ -32,7 +34,7 @@ struct RigFrame {
 };
 
 struct Chain {
-    int joints[4] = {k_not_found, k_not_found, k_not_found, k_not_found};
+    std::array<int, 4> joints = {k_not_found, k_not_found, k_not_found, k_not_found};
     float score = -1e9f;
 };
 
@@ -72,11 +74,13 @@ Chain find_arm(const Rig& rig, const RigFrame& frame, const std::vector<int>& pa
                 float upper = length(elbow - shoulder), fore = length(wrist - elbow);
                 if (upper < 0.03f * frame.height || fore < 0.03f * frame.height) continue;
                 float out = std::fabs(dot(shoulder - centre, side)) / frame.height;
-                if (out < 0.03f) continue;  // where clavicles spring
+                if (out < 0.03f) continue;                            // where clavicles spring
+                float left_out = i > 1 ? 0.3f * float(i - 1) : 0.0f;  // between trunk and shoulder
                 float fingers = rig.children[size_t(path[n])].size() > 1 ? 0.4f : 0.0f;
                 float score = -misfit(upper, fore, 1.15f) -
                               4 * std::fabs((upper + fore) / frame.height - 0.32f) -
-                              4 * std::fabs(out - 0.10f) + fingers + hint(rig, path[i], BoneKind::upper_arm) +
+                              4 * std::fabs(out - 0.10f) - left_out + fingers +
+                              hint(rig, path[i], BoneKind::upper_arm) +
                               hint(rig, path[k], BoneKind::lower_arm) + hint(rig, path[n], BoneKind::hand);
                 if (score > best.score)
                     best = {{i > 0 ? path[i - 1] : k_not_found, path[i], path[k], path[n]}, score};
@@ -249,19 +253,6 @@ bool map_head(const Rig& rig, const RigFrame& frame, const Limbs& limbs, std::ve
     return true;
 }
 
-// Flesh of the foot and all below it, seen from the ankle.
-Vec3 foot_lead(const Rig& rig, int ankle) {
-    Vec3 sum;
-    float mass = 0;
-    for (int j = ankle; j < rig.root(); ++j) {
-        if (!rig.below(j, ankle)) continue;
-        const RigJoint& joint = rig.joints[size_t(j)];
-        sum += joint.flesh * joint.mass;
-        mass += joint.mass;
-    }
-    return mass > 0 ? sum / mass - rig.place(ankle) : Vec3{};
-}
-
 // The coordinate axis within 20 degrees of v, else v.
 Vec3 nearest_axis(Vec3 v) {
     for (Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
@@ -283,8 +274,18 @@ RigFrame upright_frame(Vec3 up, Vec3 low, Vec3 high) {
     return frame;
 }
 
+// Of all the chains below a joint none has more than one bone with flesh.
+bool is_one_bone(const Rig& rig, int start) {
+    for (const std::vector<int>& path : paths_from(rig, start))
+        if (std::count_if(path.begin(), path.end(), [&](int j) { return rig.joints[size_t(j)].mass > 0; }) >
+            1)
+            return false;
+    return true;
+}
+
 std::string along(const Rig& rig, const std::string& limb, int start) {
-    return "along its " + limb + " below joint '" + rig.joints[size_t(start)].name + "'";
+    return "along its " + limb + (is_one_bone(rig, start) ? ", of one bone," : "") + " below joint '" +
+           rig.joints[size_t(start)].name + "'";
 }
 
 // What a limb lacks that was not found whole; `where` names it and is empty for one that was.
@@ -307,10 +308,22 @@ void drop_strange_wrist(const Rig& rig, std::array<Chain, 2>& arms) {
         if (strange[s]) arms[s].joints[3] = k_not_found;
 }
 
-// Puts the one on the left first.
-void put_left_first(const Rig& rig, Vec3 left, int joint, std::array<Chain, 2>& pair) {
-    if (dot(rig.place(pair[0].joints[joint]) - rig.place(pair[1].joints[joint]), left) < 0)
-        std::swap(pair[0], pair[1]);
+// Puts the one on the left first, by a joint and the next: limbs may spring from one place.
+void put_left_first(const Rig& rig, Vec3 left, size_t joint, std::array<Chain, 2>& pair) {
+    auto place = [&](const Chain& limb) {
+        return rig.place(limb.joints[joint]) + rig.place(limb.joints[joint + 1]);
+    };
+    if (dot(place(pair[0]) - place(pair[1]), left) < 0) std::swap(pair[0], pair[1]);
+}
+
+// From one limb to the other, where they first are so far from each other: they may spring from one place.
+Vec3 apart(const Rig& rig, const LimbPair& pair, float least) {
+    std::vector<int> a = longest_path(rig, pair.a), b = longest_path(rig, pair.b);
+    for (size_t n = 0; n < std::min(a.size(), b.size()); ++n) {
+        Vec3 gap = rig.place(a[n]) - rig.place(b[n]);
+        if (length(gap) > least) return gap;
+    }
+    return rig.place(pair.a) - rig.place(pair.b);
 }
 
 struct Stance {
@@ -324,7 +337,7 @@ Result<Stance> map_legs(const Rig& rig, const LimbPair& pair, Vec3 up, RigMap& m
     map.joints.fill(k_not_found);
     map.up = up;
     Stance stance{upright_frame(up, rig.low, rig.high), {}};
-    Vec3 across = rig.place(pair.a) - rig.place(pair.b);
+    Vec3 across = apart(rig, pair, 0.01f * stance.frame.height);
     Vec3 side = nearest_axis(normalize_or(across - up * dot(across, up), {1, 0, 0}));
     stance.side = normalize_or(side - up * dot(side, up), {1, 0, 0});
     std::array<Chain, 2> legs;
@@ -335,26 +348,18 @@ Result<Stance> map_legs(const Rig& rig, const LimbPair& pair, Vec3 up, RigMap& m
             return find_leg(rig, stance.frame, leg_path(rig, stance.frame, pair, path));
         });
         stance.score += legs[s].score;
-        if (legs[s].joints[0] == k_not_found) lacks[s] = along(rig, side_of(rig, start) + "leg", start);
+        bool bends = legs[s].joints[0] != k_not_found && !is_one_bone(rig, start);
+        if (!bends) lacks[s] = along(rig, side_of(rig, start) + "leg", start);
     }
     if (lacks != whole) return not_whole("hip, knee and ankle", lacks);
     if (legs[0].joints[2] == legs[1].joints[2]) return Error{"its two legs end in one foot"};
 
     Vec3 ahead = cross(stance.side, up);
-    float lead = 0;
-    for (const Chain& leg : legs) {
-        lead += dot(foot_lead(rig, leg.joints[2]), ahead);
-        if (leg.joints[3] != k_not_found)
-            lead += 0.3f * dot(rig.place(leg.joints[3]) - rig.place(leg.joints[2]), ahead);
-    }
-    if (std::fabs(lead) < 0.01f * stance.frame.height) {
+    Facing facing = weigh_facing(rig, {legs[0].joints, legs[1].joints}, up, ahead, stance.frame.height);
+    if (!facing.feet_tell)
         map.notes.push_back(
-            "Its feet point nowhere; its facing follows the names of its joints, if they tell left from "
-            "right.");
-        int side_of_a = bone_side(rig.joints[size_t(pair.a)].name);
-        if (side_of_a != 0) lead = float(side_of_a) * dot(cross(up, ahead), across);
-    }
-    map.ahead = lead < 0 ? -ahead : ahead;
+            "Its feet point nowhere; its facing follows what names, thumbs, eyes and knees tell.");
+    map.ahead = facing.sure < 0 ? -ahead : ahead;
     map.left = cross(up, map.ahead);
     put_left_first(rig, map.left, 0, legs);
     for (size_t n = 0; n < 4; ++n) {
@@ -432,49 +437,16 @@ Result<RigMap> map_tree(const RigTree& tree, Vec3 low, Vec3 high) {
     return best;
 }
 
-// Turns indices of the tree into those of the rig, and finds who carries what. Returns the share of flesh
-// that hangs from no joint that was found.
-float settle(const std::vector<RigJoint>& rig, const RigTree& tree, RigMap& map) {
-    std::vector<int> found(rig.size(), k_not_found);
-    std::vector<uint8_t> done(rig.size(), 0), above(tree.joints.size(), 0);
-    for (int j = 0; j < k_joint_count; ++j) {
-        int& joint = map.joints[size_t(j)];
-        if (joint == k_not_found) continue;
-        for (int up = joint; up >= 0; up = tree.joints[size_t(up)].parent) above[size_t(up)] = 1;
-        joint = tree.original[size_t(joint)];
-        found[size_t(joint)] = j;
-    }
-    map.carried_by.assign(rig.size(), hips);
-    std::vector<uint8_t> adrift(rig.size(), 0);
-    auto carry = [&](size_t joint, int parent) {
-        done[joint] = 1;
-        adrift[joint] = found[joint] == k_not_found && (parent < 0 || adrift[size_t(parent)]);
-        if (found[joint] != k_not_found)
-            map.carried_by[joint] = uint8_t(found[joint]);
-        else if (parent >= 0)
-            map.carried_by[joint] = map.carried_by[size_t(parent)];
-    };
-    float lost = 0, all = 0;
-    for (size_t t = 0; t < tree.joints.size(); ++t) {
-        int parent = tree.joints[t].parent;
-        carry(size_t(tree.original[t]), parent < 0 ? -1 : tree.original[size_t(parent)]);
-        all += tree.joints[t].mass;
-        if (adrift[size_t(tree.original[t])] && !above[t]) lost += tree.joints[t].mass;
-    }
-    for (size_t j = 0; j < rig.size(); ++j)
-        if (!done[j]) carry(j, rig[j].parent);
-    return all > 0 ? lost / all : 0;
-}
-
 }  // namespace
 
 Result<RigMap> map_rig(const std::vector<RigJoint>& joints, Vec3 low, Vec3 high, bool force) {
     RigTree own = living_tree(joints);
     auto map = map_tree(own, low, high);
     if (map && settle(joints, own, *map) <= k_most_adrift) return map;
+    bool has_limbs = !map && find_limbs(make_rig(own.joints, low, high));
     for (const RigTree& joined : joined_trees(own, low, high)) {
         auto other = map_tree(joined, low, high);
-        if (!map && !other) map = other;
+        if (!map && !other && !has_limbs && joined.whole) map = other;
         if (!other) continue;
         settle(joints, joined, *other);
         other->notes.push_back("Its skeleton is in pieces; they were joined where its bones meet.");

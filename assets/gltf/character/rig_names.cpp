@@ -4,13 +4,23 @@
 
 namespace flaneur {
 
-BoneKind bone_kind(std::string_view name) {
+namespace {
+
+// Its letters, in lower case and without a namespace.
+std::string letters_of(std::string_view name) {
     std::string plain;
     for (char c : name) {
-        if (c == ':') plain.clear();  // a namespace
+        if (c == ':') plain.clear();
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
         if (c >= 'a' && c <= 'z') plain += c;
     }
+    return plain;
+}
+
+}  // namespace
+
+BoneKind bone_kind(std::string_view name) {
+    std::string plain = letters_of(name);
     // The first match decides: the particular before the general.
     struct Word {
         std::string_view part;
@@ -62,6 +72,13 @@ int bone_side(std::string_view name) {
     auto has = [&](std::string_view part) { return plain.find(part) != std::string::npos; };
     bool left = has("left") || has(" l "), right = has("right") || has(" r ");
     return int(left) - int(right);
+}
+
+bool lies_in_front(std::string_view name) {
+    std::string plain = letters_of(name);
+    for (std::string_view part : {"thumb", "eye", "nose", "jaw", "mouth", "tongue", "snout", "beak"})
+        if (plain.find(part) != std::string::npos) return true;
+    return false;
 }
 
 }  // namespace flaneur

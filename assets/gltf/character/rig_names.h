@@ -25,4 +25,7 @@ BoneKind bone_kind(std::string_view name);
 // 1 for a name that says left, -1 for right, 0 for neither.
 int bone_side(std::string_view name);
 
+// Whether the name is of a part that lies ahead of what carries it: a thumb, or eyes, nose and mouth.
+bool lies_in_front(std::string_view name);
+
 }  // namespace flaneur

@@ -53,8 +53,8 @@ struct Gap {
 };
 
 // The tree's joints below `root`, each other piece below the joint whose bone is nearest to where it begins,
-// the nearest pieces first.
-RigTree joined_at(const RigTree& tree, const std::vector<int>& roots, int root, float extent) {
+// the nearest pieces first; those that begin farther than `reach` from all are left out.
+RigTree joined_at(const RigTree& tree, const std::vector<int>& roots, int root, float extent, float reach) {
     const std::vector<RigJoint>& joints = tree.joints;
     std::vector<std::vector<int>> children(joints.size());
     for (size_t j = 0; j < joints.size(); ++j)
@@ -89,6 +89,8 @@ RigTree joined_at(const RigTree& tree, const std::vector<int>& roots, int root, 
         auto nearest = std::min_element(gaps.begin(), gaps.end(),
                                         [](const Gap& a, const Gap& b) { return a.distance < b.distance; });
         Gap gap = *nearest;
+        out.whole = gap.distance <= reach;
+        if (!out.whole) break;
         gaps.erase(nearest);
         take(gap.piece, gap.to);
     }
@@ -140,7 +142,8 @@ void add_ends(std::vector<RigJoint>& rig) {
 RigTree living_tree(const std::vector<RigJoint>& rig) { return part_of(rig, living_joints(rig)); }
 
 std::vector<RigTree> joined_trees(const RigTree& tree, Vec3 low, Vec3 high) {
-    constexpr size_t k_most_trees = 4;
+    constexpr size_t k_most_roots = 4;
+    constexpr float k_apart = 0.1f;  // of the mesh's diagonal
     Flesh flesh = flesh_of(tree.joints);
     std::vector<uint8_t> wanted = flesh.own;
     for (size_t j = 0; j < wanted.size(); ++j) wanted[j] |= !flesh.below[j];
@@ -163,10 +166,13 @@ std::vector<RigTree> joined_trees(const RigTree& tree, Vec3 low, Vec3 high) {
     if (roots.size() < 2) return out;
     std::sort(order.begin(), order.end());
     std::vector<uint8_t> tried(joints.size(), 0);
+    float extent = length(high - low);
+    size_t count = 0;
     for (auto [far, root] : order) {
-        if (out.size() == k_most_trees) break;
         if (std::exchange(tried[size_t(root)], 1)) continue;
-        out.push_back(joined_at(bare, roots, root, length(high - low)));
+        if (++count > k_most_roots) break;
+        out.push_back(joined_at(bare, roots, root, extent, k_apart * extent));
+        if (!out.back().whole) out.push_back(joined_at(bare, roots, root, extent, 1e30f));
     }
     return out;
 }

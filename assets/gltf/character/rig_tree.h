@@ -10,6 +10,7 @@ namespace flaneur {
 struct RigTree {
     std::vector<RigJoint> joints;  // parents first
     std::vector<int> original;     // by joint: its index in the rig
+    bool whole = true;             // no piece was left out
 };
 
 // By joint: 1 where it carries flesh, holds together what does, or ends a chain of it close to the flesh.
@@ -22,8 +23,8 @@ void add_ends(std::vector<RigJoint>& rig);
 RigTree living_tree(const std::vector<RigJoint>& rig);
 
 // Of a tree whose flesh hangs together by nothing but joints without flesh: trees without these, each piece
-// below the bone that it begins at. They differ in the joint at the root, the likeliest first. None where
-// there is one piece only.
+// below the bone that it begins at. They differ in the joint at the root, the likeliest first. Where
+// pieces lie apart, a tree without them comes before one with them. None where there is one piece only.
 std::vector<RigTree> joined_trees(const RigTree& tree, Vec3 low, Vec3 high);
 
 }  // namespace flaneur

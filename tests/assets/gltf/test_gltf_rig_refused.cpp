@@ -102,6 +102,31 @@ TEST(GltfRig, WhatIsMissingIsNamed) {
         EXPECT_NE(character.error().message.find(says), std::string::npos) << character.error().message;
 }
 
+// Limbs of one bone are there, but bend nowhere.
+TEST(GltfRig, LimbsOfOneBoneAreSaidToBe) {
+    for (bool from_the_middle : {false, true}) {
+        Bones bones = tiny_bones();
+        mirror([&](const std::string& side, float) {
+            for (const char* part : {"toes", "foot", "lower_leg"}) drop_bone(bones, side + part, true);
+            TinyBone& leg = bones[size_t(find_bone(bones, side + "upper_leg"))];
+            Vec3 thigh = leg.place, sole = leg.to;
+            std::string bone = side + "upper_leg";
+            if (from_the_middle) {  // below a joint that carries no flesh
+                leg.place = bones[hips].place, leg.carries_flesh = false;
+                bone = side + "bone";
+                add_bone(bones, bone, side + "upper_leg", thigh, sole);
+            }
+            add_helper(bones, side + "end", bone, sole);
+        });
+        auto character = loaded(bones);
+        ASSERT_FALSE(character);
+        const std::string& says = character.error().message;
+        for (const char* leg : {"left leg, of one bone, below joint 'left_upper_leg'",
+                                "right leg, of one bone, below joint 'right_upper_leg'"})
+            EXPECT_NE(says.find(leg), std::string::npos) << says;
+    }
+}
+
 // Legs are legs; what is above them is one piece, as heavy as it may be.
 TEST(GltfRig, WhatHasTwoLegsMayBeForced) {
     for (const Bones& bones : {without({"left_shoulder", "right_shoulder"}), without({"neck"}),
