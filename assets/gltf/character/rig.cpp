@@ -274,13 +274,13 @@ RigFrame upright_frame(Vec3 up, Vec3 low, Vec3 high) {
     return frame;
 }
 
-// Of all the chains below a joint none has more than one bone with flesh.
+// The chains below a joint have one bone with flesh, and none has more.
 bool is_one_bone(const Rig& rig, int start) {
+    std::ptrdiff_t most = 0;
     for (const std::vector<int>& path : paths_from(rig, start))
-        if (std::count_if(path.begin(), path.end(), [&](int j) { return rig.joints[size_t(j)].mass > 0; }) >
-            1)
-            return false;
-    return true;
+        most = std::max(most, std::count_if(path.begin(), path.end(),
+                                            [&](int j) { return rig.joints[size_t(j)].mass > 0; }));
+    return most == 1;
 }
 
 std::string along(const Rig& rig, const std::string& limb, int start) {
