@@ -37,6 +37,15 @@ float settle(const std::vector<RigJoint>& rig, const RigTree& tree, RigMap& map)
             map.carried_by[joint] = uint8_t(found[joint]);
         else if (parent >= 0)
             map.carried_by[joint] = map.carried_by[size_t(parent)];
+        // A foot may be two bones that begin at one ankle, of which one hangs from elsewhere.
+        for (size_t foot : {size_t(left_foot), size_t(right_foot)}) {
+            if (found[joint] != k_not_found || map.joints[foot] == k_not_found) continue;
+            const RigJoint &ankle = rig[size_t(map.joints[foot])], &knee = rig[size_t(map.joints[foot - 1])];
+            bool hangs_from_shin = parent >= 0 && found[size_t(parent)] == int(foot) - 1;
+            if (hangs_from_shin && rig[joint].parent != rig[size_t(map.joints[foot])].parent &&
+                length(rig[joint].place - ankle.place) < 0.02f * length(ankle.place - knee.place))
+                map.carried_by[joint] = uint8_t(foot);
+        }
     };
     float lost = 0, all = 0;
     for (size_t t = 0; t < tree.joints.size(); ++t) {

@@ -132,6 +132,19 @@ TEST(GltfFacing, FeetMayBeLong) {
     EXPECT_GT(character->found.ahead.z, 0);
 }
 
+// A foot of two bones, one of which is nobody's child: it goes along with the other, not with the shin.
+TEST(GltfProps, AFootMayBeTwoBones) {
+    Bones bones = tiny_bones();
+    mirror([&](const std::string& side, float) {
+        Vec3 ankle = place_of(bones, side + "foot");
+        add_bone(bones, side + "sole", "", ankle, {ankle.x, 0, ankle.z + 0.15f});
+    });
+    auto character = loaded(bones);
+    ASSERT_TRUE(character) << character.error().message;
+    auto boxes = boxes_of(*character), plain = boxes_of(plain_man());
+    for (Joint foot : {left_foot, right_foot}) EXPECT_EQ(boxes[foot], plain[foot] + 1);
+}
+
 // A fork on a bone that is nobody's child: bound far away, at rest it is in a hand.
 TEST(GltfProps, AreHeldAsAtRest) {
     Bones bones = tiny_bones();
