@@ -166,8 +166,6 @@ struct BuildingsAround {
     static int square(float v) { return static_cast<int>(std::floor(v / k_square)); }
 };
 
-bool point_less(Point a, Point b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
-
 float median(std::vector<float>& values) {
     auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());

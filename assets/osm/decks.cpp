@@ -43,42 +43,28 @@ bool share_a_node(const OsmWay& a, const OsmWay& b) {
     });
 }
 
-// Nodes of the map that ways on the ground have, sorted.
-std::vector<int64_t> nodes_on_ground(const OsmImport& in) {
-    std::vector<int64_t> nodes;
-    std::vector<uint32_t> ways;
+// Places where ways on the ground have their corners, sorted.
+std::vector<Point> places_on_ground(const OsmImport& in) {
+    std::vector<Point> places;
     for (const SegmentIndex* lines : {&in.streets, &in.tracks})
-        for (const LinePiece& s : lines->segments) ways.push_back(s.owner);
-    ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
-    for (uint32_t way : ways) {
-        const OsmWay& w = in.map.ways[way];
-        nodes.insert(nodes.end(), w.nodes.begin(), w.nodes.end());
-    }
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
+        for (const LinePiece& s : lines->segments)
+            for (Vec2 p : {s.a, s.b}) places.push_back(to_point(p));
+    std::sort(places.begin(), places.end(), point_less);
+    return places;
 }
 
 Net make_net(const OsmImport& in) {
     Net net;
-    std::vector<int64_t> ground = nodes_on_ground(in);
-    std::vector<std::pair<Point, uint32_t>> shared;  // places of nodes, for finding them again
-    std::vector<Point> on_ground_at;
-    for (const OsmStreet& street : in.raised) {
-        for (int64_t id : street.way->nodes) {
-            const OsmNode* node = in.map.node(id);
-            if (!node) continue;
-            shared.push_back({to_point(in.project(*node)), 0});
-            if (std::binary_search(ground.begin(), ground.end(), id))
-                on_ground_at.push_back(shared.back().first);
-        }
-    }
-    auto less = [](Point a, Point b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; };
+    std::vector<Point> ground = places_on_ground(in);
+    std::vector<std::pair<Point, uint32_t>> shared;  // corners of raised ways, for finding them again
+    for (const OsmStreet& street : in.raised)
+        for (const std::vector<Vec2>& line : street.lines)
+            for (Vec2 p : line) shared.push_back({to_point(p), 0});
     std::sort(shared.begin(), shared.end(),
-              [&](const auto& a, const auto& b) { return less(a.first, b.first); });
+              [](const auto& a, const auto& b) { return point_less(a.first, b.first); });
     shared.erase(std::unique(shared.begin(), shared.end(),
                              [](const auto& a, const auto& b) { return a.first == b.first; }),
                  shared.end());
-    std::sort(on_ground_at.begin(), on_ground_at.end(), less);
     auto add_joint = [&](Vec2 p) {
         DeckJoint joint;
         joint.at = p;
@@ -88,12 +74,12 @@ Net make_net(const OsmImport& in) {
     };
     for (auto& [point, joint] : shared) {
         joint = add_joint(to_metres(point));
-        net.joints[joint].fixed = std::binary_search(on_ground_at.begin(), on_ground_at.end(), point, less);
+        net.joints[joint].fixed = std::binary_search(ground.begin(), ground.end(), point, point_less);
     }
     auto joint_of = [&](Vec2 p) {
         Point point = to_point(p);
         return std::lower_bound(shared.begin(), shared.end(), point,
-                                [&](const auto& a, Point b) { return less(a.first, b); })
+                                [](const auto& a, Point b) { return point_less(a.first, b); })
             ->second;
     };
     for (uint32_t s = 0; s < in.raised.size(); ++s) {

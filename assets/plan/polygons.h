@@ -25,6 +25,8 @@ struct Region {
 // Rounds to the nearest millimetre.
 Point to_point(Vec2 metres);
 Vec2 to_metres(Point p);
+// From west to east, and from north to south.
+inline bool point_less(Point a, Point b) { return a.X != b.X ? a.X < b.X : a.Y < b.Y; }
 
 // Twice the signed area, mm^2; exact.
 int64_t twice_area(const Ring& ring);

@@ -1,6 +1,7 @@
 // Railways: tracks on their ballast, rails in streets, platforms.
 #include <algorithm>
 #include <cmath>
+#include <queue>
 
 #include "assets/colour.h"
 #include "assets/osm/decks.h"
@@ -38,37 +39,108 @@ void add_track(GroundPlan& plan, const std::vector<Vec2>& line, float half, uint
     plan.areas.push_back(std::move(ballast));
 }
 
-// Tracks climb to their bridges over at least so many metres of the ways before them.
+// Tracks climb to their bridges over so many metres of the ways before them, for each level.
 constexpr float k_climb = 60;
 
-// Which tracks leave the ground: bridges, and whole ways that lead up to them. Trams climb with their street.
-std::vector<bool> find_climbing(const std::vector<OsmStreet>& tracks) {
-    struct Reached {
-        int64_t node;
-        float away;
-    };
-    std::vector<bool> climbs(tracks.size());
-    std::vector<Reached> reached;
-    auto reach = [&](size_t i, float away) {
-        climbs[i] = true;
-        for (int64_t node : {tracks[i].way->nodes.front(), tracks[i].way->nodes.back()})
-            reached.push_back({node, away});
-    };
-    for (size_t i = 0; i < tracks.size(); ++i)
-        if (tracks[i].highway.level > 0) reach(i, 0);
-    for (size_t r = 0; r < reached.size(); ++r) {
-        auto [node, away] = reached[r];
-        for (size_t i = 0; i < tracks.size(); ++i) {
-            const OsmWay& way = *tracks[i].way;
-            if (climbs[i] || away > k_climb || is_tram(way.tags) ||
-                (way.nodes.front() != node && way.nodes.back() != node))
-                continue;
-            float whole = away;
-            for (const std::vector<Vec2>& line : tracks[i].lines) whole += length_of(line);
-            reach(i, whole);
+// A track, apart where it leaves the ground.
+struct CutTrack {
+    std::vector<std::vector<Vec2>> ground, raised;
+};
+
+// How many metres of climb are left at each place of the tracks: bridges have them all, what leads up to them
+// less and less. Ways on the ground that cross a track, or share a bed with it, keep it there. Trams climb
+// with their street.
+struct Climbs {
+    std::vector<Point> places;  // sorted
+    std::vector<float> left;
+
+    float& at(Vec2 p) {
+        auto place = std::lower_bound(places.begin(), places.end(), to_point(p), point_less);
+        return left[static_cast<size_t>(place - places.begin())];
+    }
+};
+
+bool is_cut(const OsmStreet& track) { return track.highway.level == 0 && !is_tram(track.way->tags); }
+
+Climbs find_climbs(const OsmImport& in, const std::vector<OsmStreet>& tracks) {
+    Climbs climbs;
+    for (const OsmStreet& track : tracks)
+        for (const std::vector<Vec2>& line : track.lines)
+            for (Vec2 p : line) climbs.places.push_back(to_point(p));
+    std::sort(climbs.places.begin(), climbs.places.end(), point_less);
+    climbs.places.erase(std::unique(climbs.places.begin(), climbs.places.end()), climbs.places.end());
+    climbs.left.assign(climbs.places.size(), 0);
+    std::vector<uint8_t> is_held(climbs.places.size());
+    for (const LinePiece& s : in.streets.segments) {
+        for (Vec2 p : {s.a, s.b}) {
+            auto place =
+                std::lower_bound(climbs.places.begin(), climbs.places.end(), to_point(p), point_less);
+            if (place != climbs.places.end() && *place == to_point(p))
+                is_held[static_cast<size_t>(place - climbs.places.begin())] = 1;
         }
     }
+    auto index_of = [&](Vec2 p) { return static_cast<uint32_t>(&climbs.at(p) - climbs.left.data()); };
+    std::priority_queue<std::pair<float, uint32_t>> queue;  // the most left first
+    auto reach = [&](uint32_t place, float left) {
+        if (is_held[place] || left <= climbs.left[place]) return;
+        climbs.left[place] = left;
+        queue.push({left, place});
+    };
+    std::vector<std::pair<uint32_t, std::pair<uint32_t, float>>> links;  // from, to and how far
+    for (const OsmStreet& track : tracks) {
+        for (const std::vector<Vec2>& line : track.lines) {
+            for (Vec2 p : line)
+                if (track.highway.level > 0)
+                    reach(index_of(p), k_climb * static_cast<float>(track.highway.level));
+            for (size_t i = 0; is_cut(track) && i + 1 < line.size(); ++i) {
+                uint32_t a = index_of(line[i]), b = index_of(line[i + 1]);
+                float whole = length(line[i + 1] - line[i]);
+                links.push_back({a, {b, whole}});
+                links.push_back({b, {a, whole}});
+            }
+        }
+    }
+    std::sort(links.begin(), links.end());
+    while (!queue.empty()) {
+        auto [left, place] = queue.top();
+        queue.pop();
+        if (left < climbs.left[place]) continue;
+        auto link = std::lower_bound(links.begin(), links.end(), place,
+                                     [](const auto& l, uint32_t from) { return l.first < from; });
+        for (; link != links.end() && link->first == place; ++link)
+            reach(link->second.first, left - link->second.second);
+    }
     return climbs;
+}
+
+// Which parts of a track leave the ground.
+CutTrack cut_track(const OsmStreet& track, Climbs& climbs) {
+    CutTrack cut;
+    if (track.highway.level > 0) cut.raised = track.lines;
+    if (is_tram(track.way->tags) && track.highway.level == 0) cut.ground = track.lines;
+    if (!is_cut(track)) return cut;
+    for (const std::vector<Vec2>& line : track.lines) {
+        std::vector<std::vector<Vec2>>* last = nullptr;
+        auto add = [&](std::vector<std::vector<Vec2>>& parts, Vec2 a, Vec2 b) {
+            if (last != &parts) parts.push_back({a});
+            parts.back().push_back(b);
+            last = &parts;
+        };
+        for (size_t i = 0; i + 1 < line.size(); ++i) {
+            constexpr float k_least = 1;  // metres of ground between two climbs
+            Vec2 a = line[i], b = line[i + 1];
+            float up = climbs.at(a), down = climbs.at(b), whole = length(b - a);
+            if (up + down > whole - k_least && up + down > 0) {
+                add(cut.raised, a, b);
+                continue;
+            }
+            Vec2 foot = lerp(a, b, up / whole), other = lerp(a, b, 1 - down / whole);
+            if (up > 0) add(cut.raised, a, foot);
+            add(cut.ground, up > 0 ? foot : a, down > 0 ? other : b);
+            if (down > 0) add(cut.raised, other, b);
+        }
+    }
+    return cut;
 }
 
 // A rail from a to b, on ballast.
@@ -166,16 +238,18 @@ void add_osm_railways(OsmImport& in) {
             add_strip(area.rings, line, platform.width * 0.5f, platform.width * 0.5f, false);
         in.plan.areas.push_back(std::move(area));
     }
-    std::vector<bool> climbs = find_climbing(tracks);
-    for (size_t i = 0; i < tracks.size(); ++i) {
-        for (const std::vector<Vec2>& line : tracks[i].lines) {
-            auto owner = static_cast<uint32_t>(tracks[i].way - in.map.ways.data());
-            if (climbs[i]) continue;
-            add_track(in.plan, line, tracks[i].highway.width * 0.5f,
-                      is_tram(tracks[i].way->tags) ? k_rank_tram : k_rank_track);
-            in.tracks.add(line, owner, tracks[i].highway.width * 0.5f);
+    Climbs climbs = find_climbs(in, tracks);
+    for (OsmStreet& track : tracks) {
+        CutTrack cut = cut_track(track, climbs);
+        for (const std::vector<Vec2>& line : cut.ground) {
+            add_track(in.plan, line, track.highway.width * 0.5f,
+                      is_tram(track.way->tags) ? k_rank_tram : k_rank_track);
+            in.tracks.add(line, static_cast<uint32_t>(track.way - in.map.ways.data()),
+                          track.highway.width * 0.5f);
         }
-        if (climbs[i]) in.raised.push_back(std::move(tracks[i]));
+        if (cut.raised.empty()) continue;
+        track.lines = std::move(cut.raised);
+        in.raised.push_back(std::move(track));
     }
     in.tracks.sort();
 }
