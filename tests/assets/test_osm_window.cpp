@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "assets/cities.h"
+#include "assets/osm/cut.h"
 #include "assets/osm/map.h"
 #include "assets/osm/window.h"
 #include "tests/assets/city_checks.h"
@@ -147,6 +148,59 @@ TEST(OsmWindow, IsTheSameAsCuttingByHand) {
     Result<City> of_memory = city_of(in_memory, path, {});
     ASSERT_TRUE(of_memory);
     EXPECT_EQ(hash_city(*cut), hash_city(*of_memory));
+}
+
+TEST(OsmWindow, WaysCrossItBetweenTwoNodes) {
+    // A street and a railway from far to the west to far to the east; one that passes by.
+    Drawn drawn;
+    add_town(drawn, 0, 0, 3);
+    auto at = [&](double north, double east) { return drawn.node(north / k_degree, east / k_degree); };
+    int street = drawn.way({at(1150, -900), at(1150, 2900)}, tag("highway", "residential")),
+        slanting = drawn.way({at(-400, -500), at(2400, 2300)}, tag("railway", "rail")),
+        beside = drawn.way({at(1600, -900), at(1600, 2900)}, tag("highway", "residential")),
+        corner = drawn.way({at(1000, -900), at(3500, 1600)}, tag("highway", "residential"));
+    TestFolder folder;
+    std::string path = folder.write("long.osm", drawn.text());
+    const MapPlace middle{1050 / k_degree, 1000 / k_degree};
+    OsmWindow window = window_about(middle, 200);
+    Result<OsmMap> map = read_osm_window(path, window);
+    ASSERT_TRUE(map) << map.error().message;
+    EXPECT_TRUE(map->way(street));
+    EXPECT_TRUE(map->way(slanting));
+    EXPECT_FALSE(map->way(beside));
+    EXPECT_FALSE(map->way(corner)) << "it passes by the corner";
+    Result<City> city = load_osm(path, {"", 1, middle, 200});
+    ASSERT_TRUE(city) << message(city);
+    const MapPlace about = city->on_earth->middle;
+    Vec2 on_street = projection_about(about.longitude, about.latitude).at(middle.longitude, 1150 / k_degree);
+    std::optional<GroundHit> road = ground_at(city->ground, at_height(on_street, 0), 1, 1);
+    ASSERT_TRUE(road);
+    EXPECT_EQ(road->kind, Surface::road);
+    Result<OsmMap> whole = read_osm(path);
+    ASSERT_TRUE(whole);
+    OsmMap cut = cut_map(*whole, window);
+    EXPECT_EQ(cut.ways.size(), map->ways.size());
+}
+
+// Whatever the order, as many as fit are kept, the nearest ones.
+TEST(OsmWindow, TheBeltNarrowsWhereThereIsMuchAbout) {
+    const OsmWindow window = window_about({0, 0}, 100);
+    std::vector<size_t> kept;
+    for (bool is_reversed : {false, true}) {
+        Belt belt{window};
+        belt.most = 40;
+        for (int k = 0; k < 400; ++k) {
+            int i = is_reversed ? 399 - k : k;
+            belt.add(i, (101 + 10 * i) / k_degree, 0);
+        }
+        belt.sort();
+        EXPECT_TRUE(belt.find(0));
+        EXPECT_FALSE(belt.find(399));
+        EXPECT_LE(belt.places.size(), 40u);
+        EXPECT_GT(belt.places.size(), 20u);
+        kept.push_back(belt.places.size());
+    }
+    EXPECT_EQ(kept[0], kept[1]);
 }
 
 TEST(OsmWindow, ObjectsMayStandInAnyOrder) {
