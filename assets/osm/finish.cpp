@@ -64,6 +64,8 @@ constexpr Sort k_sorts[] = {
     {"clock_tower", Finish::stone},
     {"minaret", Finish::stone},
     {"tower", Finish::stone},
+    {"mast", Finish::plain},
+    {"communications_tower", Finish::plain},
     {"bridge_tower", Finish::stone},
 };
 
@@ -91,6 +93,13 @@ bool is_structure(const OsmTags& tags) {
                    tags.is("tower:construction", "guyed_tube") || tags.is("tower:construction", "dish");
     return !is_open && std::find(std::begin(k_structures), std::end(k_structures), tags["man_made"]) !=
                            std::end(k_structures);
+}
+
+// Of what is drawn as a building: lattices and masts too. Empty for what is none.
+static std::string_view named_tower(const OsmTags& tags) {
+    std::string_view made = tags["man_made"];
+    if (made == "mast" || made == "communications_tower" || made == "tower") return made;
+    return tags.has("tower:type") ? "tower" : "";
 }
 
 std::string_view structure_of(const OsmTags& tags) {
@@ -136,11 +145,14 @@ Finish finish_of(const OsmTags& tags, const OsmTags& whole, std::string_view typ
     auto has_storeys = [](const OsmTags& t) { return t.has("building:levels") || t.has("building:flats"); };
     constexpr float k_widest_tower = 16;  // metres
     for (const OsmTags* t : {&tags, &whole}) {
-        for (std::string_view name : {type, structure_of(*t), (*t)["building"], (*t)["building:part"]}) {
+        // Houses of flats are called towers too, if they are as broad; what man_made calls one is none.
+        bool is_made = !named_tower(*t).empty();
+        for (std::string_view name :
+             {(*t)["building"], (*t)["building:part"], named_tower(*t), structure_of(*t)}) {
             std::optional<Finish> finish = named_finish(name);
             if (!finish) continue;
-            bool is_block =
-                finish == Finish::stone && (has_storeys(*t) || (name == "tower" && breadth > k_widest_tower));
+            bool is_block = finish == Finish::stone &&
+                            (has_storeys(*t) || (name == "tower" && breadth > k_widest_tower && !is_made));
             if (!is_block) return *finish;
         }
     }

@@ -1,6 +1,8 @@
 // What lies between the houses of mapped cities: paving, railways, platforms; and what is no house.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "assets/cities.h"
 #include "assets/osm/decks.h"
 #include "assets/osm/map.h"
@@ -301,6 +303,39 @@ TEST(OsmGround, StreetsAndTracksPassOverOneAnother) {
     EXPECT_GT(lowest, 3) << "rails on the bridge alone";
 }
 
+// Tracks leave the ground near their bridges only, however long the way is that leads there.
+TEST(OsmGround, TracksAwayFromTheirBridgesAreCrossed) {
+    // The way that crosses it is far from the bridge, or near.
+    for (float crossing : {-40.0f, 15.0f}) {
+        Drawing d;
+        int crossed = d.node(crossing, 0), bend = d.node(25, 0), abutment = d.node(40, 0);
+        d.way({d.node(-58, 0), crossed, bend, abutment}, tag("railway", "rail"));
+        d.way({abutment, d.node(58, 0)}, tag("railway", "rail") + tag("bridge", "yes") + tag("layer", "1"));
+        d.way({{50, -50}, {50, 50}}, tag("highway", "footway"));
+        d.way({d.node(crossing, -50), crossed, d.node(crossing, 50)}, tag("highway", "footway"));
+        City city = build(d);
+        EXPECT_EQ(kind_at(city, {-30, 0.5f}), Surface::track) << "on the ground";
+        EXPECT_NEAR(here(city, {-30, 0.5f}).height, k_track, 1e-3f);
+        EXPECT_EQ(kind_at(city, {crossing, 0.5f}), Surface::path) << "a level crossing";
+        std::optional<GroundHit> bridge = ground_at(city.ground, {50, 4, 0.5f}, 2.5f, 2.5f);
+        ASSERT_TRUE(bridge);
+        EXPECT_EQ(bridge->kind, Surface::track);
+        EXPECT_GT(bridge->height, 3);
+        Result<NavmeshPtr> mesh = build_navmesh(city.ground, {}, 1);
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        std::optional<NavPoint> from = nearest(**mesh, 0, {crossing, k_kerb, -20}, {1, 0.6f, 1}),
+                                to = nearest(**mesh, 0, {crossing, k_kerb, 20}, {1, 0.6f, 1});
+        ASSERT_TRUE(from && to);
+        Vec3 corners[64];
+        int count = find_path(**mesh, 0, *from, *to, corners, 64);
+        ASSERT_GT(count, 0);
+        EXPECT_LT(length(corners[count - 1] - to->position), 0.1f);
+        float walked = 0;
+        for (int i = 0; i + 1 < count; ++i) walked += length(corners[i + 1] - corners[i]);
+        EXPECT_LT(walked, 41) << "straight across";
+    }
+}
+
 TEST(OsmGround, WhatIsHiddenIsNotLaid) {
     Drawing d;
     d.way({{-55, 0}, {55, 0}}, tag("railway", "rail") + tag("tunnel", "yes"));
@@ -387,6 +422,36 @@ TEST(OsmGround, RelationsSayWhatTheirPartsAre) {
         for (const Building& b : city.buildings) low = std::min(low, b.top);
         EXPECT_FLOAT_EQ(low, 9) << "the plinth, once";
     }
+}
+
+// Parts without tags of their own are what their outline is, however broad; where people live in it they
+// look out.
+TEST(OsmGround, PartsAreWhatTheirOutlineIs) {
+    auto finishes = [](const std::string& outline, const std::string& part) {
+        Drawing d;
+        d.area({-30, -30}, {30, 30}, outline + tag("height", "18"));
+        for (float half : {13.0f, 9.0f, 3.0f}) {
+            std::string from = std::to_string(static_cast<int>(60 - 3 * half));
+            d.area(
+                {-half, -half}, {half, half},
+                part + tag("min_height", from) + tag("height", std::to_string(70 - static_cast<int>(half))));
+        }
+        std::array<int, 4> counts{};
+        for (const Building& b : build(d).buildings) ++counts[static_cast<size_t>(b.finish)];
+        return counts;
+    };
+    const std::string part = tag("building:part", "yes"), yes = tag("building", "yes");
+    const auto windows = static_cast<size_t>(Finish::windows);
+    for (const std::string& outline :
+         {yes + tag("man_made", "tower") + tag("tower:type", "communication"),
+          yes + tag("man_made", "communications_tower"), yes + tag("man_made", "mast"),
+          yes + tag("man_made", "tower") + tag("tower:construction", "lattice"),
+          yes + tag("tower:type", "observation"), tag("man_made", "tower")})
+        EXPECT_EQ(finishes(outline, part)[windows], 0) << outline;
+    EXPECT_GT(finishes(tag("building", "tower"), part)[windows], 0) << "a house of flats";
+    for (int count : {finishes(tag("building", "tower") + tag("building:levels", "20"), part)[windows],
+                      finishes(yes, part)[windows]})
+        EXPECT_GE(count, 4);
 }
 
 }  // namespace
