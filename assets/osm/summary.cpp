@@ -1,13 +1,21 @@
 // What a map has, beside what was built of it.
 #include <algorithm>
 
+#include "assets/osm/house.h"
 #include "assets/osm/map.h"
 
 namespace flaneur {
 
 namespace {
 
-bool is_building(const OsmTags& t) { return t.has("building") && !t.is("building", "no"); }
+bool is_building(const OsmTags& t) {
+    if (t.has("building")) return !t.is("building", "no");
+    return !t.has("building:part") && is_structure(t) && !t.is("type", "building");
+}
+bool is_building_of_one_point(const OsmTags& t) { return round_structure(t, {}) && is_building(t); }
+bool says_no_height(const OsmTags& t) {
+    return !t.has("height") && !t.has("building:height") && !t.has("building:levels");
+}
 bool is_part(const OsmTags& t) {
     return !is_building(t) && t.has("building:part") && !t.is("building:part", "no");
 }
@@ -28,13 +36,13 @@ struct Sort {
     const char* name;
     enum { nodes, lines } where;  // lines: ways and relations
     bool (*is)(const OsmTags& tags);
+    bool (*is_point)(const OsmTags& tags) = nullptr;  // beside lines: a node that is built as one of them
 };
 constexpr Sort k_sorts[k_osm_sort_count] = {
-    {"buildings", Sort::lines, is_building},
+    {"buildings", Sort::lines, is_building, is_building_of_one_point},
     {"without height or levels", Sort::lines,
-     [](const OsmTags& t) {
-         return is_building(t) && !t.has("height") && !t.has("building:height") && !t.has("building:levels");
-     }},
+     [](const OsmTags& t) { return is_building(t) && says_no_height(t); },
+     [](const OsmTags& t) { return is_building_of_one_point(t) && says_no_height(t); }},
     {"building parts", Sort::lines, is_part},
     {"roofs flat", Sort::lines, has_roof<k_flat>},
     {"roofs gabled", Sort::lines, has_roof<k_gabled>},
@@ -151,11 +159,12 @@ void tell_counts(OsmImport& in) {
     for (size_t s = 0; s < k_osm_sort_count; ++s) {
         const Sort& sort = k_sorts[s];
         int found = 0;
-        auto count = [&](const auto& objects) {
-            for (const auto& object : objects) found += !object.tags.items.empty() && sort.is(object.tags);
+        auto count = [&](const auto& objects, bool (*is)(const OsmTags& tags)) {
+            for (const auto& object : objects) found += !object.tags.items.empty() && is(object.tags);
         };
-        if (sort.where == Sort::nodes) count(in.map.nodes);
-        if (sort.where == Sort::lines) count(in.map.ways), count(in.map.relations);
+        if (sort.where == Sort::nodes) count(in.map.nodes, sort.is);
+        if (sort.where == Sort::lines) count(in.map.ways, sort.is), count(in.map.relations, sort.is);
+        if (sort.is_point) count(in.map.nodes, sort.is_point);
         int built = in.counts.built[s];
         if (found > 0 || built > 0) in.city.tallies.push_back({sort.name, found, built});
     }

@@ -361,6 +361,28 @@ TEST(Osm, TalliesTellWhatWasBuilt) {
     EXPECT_EQ(tally("roads with sidewalk=*").first, 1);
 }
 
+// What is built of points is found too, and so is what stands without being called a building.
+TEST(Osm, TalliesCountWhatIsNoBuildingByName) {
+    Result<City> city =
+        load_text(map_of(k_nodes + std::string(R"(
+<node id="7" lat="0.0006" lon="0.0002"><tag k="man_made" v="chimney"/></node>
+<node id="8" lat="0.0006" lon="0.0004"><tag k="man_made" v="obelisk"/><tag k="height" v="9"/></node>
+<node id="9" lat="0.0006" lon="0.0006"><tag k="man_made" v="mast"/><tag k="height" v="9"/></node>
+<node id="10" lat="0.001" lon="0"/>)") +
+                         with_tags(k_street, "") +
+                         R"(<way id="2"><nd ref="3"/><nd ref="4"/><nd ref="5"/><nd ref="6"/><nd ref="3"/>
+<tag k="man_made" v="silo"/></way>
+<way id="3"><nd ref="1"/><nd ref="10"/><tag k="highway" v="footway"/></way>)"));
+    ASSERT_TRUE(city);
+    for (const City::Tally& t : city->tallies) {
+        int expected = t.what == "buildings" ? 3 : t.what == "without height or levels" ? 2 : -1;
+        if (expected < 0) continue;
+        EXPECT_EQ(t.built, expected) << t.what;
+        EXPECT_EQ(t.found, expected) << t.what;
+    }
+    EXPECT_EQ(city->buildings.size(), 3u);
+}
+
 // Bounded time and memory, whatever numbers say.
 TEST(Osm, HostileSizesStaySmall) {
     for (const char* tags :

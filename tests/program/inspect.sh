@@ -31,6 +31,12 @@ said part.txt '^drawn +a square about the center$'
 said map.txt '^  sidewalk +[1-9]'
 said map.json '"kind": "map"'
 
+# Rails are no house.
+sed 's|</osm>|<way id="90" version="1"><nd ref="2"/><nd ref="7"/><tag k="railway" v="rail"/></way></osm>|' "$map" > rails.osm
+"$1" inspect rails.osm > rails.txt
+said rails.txt '^buildings +1$'
+said rails.txt '^  railway tracks +1'
+
 # The kind of a file is told by how its name ends, whatever its folder is called.
 mkdir my.osm.people
 cp person_01.glb my.osm.people/

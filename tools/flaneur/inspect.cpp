@@ -82,6 +82,14 @@ Json facts_of(const Character& c) {
     return facts;
 }
 
+// Walls without houses and rails are buildings to those who draw them, and have no facades.
+size_t count_houses(const City& city) {
+    std::vector<uint8_t> is_house(city.buildings.size());
+    for (const Face& face : city.ground.faces)
+        if (face.kind == FaceKind::facade && face.building < is_house.size()) is_house[face.building] = 1;
+    return static_cast<size_t>(std::count(is_house.begin(), is_house.end(), 1));
+}
+
 Json facts_of(const City& city, const char* called) {
     std::array<float, k_surface_count> areas{};
     for (size_t t = 0; t < city.ground.kinds.size(); ++t) {
@@ -111,7 +119,7 @@ Json facts_of(const City& city, const char* called) {
     }
     facts["width_m"] = std::lround(city.ground.high.x - city.ground.low.x);
     facts["depth_m"] = std::lround(city.ground.high.z - city.ground.low.z);
-    facts["buildings"] = city.buildings.size();
+    facts["buildings"] = count_houses(city);
     facts["highest_m"] = rounded(highest);
     for (size_t kind = 0; kind < areas.size(); ++kind)
         facts["ground_m2"][k_surface_names[kind]] = std::lround(areas[kind]);
