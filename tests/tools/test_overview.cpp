@@ -1,8 +1,9 @@
-// An overview has in the picture what there is to see, wherever it lies.
+// What cameras that place themselves have in the picture: what there is to see, wherever it lies.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <memory>
 
 #include "sim/sim.h"
 #include "sim/world.h"
@@ -64,6 +65,65 @@ TEST(Overview, LooksAtTheGroundWhereNobodyIs) {
     Camera camera = overview_camera(*world, {0, 1, 0});
     EXPECT_TRUE(is_in_picture(camera, {0, 0, 0}));
     EXPECT_GT(camera.eye.y, 10);
+}
+
+constexpr uint32_t k_tower = 1000;  // and above: houses of the tower
+
+// Four fronts about a middle.
+void add_house(Ground& ground, Vec3 foot, float half, float high, uint32_t building) {
+    const Vec2 corners[] = {{-half, half}, {half, half}, {half, -half}, {-half, -half}};
+    for (size_t i = 0; i < 4; ++i) {
+        Vec3 a = foot + at_height(corners[i], 0), b = foot + at_height(corners[(i + 1) % 4], 0);
+        ground.faces.push_back({a, b, foot.y + high, foot.y + high, FaceKind::facade, building});
+    }
+}
+
+// A village in the west, and a tower in the east that has more front than all of it, in one piece or in as
+// many parts as it has storeys.
+TEST(Overview, IsNotFilledByOneHouse) {
+    for (int parts : {1, 40}) {
+        auto ground = std::make_shared<Ground>();
+        ground->vertices = {{-300, 0, -300}, {-300, 0, 300}, {300, 0, 300}, {300, 0, -300}};
+        ground->indices = {0, 1, 2, 0, 2, 3};
+        ground->kinds = {Surface::grass, Surface::grass};
+        float storey = 140.0f / static_cast<float>(parts);
+        for (int i = 0; i < parts; ++i)
+            add_house(*ground, {200, static_cast<float>(i) * storey, 0}, 45, storey,
+                      k_tower + static_cast<uint32_t>(i));
+        for (uint32_t i = 0; i < 9; ++i)
+            add_house(*ground,
+                      {-220 + 25.0f * static_cast<float>(i % 3), 0, -25 + 25.0f * static_cast<float>(i / 3)},
+                      4, 8, i);
+        index_ground(*ground);
+        auto world = make_world(ground, WorldOptions{});
+        ASSERT_TRUE(world) << world.error().message;
+        Camera camera = overview_camera(**world, {0, 0.6f, 0.8f});
+        EXPECT_TRUE(is_in_picture(camera, {-195, 4, 0})) << parts;
+        EXPECT_LT(camera.eye.x, 0) << parts;
+    }
+}
+
+// A row of people, and a shelter right beside it.
+TEST(StreetCamera, LooksPastWhatWouldFillThePicture) {
+    WorldPtr world = meadow_with_people(0, {-10, 0, 0}, 20);
+    auto looks_at_shelter = [&](const City& city) {
+        Camera camera = street_camera(city, *world);
+        Vec3 eye{camera.eye.x, 0, camera.eye.z};
+        int filled = 0;
+        for (const Prop& prop : city.props) {
+            Vec3 way = prop.position - eye;
+            filled += length(way) < 12 && is_in_picture(camera, prop.position + Vec3{0, 1.3f, 0});
+        }
+        return filled > 0;
+    };
+    City city;
+    Camera empty = street_camera(city, *world);
+    Vec3 heading{empty.target.x - empty.eye.x, 0, empty.target.z - empty.eye.z};
+    Prop shelter;
+    shelter.kind = PropKind::shelter;
+    shelter.position = Vec3{empty.eye.x, 0, empty.eye.z} + heading * (7 / length(heading));
+    city.props.push_back(shelter);
+    EXPECT_FALSE(looks_at_shelter(city));
 }
 
 }  // namespace

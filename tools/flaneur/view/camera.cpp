@@ -92,8 +92,21 @@ std::vector<float> rate_headings(const City& city, const World& world, Vec3 eye)
         }
     }
     for (const Prop& prop : city.props) {
-        float distance = length(Vec2{prop.position.x - eye.x, prop.position.z - eye.z});
+        Vec2 way = on_ground(prop.position - eye);
+        float distance = length(way);
         if (distance < 5) add(prop.position, prop.kind == PropKind::bollard ? -0.5f : -3);
+        if (distance > k_sight || prop.kind == PropKind::bollard) continue;
+        // Large ones take so much of the picture's breadth, wherever in it they stand.
+        constexpr float k_small = 0.12f, k_for_room = 30;
+        Vec2 half = half_footprint(prop);
+        float breadth = prop.kind == PropKind::tree ? prop.radius * 0.5f : std::max(half.x, half.z);
+        float angle = std::atan2(breadth, std::max(distance, 0.1f)), share = angle / k_half_view;
+        if (share < k_small) continue;
+        for (int h = 0; h < k_headings; ++h) {
+            float off = wrap_angle(heading_of(way) - static_cast<float>(h) * (2 * k_pi / k_headings));
+            if (std::fabs(off) < k_half_view + 0.5f * angle)
+                rating[static_cast<size_t>(h)] -= k_for_room * (share - k_small);
+        }
     }
     for (int h = 0; h < k_headings; ++h) {
         float yaw = static_cast<float>(h) * (2 * k_pi / k_headings);

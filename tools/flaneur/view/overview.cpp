@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/base/math.h"
@@ -40,19 +44,33 @@ std::vector<Sight> people_of(const World& world) {
     return people;
 }
 
-// The upper halves of facades.
+// The upper halves of facades. What stands over the foot of another and faces the same way does not count:
+// towers and terraces of many parts are one house.
 std::vector<Sight> fronts_of(const World& world) {
+    constexpr float k_square = 16, k_above = 3;  // metres
     std::vector<Sight> fronts;
-    if (world.roam) return fronts;  // the stage is not in the picture
+    if (world.roam) return fronts;     // the stage is not in the picture
+    using Place = std::array<int, 3>;  // a square and the way that fronts face
+    std::map<Place, float> feet;       // the lowest
+    std::vector<std::pair<Place, float>> places;
     for (const Face& f : world.ground->faces) {
         Vec2 a = on_ground(f.a), b = on_ground(f.b);
         float wide = length(b - a), high = (f.a_top - f.a.y + f.b_top - f.b.y) * 0.5f;
         if (f.kind != FaceKind::facade || wide < 2 || high < 2) continue;
-        Vec2 along = (b - a) / wide;
+        Vec2 along = (b - a) / wide, middle = (a + b) * 0.5f;
         Vec3 out{-along.z, 0, along.x};
-        Vec3 at = at_height((a + b) * 0.5f, (f.a.y + f.b.y) * 0.5f + 0.75f * high);
-        fronts.push_back({at + out * 0.3f, out, wide});
+        float foot = (f.a.y + f.b.y) * 0.5f;
+        fronts.push_back({at_height(middle, foot + 0.75f * high) + out * 0.3f, out, wide});
+        auto square = [](float v) { return static_cast<int>(std::floor(v / k_square)); };
+        int faces = static_cast<int>(std::floor(heading_of(on_ground(out)) / (k_pi / 4) + 0.5f)) & 7;
+        places.push_back({{square(middle.x), square(middle.z), faces}, foot});
+        float& lowest = feet.try_emplace(places.back().first, foot).first->second;
+        lowest = std::min(lowest, foot);
     }
+    size_t kept = 0;
+    for (size_t i = 0; i < fronts.size(); ++i)
+        if (places[i].second < feet[places[i].first] + k_above) fronts[kept++] = fronts[i];
+    fronts.resize(kept);
     return fronts;
 }
 
@@ -71,15 +89,17 @@ std::vector<Sight> joined(std::vector<Sight> a, const std::vector<Sight>& b) {
     return a;
 }
 
-// Where most is within reach.
-Vec3 liveliest(const std::vector<Sight>& sights) {
+// Where most is within reach, and nothing that was tried; none where that is nowhere.
+std::optional<Vec3> liveliest(const std::vector<Sight>& sights, const std::vector<Vec3>& tried) {
     float best = -1;
-    Vec3 centre;
+    std::optional<Vec3> centre;
     for (size_t i = 0; i < sights.size(); i += sights.size() / k_most_centres + 1) {
+        Vec3 at = sights[i].at;
+        if (std::any_of(tried.begin(), tried.end(), [&](Vec3 t) { return length(t - at) < k_reach; }))
+            continue;
         float worth = 0;
-        for (const Sight& s : sights)
-            worth += s.worth * std::max(0.0f, 1 - length(s.at - sights[i].at) / k_reach);
-        if (worth > best) best = worth, centre = sights[i].at;
+        for (const Sight& s : sights) worth += s.worth * std::max(0.0f, 1 - length(s.at - at) / k_reach);
+        if (worth > best) best = worth, centre = at;
     }
     return centre;
 }
@@ -97,20 +117,18 @@ struct Subject {
     std::vector<Sight> sights;  // within it
 };
 
-// What an overview is of: where people and houses are densest, and no more than is there; where there is
-// neither, the ground.
-Subject choose_subject(const World& world) {
+// The middle of what is there where there is nothing to see.
+Subject the_ground(const World& world) {
     const Ground& ground = *world.ground;
-    std::vector<Sight> people = people_of(world), fronts = fronts_of(world);
+    Vec2 middle = (ground.low + ground.high) * 0.5f;
+    auto hit = ground_at(ground, at_height(middle, 0), k_sky, k_sky);
+    float radius = clamp(length(ground.high - ground.low) * 0.5f, k_least_reach, k_reach);
+    return {at_height(middle, hit ? hit->height : 0), radius, {}};
+}
+
+// What is about a place, and no more than is there.
+Subject subject_about(Vec3 centre, const std::vector<Sight>& people, const std::vector<Sight>& fronts) {
     Subject subject{};
-    if (people.empty() && fronts.empty()) {
-        Vec2 middle = (ground.low + ground.high) * 0.5f;
-        auto hit = ground_at(ground, at_height(middle, 0), k_sky, k_sky);
-        subject.centre = at_height(middle, hit ? hit->height : 0);
-        subject.radius = clamp(length(ground.high - ground.low) * 0.5f, k_least_reach, k_reach);
-        return subject;
-    }
-    Vec3 centre = liveliest(joined(sample(people), sample(fronts)));
     subject.sights = joined(sample(near(people, centre)), sample(near(fronts, centre)));
     Vec3 low = centre, high = centre;
     for (const Sight& s : subject.sights) {
@@ -133,13 +151,33 @@ float rate(const World& world, const Subject& subject, Vec3 eye, Vec3 to_sun) {
     return worth;
 }
 
-}  // namespace
+// How much of the picture, 0..1, one house takes.
+float most_of_one_house(const World& world, Vec3 eye, Vec3 target) {
+    constexpr int k_columns = 8, k_rows = 5;  // rays to either side of the middle
+    constexpr float k_aspect = 16.0f / 9, k_far = 1000;
+    if (world.roam) return 0;
+    Vec3 ahead = normalize_or(target - eye, {1, 0, 0});
+    Vec3 right = normalize_or(cross(ahead, {0, 1, 0}), {1, 0, 0}), up = cross(right, ahead);
+    float half = std::tan(k_fov / 2);
+    std::map<uint32_t, int> hits;  // by house
+    for (int row = -k_rows; row <= k_rows; ++row) {
+        for (int column = -k_columns; column <= k_columns; ++column) {
+            Vec3 ray = ahead + up * (half * static_cast<float>(row) / k_rows) +
+                       right * (half * k_aspect * static_cast<float>(column) / k_columns);
+            auto hit = raycast(*world.ground, eye, ray / length(ray), k_far);
+            if (hit && hit->what == RayHit::What::face) ++hits[world.ground->faces[hit->index].building];
+        }
+    }
+    int most = 0;
+    for (auto [house, count] : hits) most = std::max(most, count);
+    return static_cast<float>(most) / ((2 * k_rows + 1) * (2 * k_columns + 1));
+}
 
-Camera overview_camera(const World& world, Vec3 to_sun) {
+// From which side most of the subject shows.
+Vec3 best_eye(const World& world, const Subject& subject, Vec3 to_sun) {
     constexpr float k_nearer = 0.72f;       // than what has the whole sphere in the picture: its rim is thin
     constexpr float k_clear = 3;            // metres, that the eye keeps from the ground below
     constexpr float k_for_horizon = 0.15f;  // worth of a flatter view, each step
-    Subject subject = choose_subject(world);
     float distance = k_nearer * subject.radius / std::sin(k_fov / 2);
     float best = -1;
     Vec3 eye;
@@ -154,7 +192,33 @@ Camera overview_camera(const World& world, Vec3 to_sun) {
             if (worth > best) best = worth, eye = candidate;
         }
     }
-    return make_camera(eye, subject.centre);
+    return eye;
+}
+
+}  // namespace
+
+Camera overview_camera(const World& world, Vec3 to_sun) {
+    constexpr float k_most = 0.25f;  // of the picture, that one house may take
+    constexpr int k_tries = 8;
+    std::vector<Sight> people = people_of(world), fronts = fronts_of(world);
+    std::vector<Sight> all = joined(sample(people), sample(fronts));
+    if (all.empty()) {
+        Subject ground = the_ground(world);
+        return make_camera(best_eye(world, ground, to_sun), ground.centre);
+    }
+    std::vector<Vec3> tried;
+    float least = 2;
+    Camera camera;
+    while (tried.size() < k_tries && least > k_most) {
+        std::optional<Vec3> centre = liveliest(all, tried);
+        if (!centre) break;
+        tried.push_back(*centre);
+        Subject subject = subject_about(*centre, people, fronts);
+        Vec3 eye = best_eye(world, subject, to_sun);
+        float share = most_of_one_house(world, eye, subject.centre);
+        if (share < least) least = share, camera = make_camera(eye, subject.centre);
+    }
+    return camera;
 }
 
 }  // namespace flaneur
