@@ -170,7 +170,8 @@ Camera choose_camera(const City& city, const World& world, const Sun& sun, const
                      float between) {
     switch (choice.kind) {
         case CameraChoice::Kind::overview:
-            return overview_camera(world, {sun.direction.x, sun.direction.y, sun.direction.z});
+            return overview_camera(world, city.buildings,
+                                   {sun.direction.x, sun.direction.y, sun.direction.z});
         case CameraChoice::Kind::street:
             return street_camera(city, world);
         case CameraChoice::Kind::follow:

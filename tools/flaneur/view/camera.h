@@ -1,6 +1,8 @@
 // Where to look from.
 #pragma once
 
+#include <span>
+
 #include "assets/city.h"
 #include "renderer/scene.h"
 #include "sim/world.h"
@@ -14,8 +16,10 @@ Camera make_camera(Vec3 eye, Vec3 target);
 bool sees(const Ground& ground, Vec3 from, Vec3 to);
 
 // From above, of where people and houses are densest: what lies within 65 m of there, or less where there is
-// less, fills the picture, seen from the side that shows most of it in the light. `to_sun` is a unit vector.
-Camera overview_camera(const World& world, Vec3 to_sun);
+// less, fills the picture, seen from the side that shows most of it in the light; elsewhere, if one house
+// would take more than a quarter of the picture. `buildings` are the city's, or none; `to_sun` is a unit
+// vector.
+Camera overview_camera(const World& world, std::span<const Building> buildings, Vec3 to_sun);
 
 // From a pedestrian's eye, where most of the walkers near the middle of the city are in
 // sight now, and no wall is within half a metre. Depends on the state alone.

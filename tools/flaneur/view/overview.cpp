@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -44,33 +43,19 @@ std::vector<Sight> people_of(const World& world) {
     return people;
 }
 
-// The upper halves of facades. What stands over the foot of another and faces the same way does not count:
-// towers and terraces of many parts are one house.
+// The upper halves of facades.
 std::vector<Sight> fronts_of(const World& world) {
-    constexpr float k_square = 16, k_above = 3;  // metres
     std::vector<Sight> fronts;
-    if (world.roam) return fronts;     // the stage is not in the picture
-    using Place = std::array<int, 3>;  // a square and the way that fronts face
-    std::map<Place, float> feet;       // the lowest
-    std::vector<std::pair<Place, float>> places;
+    if (world.roam) return fronts;  // the stage is not in the picture
     for (const Face& f : world.ground->faces) {
         Vec2 a = on_ground(f.a), b = on_ground(f.b);
         float wide = length(b - a), high = (f.a_top - f.a.y + f.b_top - f.b.y) * 0.5f;
         if (f.kind != FaceKind::facade || wide < 2 || high < 2) continue;
-        Vec2 along = (b - a) / wide, middle = (a + b) * 0.5f;
+        Vec2 along = (b - a) / wide;
         Vec3 out{-along.z, 0, along.x};
-        float foot = (f.a.y + f.b.y) * 0.5f;
-        fronts.push_back({at_height(middle, foot + 0.75f * high) + out * 0.3f, out, wide});
-        auto square = [](float v) { return static_cast<int>(std::floor(v / k_square)); };
-        int faces = static_cast<int>(std::floor(heading_of(on_ground(out)) / (k_pi / 4) + 0.5f)) & 7;
-        places.push_back({{square(middle.x), square(middle.z), faces}, foot});
-        float& lowest = feet.try_emplace(places.back().first, foot).first->second;
-        lowest = std::min(lowest, foot);
+        Vec3 at = at_height((a + b) * 0.5f, (f.a.y + f.b.y) * 0.5f + 0.75f * high);
+        fronts.push_back({at + out * 0.3f, out, wide});
     }
-    size_t kept = 0;
-    for (size_t i = 0; i < fronts.size(); ++i)
-        if (places[i].second < feet[places[i].first] + k_above) fronts[kept++] = fronts[i];
-    fronts.resize(kept);
     return fronts;
 }
 
@@ -152,7 +137,7 @@ float rate(const World& world, const Subject& subject, Vec3 eye, Vec3 to_sun) {
 }
 
 // How much of the picture, 0..1, one house takes.
-float most_of_one_house(const World& world, Vec3 eye, Vec3 target) {
+float most_of_one_house(const World& world, std::span<const Building> buildings, Vec3 eye, Vec3 target) {
     constexpr int k_columns = 8, k_rows = 5;  // rays to either side of the middle
     constexpr float k_aspect = 16.0f / 9, k_far = 1000;
     if (world.roam) return 0;
@@ -165,7 +150,10 @@ float most_of_one_house(const World& world, Vec3 eye, Vec3 target) {
             Vec3 ray = ahead + up * (half * static_cast<float>(row) / k_rows) +
                        right * (half * k_aspect * static_cast<float>(column) / k_columns);
             auto hit = raycast(*world.ground, eye, ray / length(ray), k_far);
-            if (hit && hit->what == RayHit::What::face) ++hits[world.ground->faces[hit->index].building];
+            if (!hit || hit->what != RayHit::What::face) continue;
+            uint32_t building = world.ground->faces[hit->index].building;
+            // Parts of one house have its seed.
+            ++hits[building < buildings.size() ? buildings[building].seed : building];
         }
     }
     int most = 0;
@@ -197,7 +185,7 @@ Vec3 best_eye(const World& world, const Subject& subject, Vec3 to_sun) {
 
 }  // namespace
 
-Camera overview_camera(const World& world, Vec3 to_sun) {
+Camera overview_camera(const World& world, std::span<const Building> buildings, Vec3 to_sun) {
     constexpr float k_most = 0.25f;  // of the picture, that one house may take
     constexpr int k_tries = 8;
     std::vector<Sight> people = people_of(world), fronts = fronts_of(world);
@@ -215,7 +203,7 @@ Camera overview_camera(const World& world, Vec3 to_sun) {
         tried.push_back(*centre);
         Subject subject = subject_about(*centre, people, fronts);
         Vec3 eye = best_eye(world, subject, to_sun);
-        float share = most_of_one_house(world, eye, subject.centre);
+        float share = most_of_one_house(world, buildings, eye, subject.centre);
         if (share < least) least = share, camera = make_camera(eye, subject.centre);
     }
     return camera;
