@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include "assets/cities.h"
+#include "assets/files/file.h"
 #include "tests/folder.h"
 #include "tests/sketch.h"
 #include "tests/tools/fights.h"
@@ -197,6 +199,25 @@ TEST(Fights, PiecesKeepTheirPlaces) {
         area += glm::length(glm::cross(at(1) - at(0), at(2) - at(0))) * 0.5f;
     }
     EXPECT_NEAR(area, 10 * 12 + 15 * 15 - 5 * 12, 0.2f);
+}
+
+// FLANEUR_MAPS names a folder of maps, such as the trial's; with hills or parts of them only where they say
+// so.
+TEST(Fights, MapsOfAFolderHaveNone) {
+    const char* folder = std::getenv("FLANEUR_MAPS");
+    if (!folder) GTEST_SKIP() << "SKIPPED: FLANEUR_MAPS names no folder of maps";
+    int maps = 0;
+    for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
+        if (!file.is_regular_file() || kind_of(file.path().string()) != FileKind::map) continue;
+        Result<City> city = load_osm(file.path().string());
+        if (!city) {
+            std::cout << file.path().string() << " is refused: " << city.error().message << "\n";
+            continue;
+        }
+        expect_peace(file.path().string(), *city);
+        ++maps;
+    }
+    EXPECT_GT(maps, 0) << "no map in " << folder;
 }
 
 struct CorpusMap {
