@@ -2,6 +2,7 @@
 
 #include <png.h>
 #include <webp/decode.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cassert>
@@ -16,6 +17,8 @@
 namespace flaneur {
 
 namespace {
+
+constexpr const char* k_keyword = "Comment";  // of PNG texts
 
 Error undecodable() { return Error{"cannot be decoded"}; }
 
@@ -186,7 +189,22 @@ Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t mos
     return Error{"is neither PNG nor JPEG nor WebP"};
 }
 
-std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels) {
+// A chunk of text, which goes behind the first chunk.
+static void add_comment(std::string& png, const std::string& comment) {
+    constexpr size_t k_behind_first = 8 + 25, k_name = 4;
+    auto number = [](size_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+        return bytes;
+    };
+    std::string chunk = std::string("tEXt") + k_keyword + '\0' + comment;
+    size_t length = chunk.size() - k_name;
+    chunk += number(crc32(0, reinterpret_cast<const Bytef*>(chunk.data()), static_cast<uInt>(chunk.size())));
+    png.insert(k_behind_first, number(length) + chunk);
+}
+
+std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels,
+                       const std::string& comment) {
     assert(channels == 3 || channels == 4);
     assert(pixels.size() ==
            static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels));
@@ -200,7 +218,19 @@ std::string encode_png(std::span<const uint8_t> pixels, int width, int height, i
     if (!png_image_write_to_memory(&image, png.data(), &size, 0, pixels.data(), 0, nullptr)) return {};
     png.resize(size);
     png.shrink_to_fit();
+    if (!comment.empty()) add_comment(png, comment);
     return png;
+}
+
+std::string png_comment(std::span<const uint8_t> bytes) {
+    PngReader reader(bytes);
+    if (!reader.info || !begin_png(reader)) return {};
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(reader.png, reader.info, &texts, &count);
+    for (int i = 0; i < count; ++i)
+        if (std::strcmp(texts[i].key, k_keyword) == 0) return {texts[i].text, texts[i].text_length};
+    return {};
 }
 
 }  // namespace flaneur

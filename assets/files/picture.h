@@ -20,7 +20,11 @@ struct DecodedPicture {
 Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels);
 
 // A PNG of 8 bits a channel, sRGB: rows from the top, of `channels` 3 (RGB) or 4 (RGBA) bytes a pixel. Empty
-// where there is not enough memory.
-std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels);
+// where there is not enough memory. `comment`, in ASCII, is kept with the picture.
+std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels,
+                       const std::string& comment = {});
+
+// The comment of a PNG; its first bytes, before those of the picture, do. Empty where it has none.
+std::string png_comment(std::span<const uint8_t> bytes);
 
 }  // namespace flaneur

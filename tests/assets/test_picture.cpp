@@ -166,13 +166,16 @@ TEST(Picture, WhatIsWrittenIsWhatIsRead) {
             for (int c = 0; c < 4; ++c)
                 wanted.push_back(c < channels ? sample(i % k_width, i / k_width, c) : uint8_t{255});
         }
-        std::string png = encode_png(pixels, k_width, k_height, channels);
+        std::string png = encode_png(pixels, k_width, k_height, channels, "made by hand");
         Bytes file(png.begin(), png.end());
         auto picture = decode_picture(file, k_many);
         ASSERT_TRUE(picture);
         EXPECT_EQ(picture->rgba, wanted);
         EXPECT_EQ(reference(file), wanted);
+        EXPECT_EQ(png_comment(std::span(file).first(200)), "made by hand");
     }
+    EXPECT_EQ(png_comment(png_of({PNG_COLOR_TYPE_RGB, 8})), "");
+    EXPECT_EQ(png_comment({}), "");
 }
 
 TEST(Picture, WhatIsCutShortOrTooLargeIsRefused) {

@@ -3,6 +3,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/output/record.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 
@@ -53,9 +54,10 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
 }
 
 Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
-    Result<OutputPtr> output = open_output(options.out, options.scene.size, options.ticks, options.resume);
-    if (!output) return output.error();
     if (Result<void> found = find_files(options.scene); !found) return found;
+    Result<OutputPtr> output =
+        open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
+    if (!output) return output.error();
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);

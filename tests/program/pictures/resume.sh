@@ -30,8 +30,25 @@ render --frames 0:40:4 --out "$film" --resume
 cmp "$film" before.mp4 || failed "a whole film was changed"
 [[ -s said ]] && ! grep -q -i error said || failed "$(cat said)"
 
-if render --frames 0:40:5 --out "$film" --resume; then failed "went on at another rate"; fi
-grep -q "Cannot go on with .*15 pictures a second" said || failed "$(cat said)"
-cmp "$film" before.mp4 || failed "a refused film was changed"
+# refuse PATTERN WORDS...: what another command began, or nobody knows who, is left as it is.
+refuse() {
+    if render "${@:2}" --resume; then failed "went on with another's: ${*:2}"; fi
+    grep -q -- "Cannot go on with .*$1" said || failed "$(cat said)"
+    cmp "$film" before.mp4 || failed "a refused film was changed"
+    diff -r many whole || failed "refused pictures were changed"
+}
+refuse "it was begun with --frames 0:LAST:4, not --frames 0:LAST:5\\." --frames 0:40:5 --out "$film"
+refuse "it was begun with --seed 1, --camera follow:3, not --seed 2, --camera overview\\." \
+    --frames 0:80:4 --seed 2 --camera overview --out "$film"
+refuse "with --scene corner, .*not --scene district, " --frames 0:80:4 --scene district --out "$film"
+refuse "many/000.png: it was begun with --time 17:30, .*not --time 08:00" --frames 0:80:4 --time 08:00 --out many/%03d.png
+refuse "with no --view, .*not --view trails" --frames 4:80:4 --view trails --out many/%03d.png
+ffmpeg -v error -i "$film" -c copy -map_metadata -1 stripped.mp4
+refuse "does not say which command began it" --frames 0:80:4 --out stripped.mp4
+ffmpeg -v error -i "$film" -vf scale=32:32 scaled.mp4
+refuse "32x32 at 15 pictures a second" --frames 0:80:4 --out scaled.mp4
+ffmpeg -v error -i many/000.png many/044.png
+cp many/044.png whole
+refuse "many/044.png: it does not say" --frames 0:80:4 --out many/%03d.png
 if render --frames 7 --out one.png --resume; then failed "went on with one picture"; fi
 [[ $(find . -name '*.part' -o -name '.flaneur*') == "" ]] || failed "parts are left"

@@ -14,11 +14,13 @@
 #include <filesystem>
 
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/output/record.h"
 
 namespace flaneur {
 
 struct Film {
     PartFilePtr file;
+    std::string comment;  // as ffmpeg takes it: with the record
     uint32_t step = 1;
     bool goes_on = false;  // with the film that is there
     uint32_t begun = 0;    // how many pictures that has
@@ -93,25 +95,30 @@ bool end_ffmpeg(Film& film) {
 int even(int length) { return length + length % 2; }
 
 // How many pictures a film has that is to go on.
-Result<uint32_t> count_pictures(const PartFile& file, Size size, uint32_t step) {
+Result<uint32_t> count_pictures(const PartFile& file, Size size, uint32_t step, const std::string& record) {
     Result<Pipe> pipe = make_pipe();
     if (!pipe) return pipe.error();
     Result<pid_t> probe =
         start({"ffprobe", "-loglevel", "error", "-select_streams", "v:0", "-count_packets", "-show_entries",
-               "stream=width,height,r_frame_rate,nb_read_packets", "-of", "csv=p=0", "file:" + file.target},
+               "stream=width,height,r_frame_rate,nb_read_packets:format_tags=comment", "-of",
+               "default=noprint_wrappers=1:nokey=1", "file:" + file.target},
               pipe->write, STDOUT_FILENO);
-    char said[128] = "";
-    size_t length = 0;
-    for (ssize_t got = 1; got > 0 && length + 1 < sizeof said;
-         length += static_cast<size_t>(std::max<ssize_t>(got, 0)))
-        got = read(pipe->read, said + length, sizeof said - 1 - length);
+    std::string said;
+    char some[4096];
+    for (ssize_t got = 1; got > 0;) {
+        got = read(pipe->read, some, sizeof some);
+        said.append(some, static_cast<size_t>(std::max<ssize_t>(got, 0)));
+    }
     close(pipe->read);
     if (!probe) return probe.error();
     bool content = has_ended_well(*probe);
-    int width = 0, height = 0;
+    int width = 0, height = 0, length = 0;
     uint32_t rate = 0, seconds = 0, pictures = 0;
-    if (!content || std::sscanf(said, "%d,%d,%u/%u,%u", &width, &height, &rate, &seconds, &pictures) != 5)
+    if (!content || std::sscanf(said.c_str(), "%d %d %u/%u %u %n", &width, &height, &rate, &seconds,
+                                &pictures, &length) != 5)
         return Error{"Cannot go on with " + file.path + ": it is no film that ffprobe can read."};
+    if (Result<void> same = check_record(file.path, said.substr(static_cast<size_t>(length)), record); !same)
+        return same.error();
     if (width != even(size.width) || height != even(size.height) || rate * step != 60 * seconds)
         return Error{"Cannot go on with " + file.path + ": it is " + std::to_string(width) + "x" +
                      std::to_string(height) + " at " + std::to_string(rate / std::max(1u, seconds)) +
@@ -133,13 +140,29 @@ Result<void> join(Film& film) {
     if (!whole) return whole.error();
     Result<Pipe> pipe = make_pipe();
     if (!pipe) return pipe.error();
-    Result<pid_t> ffmpeg = start({"ffmpeg",     "-y",      "-loglevel",
-                                  "error",      "-f",      "concat",
-                                  "-safe",      "0",       "-protocol_whitelist",
-                                  "file,pipe",  "-i",      "-",
-                                  "-c",         "copy",    "-movflags",
-                                  "+faststart", "-fflags", "+bitexact",
-                                  "-f",         "mp4",     "file:" + (*whole)->part},
+    Result<pid_t> ffmpeg = start({"ffmpeg",
+                                  "-y",
+                                  "-loglevel",
+                                  "error",
+                                  "-f",
+                                  "concat",
+                                  "-safe",
+                                  "0",
+                                  "-protocol_whitelist",
+                                  "file,pipe",
+                                  "-i",
+                                  "-",
+                                  "-c",
+                                  "copy",
+                                  "-metadata",
+                                  film.comment,
+                                  "-movflags",
+                                  "+faststart",
+                                  "-fflags",
+                                  "+bitexact",
+                                  "-f",
+                                  "mp4",
+                                  "file:" + (*whole)->part},
                                  pipe->read, STDIN_FILENO);
     // Exactly, for what the file says of itself is rounded to milliseconds.
     std::string begun = std::to_string(static_cast<double>(film.begun * film.step) / 60);
@@ -165,15 +188,17 @@ void FilmDelete::operator()(Film* film) const {
     delete film;
 }
 
-Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, bool resume) {
+Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, const std::string& record,
+                          bool resume) {
     Result<PartFilePtr> file = open_file(path);
     if (!file) return file.error();
     FilmPtr film(new Film);
     film->file = std::move(*file);
+    film->comment = "comment=" + record;
     film->step = step;
     if (film->file->part.empty()) return Error{"A film takes a plain file, which " + path + " is not."};
     if (resume && std::filesystem::exists(film->file->target)) {
-        Result<uint32_t> begun = count_pictures(*film->file, size, step);
+        Result<uint32_t> begun = count_pictures(*film->file, size, step, record);
         if (!begun) return begun.error();
         film->goes_on = true;
         film->begun = *begun;
@@ -207,6 +232,8 @@ Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, boo
                                   "20",
                                   "-pix_fmt",
                                   "yuv420p",
+                                  "-metadata",
+                                  film->comment,
                                   "-movflags",
                                   "+faststart",
                                   "-fflags",

@@ -18,9 +18,10 @@ struct FilmDelete {
 using FilmPtr = std::unique_ptr<Film, FilmDelete>;
 
 // H.264 in an .mp4, one picture for every `step` ticks, in real time. Odd sizes are padded by a black line.
-// `resume` goes on with a film that is there, which stays as it is until both are one; refuses what is no
-// film, or one of another size or rate.
-Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, bool resume = false);
+// The film keeps the record. `resume` goes on with a film that is there, which stays as it is until both are
+// one; refuses what is no film, or one of another record, size or rate.
+Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, const std::string& record,
+                          bool resume);
 // How many pictures a film that goes on has: the first to be written is the one after them.
 uint32_t pictures_begun_with(const Film& film);
 Result<void> write_film(Film& film, const std::vector<uint8_t>& rgba);

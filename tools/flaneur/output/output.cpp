@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -15,6 +16,7 @@
 #include "assets/files/file.h"
 #include "assets/files/picture.h"
 #include "tools/flaneur/output/film.h"
+#include "tools/flaneur/output/record.h"
 
 namespace flaneur {
 
@@ -204,12 +206,13 @@ Result<void> keep_file(PartFilePtr f) {
     return {};
 }
 
-Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size) {
+Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size,
+                       const std::string& comment) {
     size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
     assert(rgba.size() == pixels * 4);
     std::vector<uint8_t> rgb(pixels * 3);
     for (size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[i * 3], &rgba[i * 4], 3);
-    std::string png = encode_png(rgb, size.width, size.height, 3);
+    std::string png = encode_png(rgb, size.width, size.height, 3, comment);
     if (png.empty()) return cannot_write(f->path, "there is not enough memory to compress the picture");
     std::fwrite(png.data(), 1, png.size(), f->file);
     return keep_file(std::move(f));
@@ -220,17 +223,36 @@ struct Output {
     PartFilePtr first;  // one picture; of numbered ones the first, opened early to see that it can be written
     std::optional<Numbered> numbered;
     FilmPtr film;
+    std::string record;
     bool resume = false;
 };
 
 void OutputDelete::operator()(Output* output) const { delete output; }
 
-Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks, bool resume) {
+// Whether the numbered pictures that are there were drawn by the same command.
+static Result<void> check_pictures(const Output& output, const TickRange& ticks) {
+    constexpr size_t k_head = 1 << 16;  // bytes, with the comment among them
+    for (uint32_t i = 0; i < count(ticks); ++i) {
+        uint32_t tick = ticks.first + i * ticks.step;
+        if (!is_written(output, i, tick)) continue;
+        std::string path = path_for(*output.numbered, tick);
+        std::vector<uint8_t> head(k_head);
+        std::ifstream file(path, std::ios::binary);
+        file.read(reinterpret_cast<char*>(head.data()), k_head);
+        head.resize(static_cast<size_t>(file.gcount()));
+        if (Result<void> same = check_record(path, png_comment(head), output.record); !same) return same;
+    }
+    return {};
+}
+
+Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks,
+                              const std::string& record, bool resume) {
     OutputPtr output(new Output);
     output->size = size;
+    output->record = record;
     output->resume = resume;
     if (has_ending(path, ".mp4")) {
-        Result<FilmPtr> film = open_film(path, size, ticks.step, resume);
+        Result<FilmPtr> film = open_film(path, size, ticks.step, record, resume);
         if (!film) return film.error();
         output->film = std::move(*film);
         return output;
@@ -246,6 +268,9 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
                      "; number them with DIR/%05d.png, or write a film: FILE.mp4."};
     } else if (resume) {
         return Error{"--resume goes on with films and numbered pictures, and --out " + path + " is neither."};
+    }
+    if (resume) {
+        if (Result<void> same = check_pictures(*output, ticks); !same) return same.error();
     }
     if (is_written(*output, 0, ticks.first)) return output;
     Result<PartFilePtr> file = open_file(output->numbered ? path_for(*output->numbered, ticks.first) : path);
@@ -263,10 +288,13 @@ bool is_written(const Output& output, uint32_t number, uint32_t tick) {
 
 Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick) {
     if (output.film) return write_film(*output.film, rgba);
-    if (output.first) return write_png(std::move(output.first), rgba, output.size);
-    Result<PartFilePtr> file = open_file(path_for(*output.numbered, tick));
-    if (!file) return file.error();
-    return write_png(std::move(*file), rgba, output.size);
+    PartFilePtr picture = std::move(output.first);
+    if (!picture) {
+        Result<PartFilePtr> file = open_file(path_for(*output.numbered, tick));
+        if (!file) return file.error();
+        picture = std::move(*file);
+    }
+    return write_png(std::move(picture), rgba, output.size, output.numbered ? output.record : "");
 }
 
 Result<void> finish_output(Output& output) {

@@ -39,7 +39,8 @@ Result<void> keep_file(PartFilePtr file);
 void abandon_outputs();
 
 // `rgba` has rows from the top; alpha is dropped.
-Result<void> write_png(PartFilePtr file, const std::vector<uint8_t>& rgba, Size size);
+Result<void> write_png(PartFilePtr file, const std::vector<uint8_t>& rgba, Size size,
+                       const std::string& comment = {});
 
 // Where render's pictures go: FILE.png or a stream (one tick), a pattern such as DIR/%05d.png (numbered by
 // tick), or FILE.mp4.
@@ -50,9 +51,10 @@ struct OutputDelete {
 using OutputPtr = std::unique_ptr<Output, OutputDelete>;
 
 // Refuses what could not be finished: another ending, one picture for many ticks, no ffmpeg, a place that
-// cannot be written to. `resume` goes on with a film or numbered pictures that were given up on.
+// cannot be written to. `resume` goes on with a film or numbered pictures that were given up on, and refuses
+// those whose record (record.h) is another.
 Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks,
-                              bool resume = false);
+                              const std::string& record = {}, bool resume = false);
 // Whether the picture, the one with this number from 0, was there when it went on.
 bool is_written(const Output& output, uint32_t number, uint32_t tick);
 Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick);

@@ -1,0 +1,140 @@
+#include "tools/flaneur/output/record.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "assets/files/words.h"
+
+namespace flaneur {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// As short as tells it from all others.
+template <class Number>
+std::string plainly(Number value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string plainly(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
+
+std::string told_time(float hour) {
+    const long minutes = std::lround(hour * 60);
+    char text[32];
+    std::snprintf(text, sizeof text, "%02ld:%02ld", minutes / 60, minutes % 60);
+    return text;
+}
+
+std::string told_file(const std::string& path) {
+    std::error_code unknown;
+    auto bytes = std::filesystem::file_size(path, unknown);
+    return std::filesystem::path(path).filename().string() +
+           (unknown ? "" : " of " + std::to_string(bytes) + " bytes");
+}
+
+std::string told_camera(const CameraChoice& camera) {
+    switch (camera.kind) {
+        case CameraChoice::Kind::overview:
+            return "overview";
+        case CameraChoice::Kind::street:
+            return "street";
+        case CameraChoice::Kind::follow:
+            return "follow:" + std::to_string(camera.walker);
+        default:
+            return plainly(camera.eye) + "/" + plainly(camera.target);
+    }
+}
+
+std::string told_people(const std::vector<PeopleShare>& people) {
+    std::vector<std::string> all;
+    for (const PeopleShare& some : people)
+        all.push_back((some.character.empty() ? "builtin" : told_file(some.character)) + ":" +
+                      plainly(some.share));
+    return joined(all);
+}
+
+std::string told_idles(const std::vector<std::string>& idles) {
+    std::vector<std::string> all;
+    for (const std::string& idle : idles) all.push_back(told_file(idle));
+    return joined(all);
+}
+
+std::string told_views(WorkViews views) {
+    std::vector<std::string> all;
+    for (int view = 0; view < k_work_views; ++view)
+        if (views[static_cast<WorkView>(view)]) all.emplace_back(k_work_view_names[view]);
+    return joined(all);
+}
+
+Json parsed(const std::string& record) {
+    Json json = Json::parse(record, nullptr, false);
+    return json.is_object() ? json : Json::object();
+}
+
+// "--seed 1", or "no --view".
+std::string told(const std::string& option, const Json& record) {
+    auto at = record.find(option);
+    if (at == record.end() || !at->is_string() || at->get_ref<const std::string&>().empty())
+        return "no " + option;
+    return option + " " + at->get<std::string>();
+}
+
+}  // namespace
+
+std::string record_of(const Options& options) {
+    const Scene& s = options.scene;
+    const TickRange& t = options.ticks;
+    Json record;
+    auto put = [&](const char* option, std::string value) {
+        if (!value.empty()) record[option] = std::move(value);
+    };
+    put("flaneur", FLANEUR_VERSION);
+    put("--scene", s.name);
+    put("--city", s.city.empty() ? "" : told_file(s.city));
+    put("--terrain", s.terrain.empty() ? "" : told_file(s.terrain));
+    put("--center", s.center ? plainly(s.center->latitude) + "," + plainly(s.center->longitude) : "");
+    put("--radius", s.radius > 0 ? plainly(s.radius) : "");
+    put("--scale", s.scale != 1 ? plainly(s.scale) : "");
+    put("blocks", s.city.empty() && !s.asteroid ? std::to_string(s.blocks) : "");
+    put("--walkers", std::to_string(s.walkers));
+    put("--seed", std::to_string(s.seed));
+    put("--character", told_people(s.people));
+    put("--force", options.force ? "yes" : "");
+    put("--idle", told_idles(s.idles));
+    put("--time", told_time(s.hour));
+    put("sun_height", s.sun_height ? plainly(*s.sun_height) : "");
+    put("sun_heading", s.sun_heading ? plainly(*s.sun_heading) : "");
+    put("--weather", s.is_overcast ? "overcast" : "clear");
+    put("--camera", told_camera(s.camera));
+    put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
+    put("--quality", s.quality);
+    put("--view", told_views(s.views));
+    put("--frames", std::to_string(t.first) + ":LAST:" + std::to_string(t.step));
+    return record.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+Result<void> check_record(const std::string& path, const std::string& begun, const std::string& now) {
+    const std::string refused = "Cannot go on with " + path + ": it ";
+    if (parsed(begun).empty())
+        return Error{refused +
+                     "does not say which command began it; give another --out, or draw it anew "
+                     "without --resume."};
+    const Json was = parsed(begun), is = parsed(now);
+    Json options = is;
+    options.update(was);
+    std::vector<std::string> before, after;
+    for (const auto& [option, value] : options.items()) {
+        if (was.contains(option) && is.contains(option) && was[option] == is[option]) continue;
+        before.push_back(told(option, was));
+        after.push_back(told(option, is));
+    }
+    if (before.empty()) return {};
+    return Error{refused + "was begun with " + joined(before) + ", not " + joined(after) + "."};
+}
+
+}  // namespace flaneur
