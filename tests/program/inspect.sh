@@ -20,6 +20,9 @@ said person.json '"silhouette": 0\.[0-9]'
 said person.json '"notes": \[\]'
 
 "$1" inspect "$map" --json map.json > map.txt
+"$1" inspect "$map" --json - 2> dash.txt | cmp - map.json
+cmp dash.txt map.txt
+"$1" inspect "$map" --json /dev/stdout 2> /dev/null | cmp - map.json
 said map.txt '^buildings +1$'
 said map.txt '^  trees +1$'
 said map.txt '^  latitude +52[.]480'

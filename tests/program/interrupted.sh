@@ -1,7 +1,8 @@
 #!/bin/bash
-# interrupted.sh FLANEUR MAP: whatever the program is at, SIGINT, SIGTERM and SIGHUP end it within two seconds by that
+# interrupted.sh FLANEUR MAP: whatever the program is at, SIGINT, SIGQUIT, SIGTERM and SIGHUP end it within two seconds by that
 # signal, and nothing half-written is left. MAP is a large one; without it that part is left out.
 set -euo pipefail
+ulimit -c 0
 flaneur=$1 map=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -29,7 +30,7 @@ interrupt() {
 interrupt_once() {
     local signal=$1 after=$2 pid status=0 start
     shift 2
-    env --default-signal=INT,TERM,HUP "$flaneur" "$@" > ../printed 2> ../said &
+    env --default-signal=INT,QUIT,TERM,HUP "$flaneur" "$@" > ../printed 2> ../said &
     pid=$!
     begun $pid
     sleep "$after"
@@ -49,7 +50,7 @@ interrupt_once() {
 # nothing_left WORDS...: each signal, at several moments; it leaves nothing, not even a folder.
 nothing_left() {
     local met=0 moment
-    for moment in "INT 0.1" "TERM 0.5" "HUP 1" "INT 2"; do
+    for moment in "INT 0.1" "TERM 0.5" "HUP 1" "QUIT 2"; do
         # shellcheck disable=SC2086
         interrupt $moment "$@"
         if [[ $ended == interrupted ]]; then

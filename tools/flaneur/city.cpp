@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "assets/files/file.h"
 #include "tools/flaneur/city/check.h"
 #include "tools/flaneur/city/model.h"
 #include "tools/flaneur/commands.h"
@@ -11,6 +12,8 @@ namespace flaneur {
 
 Result<void> run_city(const Options& options) {
     if (options.check) return check_city(options);
+    if (!has_ending(options.out, ".glb") && !is_stream(options.out))
+        return Error{"city --out " + options.out + " is no .glb, which is what a city is written as."};
     Result<PartFilePtr> file = open_file(options.out);
     if (!file) return file.error();
     Result<City> city = read_city(options.scene);

@@ -52,6 +52,7 @@ Result<void> run(const Options& options) {
 }
 
 int fail(const Error& error) {
+    if (is_unread(error)) end_unread();
     // What was given up says so in many ways.
     bool given_up = is_stopping() && !error.message.starts_with("Interrupted");
     say("flaneur: " + (given_up ? interrupted() : error).message);
@@ -62,13 +63,13 @@ int fail(const Error& error) {
 int run_program(int argc, char** argv) {
     auto parsed = parse_options(argc, argv);
     if (!parsed) return fail(parsed.error());
-    const Options* options = std::get_if<Options>(&*parsed);
-    if (!options) return 0;
-    if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
-    Result<void> done = run(*options);
-    if (!done) return fail(done.error());
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return fail({"Cannot write to standard output."});
-    return 0;
+    if (const Options* options = std::get_if<Options>(&*parsed)) {
+        if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
+        Result<void> done = run(*options);
+        if (!done) return fail(done.error());
+    }
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return 0;
+    return fail(is_unread(stdout) ? unread() : Error{"Cannot write to standard output."});
 }
 
 }  // namespace

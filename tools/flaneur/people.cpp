@@ -74,13 +74,18 @@ void print_table(const std::vector<Sitter>& sitters) {
     }
 }
 
-Result<void> write_files(const std::vector<Sitter>& sitters, const std::string& folder) {
+Result<PartFilePtr> open_person(const std::string& folder, size_t i, size_t count) {
+    std::string name = "person_" + numbered(i, count) + ".glb";
+    return open_file((std::filesystem::path(folder) / name).string());
+}
+
+// `first` was opened early, to see that the folder can be written to.
+Result<void> write_files(PartFilePtr first, const std::vector<Sitter>& sitters, const std::string& folder) {
     for (size_t i = 0; i < sitters.size(); ++i) {
         if (is_stopping())
             return interrupted(folder + " has " + std::to_string(i) + " of " +
                                std::to_string(sitters.size()) + " people");
-        std::string name = "person_" + numbered(i, sitters.size()) + ".glb";
-        Result<PartFilePtr> file = open_file((std::filesystem::path(folder) / name).string());
+        Result<PartFilePtr> file = i == 0 ? std::move(first) : open_person(folder, i, sitters.size());
         if (!file) return file.error();
         std::string bytes = character_glb(sitters[i].character, sitters[i].tints);
         std::fwrite(bytes.data(), 1, bytes.size(), (*file)->file);
@@ -101,6 +106,12 @@ Result<void> run_people(const Options& options) {
     }
     if (!people.folder.empty() && files > 0)
         return Error{"people --out writes the built-in people; leave out --character, or --out."};
+    PartFilePtr first;
+    if (!people.folder.empty()) {
+        Result<PartFilePtr> file = open_person(people.folder, 0, count);
+        if (!file) return file.error();
+        first = std::move(*file);
+    }
 #ifdef FLANEUR_VULKAN
     PartFilePtr sheet;
     if (!people.sheet.empty()) {
@@ -118,7 +129,8 @@ Result<void> run_people(const Options& options) {
     }
     clear_progress();
     if (!people.folder.empty()) {
-        if (Result<void> written = write_files(sitters, people.folder); !written) return written;
+        if (Result<void> written = write_files(std::move(first), sitters, people.folder); !written)
+            return written;
     }
 #ifdef FLANEUR_VULKAN
     if (sheet) {

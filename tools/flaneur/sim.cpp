@@ -30,7 +30,8 @@ Result<void> run_sim(const Options& options) {
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         step(world);
-        if (log) std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world));
+        if (log && std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
+            return keep_file(std::move(log));  // which says why
         if (world.tick % 60 == 0) {
             show_progress("simulating, " + std::to_string(world.tick / 60) + " s of " +
                           std::to_string(ticks / 60) + " s");

@@ -215,17 +215,24 @@ Result<Image> measure(Dancers& d, Renderer& renderer, const Options& options, bo
     return draw(renderer, options, frame_of(d, is_finest));
 }
 
-Result<void> keep_picture(const Options& options, const Image& image, const std::string& name) {
-    if (options.out.empty()) return {};
-    Result<PartFilePtr> file =
-        open_file(options.out + "/peers_" + std::to_string(options.bench_count) + "_" + name + ".png");
-    if (!file) return file.error();
-    return write_png(std::move(*file), image.rgba, options.scene.size);
+// One for each mode; none where nobody asked for pictures.
+Result<std::vector<PartFilePtr>> open_pictures(const Options& options) {
+    std::vector<PartFilePtr> files;
+    for (const Mode& mode : k_modes) {
+        if (options.out.empty()) break;
+        Result<PartFilePtr> file = open_file(options.out + "/peers_" + std::to_string(options.bench_count) +
+                                             (mode.is_finest ? "_all.png" : "_lod.png"));
+        if (!file) return file.error();
+        files.push_back(std::move(*file));
+    }
+    return files;
 }
 
 }  // namespace
 
 Result<std::string> bench_peers(const Options& options) {
+    Result<std::vector<PartFilePtr>> files = open_pictures(options);
+    if (!files) return files.error();
     Result<Dancers> dancers = make_dancers(options);
     if (!dancers) return dancers.error();
     std::atomic<uint32_t> messages = 0;
@@ -253,9 +260,11 @@ Result<std::string> bench_peers(const Options& options) {
         print_figures(figures);
         std::printf("\n");
         json["modes"].push_back(nlohmann::ordered_json::parse(figures_json(figures)));
-        if (Result<void> kept = keep_picture(options, *image, mode.is_finest ? "all" : "lod"); !kept)
-            return kept.error();
         images.push_back(std::move(*image));
+        if (files->empty()) continue;
+        Result<void> kept =
+            write_png(std::move((*files)[images.size() - 1]), images.back().rgba, options.scene.size);
+        if (!kept) return kept.error();
     }
     const double difference = mean_flip(images[0].rgba, images[1].rgba, options.scene.size.width);
     std::printf("%-36s %9.4f (goal 0.02)\n", "mean FLIP between the two", difference);

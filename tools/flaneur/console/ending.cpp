@@ -86,7 +86,7 @@ void obey_signals(void (*to_clean_up)()) {
     clean_up_files = to_clean_up;
     sigset_t signals;
     sigemptyset(&signals);
-    for (int number : {SIGINT, SIGTERM, SIGHUP}) {
+    for (int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) {
         struct sigaction now {};
         sigaction(number, nullptr, &now);
         if (now.sa_handler != SIG_IGN) sigaddset(&signals, number);
@@ -98,6 +98,9 @@ void obey_signals(void (*to_clean_up)()) {
 bool is_stopping() { return asked_by != 0; }
 
 Error interrupted(const std::string& what) { return Error{"Interrupted; " + what + "."}; }
+
+Error unread() { return Error{""}; }
+bool is_unread(const Error& error) { return error.message.empty(); }
 
 void be_patient(double seconds) { patience = seconds; }
 
@@ -117,5 +120,6 @@ void end_now(int status) {
 }
 
 void end_by_signal() { die_by(asked_by); }
+void end_unread() { die_by(SIGPIPE); }
 
 }  // namespace flaneur

@@ -1,8 +1,9 @@
 // How the program ends before it is done: asked to by a signal, or by an exception that nobody caught.
 //
-// SIGINT, SIGTERM and SIGHUP ask it to stop. Long loops ask is_stopping() and leave by an Error; what cannot
-// ask (a library at work) is cut short: the process ends 0.7 s after the signal whatever it is about, with
-// what was half done cleaned up. Either way it ends by that signal, which a shell tells as 130, 143 or 129.
+// SIGINT, SIGQUIT, SIGTERM and SIGHUP ask it to stop. Long loops ask is_stopping() and leave by an Error;
+// what cannot ask (a library at work) is cut short: the process ends 0.7 s after the signal whatever it is
+// about, with what was half done cleaned up. Either way it ends by that signal, which a shell tells as 130,
+// 131, 143 or 129.
 #pragma once
 
 #include <functional>
@@ -22,6 +23,10 @@ bool is_stopping();
 // "Interrupted; `what`."
 Error interrupted(const std::string& what = "nothing was finished");
 
+// That nobody reads any more what is written: the program ends by SIGPIPE, without a word.
+Error unread();
+bool is_unread(const Error& error);
+
 // From now on what is half done is worth so many seconds after a signal; a second signal ends it all the
 // same.
 void be_patient(double seconds);
@@ -32,7 +37,8 @@ int run_guarded(const std::function<int()>& program);
 
 // Ends the process: cleans up, without waiting for anything that is under way.
 [[noreturn]] void end_now(int status);
-// Ends it by the signal that asked for it. Only if is_stopping().
+// Ends it by the signal that asked for it; only if is_stopping().
 [[noreturn]] void end_by_signal();
+[[noreturn]] void end_unread();
 
 }  // namespace flaneur

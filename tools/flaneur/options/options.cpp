@@ -357,7 +357,8 @@ void add_city(CLI::App& app, SceneWords& words, Options& options) {
     city->callback([&] { options.command = Command::city; });
     add_place_options(*city, words);
     CLI::Option_group* what = city->add_option_group("What to do");
-    what->add_option("--out", options.out, "Write what is drawn, a .glb")->type_name("FILE");
+    what->add_option("--out", options.out, "Write what is drawn, a .glb; - is standard output")
+        ->type_name("FILE");
     CLI::Option* check =
         what->add_flag("--check", options.check,
                        "Fail if what is drawn, walked on and found ways through differ, or people get stuck");
@@ -407,10 +408,16 @@ Result<void> check_names(const CLI::App& app) {
         for (const CLI::Option* option : command->get_options()) {
             std::string type = option->get_type_name();
             if (!type.starts_with("FILE") && !type.starts_with("FOLDER")) continue;
-            for (const std::string& name : option->results())
+            const bool is_folder = type.starts_with("FOLDER");
+            for (const std::string& name : option->results()) {
                 if (name.empty())
                     return Error{option->get_name() + " is empty: give the name of a " +
-                                 (type.starts_with("FILE") ? "file" : "folder") + ", or leave it out."};
+                                 (is_folder ? "folder" : "file") + ", or leave it out."};
+                if (is_folder && name == "-")
+                    return Error{option->get_name() +
+                                 " - is no folder: several files do not go to standard output. Give the name "
+                                 "of a folder, ./- if that is what it is called."};
+            }
         }
     }
     return {};

@@ -186,8 +186,6 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
-    if (options.command == Command::city && !options.check && !has_ending(options.out, ".glb"))
-        return Error{"city --out " + options.out + " is no .glb, which is what a city is written as."};
     if (words.camera) options.scene.camera = *words.camera;
     if (words.size) options.scene.size = *words.size;
     if (words.quality) options.scene.quality = *words.quality;

@@ -1,8 +1,11 @@
 #include "tools/flaneur/output/output.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -15,6 +18,7 @@
 
 #include "assets/files/file.h"
 #include "assets/files/picture.h"
+#include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/record.h"
 
@@ -44,6 +48,15 @@ void remember(const PartFile* file) {
     open_files().files.push_back(file);
 }
 
+// Whether another file under way goes there too. Devices and pipes with names take any number.
+bool is_taken(const std::string& target) {
+    std::lock_guard lock(open_files().mutex);
+    const std::vector<const PartFile*>& files = open_files().files;
+    return std::any_of(files.begin(), files.end(), [&](const PartFile* file) {
+        return fs::path(file->target).lexically_normal() == fs::path(target).lexically_normal();
+    });
+}
+
 void forget(const PartFile* file) {
     std::lock_guard lock(open_files().mutex);
     std::erase(open_files().files, file);
@@ -70,6 +83,15 @@ std::optional<int> descriptor_of(const std::string& path) {
     return std::nullopt;
 }
 
+// Opens a descriptor again. Standard output goes to one file alone: what is printed from now on goes to
+// standard error.
+FILE* reopened(int descriptor) {
+    std::fflush(stdout);
+    int own = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    if (own >= 0 && descriptor == STDOUT_FILENO) dup2(STDERR_FILENO, STDOUT_FILENO);
+    return own >= 0 ? fdopen(own, "wb") : nullptr;
+}
+
 // Where the path leads: an absolute path that is no link.
 Result<std::string> followed(const std::string& path) {
     constexpr int k_most_links = 40;
@@ -78,19 +100,13 @@ Result<std::string> followed(const std::string& path) {
     std::error_code error;
     fs::path at = fs::absolute(path, error);
     for (int links = 0; links < k_most_links && !error; ++links) {
-        if (descriptor_of(at.string()) || !fs::is_symlink(at, error)) return at.string();
+        if (std::optional<int> descriptor = descriptor_of(at.string()))
+            return "/proc/self/fd/" + std::to_string(*descriptor);
+        if (!fs::is_symlink(at, error)) return at.string();
         fs::path to = fs::read_symlink(at, error);
         at = to.is_absolute() ? to : at.parent_path() / to;
     }
     return cannot_write(path, error ? error.message() : "it is a link that leads nowhere");
-}
-
-// Whether what is written goes on at once, to a pipe or a device.
-bool is_stream(const std::string& path) {
-    Result<std::string> target = followed(path);
-    struct stat now {};
-    return target && (descriptor_of(*target) ||
-                      (stat(target->c_str(), &now) == 0 && !S_ISREG(now.st_mode) && !S_ISDIR(now.st_mode)));
 }
 
 // Makes the missing folders above `target`; gives the topmost of them, or an empty text.
@@ -135,6 +151,18 @@ std::string path_for(const Numbered& numbered, uint32_t tick) {
 
 }  // namespace
 
+bool is_stream(const std::string& path) {
+    Result<std::string> target = followed(path);
+    struct stat now {};
+    return target && (descriptor_of(*target) ||
+                      (stat(target->c_str(), &now) == 0 && !S_ISREG(now.st_mode) && !S_ISDIR(now.st_mode)));
+}
+
+bool is_unread(FILE* file) {
+    pollfd end{fileno(file), 0, 0};
+    return poll(&end, 1, 0) > 0 && (end.revents & POLLERR) != 0;
+}
+
 void PartFileDelete::operator()(PartFile* f) const {
     if (f->file) {
         std::fclose(f->file);
@@ -157,17 +185,17 @@ Result<PartFilePtr> open_file(const std::string& path) {
     Result<std::string> target = followed(path);
     if (!target) return target.error();
     f->target = *target;
-    if (std::optional<int> descriptor = descriptor_of(f->target)) {
-        f->file = fdopen(dup(*descriptor), "wb");
-        if (!f->file) return cannot_write(path, std::strerror(errno));
-        return f;
-    }
+    std::optional<int> descriptor = descriptor_of(f->target);
     struct stat now {};
     bool is_there = stat(f->target.c_str(), &now) == 0;
     if (is_there && S_ISDIR(now.st_mode)) return cannot_write(path, "it is a folder");
-    if (is_there && !S_ISREG(now.st_mode)) {
-        f->file = std::fopen(f->target.c_str(), "wbe");
+    bool is_plain = !descriptor && (!is_there || S_ISREG(now.st_mode));
+    if ((is_plain || descriptor) && is_taken(f->target))
+        return cannot_write(path, "another output of this command goes there too");
+    if (!is_plain) {
+        f->file = descriptor ? reopened(*descriptor) : std::fopen(f->target.c_str(), "wbe");
         if (!f->file) return cannot_write(path, std::strerror(errno));
+        remember(f.get());
         return f;
     }
     constexpr mode_t k_writable = S_IWUSR | S_IWGRP | S_IWOTH;
@@ -182,8 +210,10 @@ Result<PartFilePtr> open_file(const std::string& path) {
     f->part = (fs::path(f->target).parent_path() / name).string();
     remember(f.get());
     f->file = std::fopen(f->part.c_str(), "wbxe");
-    if (!f->file) {
+    bool has_name = f->file && (is_there || stat(f->target.c_str(), &now) == 0 || errno == ENOENT);
+    if (!has_name) {  // that it may have
         Error error = cannot_write(path, std::strerror(errno));
+        if (f->file) return error;
         forget(f.get());
         f->part.clear();
         remove_traces(*f);
@@ -196,7 +226,8 @@ Result<PartFilePtr> open_file(const std::string& path) {
 Result<void> keep_file(PartFilePtr f) {
     if (f->part.empty()) std::fflush(stdout);  // which it may be
     bool whole = std::fflush(f->file) == 0 && std::ferror(f->file) == 0;
-    if (!whole) return cannot_write(f->path, std::strerror(errno));
+    int why = errno;
+    if (!whole) return is_unread(f->file) ? unread() : cannot_write(f->path, std::strerror(why));
     std::error_code error;
     if (!f->part.empty()) fs::rename(f->part, f->target, error);
     if (error) return cannot_write(f->path, error.message());
@@ -271,6 +302,10 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
     }
     if (resume) {
         if (Result<void> same = check_pictures(*output, ticks); !same) return same.error();
+    }
+    if (output->numbered) {  // the longest name of all
+        Result<PartFilePtr> last = open_file(path_for(*output->numbered, ticks.last));
+        if (!last) return last.error();
     }
     if (is_written(*output, 0, ticks.first)) return output;
     Result<PartFilePtr> file = open_file(output->numbered ? path_for(*output->numbered, ticks.first) : path);

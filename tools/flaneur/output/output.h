@@ -1,7 +1,8 @@
 // Files that the program writes: pictures, films and texts. A file is written beside its final place under a
 // name that ends in .part, and renamed when it is whole; what fails or is given up on leaves nothing behind.
 // Links are followed, and stay. A device, a pipe or a socket, and what /dev/stdout and /dev/fd/3 stand for,
-// is written to as it is; "-" is standard output.
+// is written to as it is; "-" is standard output. A file that goes there has it for itself: what is printed
+// goes to standard error then.
 #pragma once
 
 #include <cstdint>
@@ -28,11 +29,16 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
-// Makes missing folders. Refuses, at once, a place that cannot be written to, and a file that is protected
-// from writing.
+// Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
+// that is protected from writing, and where another file under way goes.
 Result<PartFilePtr> open_file(const std::string& path);
-// Closes and renames.
+// Closes and renames. Fails by unread() (ending.h) where nobody reads the pipe any more.
 Result<void> keep_file(PartFilePtr file);
+
+// Whether what is written goes on at once, to a pipe or a device.
+bool is_stream(const std::string& path);
+// Whether it is a pipe whose reader has gone.
+bool is_unread(FILE* file);
 
 // Removes what is under way, and ends ffmpeg, while other threads may still be at work on it: to be called
 // when the process is about to end.
