@@ -26,5 +26,9 @@ for walk in "--turn 180" "--turn -45" "--kerb 0.15" "--stairs down" "--slope 20"
     timeout 60 "$flaneur" gait "${words[@]}" --style 3 > walk.txt
     grep --quiet 'bars met' walk.txt
 done
+"$flaneur" gait --age 30.5 --slope 5 > walk.txt
+grep --quiet '^A man of 30.5 years' walk.txt
+"$flaneur" gait --help > help.txt
+grep --quiet -- '--seconds .*(12 to 600)$' help.txt
 "$flaneur" gait --crowd 20 --seconds 12 > crowd.txt
 grep --quiet 'joint_speed' crowd.txt

@@ -74,7 +74,7 @@ std::vector<Report> chosen_trials(const Person& person, double speed, const Gait
 std::vector<Report> try_person(const GaitOptions& gait) {
     double height = height_of(gait), speed = speed_of(gait);
     Person person{standard_body(static_cast<float>(height)), manner_of(gait)};
-    std::printf("%s of %.0f years, %.2f m tall, leg %.2f m, %s manner\n",
+    std::printf("%s of %g years, %.2f m tall, leg %.2f m, %s manner\n",
                 gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
                 static_cast<double>(leg_length(person.body)),
                 gait.style == 0 ? "the middle" : ("style " + std::to_string(gait.style) + " of").c_str());

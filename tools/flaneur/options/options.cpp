@@ -5,6 +5,7 @@
 #include "assets/files/words.h"
 #include "tools/flaneur/options/refusal.h"
 #include "tools/flaneur/options/scene.h"
+#include "tools/flaneur/options/unused.h"
 
 namespace flaneur {
 
@@ -259,7 +260,7 @@ void add_gait(CLI::App& app, Options& options) {
     command->callback([&] { options.command = Command::gait; });
     auto number = [&](const char* group, const char* name, double& to, double low, double high,
                       const char* unit, const std::string& what, const char* shown = "") {
-        return command->add_option(name, to, what)
+        return command->add_option(name, to, what + " (" + plainly(low) + " to " + plainly(high) + ")")
             ->type_name(unit)
             ->check(number_between(low, high))
             ->default_str(shown)
@@ -273,8 +274,8 @@ void add_gait(CLI::App& app, Options& options) {
     add_parsed(*command, "--style", parse_seed, gait.style, "Seed of a manner of walking; 0: the middle one",
                "S", "0")
         ->group(k_who);
-    number(k_where, "--seconds", gait.seconds, 12, 600, "T", "On level ground, from standing to standing",
-           "25");
+    number(k_where, "--seconds", gait.seconds, 12, 600, "T",
+           "On level ground, from standing to standing, or of a crowd", "25");
     number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");
     add_parsed(*command, "--stairs", parse_stairs, gait.stairs, "A flight up or down", "up|down", "")
         ->group(k_where);
@@ -329,9 +330,11 @@ void add_people(CLI::App& app, SceneWords& words, Options& options) {
                "480x400")
         ->needs(sheet);
     command->add_option("--device", options.device, "Part of the name of a Vulkan device, or its number")
+        ->needs(sheet)
         ->type_name("NAME");
-    command->add_flag("--validate", options.validate,
-                      "Fail if the Khronos validation layer has anything to say");
+    command
+        ->add_flag("--validate", options.validate, "Fail if the Khronos validation layer has anything to say")
+        ->needs(sheet);
     command->add_option("--threads", options.threads, "Threads that make people; 0: one a core")
         ->type_name("N")
         ->transform(whole_between(0, 256))
@@ -381,12 +384,14 @@ void add_scenes(CLI::App& app, Options& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the built-in scenes, or check scene files")
                            ->footer(k_scenes_footer);
     scenes->callback([&] { options.command = Command::scenes; });
-    scenes
-        ->add_option("--check", options.scene_files,
-                     "Say what is wrong in scene files, by line and column; fail if anything is")
-        ->type_name("FILE...")
-        ->take_all();
-    scenes->add_flag("--schema", options.schema, "Print the JSON schema of scene files, for editors");
+    CLI::Option* check =
+        scenes
+            ->add_option("--check", options.scene_files,
+                         "Say what is wrong in scene files, by line and column; fail if anything is")
+            ->type_name("FILE...")
+            ->take_all();
+    scenes->add_flag("--schema", options.schema, "Print the JSON schema of scene files, for editors")
+        ->excludes(check);
 }
 
 void add_cache(CLI::App& app, Options& options) {
@@ -402,24 +407,14 @@ void add_cache(CLI::App& app, Options& options) {
     cache->add_flag("--clear", options.clear_cache, "Remove it");
 }
 
-// A name that is empty, as of a variable that nobody set, is not the same as no name.
-Result<void> check_names(const CLI::App& app) {
-    for (const CLI::App* command : app.get_subcommands()) {
-        for (const CLI::Option* option : command->get_options()) {
-            std::string type = option->get_type_name();
-            if (!type.starts_with("FILE") && !type.starts_with("FOLDER")) continue;
-            const bool is_folder = type.starts_with("FOLDER");
-            for (const std::string& name : option->results()) {
-                if (name.empty())
-                    return Error{option->get_name() + " is empty: give the name of a " +
-                                 (is_folder ? "folder" : "file") + ", or leave it out."};
-                if (is_folder && name == "-")
-                    return Error{option->get_name() +
-                                 " - is no folder: several files do not go to standard output. Give the name "
-                                 "of a folder, ./- if that is what it is called."};
-            }
-        }
-    }
+// Several files do not go to one stream.
+Result<void> check_folders(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_type_name().starts_with("FOLDER") &&
+            option->results() == std::vector<std::string>{"-"})
+            return Error{option->get_name() +
+                         " - is no folder: several files do not go to standard output. Give the name of a "
+                         "folder, ./- if that is what it is called."};
     return {};
 }
 
@@ -454,9 +449,12 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     } catch (const CLI::ParseError& error) {
         return refusal(app, error, argc, argv);
     }
-    if (Result<void> named = check_names(app); !named) return named.error();
+    const CLI::App& command = *app.get_subcommands().front();
+    if (Result<void> filled = check_values(command); !filled) return filled.error();
+    if (Result<void> named = check_folders(command); !named) return named.error();
     Result<void> settled = settle_scene(words, options);
     if (!settled) return settled.error();
+    if (Result<void> used = check_used(command, options); !used) return used.error();
     return Parsed(std::move(options));
 }
 

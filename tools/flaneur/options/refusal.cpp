@@ -19,12 +19,6 @@ bool is_between(const std::string& text, T low, T high) {
     return error == std::errc() && end == last && value >= low && value <= high;  // nan is not
 }
 
-std::string plainly(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, v == static_cast<double>(static_cast<int64_t>(v)) ? "%.0f" : "%.6g", v);
-    return text;
-}
-
 // 1e3 is 1000.
 std::string without_exponent(const std::string& text) {
     constexpr double k_exact = 0x1p53;
@@ -67,6 +61,29 @@ std::string no_command(CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
+std::string plainly(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text,
+                  value == static_cast<double>(static_cast<int64_t>(value)) ? "%.0f" : "%.6g", value);
+    return text;
+}
+
+Result<void> check_values(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& value : option->results()) {
+            if (!value.empty() || option->get_type_size() == 0) continue;
+            std::string type = option->get_type_name();
+            if (type.starts_with("FILE")) type = "the name of a file";
+            if (type.starts_with("FOLDER")) type = "the name of a folder";
+            return Error{option->get_name() + " is empty: give " + type +
+                         (option->get_required() ? "." : ", or leave it out.")};
+        }
+    }
+    for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; }))
+        if (Result<void> filled = check_values(*group); !filled) return filled;
+    return {};
+}
+
 CLI::Validator number_between(double low, double high) {
     return {[=](const std::string& text) {
                 if (is_between(text, low, high)) return std::string();
@@ -89,6 +106,9 @@ Error refusal(CLI::App& app, const CLI::ParseError& error, int argc, char** argv
     auto chosen = app.get_subcommands();
     std::string who = chosen.empty() ? "flaneur" : "flaneur " + chosen.front()->get_name();
     std::string what = error.what();
+    if (!chosen.empty()) {
+        if (Result<void> filled = check_values(*chosen.front()); !filled) return filled.error();
+    }
     if (chosen.empty()) {
         what = no_command(app, argc, argv);
     } else if (dynamic_cast<const CLI::ExtrasError*>(&error) ||
@@ -99,13 +119,16 @@ Error refusal(CLI::App& app, const CLI::ParseError& error, int argc, char** argv
         if (std::find(known.begin(), known.end(), option) != known.end())
             what = option + " comes after the command: " + who + " " + option + " ...";
         else
-            what = who + " has no option or word " + word + "." + did_you_mean(option, known);
+            what = who + " has no option or word " + word + "." +
+                   (who == "flaneur render" && option == "--seconds"
+                        ? " --frames says when: tick 600 is ten seconds in."
+                        : did_you_mean(option, known));
     } else if (size_t colon = what.find(": "); what.starts_with("--") && colon != std::string::npos) {
         std::string name = what.substr(0, colon);
         const CLI::Option* option = chosen.front()->get_option_no_throw(name);
         if (option && dynamic_cast<const CLI::ArgumentMismatch*>(&error))
             what = name + " needs a value: " + option->get_type_name();
-        else
+        else if (option)  // and not "--frames 1: is not ..."
             what.replace(colon, 2, " ");
     }
     if (!what.ends_with('.') && !what.ends_with('?')) what += ".";

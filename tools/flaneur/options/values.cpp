@@ -14,7 +14,8 @@ Result<PeopleShare> parse_people(const std::string& text) {
         people.character.resize(colon);
         if (!(static_cast<double>(people.share) >= k_least_share &&
               static_cast<double>(people.share) <= k_most_share))
-            return Error{excerpt(text) + " has a share that is not from 0.001 to 1000"};
+            return Error{excerpt(people.character) + excerpt(text.substr(colon)) +
+                         " has a share that is not from 0.001 to 1000"};
     }
     if (people.character.empty()) return Error{excerpt(text) + " names no file"};
     if (people.character == "builtin") people.character.clear();
@@ -28,17 +29,18 @@ Result<uint64_t> parse_seed(const std::string& text) {
 }
 
 Result<TickRange> parse_ticks(const std::string& text) {
-    constexpr uint32_t k_most = 10'000'000;
+    constexpr uint64_t k_most = 10'000'000;
     auto parts = split(text, ':');
-    TickRange ticks;
-    bool good = parts.size() <= 3 && parse_number(parts[0], ticks.first);
-    ticks.last = ticks.first;
-    if (good && parts.size() > 1) good = parse_number(parts[1], ticks.last);
-    if (good && parts.size() > 2) good = parse_number(parts[2], ticks.step) && ticks.step > 0;
+    uint64_t first = 0, last = 0, step = 1;
+    bool good = parts.size() <= 3 && parse_number(parts[0], first);
+    last = first;
+    if (good && parts.size() > 1) good = parse_number(parts[1], last);
+    if (good && parts.size() > 2) good = parse_number(parts[2], step) && step > 0;
     if (!good) return Error{excerpt(text) + " is not a tick (600) or a range of ticks (0:600 or 0:600:2)"};
-    if (ticks.first > ticks.last) return Error{excerpt(text) + " ends before it begins"};
-    if (ticks.last > k_most)
+    if (first > last) return Error{excerpt(text) + " ends before it begins"};
+    if (last > k_most || step > k_most)
         return Error{excerpt(text) + " goes beyond tick 10000000, 46 hours of simulated time"};
+    TickRange ticks{static_cast<uint32_t>(first), static_cast<uint32_t>(last), static_cast<uint32_t>(step)};
     return ticks;
 }
 

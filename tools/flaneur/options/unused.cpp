@@ -1,0 +1,99 @@
+#include "tools/flaneur/options/unused.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "assets/files/file.h"
+
+namespace flaneur {
+
+namespace {
+
+struct UselessWhere {
+    Command command;
+    std::initializer_list<const char*> options;
+    bool (*is_useless)(const Options& options);
+    const char* why;
+};
+
+bool has_place(const GaitOptions& gait) {
+    return gait.turn != 0 || !gait.stairs.empty() || gait.slope != 0 || gait.kerb != 0;
+}
+
+bool is_file(const PeopleShare& people) { return !people.character.empty(); }
+
+bool has_built_in(const Options& options) {
+    const std::vector<PeopleShare>& people = options.scene.people;
+    return people.empty() || !std::all_of(people.begin(), people.end(), is_file);
+}
+
+const UselessWhere k_useless[] = {
+    {Command::bench,
+     {"--out", "--count"},
+     [](const Options& o) { return o.load != BenchLoad::peers; },
+     "is for bench peers"},
+    {Command::bench,
+     {"--camera", "--quality"},
+     [](const Options& o) { return o.load != BenchLoad::frame; },
+     "is for bench frame"},
+    {Command::bench,
+     {"--size", "--device", "--validate"},
+     [](const Options& o) { return o.load != BenchLoad::frame && o.load != BenchLoad::peers; },
+     "is for bench frame and bench peers, which draw"},
+    {Command::bench,
+     {"--scene", "--city", "--center", "--radius", "--terrain", "--scale", "--seed", "--idle", "--walkers",
+      "--time", "--weather"},
+     [](const Options& o) { return o.load == BenchLoad::peers; },
+     "is not for bench peers, which has a scene of its own"},
+    {Command::bench,
+     {"--character", "--force", "--idle"},
+     [](const Options& o) { return o.load == BenchLoad::city; },
+     "is not for bench city, which draws and poses nobody"},
+    {Command::gait,
+     {"--riser", "--tread"},
+     [](const Options& o) {
+         return o.gait.stairs.empty() && (!o.gait.check || has_place(o.gait) || o.gait.crowd > 0);
+     },
+     "is of a stair: say --stairs up or down too"},
+    {Command::gait,
+     {"--seconds"},
+     [](const Options& o) { return has_place(o.gait); },
+     "is for level ground and --crowd: other ways are as long as they are"},
+    {Command::gait,
+     {"--speed", "--height", "--sex", "--age", "--style"},
+     [](const Options& o) { return o.gait.crowd > 0; },
+     "is of one person, and those of a --crowd are as they are"},
+    {Command::gait,
+     {"--strip"},
+     [](const Options& o) { return o.gait.crowd > 0; },
+     "draws one person, not a --crowd"},
+    {Command::people,
+     {"--count", "--seed", "--threads"},
+     [](const Options& o) { return !has_built_in(o); },
+     "is of the built-in people: add --character builtin, or leave it out"},
+    {Command::people,
+     {"--force"},
+     [](const Options& o) { return std::none_of(o.scene.people.begin(), o.scene.people.end(), is_file); },
+     "is for files: give one with --character"},
+    {Command::inspect,
+     {"--force"},
+     [](const Options& o) { return kind_of(o.file) == FileKind::map; },
+     "is for characters, not for maps"},
+    {Command::inspect,
+     {"--terrain"},
+     [](const Options& o) { return kind_of(o.file) == FileKind::gltf; },
+     "lies under OpenStreetMap maps"},
+};
+
+}  // namespace
+
+Result<void> check_used(const CLI::App& command, const Options& options) {
+    for (const UselessWhere& useless : k_useless) {
+        if (useless.command != options.command || !useless.is_useless(options)) continue;
+        for (const char* name : useless.options)
+            if (command.count(name) > 0) return Error{std::string(name) + " " + useless.why + "."};
+    }
+    return {};
+}
+
+}  // namespace flaneur
