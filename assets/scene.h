@@ -61,8 +61,8 @@ Result<Scene> load_scene(const std::string& name_or_path);
 // The same of the text of a scene file; its paths are left as they are. `name` is what errors call it.
 Result<Scene> parse_scene(std::string_view text, const std::string& name);
 
-// All that is wrong with a scene, named as load_scene takes it; nothing where load_scene would. Refuses what
-// cannot be read.
+// All that is wrong with a scene, named as load_scene takes it; also a camera that follows nobody unless more
+// walkers are asked for. Refuses what cannot be read.
 Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path);
 
 // The JSON schema (draft 7) of scene files, from the table that reads them; assets/scenes/scene.schema.json

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 
 namespace flaneur {
 
@@ -21,6 +22,18 @@ FileKind kind_of(std::string_view path) {
     for (const char* ending : {".glb", ".gltf", ".vrm"})
         if (has_ending(path, ending)) return FileKind::gltf;
     return FileKind::other;
+}
+
+Result<void> find_file(const std::string& path) {
+    std::error_code error;
+    std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (std::filesystem::is_regular_file(status)) return {};
+    if (std::filesystem::is_directory(status)) return Error{path + " is a folder, where a file is needed."};
+    if (std::filesystem::exists(status))
+        return Error{path + " is a pipe or a device, where a file is needed: write it to one first."};
+    if (!std::filesystem::status_known(status))
+        return Error{"Cannot look for the file " + path + ": " + error.message() + "."};
+    return Error{"There is no file " + path + "; check the path."};
 }
 
 Result<Bytes> read_bytes(const std::string& path, size_t most) {

@@ -24,6 +24,9 @@ FileKind kind_of(std::string_view path);
 // Whether a path ends so, in capitals or not. `ending` is in small letters.
 bool has_ending(std::string_view path, std::string_view ending);
 
+// Refuses, in a sentence, a path that leads to no regular file: to nothing, to a folder, to a pipe.
+Result<void> find_file(const std::string& path);
+
 // The bytes of a regular file of at most `most` of them: never waits for a pipe or a device, which a path may
 // name. The error's sentence has no subject: "cannot be opened as a file; check ...".
 Result<Bytes> read_bytes(const std::string& path, size_t most);

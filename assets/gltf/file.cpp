@@ -42,6 +42,9 @@ Result<Parts> split(std::span<const uint8_t> bytes) {
         if (json.starts_with("\xef\xbb\xbf")) json.remove_prefix(3);
         if (json.starts_with("Kaydara FBX") || json.starts_with("; FBX"))
             return Error{"is an FBX file; convert it with Blender or FBX2glTF"};
+        if (json.starts_with("PK\x03\x04")) return Error{"is a ZIP archive; unpack it"};
+        if (json.starts_with("<"))
+            return Error{"is XML; if it is a map of OpenStreetMap, let its name end in .osm"};
         return Parts{json, {}};
     }
     if (bytes.size() < 20) return Error{"is cut short: a .glb file has 20 bytes at least; export it again"};

@@ -234,9 +234,7 @@ std::optional<OsmBox> bounds_of(osmium::io::Reader& reader) {
 
 // libosmium goes by small letters, and takes what begins with http: for an address.
 Result<File> file_of(const std::string& path) {
-    std::error_code no_file;
-    if (!std::filesystem::is_regular_file(path, no_file))
-        return Error{"There is no file " + path + " to read a map from; check the path."};
+    if (Result<void> found = find_file(path); !found) return found.error();
     const char* format = has_ending(path, ".osm")       ? "osm"
                          : has_ending(path, ".osm.gz")  ? "osm.gz"
                          : has_ending(path, ".osm.bz2") ? "osm.bz2"
@@ -257,6 +255,9 @@ auto guarded(const std::string& name, const std::string& advice, Read read) -> R
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
+        if (std::string_view(e.what()).find("entities") != std::string_view::npos)
+            return Error{"The map " + name +
+                         " has XML entities of its own, which are not read; export it again without them."};
         return Error{"The map " + name + " cannot be read (" + excerpt(e.what()) +
                      "); it may be cut short or be no .osm or .osm.pbf file. Download or export it again."};
     }

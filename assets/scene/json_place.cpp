@@ -115,6 +115,15 @@ JsonPlace place_in_json(std::string_view text, const std::vector<std::string>& p
     return place_at(text, s.at);
 }
 
+std::string_view text_in_json(std::string_view text, const std::vector<std::string>& path) {
+    Scan s = scan_of(text);
+    for (const std::string& step : path) enter(s, step, false);
+    const size_t begin = s.at;
+    skip_value(s);
+    std::string_view value = text.substr(begin, s.at - begin);
+    return value.substr(0, value.find_last_not_of(" \t\r\n") + 1);
+}
+
 std::optional<size_t> find_repeated_key(std::string_view text) {
     Scan s = scan_of(text);
     return repeated_key(s);

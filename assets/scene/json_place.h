@@ -19,6 +19,9 @@ JsonPlace place_at(std::string_view text, size_t at);
 // must be sound JSON that has it.
 JsonPlace place_in_json(std::string_view text, const std::vector<std::string>& path, bool of_key);
 
+// The value itself, as it is written.
+std::string_view text_in_json(std::string_view text, const std::vector<std::string>& path);
+
 // The byte where an object has a key that it had before; parsers would silently take the last. The text must
 // be sound JSON.
 std::optional<size_t> find_repeated_key(std::string_view text);

@@ -272,7 +272,10 @@ bool is_in_range(const KeyRule& rule, const Json& value) {
 
 // What a value must be that it is not; empty: nothing.
 std::string refusal(const KeyRule& rule, const Json& value) {
-    auto is_text = [](const Json& v) { return v.is_string() && !v.get_ref<const std::string&>().empty(); };
+    auto is_text = [](const Json& v) {
+        return v.is_string() && !v.get_ref<const std::string&>().empty() &&
+               v.get_ref<const std::string&>().find('\0') == std::string::npos;
+    };
     auto range = [&](std::string what) {
         if (is_in_range(rule, value)) return std::string();
         what += " number from " + bound(rule.low).dump() + " to " + bound(rule.high).dump();
@@ -286,10 +289,11 @@ std::string refusal(const KeyRule& rule, const Json& value) {
         case KeyKind::number:
             return range("a");
         case KeyKind::text:
-            return is_text(value) ? "" : "a text in quotes";
+            return is_text(value) ? "" : value.is_string() ? "a text of some letters" : "a text in quotes";
         case KeyKind::texts:
-            return value.is_array() && std::all_of(value.begin(), value.end(), is_text) ? ""
-                                                                                        : "a list of texts";
+            return value.is_array() && std::all_of(value.begin(), value.end(), is_text)
+                       ? ""
+                       : "a list of texts of some letters";
         case KeyKind::people:
             return value.is_array() ? "" : R"(a list such as [{"builtin": true, "share": 9}])";
     }
@@ -316,7 +320,9 @@ void read_keys(SceneReading& r, const std::vector<SceneKey<Of>>& keys, const cha
             add_fault(r, in_quotes(excerpt(name)) + " is not known; " + owner + " may have " + joined(names),
                       true);
         } else if (std::string must = refusal(key->rule, value); !must.empty()) {
-            add_fault(r, in_quotes(name) + " must be " + must + ", not " + shown(value));
+            // A number as it was written: one that is too large is another to the parser.
+            std::string is = value.is_number() ? excerpt(text_in_json(r.text, r.path)) : shown(value);
+            add_fault(r, in_quotes(name) + " must be " + must + ", not " + is);
         } else {
             key->take(r, to, value);
         }
@@ -337,7 +343,7 @@ void read_people(SceneReading& r, Scene& scene, const Json& list) {
     }
 }
 
-bool is_gltf(const Scene& scene) { return !scene.city.empty() && kind_of(scene.city) != FileKind::map; }
+bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
 
 // What cannot be at once, as the reader sees it and as a schema says it.
 struct SceneClash {
@@ -350,29 +356,22 @@ constexpr SceneClash k_clashes[] = {
     {"asteroid", R"("asteroid" and "city" are two places; people walk in one)",
      [](const Scene& s, const Json&) { return s.asteroid && !s.city.empty(); },
      R"({"required": ["asteroid", "city"], "properties": {"asteroid": {"const": true}}})"},
-    {"terrain", R"("terrain" lies under an OpenStreetMap city, not on the "asteroid")",
-     [](const Scene& s, const Json&) { return s.asteroid && !s.terrain.empty(); },
-     R"({"required": ["asteroid", "terrain"], "properties": {"asteroid": {"const": true}}})"},
-    {"center", R"("center" is of OpenStreetMap cities, not of glTF ones)",
-     [](const Scene& s, const Json&) { return s.center && is_gltf(s); },
-     R"({"required": ["center", "city"], "properties": {"city": {"not": {"pattern":)"
+    {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); },
+     R"({"required": ["terrain"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
      R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
-    {"center", R"("center" is of OpenStreetMap cities, not of the "asteroid")",
-     [](const Scene& s, const Json&) { return s.center && s.asteroid; },
-     R"({"required": ["asteroid", "center"], "properties": {"asteroid": {"const": true}}})"},
-    {"radius", R"("radius" is of OpenStreetMap cities, not of glTF ones)",
-     [](const Scene& s, const Json&) { return s.radius > 0 && is_gltf(s); },
-     R"({"required": ["radius", "city"], "properties": {"city": {"not": {"pattern":)"
+    {"center", R"("center" is of an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return s.center && !is_map(s); },
+     R"({"required": ["center"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
      R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
-    {"radius", R"("radius" is of OpenStreetMap cities, not of the "asteroid")",
-     [](const Scene& s, const Json&) { return s.radius > 0 && s.asteroid; },
-     R"({"required": ["asteroid", "radius"], "properties": {"asteroid": {"const": true}}})"},
-    {"scale", R"("scale" is of glTF cities; an OpenStreetMap city is in metres)",
-     [](const Scene& s, const Json& json) {
-         return json.contains("scale") && kind_of(s.city) == FileKind::map;
-     },
-     R"({"required": ["scale", "city"], "properties": {"city": {"pattern":)"
-     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}})"},
+    {"radius", R"("radius" is of an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return s.radius > 0 && !is_map(s); },
+     R"({"required": ["radius"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
+     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+    {"scale", R"("scale" is of a glTF city, which "city" must name; the others are in metres)",
+     [](const Scene& s, const Json& json) { return json.contains("scale") && (s.city.empty() || is_map(s)); },
+     R"({"required": ["scale"], "not": {"required": ["city"], "properties": {"city": {"not": {"pattern":)"
+     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}}})"},
 };
 
 template <class Of>
@@ -401,7 +400,7 @@ OrderedJson key_schema(const SceneKey<Of>& key) {
     } else if (!key.rule.words.empty()) {
         text["enum"] = key.rule.words;
     } else {
-        text["minLength"] = 1;
+        text["pattern"] = "^[^\\u0000]+$";
     }
     switch (key.rule.kind) {
         case KeyKind::flag:

@@ -5,6 +5,7 @@
 
 #include "assets/files/file.h"
 #include "assets/files/words.h"
+#include "assets/scene/json_place.h"
 #include "assets/scene/keys.h"
 #include "embedded/scenes.h"
 
@@ -63,7 +64,16 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path) {
     Result<std::string> text = scene_text(name_or_path);
     if (!text) return text.error();
     Scene scene;
-    return read_scene(*text, scene);
+    std::vector<SceneFault> faults = read_scene(*text, scene);
+    const CameraChoice& camera = scene.camera;
+    if (faults.empty() && camera.kind == CameraChoice::Kind::follow &&
+        camera.walker >= static_cast<uint32_t>(scene.walkers)) {
+        JsonPlace place = place_in_json(*text, {"camera"}, false);
+        faults.push_back({place.line, place.column,
+                          "\"camera\" follows nobody: walkers are numbered from 0, and there are " +
+                              std::to_string(scene.walkers)});
+    }
+    return faults;
 }
 
 std::vector<std::string> scene_names() {

@@ -86,7 +86,10 @@ TEST_F(SceneFile, IsRefusedByKeyAndRange) {
 TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
     for (auto [text, says] : {std::pair{R"({"asteroid": true, "city": "a.osm"})", "\"city\""},
                               {R"({"asteroid": true, "terrain": "a.tif"})", "\"terrain\""},
-                              {R"({"scale": 2, "city": "A.OSM.PBF"})", "\"scale\""}}) {
+                              {R"({"scale": 2, "city": "A.OSM.PBF"})", "\"scale\""},
+                              {R"({"scale": 2})", "\"scale\""},
+                              {R"({"radius": 500})", "\"radius\""},
+                              {R"({"terrain": "a.tif", "city": "a.glb"})", "\"terrain\""}}) {
         Result<Scene> scene = load(text);
         ASSERT_FALSE(scene) << text;
         EXPECT_NE(scene.error().message.find(says), std::string::npos) << scene.error().message;

@@ -133,6 +133,7 @@ std::vector<Json> things(const Json& keys) {
                              "A.OSM.GZ",
                              "a.pbf"})
         all.emplace_back(text);
+    all.emplace_back(std::string("a\0b.osm", 7));
     for (const auto& list :
          std::vector<std::vector<std::string>>{{"skeletons"},
                                                {"skeletons", "skeletons"},
@@ -208,6 +209,7 @@ TEST_F(SceneSchema, SaysWhatHoldsWithoutAKey) {
     ASSERT_GE(usual.size(), 10u);
     Scene plain;
     plain.name = "it";
+    usual["city"] = plain.city = "a.glb";  // whose scale is told
     Result<Scene> scene = parse_scene(usual.dump(), "it");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(*scene, plain);
@@ -218,6 +220,10 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
     plain.name = "it";
     for (const auto& [key, rules] : keys.items()) {
         Json one = {{key, rules["examples"][0]}};
+        plain.city = key == "scale"                                           ? "a.glb"
+                     : key == "terrain" || key == "center" || key == "radius" ? "a.osm"
+                                                                              : "";
+        if (!plain.city.empty()) one["city"] = plain.city;
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -27,7 +27,9 @@ END
 printf '{\n  "walkers": 3,\n}\n' > broken.json
 printf '{ "walkers": 1e999 }\n' > large.json
 printf '{ "asteroid": true,\n  "city": "a.osm" }\n' > both.json
-if "$flaneur" scenes --check good.json bad.json broken.json large.json both.json nowhere.json > check.txt 2> sentence.txt; then
+echo '{ "walkers": 5, "camera": "follow:5" }' > nobody.json
+echo '{ "seed": 18446744073709551616, "city": "" }' > beyond.json
+if "$flaneur" scenes --check good.json bad.json broken.json large.json both.json nobody.json beyond.json nowhere.json > check.txt 2> sentence.txt; then
     echo "FAILED: faults do not count." && exit 1
 fi
 cat check.txt sentence.txt
@@ -39,9 +41,12 @@ said 'bad\.json:5:15: "camera": sideways is none of .*'
 said 'broken\.json:3:1: this is not JSON\.'
 said 'large\.json:1:14: this number is too large\.'
 said 'both\.json:1:3: "asteroid" and "city" are two places; .*'
+said 'nobody\.json:1:27: "camera" follows nobody: walkers are numbered from 0, and there are 5\.'
+said 'beyond\.json:1:11: "seed" must be a whole number from 0 to 18446744073709551615, not 18446744073709551616\.'
+said 'beyond\.json:1:41: "city" must be a text of some letters, not ""\.'
 said 'Cannot read the scene nowhere\.json.*'
-expect "$(wc -l < check.txt)" 9
-expect "$(cat sentence.txt)" "flaneur: 5 of 6 scenes cannot be used; the lines above say why."
+expect "$(wc -l < check.txt)" 12
+expect "$(cat sentence.txt)" "flaneur: 7 of 8 scenes cannot be used; the lines above say why."
 
 # An unreadable scene and a sound one make no good check.
 if "$flaneur" scenes --check good.json nowhere.json > /dev/null 2>&1; then echo "FAILED: a missing file is good." && exit 1; fi

@@ -64,7 +64,7 @@ tools/extract: assets, assets/props, renderer, sim, sim/base, sim/crowd, sim/pos
 tools/flaneur/console: sim/base
 tools/flaneur/options: assets, assets/files, sim/base
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/options
-tools/flaneur/load: assets, assets/cache, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait: sim, sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/pose, tools/flaneur/console, tools/flaneur/output
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/options
 tools/flaneur/view: assets, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay

@@ -187,6 +187,7 @@ void print_facts(const Json& facts) {
 Result<Json> inspect(const Options& options) {
     const std::string& path = options.file;
     CityOptions how = city_options(options.scene);
+    if (Result<void> found = find_file(path); !found) return found.error();
     show_progress("reading " + path);
     if (kind_of(path) == FileKind::map) {
         Result<City> city = load_city(path, how);

@@ -240,7 +240,7 @@ Result<City> load_gltf_city(const std::string& path, float scale) {
 }
 
 Result<City> load_city(const std::string& path, const CityOptions& options) {
-    if (kind_of(path) != FileKind::gltf) return load_osm(path, options);
+    if (kind_of(path) == FileKind::map) return load_osm(path, options);
     if (!options.terrain.empty()) {
         return Error{path + " is a glTF scene and has its own ground; terrain (" + options.terrain +
                      ") lies under OpenStreetMap cities only."};

@@ -1,6 +1,5 @@
 #include "tools/flaneur/load/load.h"
 
-#include <filesystem>
 #include <string>
 
 #include "assets/asteroid.h"
@@ -8,6 +7,7 @@
 #include "assets/cache/navmesh_cache.h"
 #include "assets/cache/person_cache.h"
 #include "assets/cities.h"
+#include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
 #include "assets/population.h"
 #include "tools/flaneur/console/console.h"
@@ -93,12 +93,13 @@ CityOptions city_options(const Scene& scene) {
 }
 
 Result<City> read_city(const Scene& scene) {
+    if (Result<void> found = find_files(scene); !found) return found.error();
     show_progress("making the city");
     if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
-    if (city) print_notes(city->ground.name, city->notes);
+    if (city) print_notes(scene.city.empty() ? city->ground.name : scene.city, city->notes);
     return city;
 }
 
@@ -125,16 +126,15 @@ Result<void> find_files(const Scene& scene) {
     std::vector<std::string> paths{scene.city, scene.terrain};
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
-    std::error_code unknown;
-    for (const std::string& path : paths)
-        if (!path.empty() && !std::filesystem::is_regular_file(path, unknown))
-            return Error{"There is no file " + path + "; check the path."};
+    for (const std::string& path : paths) {
+        if (path.empty()) continue;
+        if (Result<void> found = find_file(path); !found) return found;
+    }
     return {};
 }
 
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
-    if (Result<void> found = find_files(scene); !found) return found.error();
     Loaded loaded;
     Result<City> city = read_city(scene);
     if (!city) return city.error();
