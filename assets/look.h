@@ -66,7 +66,8 @@ Result<Size> parse_size(const std::string& text);
 Result<WorkViews> parse_work_views(const std::vector<std::string>& names);
 // "52.5163,13.3777": latitude and longitude, degrees.
 Result<MapPlace> parse_place(const std::string& text);
-// "17:30" as an hour of the day: 17.5. From 00:00 to 23:59.
+// "17:30" as an hour of the day: 17.5. From 00:00 to 23:59; or "dawn", "noon", "dusk" and "night" of a day
+// late in August.
 Result<float> parse_time(const std::string& text);
 // Whether "clear" or "overcast" is overcast.
 Result<bool> parse_weather(const std::string& text);

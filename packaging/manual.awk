@@ -8,8 +8,9 @@ function roff(text) {
     return text
 }
 # What --help ends with: prose, and after "Examples:" lines as they stand.
-function footer(command,    line, verbatim) {
+function footer(command,    line, verbatim, begun) {
     while ((getline line < (footers "/" command)) > 0) {
+        if (!begun++) print ".PP"
         if (line == "Examples:") {
             print ".PP\nExamples:\n.PP\n.nf\n.RS"
             verbatim = 1

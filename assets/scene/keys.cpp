@@ -203,10 +203,12 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "paths start at the scene's folder.",
          [](Reading&, Scene& s, const Json& v) { s.idles = v.get<std::vector<std::string>>(); }},
         {"time",
-         {text, 0, 0, "([01][0-9]|2[0-3]):[0-5][0-9]"},
+         {text, 0, 0, "([01][0-9]|2[0-3]):[0-5][0-9]|dawn|noon|dusk|night"},
          R"("17:30")",
          R"("08:15")",
-         "The time of day at the first tick, HH:MM, which moves the sun and sends people elsewhere.",
+         "The time of day at the first tick, HH:MM, dawn, noon, dusk or night, which moves the sun, of a day "
+         "late "
+         "in August, and sends people elsewhere.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_time(v), s.hour); }},
         {"sun_height",
          {number, -90, 90},

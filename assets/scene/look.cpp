@@ -108,11 +108,15 @@ Result<MapPlace> parse_place(const std::string& text) {
 }
 
 Result<float> parse_time(const std::string& text) {
+    // About when the sun rises, stands highest and sets on the day that it is of, and long after.
+    for (auto [word, hour] : {std::pair{"dawn", 6.5f}, {"noon", 13.25f}, {"dusk", 20.25f}, {"night", 23.0f}})
+        if (text == word) return hour;
     auto digit = [&](size_t i) { return text[i] >= '0' && text[i] <= '9' ? text[i] - '0' : 99; };
     bool shaped = text.size() == 5 && text[2] == ':';
     int hours = shaped ? digit(0) * 10 + digit(1) : 99, minutes = shaped ? digit(3) * 10 + digit(4) : 99;
     if (hours > 23 || minutes > 59)
-        return Error{excerpt(text) + " is not a time from 00:00 to 23:59, such as 17:30"};
+        return Error{excerpt(text) +
+                     " is not a time from 00:00 to 23:59, such as 17:30, or dawn, noon, dusk or night"};
     return static_cast<float>(hours) + static_cast<float>(minutes) / 60;
 }
 

@@ -96,6 +96,8 @@ std::vector<Json> things(const Json& keys) {
                              "23:59",
                              "24:00",
                              "8:00",
+                             "dusk",
+                             "Dusk",
                              "12:60",
                              "1x1",
                              "8192x8192",

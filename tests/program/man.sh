@@ -7,6 +7,7 @@ flaneur=$1 page=$2
 complaints=$(man --warnings --encoding=UTF-8 --local-file "$page" 2>&1 > /dev/null)
 [[ -z $complaints ]] || { echo "FAILED: $complaints" && exit 1; }
 text=$(MANWIDTH=200 man --encoding=UTF-8 --local-file "$page" | col -bx)
+if grep -E 'Default: [^ ]+\.  +[A-Z]' <<< "$text"; then echo "FAILED: the last option runs into what comes after it." && exit 1; fi
 options=0
 for command in $("$flaneur" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
     part=$(awk -v title="   flaneur $command" '$0 == title { on = 1; next } /^(   )?[^ ]/ { on = 0 } on' <<< "$text")

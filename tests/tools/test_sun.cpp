@@ -32,6 +32,15 @@ TEST(SceneSun, IsHighestInTheSouthAtTheSunsNoon) {
     EXPECT_LT(height(sun_at(noon + 12, 48)), -20);
 }
 
+TEST(SceneSun, IsAtTheHorizonAtDawnAndDusk) {
+    for (float latitude : {40.0f, 48.0f, 52.0f}) {
+        for (const char* word : {"dawn", "dusk"})
+            EXPECT_NEAR(height(sun_at(*parse_time(word), latitude)), 0, 5) << word;
+        EXPECT_GT(height(sun_at(*parse_time("noon"), latitude)), 45);
+        EXPECT_LT(height(sun_at(*parse_time("night"), latitude)), -20);
+    }
+}
+
 TEST(SceneSun, IsWhereTheSceneSaysIfItDoes) {
     Scene scene;
     scene.sun_height = 30.0f;

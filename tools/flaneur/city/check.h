@@ -32,8 +32,8 @@ std::vector<Finding> check_drawn(const City& city, const Navmesh& mesh);
 // share that the mesh has a way for, in percent.
 Finding check_paths(const City& city, const Navmesh& mesh);
 
-// Walkers in the city for so long: who was in a wall, off the ground, or stuck, and how much of their walking
-// was on roadways more than 3 m from a crossing.
+// Walkers in the city for so long: who was in a wall, off the ground, or stuck for a minute (where they walk
+// for longer), and how much of their walking was on roadways more than 3 m from a crossing.
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
                                          uint32_t walkers, double seconds, float hour, uint64_t seed);
 

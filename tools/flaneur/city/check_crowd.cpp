@@ -111,7 +111,9 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
     }
     clear_progress();
     on_road.value = walking ? 100 * static_cast<double>(roads) / static_cast<double>(walking) : 0;
-    return std::vector<Finding>{in_wall, lost, stuck, on_road, overlap};
+    std::vector<Finding> findings{in_wall, lost, on_road, overlap};
+    if (ticks > k_stuck_ticks) findings.insert(findings.begin() + 2, stuck);  // else nobody could be
+    return findings;
 }
 
 }  // namespace flaneur

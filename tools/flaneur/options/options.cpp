@@ -370,7 +370,9 @@ void add_city(CLI::App& app, SceneWords& words, Options& options) {
     // A city that is written has nobody in it.
     for (const char* name : {"--walkers", "--time", "--weather", "--threads"})
         city->get_option(name)->needs(check);
-    city->add_option("--seconds", options.seconds, "How long they walk in a check, in simulated time")
+    city->add_option(
+            "--seconds", options.seconds,
+            "How long they walk in a check, in simulated time: more than a minute shows who gets stuck")
         ->needs(check)
         ->type_name("T")
         ->check(number_between(1.0, 1e6))

@@ -75,8 +75,11 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(0, k_max_walkers))
         ->group("Scene");
-    add_parsed(app, "--time", parse_time, words.hour,
-               "The time of day, which moves the sun and sends people elsewhere", "HH:MM", "17:30")
+    add_parsed(
+        app, "--time", parse_time, words.hour,
+        "The time of day, or dawn, noon, dusk or night, which moves the sun and sends people elsewhere; the "
+        "sun is that of 26 August by summer time, when it sets in London about 20:15",
+        "HH:MM", "17:30")
         ->group("Scene");
     add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");
