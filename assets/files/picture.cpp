@@ -19,13 +19,19 @@ namespace flaneur {
 namespace {
 
 constexpr const char* k_keyword = "Comment";  // of PNG texts
+constexpr png_byte k_text_chunk[] = {'t', 'E', 'X', 't', 0};
 
 Error undecodable() { return Error{"cannot be decoded"}; }
 
-Result<DecodedPicture> blank(size_t width, size_t height, size_t most_pixels) {
+// How many pixels may be decoded, and how many were begun.
+struct PixelRoom {
+    size_t most = 0, begun = 0;
+};
+
+Result<DecodedPicture> blank(size_t width, size_t height, PixelRoom& room) {
     if (width == 0 || height == 0) return undecodable();
-    if (width > most_pixels || height > most_pixels / width)
-        return Error{"has more pixels than can be taken in"};
+    if (width > room.most || height > room.most / width) return Error{"has more pixels than can be taken in"};
+    room.begun = width * height;
     DecodedPicture picture{static_cast<int>(width), static_cast<int>(height), {}};
     picture.rgba.resize(width * height * 4);
     return picture;
@@ -62,6 +68,9 @@ bool begin_png(PngReader& r) {
     png_set_read_fn(r.png, &r, take_png_bytes);
     png_set_user_limits(r.png, 0x7fffffff, 0x7fffffff);  // pixels are counted instead
     png_set_chunk_malloc_max(r.png, 8 << 20);
+    // Packed texts and profiles, each of which may unpack to so much, are passed over.
+    png_set_keep_unknown_chunks(r.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+    png_set_keep_unknown_chunks(r.png, PNG_HANDLE_CHUNK_AS_DEFAULT, k_text_chunk, 1);
     png_read_info(r.png, r.info);
     return true;
 }
@@ -85,11 +94,11 @@ bool finish_png(PngReader& r) {
     return true;
 }
 
-Result<DecodedPicture> decode_png(std::span<const uint8_t> bytes, size_t most_pixels) {
+Result<DecodedPicture> decode_png(std::span<const uint8_t> bytes, PixelRoom& room) {
     PngReader reader(bytes);
     if (!reader.info || !begin_png(reader)) return undecodable();
     auto picture = blank(png_get_image_width(reader.png, reader.info),
-                         png_get_image_height(reader.png, reader.info), most_pixels);
+                         png_get_image_height(reader.png, reader.info), room);
     if (!picture) return picture;
     size_t row = static_cast<size_t>(picture->width) * 4;
     if (!prepare_png(reader) || png_get_rowbytes(reader.png, reader.info) != row) return undecodable();
@@ -156,37 +165,44 @@ bool finish_jpeg(JpegReader& r, uint8_t* rgba) {
     return !r.is_cut;
 }
 
-Result<DecodedPicture> decode_jpeg(std::span<const uint8_t> bytes, size_t most_pixels) {
+Result<DecodedPicture> decode_jpeg(std::span<const uint8_t> bytes, PixelRoom& room) {
     JpegReader reader;
     if (!begin_jpeg(reader, bytes.data(), bytes.size())) return undecodable();
-    auto picture = blank(reader.jpeg.image_width, reader.jpeg.image_height, most_pixels);
+    auto picture = blank(reader.jpeg.image_width, reader.jpeg.image_height, room);
     if (picture && !finish_jpeg(reader, picture->rgba.data())) return undecodable();
     return picture;
 }
 
-Result<DecodedPicture> decode_webp(std::span<const uint8_t> bytes, size_t most_pixels) {
+Result<DecodedPicture> decode_webp(std::span<const uint8_t> bytes, PixelRoom& room) {
     WebPBitstreamFeatures features;
     if (WebPGetFeatures(bytes.data(), bytes.size(), &features) != VP8_STATUS_OK) return undecodable();
     if (features.has_animation) return Error{"moves; still pictures are read"};
-    auto picture = blank(size_t(features.width), size_t(features.height), most_pixels);
+    auto picture = blank(size_t(features.width), size_t(features.height), room);
     if (picture && !WebPDecodeRGBAInto(bytes.data(), bytes.size(), picture->rgba.data(), picture->rgba.size(),
                                        picture->width * 4))
         return undecodable();
     return picture;
 }
 
-}  // namespace
-
-Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels) {
+Result<DecodedPicture> decode(std::span<const uint8_t> bytes, PixelRoom& room) {
     auto begins = [&](std::initializer_list<uint8_t> magic) {
         return bytes.size() > magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
     };
-    if (begins({0x89, 'P', 'N', 'G'})) return decode_png(bytes, most_pixels);
-    if (begins({0xff, 0xd8, 0xff})) return decode_jpeg(bytes, most_pixels);
+    if (begins({0x89, 'P', 'N', 'G'})) return decode_png(bytes, room);
+    if (begins({0xff, 0xd8, 0xff})) return decode_jpeg(bytes, room);
     if (begins({'R', 'I', 'F', 'F'}) && bytes.size() >= 12 && std::memcmp(&bytes[8], "WEBP", 4) == 0)
-        return decode_webp(bytes, most_pixels);
+        return decode_webp(bytes, room);
     if (begins({0xab, 'K', 'T', 'X', ' '})) return Error{"is a KTX texture, which is not read"};
     return Error{"is neither PNG nor JPEG nor WebP"};
+}
+
+}  // namespace
+
+Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels, size_t* begun) {
+    PixelRoom room{most_pixels};
+    auto picture = decode(bytes, room);
+    if (begun) *begun = room.begun;
+    return picture;
 }
 
 // A chunk of text, which goes behind the first chunk.

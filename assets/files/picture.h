@@ -16,8 +16,10 @@ struct DecodedPicture {
 };
 
 // A PNG, a JPEG or a still WebP of at most `most_pixels`, which are counted before any is decoded. The
-// error's sentence has no subject: "cannot be decoded".
-Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels);
+// error's sentence has no subject: "cannot be decoded". `begun`, if given, is how many pixels time was spent
+// on, those of a picture that turns out to be broken too.
+Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t most_pixels,
+                                      size_t* begun = nullptr);
 
 // A PNG of 8 bits a channel, sRGB: rows from the top, of `channels` 3 (RGB) or 4 (RGBA) bytes a pixel. Empty
 // where there is not enough memory. `comment`, in ASCII, is kept with the picture.

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int k_most_edge = 1024;             // texels of what is kept: nobody in a crowd shows more
 constexpr size_t k_most_pixels = 32'000'000;  // of one image
+constexpr size_t k_least_breadth = 128;       // that one to be shrunk counts as having: a strip takes as long
 constexpr int k_opaque = 0;                   // cuts nothing away
 
 // What is told of a material, by whichever way it is told.
@@ -94,15 +95,20 @@ void move_uvs(const tinygltf::Value& transform, GltfSurface& surface) {
 // Why it cannot be shown; empty if it can.
 std::string decode(const std::vector<unsigned char>& bytes, size_t& pixels_left, Texture& texture) {
     if (bytes.empty()) return "is not to be had";
-    auto picture = decode_picture(bytes, std::min(k_most_pixels, pixels_left));
+    size_t most = std::min(k_most_pixels, pixels_left), pixels = 0;
+    auto picture = decode_picture(bytes, most, &pixels);
+    pixels_left -= pixels;
     if (!picture) return picture.error().message;
-    pixels_left -= picture->rgba.size() / 4;
     texture.width = std::min(picture->width, k_most_edge);
     texture.height = std::min(picture->height, k_most_edge);
     if (texture.width == picture->width && texture.height == picture->height) {
         texture.rgba = std::move(picture->rgba);
         return {};
     }
+    size_t more = size_t(std::max(picture->width, picture->height)) * k_least_breadth;
+    more -= std::min(more, pixels);
+    if (pixels + more > most) return "is too long for its breadth";
+    pixels_left -= more;
     texture.rgba.resize(size_t(texture.width) * size_t(texture.height) * 4);
     bool fits = stbir_resize_uint8_srgb(picture->rgba.data(), picture->width, picture->height, 0,
                                         texture.rgba.data(), texture.width, texture.height, 0, 4, 3, 0);

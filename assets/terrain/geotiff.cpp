@@ -23,8 +23,8 @@ constexpr uint16_t k_model_type = 1024, k_raster_type = 1025, k_angular_units = 
 constexpr uint16_t k_geographic = 2, k_pixel_is_point = 2, k_degree = 9102, k_metre = 9001;
 
 constexpr uint32_t k_widest = 100'000;  // samples a side
-// Bytes, unpacked: of a tile or a row, of a strip, which is unpacked from its beginning, and of all strips
-// that a window takes.
+// Bytes, unpacked: of a tile or a row, of a strip, which is unpacked from its beginning, and of all tiles or
+// strips that a window takes.
 constexpr tmsize_t k_largest_block = 64 << 20, k_largest_strip = 256 << 20;
 constexpr int64_t k_most_unpacked = int64_t{2} << 30;
 
@@ -144,8 +144,12 @@ bool read_tiles(TIFF* tiff, Terrain& terrain, const TerrainWindow& window, bool 
         return false;
     std::vector<uint8_t> tile(static_cast<size_t>(size));
     int w = static_cast<int>(width), h = static_cast<int>(height);
-    for (int y = window.first_row / h * h; y < window.first_row + window.rows; y += h) {
-        for (int x = window.first_column / w * w; x < window.first_column + window.columns; x += w) {
+    int top = window.first_row / h * h, bottom = window.first_row + window.rows;
+    int left = window.first_column / w * w, right = window.first_column + window.columns;
+    int64_t tiles = (int64_t{bottom} - top + h - 1) / h * ((int64_t{right} - left + w - 1) / w);
+    if (size > k_most_unpacked / tiles) return false;
+    for (int y = top; y < bottom; y += h) {
+        for (int x = left; x < right; x += w) {
             if (TIFFReadTile(tiff, tile.data(), static_cast<uint32_t>(x), static_cast<uint32_t>(y), 0, 0) < 0)
                 return false;
             size_t row_bytes = width * (floats ? 4u : 2u);

@@ -2,108 +2,20 @@
 #include <gtest/gtest.h>
 #include <png.h>
 #include <stb/stb_image.h>
-#include <webp/encode.h>
+#include <sys/resource.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
 
 #include "assets/files/picture.h"
-// After <cstdlib>, which it needs.
-#include <jpeglib.h>
+#include "tests/assets/tiny/pictures.h"
 
 namespace flaneur {
 namespace {
 
-using Bytes = std::vector<uint8_t>;
-
-constexpr int k_width = 37, k_height = 21;
+constexpr int k_width = k_tiny_width, k_height = k_tiny_height;
 constexpr size_t k_many = 1'000'000;
-
-// Slopes, and an edge.
-uint8_t sample(int x, int y, int channel) {
-    return static_cast<uint8_t>(channel == 3 ? 255 - 3 * x
-                                             : 2 * x + 3 * y + 40 * channel + (x > 20 ? 60 : 0));
-}
-
-struct PngKind {
-    int colour, bits;
-    bool interlaced = false, see_through = false;
-};
-
-Bytes png_of(const PngKind& kind) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png_create_info_struct(png);
-    Bytes out;
-    png_set_write_fn(
-        png, &out,
-        [](png_structp p, png_bytep bytes, size_t count) {
-            auto* to = static_cast<Bytes*>(png_get_io_ptr(p));
-            to->insert(to->end(), bytes, bytes + count);
-        },
-        [](png_structp) {});
-    png_set_IHDR(png, info, k_width, k_height, kind.bits, kind.colour,
-                 kind.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_gAMA(png, info, 1.0);  // which glTF wants ignored
-    if (kind.colour == PNG_COLOR_TYPE_PALETTE) {
-        png_color palette[16];
-        for (int i = 0; i < 16; ++i) palette[i] = {sample(i, 1, 0), sample(i, 2, 1), sample(i, 3, 2)};
-        png_set_PLTE(png, info, palette, 1 << kind.bits);
-        png_byte alphas[] = {0, 100, 200};
-        if (kind.see_through) png_set_tRNS(png, info, alphas, 3, nullptr);
-    } else if (kind.see_through) {
-        png_color_16 clear{0, sample(3, 4, 0), sample(3, 4, 1), sample(3, 4, 2), sample(3, 4, 0)};
-        png_set_tRNS(png, info, nullptr, 0, &clear);
-    }
-    png_write_info(png, info);
-    size_t channels = png_get_channels(png, info);
-    std::vector<Bytes> rows(k_height);
-    std::vector<png_bytep> pointers;
-    for (int y = 0; y < k_height; ++y) {
-        Bytes& row = rows[static_cast<size_t>(y)];
-        row.assign(png_get_rowbytes(png, info), 0);
-        for (size_t i = 0; i < row.size(); ++i) {
-            auto pixel = static_cast<int>(i * 8 / (channels * static_cast<size_t>(kind.bits)));
-            row[i] = sample(pixel, y, static_cast<int>(i * 8 / static_cast<size_t>(kind.bits) % channels));
-        }
-        pointers.push_back(row.data());
-    }
-    png_write_image(png, pointers.data());
-    png_write_end(png, info);
-    png_destroy_write_struct(&png, &info);
-    return out;
-}
-
-Bytes jpeg_of(J_COLOR_SPACE space, int channels, bool progressive) {
-    jpeg_compress_struct jpeg;
-    jpeg_error_mgr errors;
-    jpeg.err = jpeg_std_error(&errors);
-    jpeg_create_compress(&jpeg);
-    unsigned char* bytes = nullptr;
-    unsigned long size = 0;
-    jpeg_mem_dest(&jpeg, &bytes, &size);
-    jpeg.image_width = k_width;
-    jpeg.image_height = k_height;
-    jpeg.input_components = channels;
-    jpeg.in_color_space = space;
-    jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, 95, TRUE);
-    if (progressive) jpeg_simple_progression(&jpeg);
-    jpeg_start_compress(&jpeg, TRUE);
-    for (int y = 0; y < k_height; ++y) {
-        Bytes row;
-        for (int x = 0; x < k_width; ++x)
-            for (int c = 0; c < channels; ++c) row.push_back(sample(x, y, c));
-        JSAMPROW rows[] = {row.data()};
-        jpeg_write_scanlines(&jpeg, rows, 1);
-    }
-    jpeg_finish_compress(&jpeg);
-    jpeg_destroy_compress(&jpeg);
-    Bytes out(bytes, bytes + size);
-    std::free(bytes);
-    return out;
-}
 
 // By another decoder.
 Bytes reference(const Bytes& file) {
@@ -162,9 +74,9 @@ TEST(Picture, WhatIsWrittenIsWhatIsRead) {
     for (int channels : {3, 4}) {
         Bytes pixels, wanted;
         for (int i = 0; i < k_width * k_height; ++i) {
-            for (int c = 0; c < channels; ++c) pixels.push_back(sample(i % k_width, i / k_width, c));
+            for (int c = 0; c < channels; ++c) pixels.push_back(tiny_sample(i % k_width, i / k_width, c));
             for (int c = 0; c < 4; ++c)
-                wanted.push_back(c < channels ? sample(i % k_width, i / k_width, c) : uint8_t{255});
+                wanted.push_back(c < channels ? tiny_sample(i % k_width, i / k_width, c) : uint8_t{255});
         }
         std::string png = encode_png(pixels, k_width, k_height, channels, "made by hand");
         Bytes file(png.begin(), png.end());
@@ -197,6 +109,50 @@ TEST(Picture, WhatIsCutShortOrTooLargeIsRefused) {
     EXPECT_FALSE(decode_picture({}, k_many));
 }
 
+// A picture with so many texts, each of which unpacks to megabytes.
+Bytes png_with_texts(int count) {
+    Bytes whole = png_of({PNG_COLOR_TYPE_RGB, 8}), text{'z', 'T', 'X', 't', 'a', 0, 0};
+    Bytes blank(7'900'000, ' ');
+    uLongf packed = compressBound(blank.size());
+    text.resize(7 + packed);
+    compress(&text[7], &packed, blank.data(), blank.size());
+    text.resize(7 + packed);
+    auto length = static_cast<uint32_t>(3 + packed),
+         sum = static_cast<uint32_t>(crc32(0, text.data(), static_cast<uInt>(text.size())));
+    auto put = [](Bytes& to, uint32_t number) {
+        for (int shift = 24; shift >= 0; shift -= 8) to.push_back(static_cast<uint8_t>(number >> shift));
+    };
+    Bytes out(whole.begin(), whole.begin() + 33);  // up to the end of its header
+    for (int i = 0; i < count; ++i) {
+        put(out, length);
+        out.insert(out.end(), text.begin(), text.end());
+        put(out, sum);
+    }
+    out.insert(out.end(), whole.begin() + 33, whole.end());
+    return out;
+}
+
+TEST(Picture, WhatItSaysBesidesTakesNoMemory) {
+    Bytes file = png_with_texts(50);
+    rusage before{}, after{};
+    getrusage(RUSAGE_SELF, &before);
+    auto picture = decode_picture(file, k_many);
+    getrusage(RUSAGE_SELF, &after);
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_EQ(picture->rgba, reference(png_of({PNG_COLOR_TYPE_RGB, 8})));
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100 << 10) << "kilobytes";
+}
+
+// Broken ones count as well.
+TEST(Picture, TellsHowManyPixelsItBegan) {
+    Bytes whole = jpeg_of(JCS_RGB, 3, false);
+    size_t begun = 0;
+    EXPECT_FALSE(decode_picture(std::span(whole).first(whole.size() / 2), k_many, &begun));
+    EXPECT_EQ(begun, size_t{k_width} * k_height);
+    EXPECT_FALSE(decode_picture(whole, k_width * k_height - 1, &begun));
+    EXPECT_EQ(begun, 0u);
+}
+
 // A header alone says how much memory it would take.
 TEST(Picture, BombsAreRefusedByTheirHeaders) {
     Bytes bomb = png_of({PNG_COLOR_TYPE_RGB, 8});
@@ -216,19 +172,6 @@ TEST(Picture, BombsAreRefusedByTheirHeaders) {
     EXPECT_NE(picture.error().message.find("more pixels"), std::string::npos) << picture.error().message;
 }
 
-Bytes webp_of(bool lossless) {
-    Bytes pixels;
-    for (int y = 0; y < k_height; ++y)
-        for (int x = 0; x < k_width; ++x)
-            for (int channel = 0; channel < 4; ++channel) pixels.push_back(sample(x, y, channel));
-    uint8_t* packed = nullptr;
-    size_t size = lossless ? WebPEncodeLosslessRGBA(pixels.data(), k_width, k_height, k_width * 4, &packed)
-                           : WebPEncodeRGBA(pixels.data(), k_width, k_height, k_width * 4, 95, &packed);
-    Bytes out(packed, packed + size);
-    WebPFree(packed);
-    return out;
-}
-
 TEST(Picture, WebpIsDecoded) {
     for (bool lossless : {true, false}) {
         auto picture = decode_picture(webp_of(lossless), k_many);
@@ -240,7 +183,7 @@ TEST(Picture, WebpIsDecoded) {
         for (int y = 0; y < k_height; ++y)
             for (int x = 0; x < k_width; ++x)
                 for (int channel = 0; channel < 4; ++channel, ++at) {
-                    int off = std::abs(picture->rgba[at] - sample(x, y, channel));
+                    int off = std::abs(picture->rgba[at] - tiny_sample(x, y, channel));
                     worst = std::max(worst, off), sum += off;
                 }
         if (lossless) {

@@ -1,43 +1,24 @@
 // gltf_seeds FOLDER: small files for the fuzzer to begin with.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-
 #include "assets/files/picture.h"
 #include "tests/assets/tiny_man.h"
-
-namespace {
-
-using namespace flaneur;
-
-void write(const std::filesystem::path& path, const Bytes& bytes) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    if (!file) std::cerr << "Cannot write " << path << "\n", std::exit(1);
-}
-
-}  // namespace
+#include "tests/fuzz/seeds.h"
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "gltf_seeds FOLDER\n";
-        return 1;
-    }
-    std::filesystem::path folder = argv[1];
-    std::filesystem::create_directories(folder);
-    write(folder / "man.glb", as_glb(tiny_man()));
-    write(folder / "man.gltf", as_gltf(tiny_man()));
+    using namespace flaneur;
+    std::filesystem::path folder = seeds_folder(argc, argv);
+    write_seed(folder / "man.glb", as_glb(tiny_man()));
+    write_seed(folder / "man.gltf", as_gltf(tiny_man()));
 
     TinyMan swaying = tiny_man();
     animate(swaying, head, "rotation", "LINEAR", {0, 1}, {0, 0, 0, 1, 0, 1, 0, 0});
     animate(swaying, hips, "translation", "STEP", {0, 0.5f}, {0, 1, 0, 0, 1.1f, 0});
     animate(swaying, chest, "scale", "CUBICSPLINE", {0}, {0, 0, 0, 1, 1, 1, 0, 0, 0});
-    write(folder / "swaying.glb", as_glb(swaying));
+    write_seed(folder / "swaying.glb", as_glb(swaying));
 
     std::vector<TinyBone> pieces = tiny_bones();
     for (TinyBone& bone : pieces) bone.parent = -1;
     pieces.push_back({"foot_ik", -1, pieces[left_foot].place, {}, false});
-    write(folder / "pieces.glb", as_glb(tiny_rig(pieces)));
+    write_seed(folder / "pieces.glb", as_glb(tiny_rig(pieces)));
 
     TinyMan dressed = tiny_man();
     const uint8_t k_texels[] = {200, 80, 60, 255, 200, 80, 60, 0};
@@ -57,6 +38,21 @@ int main(int argc, char** argv) {
     dressed.gltf["materials"] = {{{"doubleSided", true},
                                   {"alphaMode", "MASK"},
                                   {"pbrMetallicRoughness", {{"baseColorTexture", texture}}}}};
-    dressed.gltf["extensions"]["VRM"]["humanoid"]["humanBones"] = {{{"bone", "hips"}, {"node", 0}}};
-    write(folder / "dressed.glb", as_glb(dressed));
+    write_seed(folder / "dressed.glb", as_glb(dressed));
+
+    // VRM 0 lists the bones, VRM 1 keys them by name.
+    TinyMan listed = tiny_man(), keyed = tiny_man();
+    Json &list = listed.gltf["extensions"]["VRM"]["humanoid"]["humanBones"],
+         &keys = keyed.gltf["extensions"]["VRMC_vrm"]["humanoid"]["humanBones"];
+    for (auto [bone, joint] : {std::pair{"hips", hips},
+                               {"head", head},
+                               {"leftHand", left_hand},
+                               {"leftFoot", left_foot},
+                               {"rightUpperArm", right_upper_arm},
+                               {"rightLowerLeg", right_lower_leg}}) {
+        list.push_back({{"bone", bone}, {"node", int(joint)}});
+        keys[bone] = {{"node", int(joint)}};
+    }
+    write_seed(folder / "man.0.vrm", as_glb(listed));
+    write_seed(folder / "man.1.vrm", as_glb(keyed));
 }

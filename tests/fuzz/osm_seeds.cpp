@@ -1,15 +1,26 @@
 // osm_seeds FOLDER: small maps for the fuzzer to begin with.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <string>
+#include <osmium/io/any_compression.hpp>
+#include <osmium/io/pbf_input.hpp>
+#include <osmium/io/pbf_output.hpp>
+#include <osmium/io/writer.hpp>
+#include <osmium/io/xml_input.hpp>
+#include <osmium/io/xml_output.hpp>
+
+#include "tests/fuzz/seeds.h"
 
 namespace {
 
 void write(const std::filesystem::path& path, const std::string& body) {
-    std::ofstream file(path);
-    file << "<osm version=\"0.6\">" << body << "</osm>";
-    if (!file) std::cerr << "Cannot write " << path << "\n", std::exit(1);
+    write_seed(path, "<osm version=\"0.6\">" + body + "</osm>");
+}
+
+// A map of text once more, packed.
+void pack(const std::filesystem::path& from, const std::string& to, const char* format) {
+    osmium::io::Reader reader{from.string()};
+    osmium::io::Writer writer{osmium::io::File{to, format}, osmium::io::overwrite::allow};
+    while (osmium::memory::Buffer buffer = reader.read()) writer(std::move(buffer));
+    writer.close();
+    reader.close();
 }
 
 // Nodes 1 to 36, six by six, 11 m apart.
@@ -35,12 +46,7 @@ std::string tag(const std::string& key, const std::string& value) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "osm_seeds FOLDER\n";
-        return 1;
-    }
-    std::filesystem::path folder = argv[1];
-    std::filesystem::create_directories(folder);
+    std::filesystem::path folder = seeds_folder(argc, argv);
     std::string street = way(100, {1, 2, 3, 6}, tag("highway", "residential") + tag("sidewalk", "both"));
     for (const char* roof : {"gabled", "hipped", "pyramidal", "skillion", "gambrel", "mansard", "dome",
                              "onion", "half-hipped", "round"}) {
@@ -72,4 +78,13 @@ int main(int argc, char** argv) {
               way(106, {10, 11, 12}, tag("barrier", "wall") + tag("height", "2")) +
               way(107, {16, 17, 18}, tag("natural", "tree_row")) +
               way(108, {28, 29, 35, 34, 28}, tag("highway", "pedestrian") + tag("area", "yes")));
+    for (const char* name : {"court", "ways", "gabled"}) {
+        std::filesystem::path plain = folder / (std::string(name) + ".osm");
+        std::string packed = (folder / name).string();
+        pack(plain, packed + ".osm.gz", "osm.gz");
+        pack(plain, packed + ".osm.bz2", "osm.bz2");
+        pack(plain, packed + ".pbf", "pbf,pbf_compression=none");
+        pack(plain, packed + ".sparse.pbf", "pbf,pbf_compression=none,pbf_dense_nodes=false");
+        pack(plain, packed + ".deflated.pbf", "pbf");
+    }
 }

@@ -1,16 +1,8 @@
 // scene_seeds FOLDER: small scenes for the fuzzer to begin with.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <string>
+#include "tests/fuzz/seeds.h"
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "scene_seeds FOLDER\n";
-        return 1;
-    }
-    std::filesystem::path folder = argv[1];
-    std::filesystem::create_directories(folder);
+    std::filesystem::path folder = seeds_folder(argc, argv);
     int number = 0;
     for (
         const char* scene :
@@ -19,12 +11,6 @@ int main(int argc, char** argv) {
          R"({"city": "a.glb", "scale": 0.01, "sun_height": 40.5, "sun_heading": 120})",
          R"({"people": [{"character": "a.glb", "share": 1}, {"builtin": true, "share": 9}], "idles": ["a.glb:Idle"]})",
          R"({"asteroid": true, "walkers": 100000, "seed": 18446744073709551615})",
-         R"({"walkers": [[[[]]]], "city": {"a": ["\u001b[2J\n"]}})"}) {
-        std::ofstream file(folder / (std::to_string(++number) + ".json"));
-        file << scene;
-        if (!file) {
-            std::cerr << "Cannot write to " << folder << "\n";
-            return 1;
-        }
-    }
+         R"({"walkers": [[[[]]]], "city": {"a": ["\u001b[2J\n"]}})"})
+        write_seed(folder / (std::to_string(++number) + ".json"), std::string(scene));
 }
