@@ -147,7 +147,7 @@ TEST(Picture, WhatItSaysBesidesTakesNoMemory) {
 TEST(Picture, TellsHowManyPixelsItBegan) {
     Bytes whole = jpeg_of(JCS_RGB, 3, false);
     size_t begun = 0;
-    EXPECT_FALSE(decode_picture(std::span(whole).first(whole.size() / 2), k_many, &begun));
+    EXPECT_FALSE(decode_picture(std::span(whole).first(whole.size() - 20), k_many, &begun));
     EXPECT_EQ(begun, size_t{k_width} * k_height);
     EXPECT_FALSE(decode_picture(whole, k_width * k_height - 1, &begun));
     EXPECT_EQ(begun, 0u);
