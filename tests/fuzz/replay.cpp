@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 namespace {
 
-constexpr rlim_t k_most_seconds = 20;
+constexpr rlim_t k_most_seconds = 10;
 
 rusage used() {
     rusage so_far{};
