@@ -1,11 +1,10 @@
 #!/bin/bash
 # fuzz.sh BUILD NAME SECONDS SHARED [KEPT]: feeds BUILD/NAME_fuzz bytes made by chance for so long. It begins with files of
-# BUILD/NAME_seeds, those that were found before and, where they are there, small ones of SHARED. What took it further stays
-# in the folder KEPT, if one is given, and is begun with the next time. What crashed it, hung it for a minute or took more
-# than a gigabyte stays in BUILD as NAME-crash-*, NAME-timeout-* and NAME-oom-*.
+# BUILD/NAME_seeds and, where they are there, small ones of SHARED. What took it further stays in the folder KEPT, if one is
+# given, and is begun with the next time. What crashed it, hung it for a minute or took more than a gigabyte stays in BUILD
+# as NAME-crash-*, NAME-timeout-* and NAME-oom-*.
 set -euo pipefail
 build=$1 name=$2 seconds=$3 shared=$4
-tests=$(cd "$(dirname "$0")/../fuzz" && pwd)
 case $name in
     gltf) also=(corpus/odd -size -64k '(' -name '*.gl*f' -o -name '*.glb' -o -name '*.vrm' ')') length=65536 ;;
     osm) also=(corpus/osm -size -32k -name '*.osm*') length=16384 ;;
@@ -27,5 +26,5 @@ if [[ -d $shared/${also[0]} ]]; then
 fi
 # Sanitizers take twice the memory and more.
 TMPDIR=$seeds/tmp "$build/${name}_fuzz" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2560 -malloc_limit_mb=700 \
-    -max_len="$length" -dict="$tests/$name.dict" -artifact_prefix="$build/$name-" -print_final_stats=1 \
-    "$kept" "$tests/found/$name" "$seeds/also" "$seeds/own"
+    -max_len="$length" -dict="$(dirname "$0")/../fuzz/$name.dict" -artifact_prefix="$build/$name-" -print_final_stats=1 \
+    "$kept" "$seeds/also" "$seeds/own"
