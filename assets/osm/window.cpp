@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "assets/files/file.h"
 #include "assets/osm/cut.h"
 
 namespace flaneur {
@@ -26,6 +27,8 @@ constexpr float k_radii[] = {
 // and only say so, bytes.
 constexpr double k_most_searched = 1.5;
 constexpr uintmax_t k_small = 16 << 20;
+// What a .pbf holds takes more than so many times its size in memory.
+constexpr uintmax_t k_packed = 4;
 
 double seconds_for(double nodes, double width, double depth) {
     return nodes * k_seconds_per_node + width * depth * 1e-6 * k_seconds_per_km2;
@@ -101,6 +104,12 @@ bool is_vast(const std::string& path, const OsmBox& box) {
     std::error_code unknown;
     bool is_wide = std::max(box[2] - box[0], box[3] - box[1]) > k_most_searched;
     return is_wide && std::filesystem::file_size(path, unknown) > k_small;
+}
+
+// Whether a file need not be tried.
+bool is_surely_too_large(const std::string& path, size_t most) {
+    std::error_code unknown;
+    return has_ending(path, ".pbf") && std::filesystem::file_size(path, unknown) > most / k_packed;
 }
 
 std::string shown_box(const OsmBox& box) {
@@ -255,13 +264,13 @@ Result<OsmMap> read_drawn(const std::string& path, const CityOptions& options) {
             return Error{"The map " + path + " reaches from " + shown_box(*bounds) +
                          " (latitude,longitude), too far to be searched for the place to draw; say where "
                          "with --center LAT,LON."};
-        bool is_too_large = false;
-        Result<OsmMap> whole = read_osm(path, how, &is_too_large);
+        bool is_too_large = is_surely_too_large(path, how.most);
+        Result<OsmMap> whole = is_too_large ? Error{} : read_osm(path, how, &is_too_large);
         if (!whole && !is_too_large) return whole;
         Result<std::vector<OsmSight>> sights = whole ? sights_of(*whole) : survey_osm(path, options.tell);
         if (!sights) return sights.error();
         choice = choose_window(*sights, whole ? extent_of(*whole) : bounds, options.radius);
-        if (whole && (choice.is_whole || sights->empty())) return whole;
+        if (choice.is_whole || sights->empty()) return whole ? std::move(whole) : read_osm(path, how);
         if (whole) cut = cut_map(*whole, choice.window);
     }
     if (!cut) {

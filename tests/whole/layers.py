@@ -31,6 +31,7 @@ assets/people: assets, sim/base
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
+assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
 assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base

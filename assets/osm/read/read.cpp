@@ -10,6 +10,7 @@
 #include "assets/files/file.h"
 #include "assets/osm/cut.h"
 #include "assets/osm/map.h"
+#include "assets/osm/read/objects.h"
 #include "assets/osm/window.h"
 
 namespace {
@@ -38,10 +39,7 @@ bool take_place(osmium::io::file_compression how) {
 }  // namespace
 
 #include <osmium/io/any_compression.hpp>
-#include <osmium/io/pbf_input.hpp>
-#include <osmium/io/reader.hpp>
 #include <osmium/io/xml_input.hpp>
-#include <osmium/osm.hpp>
 
 namespace {
 
@@ -106,8 +104,6 @@ const OsmWay* OsmMap::way(int64_t id) const { return find_id(ways, id); }
 
 namespace {
 
-using osmium::io::File;
-
 // What is made of libosmium's objects. Whatever is taken costs some of the room.
 struct Taker {
     size_t room;  // bytes
@@ -161,60 +157,44 @@ bool is_wanted(const osmium::Relation& relation) {
     return relation.visible() && (type == "multipolygon" || type == "building");
 }
 
-// Visits the objects of a file; `tell` hears how far it is.
-template <class Object, class Visit>
-void read_objects(const File& file, osmium::osm_entity_bits::type kinds, const TellProgress& tell,
-                  std::string_view what, Visit visit) {
-    osmium::io::Reader reader{file, kinds};
-    auto size = static_cast<float>(std::max(size_t{1}, reader.file_size()));
-    while (osmium::memory::Buffer buffer = reader.read()) {
-        for (const Object& object : buffer.template select<Object>()) visit(object);
-        if (tell) tell(what, std::min(1.0f, static_cast<float>(reader.offset()) / size));
-    }
-    reader.close();
-}
-
 // For cut_to.
 struct FileSource {
-    const File& file;
+    const Input& input;
     const TellProgress& tell;
     Taker taker;
     int passes = 0, too_long = 0;
 
     template <class Visit>
     void nodes(Visit visit) {
-        read_objects<osmium::Node>(
-            file, osmium::osm_entity_bits::node, tell, next(), [&](const osmium::Node& n) {
-                if (is_wanted(n))
-                    visit(n.id(), n.location().lon(), n.location().lat(), [&] { return taker.node(n); });
-            });
+        read_objects<osmium::Node>(input, kinds::node, tell, next(), [&](const osmium::Node& n) {
+            if (is_wanted(n))
+                visit(n.id(), n.location().lon(), n.location().lat(), [&] { return taker.node(n); });
+        });
     }
     template <class Visit>
     void ways(Visit visit) {
         too_long = 0;
-        read_objects<osmium::Way>(
-            file, osmium::osm_entity_bits::way, tell, next(), [&](const osmium::Way& w) {
-                if (!is_wanted(w)) return;
-                if (w.nodes().size() > k_osm_most_nodes)
-                    ++too_long;
-                else
-                    visit(
-                        w.id(), w.nodes().size(), [&](size_t i) { return w.nodes()[i].ref(); },
-                        [&] { return taker.way(w); });
-            });
+        read_objects<osmium::Way>(input, kinds::way, tell, next(), [&](const osmium::Way& w) {
+            if (!is_wanted(w)) return;
+            if (w.nodes().size() > k_osm_most_nodes)
+                ++too_long;
+            else
+                visit(
+                    w.id(), w.nodes().size(), [&](size_t i) { return w.nodes()[i].ref(); },
+                    [&] { return taker.way(w); });
+        });
     }
     template <class Visit>
     void relations(Visit visit) {
         std::vector<int64_t> members;
-        read_objects<osmium::Relation>(
-            file, osmium::osm_entity_bits::relation, tell, next(), [&](const osmium::Relation& r) {
-                if (!is_wanted(r)) return;
-                members.clear();
-                for (const osmium::RelationMember& m : r.members())
-                    if (m.type() == osmium::item_type::way) members.push_back(m.ref());
-                visit(
-                    members.size(), [&](size_t i) { return members[i]; }, [&] { return taker.relation(r); });
-            });
+        read_objects<osmium::Relation>(input, kinds::relation, tell, next(), [&](const osmium::Relation& r) {
+            if (!is_wanted(r)) return;
+            members.clear();
+            for (const osmium::RelationMember& m : r.members())
+                if (m.type() == osmium::item_type::way) members.push_back(m.ref());
+            visit(
+                members.size(), [&](size_t i) { return members[i]; }, [&] { return taker.relation(r); });
+        });
     }
 
   private:
@@ -263,6 +243,29 @@ auto guarded(const std::string& name, const std::string& advice, Read read) -> R
     }
 }
 
+// The same of what goes through a file several times, if need be again.
+template <class Read>
+auto guarded_input(const std::string& path, const std::string& advice, Read read)
+    -> Result<decltype(read(std::declval<const Input&>()))> {
+    Result<File> file = file_of(path);
+    if (!file) return file.error();
+    return guarded(path, advice, [&] {
+        Input input{*file};
+        if (file->format() == osmium::io::file_format::pbf) {
+            osmium::io::Header header = osmium::io::Reader{*file, kinds::nothing}.header();
+            if (!header.has_multiple_object_versions()) input.meta = osmium::io::read_meta::no;
+            input.blobs = blobs_of(path);
+            if (input.blobs) find_kinds(input);
+        }
+        try {
+            return read(input);
+        } catch (const Unsorted&) {
+            input.blobs.reset();
+            return read(input);
+        }
+    });
+}
+
 // Extracts about the antimeridian have longitudes near 180 and -180; theirs go on beyond 180 where that makes
 // them narrower. Nodes of nothing that is built do not count.
 void unroll(OsmMap& map) {
@@ -286,7 +289,8 @@ void unroll(OsmMap& map) {
     map.box = std::nullopt;  // which ends at 180
 }
 
-Result<OsmMap> read_from(const File& file, const std::string& name, const OsmReading& how, bool* too_large) {
+Result<OsmMap> read_from(const Input& input, const std::string& name, const OsmReading& how,
+                         bool* too_large) {
     const char* advice = "cut out a part of a few kilometres (osmium extract does)";
     return guarded(name, advice, [&] {
         OsmMap map;
@@ -309,11 +313,10 @@ Result<OsmMap> read_from(const File& file, const std::string& name, const OsmRea
         };
         try {
             {
-                osmium::io::Reader header{file, osmium::osm_entity_bits::nothing};
+                osmium::io::Reader header{input.file, osmium::osm_entity_bits::nothing};
                 map.box = bounds_of(header);
             }
-            read_objects<osmium::OSMObject>(file, osmium::osm_entity_bits::nwr, how.tell, "reading the map",
-                                            take);
+            read_objects<osmium::OSMObject>(input, kinds::nwr, how.tell, "reading the map", take);
         } catch (const TooLarge&) {
             if (too_large) *too_large = true;
             throw;
@@ -330,18 +333,16 @@ Result<OsmMap> read_from(const File& file, const std::string& name, const OsmRea
 
 Result<OsmMap> read_osm(const std::string& path, const OsmReading& how, bool* too_large) {
     Result<File> file = file_of(path);
-    return file ? read_from(*file, path, how, too_large) : file.error();
+    return file ? read_from({*file}, path, how, too_large) : file.error();
 }
 
 Result<OsmMap> parse_osm(std::string_view bytes, const std::string& format, size_t most) {
-    return read_from(File{bytes.data(), bytes.size(), format}, "in memory", {most}, nullptr);
+    return read_from({File{bytes.data(), bytes.size(), format}}, "in memory", {most}, nullptr);
 }
 
 Result<OsmMap> read_osm_window(const std::string& path, const OsmWindow& window, const OsmReading& how) {
-    Result<File> file = file_of(path);
-    if (!file) return file.error();
-    return guarded(path, "choose a smaller --radius", [&] {
-        FileSource source{*file, how.tell, {how.most}};
+    return guarded_input(path, "choose a smaller --radius", [&](const Input& input) {
+        FileSource source{input, how.tell, {how.most}};
         OsmMap map = cut_to(window, source);
         map.too_long = source.too_long;
         return map;
@@ -358,42 +359,45 @@ Result<std::optional<OsmBox>> read_osm_bounds(const std::string& path) {
 }
 
 Result<std::vector<OsmSight>> survey_osm(const std::string& path, const TellProgress& tell) {
-    Result<File> file = file_of(path);
-    if (!file) return file.error();
     struct Seen {
         int64_t node;
         float interest, nodes;
     };
-    return guarded(path, "", [&] {
+    return guarded_input(path, "", [&](const Input& input) {
         std::vector<Seen> seen;
         size_t every = 1, count = 0;  // of so many ways one is looked at
-        read_objects<osmium::Way>(
-            *file, osmium::osm_entity_bits::way, tell, "looking for where there is most to see, ways",
-            [&](const osmium::Way& way) {
-                if (!is_wanted(way) || way.nodes().empty()) return;
-                OsmSight sight = sight_of(way.get_value_by_key("highway", ""),
-                                          way.get_value_by_key("building", ""), way.nodes().size());
-                if (sight.nodes == 0 || count++ % every != 0) return;
-                seen.push_back({way.nodes()[0].ref(), sight.interest, sight.nodes});
-                if (seen.size() < k_osm_most_sights) return;
-                every *= 2;
-                size_t kept = 0;
-                for (size_t i = 0; i < seen.size(); i += 2) seen[kept++] = seen[i];
-                seen.resize(kept);
-            });
+        read_objects<osmium::Way>(input, kinds::way, tell, "looking for where there is most to see, ways",
+                                  [&](const osmium::Way& way) {
+                                      if (!is_wanted(way) || way.nodes().empty()) return;
+                                      OsmSight sight =
+                                          sight_of(way.get_value_by_key("highway", ""),
+                                                   way.get_value_by_key("building", ""), way.nodes().size());
+                                      if (sight.nodes == 0 || count++ % every != 0) return;
+                                      seen.push_back({way.nodes()[0].ref(), sight.interest, sight.nodes});
+                                      if (seen.size() < k_osm_most_sights) return;
+                                      every *= 2;
+                                      size_t kept = 0;
+                                      for (size_t i = 0; i < seen.size(); i += 2) seen[kept++] = seen[i];
+                                      seen.resize(kept);
+                                  });
+        // Among relations none may be that was not seen.
+        if (input.blobs)
+            read_objects<osmium::Relation>(input, kinds::relation, tell,
+                                           "looking for where there is most to see, order",
+                                           [](const osmium::Relation&) {});
         std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.node < b.node; });
         std::vector<OsmSight> sights;
         auto scale = static_cast<float>(every);
-        read_objects<osmium::Node>(
-            *file, osmium::osm_entity_bits::node, tell, "looking for where there is most to see, places",
-            [&](const osmium::Node& node) {
-                if (!is_wanted(node)) return;
-                auto at = std::lower_bound(seen.begin(), seen.end(), node.id(),
+        read_objects<osmium::Node>(input, kinds::node, tell, "looking for where there is most to see, places",
+                                   [&](const osmium::Node& node) {
+                                       if (!is_wanted(node)) return;
+                                       auto at = std::lower_bound(
+                                           seen.begin(), seen.end(), node.id(),
                                            [](const Seen& s, int64_t id) { return s.node < id; });
-                for (; at != seen.end() && at->node == node.id(); ++at)
-                    sights.push_back({node.location().lon(), node.location().lat(), at->interest * scale,
-                                      at->nodes * scale});
-            });
+                                       for (; at != seen.end() && at->node == node.id(); ++at)
+                                           sights.push_back({node.location().lon(), node.location().lat(),
+                                                             at->interest * scale, at->nodes * scale});
+                                   });
         return sights;
     });
 }
