@@ -383,7 +383,7 @@ Result<std::vector<OsmSight>> survey_osm(const std::string& path, const TellProg
         // Among relations none may be that was not seen.
         if (input.blobs)
             read_objects<osmium::Relation>(input, kinds::relation, tell,
-                                           "looking for where there is most to see, order",
+                                           "looking for where there is most to see, areas",
                                            [](const osmium::Relation&) {});
         std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.node < b.node; });
         std::vector<OsmSight> sights;
