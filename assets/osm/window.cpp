@@ -17,7 +17,7 @@ namespace {
 // or street adds to it. As measured in dense and in open districts, see docs/city.md.
 constexpr double k_seconds_per_km2 = 1.3, k_seconds_per_node = 80e-6;
 // Beside reading, people and the picture itself somebody waits so long at most.
-constexpr double k_patience = 24;
+constexpr double k_patience = 17;
 // Without --radius, about a middle that somebody chose.
 constexpr float k_usual_radius = 1200;
 constexpr float k_radii[] = {
