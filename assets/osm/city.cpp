@@ -215,6 +215,7 @@ Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptio
     }
     in.plan.cell = std::max(options.terrain.empty() ? k_level_square : k_terrain_square,
                             std::ceil(std::sqrt(size.x * size.z / k_most_squares)));
+    if (Result<void> sound = refuse_tangle(in, path); !sound) return sound.error();
     add_osm_sea(in);
     if (!options.terrain.empty()) {
         Result<void> raised = raise_ground(in, options.terrain);

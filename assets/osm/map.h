@@ -256,6 +256,9 @@ void add_osm_railways(OsmImport& in);
 void add_osm_areas(OsmImport& in);  // parks, water, squares
 // Lays OsmImport::pavings, below what the map draws itself. After streets, areas and buildings.
 void pave_to_walls(OsmImport& in);
+// Refuses maps whose lines are far longer, or cross without a common node far more often, than those of any
+// place, before any ground is laid, which would take minutes.
+Result<void> refuse_tangle(const OsmImport& in, const std::string& path);
 // Coastlines have the sea on their right hand. Those that the extract cuts short in its middle make no sea.
 void add_osm_sea(OsmImport& in);
 // Lays the terrain of an elevation file under the plan, level with the sea where there is sea: after
