@@ -136,6 +136,7 @@ std::string list_line(const std::string& path) {
 // One film of the one that is there and the one that goes on with it, picture for picture.
 Result<void> join(Film& film) {
     PartFilePtr tail = std::move(film.file);
+    tail->gives_way = true;
     Result<PartFilePtr> whole = open_file(tail->path);
     if (!whole) return whole.error();
     Result<Pipe> pipe = make_pipe();

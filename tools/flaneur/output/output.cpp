@@ -53,7 +53,8 @@ bool is_taken(const std::string& target) {
     std::lock_guard lock(open_files().mutex);
     const std::vector<const PartFile*>& files = open_files().files;
     return std::any_of(files.begin(), files.end(), [&](const PartFile* file) {
-        return fs::path(file->target).lexically_normal() == fs::path(target).lexically_normal();
+        return !file->gives_way &&
+               fs::path(file->target).lexically_normal() == fs::path(target).lexically_normal();
     });
 }
 

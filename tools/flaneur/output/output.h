@@ -22,6 +22,7 @@ struct PartFile {
     std::string target;       // where it will be: where `path` leads
     std::string part;         // where it is meanwhile; empty: written in place
     std::string made_folder;  // the topmost folder made for it, removed with it while empty
+    bool gives_way = false;   // another one is to be opened that comes in its place
     FILE* file = nullptr;
 };
 struct PartFileDelete {
