@@ -9,8 +9,8 @@ namespace flaneur {
 namespace {
 
 // Towns and cities have one crossing without a common node, as of a bridge and what it leads over, to some
-// twenty straight pieces of their lines or more, and pieces are 170 m long at most on the average. Ground for
-// what is more takes ever longer to cut.
+// seventeen straight pieces of their lines or more, and pieces are 170 m long at most on the average. Ground
+// for what is more takes ever longer to cut.
 constexpr size_t k_pieces_to_crossing = 2, k_few = 1000;
 constexpr double k_piece_km = 1, k_few_km = 100;
 
