@@ -30,6 +30,21 @@ using Outputs = Folder;
 const Size k_size{5, 3};
 const std::vector<uint8_t> k_grey(5 * 3 * 4, 128);
 
+TEST_F(Files, AreNotWrittenOverWhatIsRead) {
+    std::ofstream(path / "read.osm") << "a map";
+    fs::create_symlink("read.osm", path / "link.osm");
+    protect_inputs({(path / "read.osm").string(), "", (path / "nowhere").string()});
+    for (const char* name : {"read.osm", "link.osm", "./read.osm"}) {
+        Result<PartFilePtr> file = open_file((path / name).string());
+        ASSERT_FALSE(file) << name;
+        EXPECT_NE(file.error().message.find("this command reads it"), std::string::npos)
+            << file.error().message;
+    }
+    EXPECT_TRUE(open_file((path / "other.osm").string()));
+    protect_inputs({});
+    EXPECT_TRUE(open_file((path / "read.osm").string()));
+}
+
 TEST_F(Files, AppearWhenTheyAreWhole) {
     std::string name = path / "new" / "text";
     Result<PartFilePtr> file = open_file(name);

@@ -65,6 +65,7 @@ int run_program(int argc, char** argv) {
     if (!parsed) return fail(parsed.error());
     if (const Options* options = std::get_if<Options>(&*parsed)) {
         if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
+        protect_inputs(options->inputs);
         Result<void> done = run(*options);
         if (!done) return fail(done.error());
     }

@@ -36,6 +36,7 @@ Error cannot_write(const std::string& path, const std::string& why) {
 struct OpenFiles {
     std::mutex mutex;
     std::vector<const PartFile*> files;
+    std::vector<std::string> inputs;
 };
 
 OpenFiles& open_files() {
@@ -55,6 +56,14 @@ bool is_taken(const std::string& target) {
     return std::any_of(files.begin(), files.end(), [&](const PartFile* file) {
         return !file->gives_way &&
                fs::path(file->target).lexically_normal() == fs::path(target).lexically_normal();
+    });
+}
+
+bool is_read(const std::string& target) {
+    const std::vector<std::string>& inputs = open_files().inputs;
+    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+        std::error_code ignored;
+        return fs::equivalent(input, target, ignored);
     });
 }
 
@@ -180,6 +189,8 @@ void abandon_outputs() {
     for (const PartFile* f : all.files) remove_traces(*f);
 }
 
+void protect_inputs(std::vector<std::string> paths) { open_files().inputs = std::move(paths); }
+
 Result<PartFilePtr> open_file(const std::string& path) {
     PartFilePtr f(new PartFile);
     f->path = path;
@@ -193,6 +204,7 @@ Result<PartFilePtr> open_file(const std::string& path) {
     bool is_plain = !descriptor && (!is_there || S_ISREG(now.st_mode));
     if ((is_plain || descriptor) && is_taken(f->target))
         return cannot_write(path, "another output of this command goes there too");
+    if (is_plain && is_there && is_read(f->target)) return cannot_write(path, "this command reads it");
     if (!is_plain) {
         f->file = descriptor ? reopened(*descriptor) : std::fopen(f->target.c_str(), "wbe");
         if (!f->file) return cannot_write(path, std::strerror(errno));
@@ -266,8 +278,8 @@ static Result<void> check_pictures(const Output& output, const TickRange& ticks)
     constexpr size_t k_head = 1 << 16;  // bytes, with the comment among them
     for (uint32_t i = 0; i < count(ticks); ++i) {
         uint32_t tick = ticks.first + i * ticks.step;
-        if (!is_written(output, i, tick)) continue;
         std::string path = path_for(*output.numbered, tick);
+        if (std::error_code ignored; !fs::exists(path, ignored)) continue;
         std::vector<uint8_t> head(k_head);
         std::ifstream file(path, std::ios::binary);
         file.read(reinterpret_cast<char*>(head.data()), k_head);
@@ -315,11 +327,19 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
     return output;
 }
 
+// Its last chunk is there: what was cut short is drawn anew.
+static bool is_whole_png(const std::string& path) {
+    constexpr std::string_view k_end("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+    std::ifstream file(path, std::ios::binary);
+    char end[k_end.size()] = {};
+    return file.seekg(-static_cast<std::streamoff>(k_end.size()), std::ios::end) &&
+           file.read(end, sizeof end) && std::string_view(end, sizeof end) == k_end;
+}
+
 bool is_written(const Output& output, uint32_t number, uint32_t tick) {
     if (!output.resume) return false;
     if (output.film) return number < pictures_begun_with(*output.film);
-    std::error_code ignored;
-    return fs::exists(path_for(*output.numbered, tick), ignored);
+    return is_whole_png(path_for(*output.numbered, tick));
 }
 
 Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick) {

@@ -30,8 +30,11 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
+// Files that this command reads, if they are there: nothing is written over them.
+void protect_inputs(std::vector<std::string> paths);
+
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
-// that is protected from writing, and where another file under way goes.
+// that is protected from writing, one that the command reads, and where another file under way goes.
 Result<PartFilePtr> open_file(const std::string& path);
 // Closes and renames. Fails by unread() (ending.h) where nobody reads the pipe any more.
 Result<void> keep_file(PartFilePtr file);
