@@ -52,6 +52,7 @@ std::string told_camera(const CameraChoice& camera) {
 
 std::string told_people(const std::vector<PeopleShare>& people) {
     std::vector<std::string> all;
+    all.reserve(people.size());
     for (const PeopleShare& some : people)
         all.push_back((some.character.empty() ? "builtin" : told_file(some.character)) + ":" +
                       plainly(some.share));
@@ -60,6 +61,7 @@ std::string told_people(const std::vector<PeopleShare>& people) {
 
 std::string told_idles(const std::vector<std::string>& idles) {
     std::vector<std::string> all;
+    all.reserve(idles.size());
     for (const std::string& idle : idles) all.push_back(told_file(idle));
     return joined(all);
 }
