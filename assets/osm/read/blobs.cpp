@@ -25,10 +25,10 @@ static size_t framed_size(std::ifstream& file, uint64_t at) {
     for (char byte : read_at(file, at, 4)) frame = frame << 8 | static_cast<uint8_t>(byte);
     if (frame > k_most_frame) return 0;
     std::string bytes = read_at(file, at + 4, frame);
-    constexpr protozero::pbf_tag_type k_blob_size = 3;
+    constexpr uint32_t k_blob_size = protozero::tag_and_type(3, protozero::pbf_wire_type::varint);
     int64_t blob = 0;
     for (protozero::pbf_reader message(bytes); message.next();)
-        message.tag() == k_blob_size ? void(blob = message.get_int32()) : message.skip();
+        message.tag_and_type() == k_blob_size ? void(blob = message.get_int32()) : message.skip();
     return blob > 0 && blob <= static_cast<int64_t>(k_most_blob) ? 4 + frame + static_cast<size_t>(blob) : 0;
 }
 
