@@ -8,6 +8,7 @@
 #include <osmium/io/reader.hpp>
 #include <osmium/osm.hpp>
 #include <osmium/thread/pool.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -73,6 +74,13 @@ inline void find_kinds(Input& input) {
     blobs.relations = first_of(kinds::relation);
 }
 
+// Whether libosmium can go through its tags. Keys and values end with a zero each; one with a zero inside
+// shifts those after it, and the last is then read from beyond the object.
+inline bool has_whole_tags(const osmium::OSMObject& object) {
+    const osmium::TagList& tags = object.tags();
+    return std::count(tags.data() + sizeof tags, tags.data() + tags.byte_size(), '\0') % 2 == 0;
+}
+
 // Visits the objects of a file; `tell` hears how far it is.
 template <class Object, class Visit>
 void read_objects(const Input& input, kinds::type wanted, const TellProgress& tell, std::string_view what,
@@ -83,7 +91,9 @@ void read_objects(const Input& input, kinds::type wanted, const TellProgress& te
             for (const osmium::OSMObject& object : buffer.template select<osmium::OSMObject>()) {
                 kinds::type kind = kinds::from_item_type(object.type());
                 if ((kind & held) == 0) throw Unsorted();
-                if ((kind & wanted) != 0) visit(static_cast<const Object&>(object));
+                if ((kind & wanted) == 0) continue;
+                if (!has_whole_tags(object)) throw std::runtime_error("a tag holds a zero");
+                visit(static_cast<const Object&>(object));
             }
             if (tell) tell(what, std::min(1.0f, done()));
         }
