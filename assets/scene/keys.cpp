@@ -324,7 +324,7 @@ void read_keys(SceneReading& r, const std::vector<SceneKey<Of>>& keys, const cha
         } else if (std::string must = refusal(key->rule, value); !must.empty()) {
             // A number as it was written: one that is too large is another to the parser.
             std::string is = value.is_number() ? excerpt(text_in_json(r.text, r.path)) : shown(value);
-            add_fault(r, in_quotes(name) + " must be " + must + ", not " + is);
+            add_fault(r, in_quotes(name).append(" must be ").append(must).append(", not ").append(is));
         } else {
             key->take(r, to, value);
         }
@@ -347,33 +347,42 @@ void read_people(SceneReading& r, Scene& scene, const Json& list) {
 
 bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
 
-// What cannot be at once, as the reader sees it and as a schema says it.
+// A city that is a map, as a schema says it of one that must be there.
+OrderedJson map_schema() {
+    return {{"pattern", R"(\.([oO][sS][mM](\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$)"}};
+}
+OrderedJson needs_city(const char* key, OrderedJson city) {
+    OrderedJson given = {{"required", OrderedJson::array({"city"})},
+                         {"properties", {{"city", std::move(city)}}}};
+    return {{"required", OrderedJson::array({key})}, {"not", std::move(given)}};
+}
+OrderedJson needs_map(const char* key) { return needs_city(key, map_schema()); }
+
+// What cannot be at once, as the reader sees it and as a schema says it of the key.
 struct SceneClash {
     const char* key;  // of both the one to blame
     const char* what;
     bool (*is_there)(const Scene& scene, const Json& json);
-    const char* schema;
+    OrderedJson (*schema)(const char* key);
 };
 constexpr SceneClash k_clashes[] = {
     {"asteroid", R"("asteroid" and "city" are two places; people walk in one)",
      [](const Scene& s, const Json&) { return s.asteroid && !s.city.empty(); },
-     R"({"required": ["asteroid", "city"], "properties": {"asteroid": {"const": true}}})"},
+     [](const char* key) {
+         return OrderedJson{{"required", OrderedJson::array({key, "city"})},
+                            {"properties", {{key, {{"const", true}}}}}};
+     }},
     {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); },
-     R"({"required": ["terrain"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
-     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+     [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); }, needs_map},
     {"center", R"("center" is of an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return s.center && !is_map(s); },
-     R"({"required": ["center"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
-     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+     [](const Scene& s, const Json&) { return s.center && !is_map(s); }, needs_map},
     {"radius", R"("radius" is of an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return s.radius > 0 && !is_map(s); },
-     R"({"required": ["radius"], "not": {"required": ["city"], "properties": {"city": {"pattern":)"
-     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}})"},
+     [](const Scene& s, const Json&) { return s.radius > 0 && !is_map(s); }, needs_map},
     {"scale", R"("scale" is of a glTF city, which "city" must name; the others are in metres)",
      [](const Scene& s, const Json& json) { return json.contains("scale") && (s.city.empty() || is_map(s)); },
-     R"({"required": ["scale"], "not": {"required": ["city"], "properties": {"city": {"not": {"pattern":)"
-     R"( "\\.([oO][sS][mM](\\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$"}}}}})"},
+     [](const char* key) {
+         return needs_city(key, {{"not", map_schema()}});
+     }},
 };
 
 template <class Of>
@@ -488,8 +497,7 @@ std::string scene_schema() {
                           {"title", "A scene of flaneur"},
                           {"description", "What to simulate and from where to look."}};
     schema.update(object_schema(scene_keys()));
-    for (const SceneClash& clash : k_clashes)
-        schema["allOf"].push_back({{"not", OrderedJson::parse(clash.schema)}});
+    for (const SceneClash& clash : k_clashes) schema["allOf"].push_back({{"not", clash.schema(clash.key)}});
     return schema.dump(4) + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
 
 namespace flaneur {
@@ -65,7 +66,9 @@ int run_program(int argc, char** argv) {
     if (!parsed) return fail(parsed.error());
     if (const Options* options = std::get_if<Options>(&*parsed)) {
         if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
-        protect_inputs(options->inputs);
+        std::vector<std::string> inputs = files_of(options->scene);
+        inputs.insert(inputs.end(), options->inputs.begin(), options->inputs.end());
+        protect_inputs(std::move(inputs));
         Result<void> done = run(*options);
         if (!done) return fail(done.error());
     }

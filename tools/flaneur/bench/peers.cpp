@@ -218,8 +218,8 @@ Result<Image> measure(Dancers& d, Renderer& renderer, const Options& options, bo
 // One for each mode; none where nobody asked for pictures.
 Result<std::vector<PartFilePtr>> open_pictures(const Options& options) {
     std::vector<PartFilePtr> files;
+    if (options.out.empty()) return files;
     for (const Mode& mode : k_modes) {
-        if (options.out.empty()) break;
         Result<PartFilePtr> file = open_file(options.out + "/peers_" + std::to_string(options.bench_count) +
                                              (mode.is_finest ? "_all.png" : "_lod.png"));
         if (!file) return file.error();

@@ -122,11 +122,15 @@ Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& opt
     return people;
 }
 
-Result<void> find_files(const Scene& scene) {
+std::vector<std::string> files_of(const Scene& scene) {
     std::vector<std::string> paths{scene.city, scene.terrain};
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
-    for (const std::string& path : paths) {
+    return paths;
+}
+
+Result<void> find_files(const Scene& scene) {
+    for (const std::string& path : files_of(scene)) {
         if (path.empty()) continue;
         if (Result<void> found = find_file(path); !found) return found;
     }

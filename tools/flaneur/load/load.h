@@ -18,6 +18,9 @@ struct Loaded {
     std::vector<Character> characters;  // one for each of the world's bodies
 };
 
+// The files that a scene names; some are "".
+std::vector<std::string> files_of(const Scene& scene);
+
 // Refuses a scene that names a file which is not there: in no time, before anything is read.
 Result<void> find_files(const Scene& scene);
 

@@ -102,7 +102,7 @@ struct Options {
     std::vector<std::string> scene_files;  // to check; empty: none
     bool schema = false;
 
-    std::vector<std::string> inputs;  // files that the command reads, if they are there
+    std::vector<std::string> inputs;  // files that the command reads, if they are there, besides its scene's
 };
 
 // "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.

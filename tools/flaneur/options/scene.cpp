@@ -136,17 +136,6 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     return {};
 }
 
-// What must not be written over.
-static std::vector<std::string> inputs_of(const SceneWords& words, const Options& options) {
-    std::vector<std::string> inputs{words.scene, options.scene.city, options.scene.terrain, options.file};
-    for (const PeopleShare& share : options.scene.people) inputs.push_back(share.character);
-    for (const std::string& idle : options.scene.idles) {
-        inputs.push_back(idle);
-        inputs.push_back(idle.substr(0, idle.rfind(':')));
-    }
-    return inputs;
-}
-
 Result<void> settle_scene(const SceneWords& words, Options& options) {
     Result<Scene> scene = load_scene(words.scene);
     if (!scene && has_ending(words.scene, ".json")) return scene.error();
@@ -182,7 +171,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     }
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
-    options.inputs = inputs_of(words, options);
+    options.inputs = {words.scene, options.file};
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {

@@ -65,6 +65,17 @@ Result<pid_t> start(const std::vector<std::string>& words, int end, int standard
                  "); install ffmpeg, or write numbered pictures: --out DIR/%05d.png."};
 }
 
+// Starts an ffmpeg that makes a film of what `input` says, and of what comes by the pipe.
+Result<pid_t> start_ffmpeg(const std::vector<std::string>& input, const Pipe& pipe,
+                           const std::string& comment, const PartFile& to) {
+    std::vector<std::string> words{"ffmpeg", "-y", "-loglevel", "error"};
+    words.insert(words.end(), input.begin(), input.end());
+    // Without "file:", a colon in a path would begin a protocol.
+    words.insert(words.end(), {"-metadata", comment, "-movflags", "+faststart", "-fflags", "+bitexact", "-f",
+                               "mp4", "file:" + to.part});
+    return start(words, pipe.read, STDIN_FILENO);
+}
+
 // Whether the program was content.
 bool has_ended_well(pid_t program) {
     int status = 1;
@@ -141,30 +152,9 @@ Result<void> join(Film& film) {
     if (!whole) return whole.error();
     Result<Pipe> pipe = make_pipe();
     if (!pipe) return pipe.error();
-    Result<pid_t> ffmpeg = start({"ffmpeg",
-                                  "-y",
-                                  "-loglevel",
-                                  "error",
-                                  "-f",
-                                  "concat",
-                                  "-safe",
-                                  "0",
-                                  "-protocol_whitelist",
-                                  "file,pipe",
-                                  "-i",
-                                  "-",
-                                  "-c",
-                                  "copy",
-                                  "-metadata",
-                                  film.comment,
-                                  "-movflags",
-                                  "+faststart",
-                                  "-fflags",
-                                  "+bitexact",
-                                  "-f",
-                                  "mp4",
-                                  "file:" + (*whole)->part},
-                                 pipe->read, STDIN_FILENO);
+    Result<pid_t> ffmpeg = start_ffmpeg(
+        {"-f", "concat", "-safe", "0", "-protocol_whitelist", "file,pipe", "-i", "-", "-c", "copy"}, *pipe,
+        film.comment, **whole);
     // Exactly, for what the file says of itself is rounded to milliseconds.
     std::string begun = std::to_string(static_cast<double>(film.begun * film.step) / 60);
     std::string list = list_line(tail->target) + "duration " + begun + "\n" + list_line(tail->part);
@@ -208,41 +198,13 @@ Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, con
     Result<Pipe> pipe = make_pipe();
     if (!pipe) return pipe.error();
     film->pipe = pipe->write;
-    // Without "file:", a colon in a path would begin a protocol.
-    Result<pid_t> ffmpeg = start({"ffmpeg",
-                                  "-y",
-                                  "-loglevel",
-                                  "error",
-                                  "-f",
-                                  "rawvideo",
-                                  "-pix_fmt",
-                                  "rgba",
-                                  "-s",
-                                  std::to_string(size.width) + "x" + std::to_string(size.height),
-                                  "-r",
-                                  "60/" + std::to_string(step),
-                                  "-i",
-                                  "-",
-                                  "-vf",
-                                  "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                  "-c:v",
-                                  "libx264",
-                                  "-preset",
-                                  "veryfast",
-                                  "-crf",
-                                  "20",
-                                  "-pix_fmt",
-                                  "yuv420p",
-                                  "-metadata",
-                                  film->comment,
-                                  "-movflags",
-                                  "+faststart",
-                                  "-fflags",
-                                  "+bitexact",
-                                  "-f",
-                                  "mp4",
-                                  "file:" + film->file->part},
-                                 pipe->read, STDIN_FILENO);
+    std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
+    Result<pid_t> ffmpeg = start_ffmpeg({"-f",   "rawvideo", "-pix_fmt", "rgba",
+                                         "-s",   pixels,     "-r",       "60/" + std::to_string(step),
+                                         "-i",   "-",        "-vf",      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                         "-c:v", "libx264",  "-preset",  "veryfast",
+                                         "-crf", "20",       "-pix_fmt", "yuv420p"},
+                                        *pipe, film->comment, *film->file);
     if (!ffmpeg) return ffmpeg.error();
     running = film->ffmpeg = *ffmpeg;
     return film;

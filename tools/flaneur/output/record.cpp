@@ -122,11 +122,11 @@ std::string record_of(const Options& options) {
 
 Result<void> check_record(const std::string& path, const std::string& begun, const std::string& now) {
     const std::string refused = "Cannot go on with " + path + ": it ";
-    if (parsed(begun).empty())
+    const Json was = parsed(begun), is = parsed(now);
+    if (was.empty())
         return Error{refused +
                      "does not say which command began it; give another --out, or draw it anew "
                      "without --resume."};
-    const Json was = parsed(begun), is = parsed(now);
     Json options = is;
     options.update(was);
     std::vector<std::string> before, after;
