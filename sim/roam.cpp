@@ -32,7 +32,7 @@ void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t 
         for (size_t i = begin; i < end; ++i) {
             roam.frames[i] = frame_on(w, i);
             Vec2 way = heading_direction(crowd.motion.heading[i]) * w.moved[i];
-            crowd.motion.velocity[i] = crowd.decision.chosen[i] = way / k_tick;
+            crowd.motion.velocity[i] = crowd.motion.wish[i] = way / k_tick;
             crowd.motion.turn_rate[i] = w.turn_rate[i];
             carry_feet(gait, i, crowd.motion.position[i], -w.turn_rate[i] * k_tick, at_height(-way, 0));
         }

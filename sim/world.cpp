@@ -61,7 +61,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
 
     RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),
                     world->crowd.motion.heading.data(), world->crowd.motion.turn_rate.data(),
-                    world->crowd.decision.chosen.data()};
+                    world->crowd.motion.wish.data()};
     std::vector<Manner> manners;
     const CrowdIdentity& who = world->crowd.identity;
     for (uint32_t i = 0; i < world->crowd.count; ++i) manners.push_back(manner_of(*world, i));

@@ -17,7 +17,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdIdentity& who = c.identity;
     resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale);
     CrowdMotion& m = c.motion;
-    resize(m.position, m.velocity, m.heading, m.turn_rate, m.polygon, m.under);
+    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.polygon, m.under);
     CrowdDecision& d = c.decision;
     resize(d.wanted, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
@@ -74,6 +74,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.motion.position[i] = p;
     c.motion.velocity[i] = {};
     c.motion.heading[i] = w.heading;
+    c.motion.wish[i] = {0, 0};
     c.motion.turn_rate[i] = 0;
     c.motion.polygon[i] = w.place.polygon;
     c.identity.preferred_speed[i] = w.preferred_speed;

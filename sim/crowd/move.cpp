@@ -69,9 +69,9 @@ static float share_within(const Contacts& near, Vec2 v) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
     uint32_t i = me.id;
     CrowdMotion& m = c.motion;
-    Motion motion =
-        next_motion({m.velocity[i], m.heading[i], m.turn_rate[i]}, wish_on(m.under[i], c.decision.chosen[i]),
-                    k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0});
+    m.wish[i] = wish_on(m.under[i], c.decision.chosen[i]);
+    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i]}, m.wish[i], k_tick,
+                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0});
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
     Vec2 v = motion.velocity;

@@ -11,7 +11,8 @@ namespace flaneur {
 static constexpr float k_horizon = 1.5f;         // seconds within which no one shall be met
 static constexpr float k_untangle = 0.3f;        // seconds to end an overlap in
 static constexpr float k_margin = 0.04f;         // metres kept between bodies
-static constexpr float k_border_horizon = 0.2f;  // seconds to the border
+static constexpr float k_border_horizon = 0.2f;  // seconds to the border, of one who is nearly there
+static constexpr float k_border_braking = 2;     // m/s2, at most, of one who comes to it
 static constexpr float k_border_reach = 1;       // metres
 static constexpr int k_borders = 6;
 static constexpr float k_headway = 0.5f;      // seconds: a walker needs this long to cover the gap ahead
@@ -93,6 +94,12 @@ static Claim claim_of(const Crowd& c, const Seen& me) {
     return claim;
 }
 
+// How fast one may come nearer to a border that is so far away: as one can slow down evenly.
+static float border_speed(float distance) {
+    float last = k_border_horizon * k_border_braking;
+    return std::sqrt(2 * k_border_braking * distance + last * last) - last;
+}
+
 static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,
                             uint32_t tick) {
     HalfPlane planes[k_borders + k_neighbours];
@@ -110,7 +117,8 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
         float distance = length(away);
         bool tip = t <= 0 || t >= 1;  // passed to either side
         if (tip && distance < 0.02f) continue;
-        planes[count++] = {tip ? away / distance : inward, -distance / k_border_horizon};
+        planes[count++] = {tip ? away / distance : inward,
+                           tip ? -distance / k_border_horizon : -border_speed(distance)};
     }
     int firm = count;
 

@@ -26,6 +26,7 @@ struct FootBlock {
     float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
     int32_t swinging[k_block];  // 1 from toe-off to contact
     // The gait's own.
+    float rate[k_block];                         // at which the phase of a swing advances, 1/s
     FootPlaces goal;                             // what `to` moves to, the ground's last word
     float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
     float wished_yaw[k_block];
@@ -50,12 +51,19 @@ struct alignas(64) GaitBlock {
     float load[k_block];       // share of the body that the left leg carries
     float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
     float running[k_block];    // 0 walking .. 1 running
+    float pace[k_block];       // speed over sqrt(g leg), smoothed: by it amplitudes grow
+    float step[k_block];       // length of a step over that of the leg, smoothed
     float course[k_block];     // cosine between the way walked and the heading: 1 ahead, 0 aside, -1 back
+    float forward[k_block];    // m/s, along the heading
+    float drive[k_block];      // what speeds the body up, ahead, over gravity, smoothed
+    float bank[k_block];       // what turns it, to the left, over gravity, smoothed
     float rise[k_block];       // metres climbed for each metre walked, smoothed
     float lift[k_block];       // metres that a jump carries the body and both feet above their ways
     float crouch[k_block];     // metres that the pelvis sinks, before and after a jump
     float base[k_block];       // smoothed height of the ground that the pelvis rides on
     float base_velocity[k_block];
+    float sink[k_block];  // metres that the pelvis stays below its way, for legs to reach
+    float sink_velocity[k_block];
     float look[k_block];        // yaw of the head against the body
     int32_t standing[k_block];  // 1: both feet down and the phases at rest
     float frequency[k_block];   // cycles a second

@@ -83,7 +83,14 @@ Sampled sample(const Surroundings& around, Vec3 at, Vec2 ahead, const FootSize& 
 FootPlace on_surface(Vec3 at, float yaw, Vec2 ahead, const Sampled& s) {
     const GroundHit& mid = *s.hits[1];
     float slope = -(mid.normal.x * ahead.x + mid.normal.z * ahead.z) / std::max(mid.normal.y, 0.2f);
-    return {{at.x, mid.height - slope * s.along[1], at.z}, yaw, mid.normal};
+    // Amid what lies a little higher and lower.
+    float low = 0, high = 0;
+    for (int i = 0; i < 4; ++i) {
+        float off = s.hits[i]->height - mid.height - slope * (s.along[i] - s.along[1]);
+        low = std::min(low, off);
+        high = std::max(high, off);
+    }
+    return {{at.x, mid.height + 0.5f * (low + high) - slope * s.along[1], at.z}, yaw, mid.normal};
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ static void fly(GaitBlock& g, const Stepper& s, float up) {
         bool hops = g.first[lane] < 0, leads = hops || side == g.first[lane];
         float begin = hops || !leads ? 0 : k_push_off, end = leads ? 1 : k_follows;
         g.feet[side].phase[lane] = duty + (1 - duty) * lerp(begin, end, share);
+        g.feet[side].forefoot[lane] = std::max(g.feet[side].forefoot[lane], share);  // its ball comes first
         float after = leads ? 0 : (1 - k_follows) * (1 - duty) / g.frequency[lane];
         swing(g, s, side, flight - up + after, hops ? k_hop_steps : g.frequency[lane]);
     }

@@ -28,13 +28,13 @@ Manner manner_at_age(float years) {
 
 Manner draw_manner(const Manner& middle, RandomKey key) {
     Manner m = middle;
-    m.stride *= 1 + 0.08f * clamp(random_normal(key, 0), -2.0f, 2.0f);
+    m.stride *= 1 + 0.05f * clamp(random_normal(key, 0), -2.0f, 2.0f);
     m.lead *= 1 + 0.075f * clamp(random_normal(key, 8), -2.0f, 2.0f);
     m.arm_swing *= clamp(1 + 0.25f * random_normal(key, 1), 0.4f, 1.6f);
     m.sway *= clamp(1 + 0.2f * random_normal(key, 2), 0.5f, 1.6f);
     m.toe_out = clamp(m.toe_out + 2.5f * k_radians * random_normal(key, 3), k_radians, 12 * k_radians);
     m.step_width = std::max(m.step_width + 0.007f * random_normal(key, 4), 0.025f);
-    m.lean = clamp(m.lean + 1.5f * k_radians * random_normal(key, 5), -k_radians, 8 * k_radians);
+    m.lean = clamp(m.lean + 1.5f * k_radians * random_normal(key, 5), k_radians, 11 * k_radians);
     m.carriage =
         clamp(m.carriage + 1.5f * k_radians * random_normal(key, 6), 6.5f * k_radians, 13 * k_radians);
     m.crouch = clamp(m.crouch + 0.009f * random_normal(key, 7), -0.002f, 0.018f);

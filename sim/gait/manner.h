@@ -14,7 +14,7 @@ struct Manner {
     float sway = 1;       // and on what the pelvis does
     float toe_out = 6 * k_radians;
     float step_width = 0.055f;          // between the lines of both feet, of the person's height
-    float lean = 3 * k_radians;         // of the trunk, forward +
+    float lean = 6 * k_radians;         // of the trunk, forward +
     float carriage = 8.5f * k_radians;  // of the arms, away from the body
     float crouch = 0;  // by which the pelvis is lower, and knees more bent, of the leg's length
 };

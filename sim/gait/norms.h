@@ -21,14 +21,6 @@ inline constexpr float k_norm_toe_off = 0.61f;
 // The share of the cycle that a foot stands at a natural speed.
 inline constexpr float k_norm_duty = 0.603f;
 
-// Flexion +.
-inline constexpr HarmonicCurve<5> k_norm_knee = {22.9480f,
-                                                 {{-2.9209f, -20.7971f},
-                                                  {-15.6105f, 7.1439f},
-                                                  {-1.3223f, 5.0758f},
-                                                  {-1.0727f, 0.7181f},
-                                                  {-0.6257f, 1.0024f}}};
-
 // Toe up +, against the flat foot.
 inline constexpr HarmonicCurve<6> k_norm_foot_pitch = {-12.1792f,
                                                        {{17.8504f, 21.5883f},
@@ -49,6 +41,6 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
 // Timing of a walk at a given speed. Step length over leg length L: 1.16 L (v / sqrt(g L))^0.5, of which the
 // neutral person's are a little short; stance as a share of the cycle: 62.5, 60.3, 59.1 % at 0.94, 1.24, 1.50
 // m/s.
-inline constexpr float k_step_factor = 1.114f;
+inline constexpr float k_step_factor = 1.148f;
 
 }  // namespace flaneur

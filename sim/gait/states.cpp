@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/gait/fits.h"
+#include "sim/gait/height.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 
@@ -13,22 +14,22 @@ namespace flaneur {
 static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
-static constexpr float k_shuffle = 0.95f;         // cycles/s of stepping on the spot, aside and back
-static constexpr float k_longest_stride = 1.58f;  // legs; a faster walk takes quicker ones
-static constexpr float k_hasty = 1.5f;            // cycles/s of catching a push
-static constexpr float k_out_of_reach = 0.74f;    // legs; a foot farther from home leaves at once
-static constexpr float k_lost = 1.3f;             // legs; one farther than this is set down anew
+static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
+static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
+static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
+static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
-static constexpr float k_base_stiffness = 12;         // 1/s, of the critically damped pelvis height
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
 static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
+static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
 static constexpr float k_drop = 0.07f;        // metres down, from which on a foot lands on its ball
 static constexpr float k_just_below = 1e-4f;  // of the phase
+static constexpr float k_leaning = 5;         // 1/s
 static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
 
 namespace {
@@ -39,14 +40,21 @@ float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
 
 void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
 
-// Speed's slow followers: how much of a walk, of a run and which way.
+// Speed's slow followers: how much of a walk, of a run and which way; and what bodies lean into.
 void advance_manner(GaitBlock& g, const Stepper& s, float speed) {
     int lane = s.lane;
     approach(g.amplitude[lane], smoothstep(0.1f, 0.85f, speed), 2.6f * s.dt);
     float froude = speed * speed / (k_gravity * s.leg_length);
     approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
+    approach(g.pace[lane], std::sqrt(froude), 0.9f * s.dt);
+    approach(g.step[lane], speed / (2 * s.leg_length * g.frequency[lane]), 1.2f * s.dt);
     float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
     approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
+    float forward = dot(s.velocity, s.facing);
+    float drive = clamp((forward - g.forward[lane]) / (k_gravity * s.dt), -0.3f, 0.3f);
+    g.forward[lane] = forward;
+    g.drive[lane] += (drive - g.drive[lane]) * k_leaning * s.dt;
+    g.bank[lane] += (clamp(speed * s.turn_rate / k_gravity, -0.3f, 0.3f) - g.bank[lane]) * k_leaning * s.dt;
     float course = speed > k_standing_speed ? dot(s.velocity, s.facing) / speed : 1;
     approach(g.course[lane], course, 4 * s.dt);
 }
@@ -55,7 +63,6 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     int lane = s.lane;
     float stride = stride_length(std::max(speed, 0.05f), s.leg_length) * s.person.stride[lane];
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
-    stride = std::min(stride, k_longest_stride * s.leg_length);
     if (g.tread[lane] > 0) {
         stride = 2 * g.tread[lane];
         if (speed > 1.3f * stride) stride *= 2;
@@ -96,12 +103,13 @@ bool may_leave(const GaitBlock& g, const Stepper& s, Side side) {
     return !other.swinging[s.lane] && other.phase[s.lane] > 0;
 }
 
-void leave(GaitBlock& g, const Stepper& s, Side side) {
+void leave(GaitBlock& g, const Stepper& s, Side side, float rate) {
     float duty = g.duty[s.lane], f = g.frequency[s.lane];
     float& phase = g.feet[side].phase[s.lane];
     phase = std::max(phase, duty);
     if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(g, s, side);
-    if (lift_off(g, s, side, (1 - phase) / f, f)) return;
+    g.feet[side].rate[s.lane] = rate;
+    if (lift_off(g, s, side, (1 - phase) / rate, f)) return;
     commit_leap(g, s, side);
     lift_off(g, s, side, (1 - phase) / f, f);
 }
@@ -127,7 +135,7 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     g.standing[lane] = 0;
     g.first[lane] = -1;
     g.frequency[lane] = wanted_frequency(g, s, length(s.velocity), off);
-    leave(g, s, side);
+    leave(g, s, side, g.frequency[lane]);
 }
 
 void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
@@ -140,6 +148,12 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
     float reach = std::min(k_out_of_reach * s.leg_length, 0.08f + 0.7f * duty * stride);
     // And this far when the other one lands, at most.
     float behind_at_contact = (0.5f - k_lead * k_norm_duty) * stride + k_late;
+    // A swing hurries to be down by then.
+    auto swing_rate = [&](Side side, float phase) {
+        if (g.running[lane] > 0 || g.feet[1 - side].swinging[lane]) return f;
+        float left = std::max(behind_at_contact - off[1 - side].behind, 0.01f);
+        return clamp((1 - phase) * speed / left, f, k_hasty_swing * f);
+    };
     const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
@@ -148,17 +162,14 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             bool drops = foot.goal.y[lane] < foot.from.y[lane] - k_drop;
             float forefoot = g.tread[lane] > 0 || drops ? 1.0f : 0.6f * g.running[lane];
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
-            float rate = f;
-            if (g.running[lane] <= 0 && !g.feet[1 - side].swinging[lane]) {
-                float left = std::max(behind_at_contact - off[1 - side].behind, 0.01f);
-                rate = clamp((1 - phase) * speed / left, f, k_hasty_swing * f);
-            }
+            float& rate = foot.rate[lane];
+            approach(rate, swing_rate(side, phase), k_quicken * s.dt);
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {
                 phase -= 1;
                 touch_down(g, s, side);
             } else {
-                swing(g, s, side, (1 - phase) / f, f);
+                swing(g, s, side, (1 - phase) / rate, f);
             }
             continue;
         }
@@ -177,7 +188,7 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         }
         bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
         if (wants_step && due && may_leave(g, s, side)) {
-            leave(g, s, side);
+            leave(g, s, side, swing_rate(side, duty));
         } else {
             phase = std::min(phase, duty - k_just_below);
             pivot(g, s, side);
@@ -229,43 +240,6 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     approach(g.load[lane], target, rate * s.dt);
 }
 
-// The height at the walker's place of the plane that a foot stands on.
-float height_here(const FootPlaces& foot, int lane, Vec3 root) {
-    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
-    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
-    return foot.y[lane] - (nx * (root.x - foot.x[lane]) + nz * (root.z - foot.z[lane])) / ny;
-}
-
-// The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
-// down, by the time that foot lands; and it rises only as the higher foot takes the load.
-float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
-    const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
-    if (!l.swinging[lane] && !r.swinging[lane]) {
-        float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
-        float high = left > right ? g.load[lane] : 1 - g.load[lane];
-        return lerp(std::min(left, right), std::max(left, right), 0.6f * high);
-    }
-    bool both = l.swinging[lane] && r.swinging[lane];
-    const FootBlock &swings = l.swinging[lane] ? l : r, &stands = l.swinging[lane] ? r : l;
-    float from = both ? lerp(height_here(l.from, lane, root), height_here(r.from, lane, root), 0.5f)
-                      : height_here(stands.from, lane, root);
-    float to = both ? lerp(height_here(l.to, lane, root), height_here(r.to, lane, root), 0.5f)
-                    : height_here(swings.to, lane, root);
-    float duty = g.duty[lane];
-    float u = smoothstep(duty, lerp(duty, 1, 0.6f), swings.phase[lane]);
-    return both || to < from ? lerp(from, to, u) : from;
-}
-
-void advance_base(GaitBlock& g, const Stepper& s, float speed) {
-    int lane = s.lane;
-    float w = k_base_stiffness, target = carrying_height(g, lane, s.root) + 1.2f / w * g.rise[lane] * speed;
-    float& velocity = g.base_velocity[lane];
-    velocity += (w * w * (target - g.base[lane]) - 2 * w * velocity) * s.dt;
-    g.base[lane] += velocity * s.dt;
-    float rise = speed > 0.2f ? clamp(velocity / speed, -0.8f, 0.8f) : 0;
-    g.rise[lane] += (rise - g.rise[lane]) * std::min(1.0f, 3 * s.dt);
-}
-
 // Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996): as far ahead of
 // the body as that is at the rate of its turns. And now and then to something of interest.
 void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
@@ -310,7 +284,7 @@ void advance_walker(GaitBlock& g, const Stepper& s, RandomKey chance) {
     }
     if (!g.standing[lane]) advance_phase(g, s);
     advance_load(g, s, chance);
-    advance_base(g, s, speed);
+    advance_height(g, s, speed);
     advance_look(g, s, chance);
 }
 

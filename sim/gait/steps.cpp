@@ -8,20 +8,22 @@
 
 namespace flaneur {
 
-static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
-static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
-static constexpr float k_run_lead = 0.34f;      // the same of a run
-static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
+static constexpr float k_home_twist = 0.55f;                // radians; a standing foot turned farther steps
+static constexpr float k_longest_lead = 0.46f;              // legs, from the root to a landing foot
+static constexpr float k_run_lead = 0.34f;                  // the same of a run
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
-                       k_turned = 0.08f;      // metres, radians; changes that are planned for anew
-static constexpr float k_settled = 0.09f;     // seconds before contact in which the landing place is kept
-static constexpr float k_following = 13;      // 1/s, of the landing place towards its goal
-static constexpr float k_most_twist = 0.75f;  // radians of a leg, before its foot turns on the ball
-static constexpr float k_stair = 0.07f;       // metres between feet that begin a flight of steps
+                       k_turned = 0.08f;       // metres, radians; changes that are planned for anew
+static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
+static constexpr float k_about_there = 0.25f;  // metres between a landing that is kept and what is wished
+static constexpr float k_committed = 0.3f;     // seconds before contact in which it stays on its level
+static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
+static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
+static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
+static constexpr float k_over_edge = 0.06f;                              // metres
 static constexpr float k_off_riser = 0.02f;                              // metres
 static constexpr float k_reach_treads = 1.0f;                            // metres
 
@@ -128,8 +130,27 @@ void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& s
     wished.position += at_height(direction * (fit - along), 0);
 }
 
+// A step down passes its edge by a little, or stays before it, where the next one begins.
+Footing down_or_before(const Stepper& s, const Footing& down, const FootPlace& wished, Vec2 direction,
+                       const FootSize& size) {
+    Footing over = clear_of_edge(s.around, down, direction, size);
+    float level = s.root.y - k_stair;
+    auto shift = [&](const Footing& f) {
+        return dot(on_ground(f.place.position - wished.position), direction);
+    };
+    if (shift(over) < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
+    for (float back : {0.08f, 0.16f, 0.24f, 0.32f}) {
+        if (back > shift(over) + k_over_edge) break;  // the longer step is less of a change
+        FootPlace nearer = wished;
+        nearer.position += at_height(direction * -back, 0);
+        Footing before = find_footing(s.around, nearer, size);
+        if (before.found && before.whole && before.place.position.y > level) return before;
+    }
+    return over;
+}
+
 // Finds the landing for `wished`; false if a jump has to.
-bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leaves) {
+bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leaves, float seconds) {
     FootBlock& foot = g.feet[side];
     FootSize size = foot_size(s.person, s.lane);
     foot.wished_x[s.lane] = wished.position.x;
@@ -146,23 +167,34 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     }
     if (g.tread[s.lane] > 0) keep_to_treads(g, s, side, size, wished);
     Footing footing = find_footing(s.around, wished, size);
-    if (footing.found && footing.stepped && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
+    if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
         std::fabs(footing.place.position.y - there.y[s.lane]) > k_stair) {
         keep_to_treads(g, s, side, size, wished);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
     }
     if (footing.found && g.tread[s.lane] <= 0 && footing.place.position.y < there.y[s.lane] - k_stair)
-        footing = clear_of_edge(s.around, footing, direction, size);
-    if (!footing.found) {
+        footing = down_or_before(s, footing, wished, direction, size);
+    // A body cannot be let down, or lifted, in no time.
+    bool committed = !leaves && seconds < k_committed && g.flight[s.lane] <= 0;
+    auto is_near = [&](const Footing& f) {
+        return f.found && (!committed || std::fabs(f.place.position.y - foot.goal.y[s.lane]) < k_stair);
+    };
+    Vec3 goal{foot.goal.x[s.lane], 0, foot.goal.z[s.lane]};
+    if (committed && !is_near(footing) && length(on_ground(wished.position - goal)) < k_about_there)
+        return true;
+    if (!is_near(footing)) {
         bool jumps = leaves && g.flight[s.lane] <= 0 && g.amplitude[s.lane] > 0.3f;
         if (jumps && far_side(s.around, here, direction, k_longest_jump).distance > 0) return false;
         // Nearer to the root, which is known to stand on ground.
+        Vec2 root = on_ground(s.root) + s.velocity * (committed ? seconds : 0);
+        Vec3 known = at_height(root, wished.position.y);
         for (float pull : {0.35f, 0.7f, 1.0f}) {
             FootPlace nearer = wished;
-            nearer.position = lerp(wished.position, Vec3{s.root.x, wished.position.y, s.root.z}, pull);
+            nearer.position = lerp(wished.position, known, pull);
             footing = find_footing(s.around, nearer, size);
-            if (footing.found) break;
+            if (is_near(footing)) break;
         }
+        if (committed && !is_near(footing)) return true;
         if (!footing.found) footing.place.position.y = s.root.y;
     }
     FootPlace from = get_place(foot.from, s.lane), landing = footing.place;
@@ -180,7 +212,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 
 bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
     FootBlock& foot = g.feet[side];
-    if (!plan(g, s, side, wished_landing(g, s, side, seconds, frequency), true)) return false;
+    if (!plan(g, s, side, wished_landing(g, s, side, seconds, frequency), true, seconds)) return false;
     foot.swinging[s.lane] = 1;
     set_place(foot.to, s.lane, get_place(foot.goal, s.lane));
     return true;
@@ -193,7 +225,7 @@ void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequ
         float moved = std::max(std::fabs(wished.position.x - foot.wished_x[s.lane]),
                                std::fabs(wished.position.z - foot.wished_z[s.lane]));
         float turned = std::fabs(wished.yaw - foot.wished_yaw[s.lane]);
-        if (moved > k_moved || turned > k_turned) plan(g, s, side, wished, false);
+        if (moved > k_moved || turned > k_turned) plan(g, s, side, wished, false, seconds);
     }
     // Swiftly enough to be there in time.
     float share = std::min(1.0f, s.dt * std::max(k_following, 2.5f / std::max(seconds, s.dt)));

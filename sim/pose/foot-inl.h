@@ -45,6 +45,7 @@ template <class T>
 struct WalkNow {
     T duty, over_duty, over_swing;  // duty; its norm's share over it; the same of the swing
     T amplitude, ahead, running, lift;
+    T over;  // how much faster than a natural pace, see rise-inl.h
 };
 
 // Where a foot is in its cycle and in its swing.
@@ -72,7 +73,6 @@ struct Foot {
     V3<T> up_ws, ahead_ws;  // axes of the flat foot
     T ankle_up, ankle_ahead;
     SinCosOf<T> half, toe_half;  // of the turns of foot and toes about x, toes down +
-    T knee;                      // cosine of the flexion that the normal walk has now
     T leaving;                   // 0 while the body rests on it .. 1 at toe-off
     T slack;   // metres that the leg may fall short: none as it lands and stands, some as it leaves
     T give;    // metres before its reach from which on a swinging leg gives way
@@ -111,7 +111,7 @@ HWY_INLINE T landing_on_ball(const FootTime<T>& time, T forefoot) {
 template <class T>
 HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing) {
     T zero = T(0.0f), one = T(1.0f), norm = time.norm;
-    T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead;
+    T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead * (one + T(k_pitch_pace) * walk.over);
     T rolling = one - smoothstep(T(0.06f), T(0.12f), norm) *
                           (one - smoothstep(T(k_heel_off_0), T(k_heel_off_1), norm));
     pitch = select(time.planted, pitch * rolling, pitch - T(k_droop) * time.swing.hop * walk.ahead);
@@ -141,7 +141,8 @@ HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) 
     T u = swing.u, rest = swing.rest;
     T clearance =
         lerp(swing.hop * T(0.05f),
-             (T(k_clear_early) + T(k_heel_kick) * walk.running) * swing.product2 * rest * rest * rest +
+             (T(k_clear_early) * (T(1.0f) + T(k_clear_pace) * walk.over) + T(k_heel_kick) * walk.running) *
+                     swing.product2 * rest * rest * rest +
                  T(k_clear) * swing.hop,
              walk.amplitude);
     if (!any(walk.running > T(0.0f))) return clearance;
@@ -196,10 +197,8 @@ HWY_INLINE SwingEnds<T> swing_ends(const FootBlock& f, size_t lane, V3<T> origin
 
 // How far the leg of this foot may be from what its place asks for; see Foot.
 template <class T>
-HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, const WalkNow<T>& walk) {
+HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time) {
     T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
-    T knee = lerp(T(0.09f), max(curve_at(k_norm_knee, time.wave) + T(k_knee_more), T(0.03f)), walk.amplitude);
-    out.knee = doubled(sin_cos_half(knee)).cosine;
     out.swings = select(time.planted, zero, one);
     out.leaving = select(time.planted, smoothstep(T(0.38f), T(0.55f), time.norm), zero);
     out.give = select(time.planted, zero,
@@ -240,7 +239,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Axes<T> axes_ws = axes_of(out.flat_ws);
     out.up_ws = axes_ws.y;
     out.ahead_ws = axes_ws.z;
-    bind_leg(out, time, walk);
+    bind_leg(out, time);
     return out;
 }
 

@@ -46,7 +46,9 @@ HWY_INLINE V3<T> bs_of_os(const Heading<T>& h, V3<T> v) {
 template <class T>
 struct PelvisCurves {
     T list, turn, lean;  // left side up, left side forward, forward: lean is the trunk's
-    T sway, surge;       // to the left, ahead
+    T twist;             // of the chest, the other way than the pelvis turns
+    T sway, surge;       // to the left, metres; ahead, legs
+    T nod;               // forward, of pelvis and trunk: keeps the head from the surge
     T slow;              // how much longer feet stand than at a natural speed, as a share of the cycle
 };
 
@@ -57,7 +59,7 @@ struct Trunk {
     Q4<T> pelvis_ws;
     Heading<T> heading;
     PelvisCurves<T> curves;
-    T amplitude, running;
+    T amplitude, running, over;  // over: the pace less a natural one
 };
 
 // Of two unit quaternions not far from each other. Length 1 by two Newton steps, without a root.
@@ -107,7 +109,7 @@ inline constexpr float k_arm_soft = 0.004f;
 // What both arms share.
 template <class T>
 struct ArmSwing {
-    T amount;         // of the swing, 0 standing
+    T amount, bends;  // of the swing and of the elbow's, 0 standing
     T elbow;          // radians that it is bent, in the middle of the swing
     T twice;          // 0: in time with the legs .. 1: twice a stride
     SinCosOf<T> out;  // of the carriage
@@ -127,7 +129,7 @@ HWY_INLINE V3<T> swung_wrist(const ArmSwing<T>& swing, const Harmonics<T, 3>& cy
     T stroke = lerp(cycle.cosine[0] * T(mirror), cycle.cosine[1] * T(0.5f), swing.twice);
     T late = lerp(cycle.sine[0] * T(mirror), cycle.sine[1] * T(0.5f), swing.twice);
     T back = T(0.02f) + swing.amount * (T(0.12f) + T(0.29f) * stroke);
-    T elbow = swing.elbow - swing.amount * T(0.22f) * (stroke - late * T(0.25f));
+    T elbow = swing.elbow - swing.bends * T(0.22f) * (stroke - late * T(0.25f));
     SinCosOf<T> raised = doubled(sin_cos_half(back)), bent = doubled(sin_cos_half(elbow));
     T inward = bent.sine * T(0.2955f), forward = bent.sine * T(0.9553f);  // of 0.30 rad
     V3<T> upper{zero, zero - raised.cosine, zero - raised.sine};
@@ -162,10 +164,13 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     T elbow_height = at<T>(p.joints[left_lower_arm][1] + lane);
     T wrist_height = at<T>(p.joints[left_hand][1] + lane);
     LimbSizes<T> size = limb_sizes(shoulder_ms.y - elbow_height, elbow_height - wrist_height);
-    ArmSwing<T> swing{trunk.amplitude * at<T>(p.arm_swing + lane),
-                      lerp(lerp(T(0.22f), T(0.60f), trunk.amplitude), T(k_run_elbow), trunk.running),
-                      smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
-                      doubled(sin_cos_half(at<T>(p.carriage + lane)))};
+    T swings = trunk.amplitude * at<T>(p.arm_swing + lane);
+    ArmSwing<T> swing{
+        swings * max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)),
+        swings * clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
+        lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude), T(k_run_elbow), trunk.running),
+        smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
+        doubled(sin_cos_half(at<T>(p.carriage + lane)))};
     Axes<T> chest = axes_of(chest_ws);
     V3<T> to_clavicle_ws = chest.y * (clavicle_ms.y - chest_ms.y) + chest.z * (clavicle_ms.z - chest_ms.z);
     V3<T> to_shoulder_ws = chest.y * (shoulder_ms.y - chest_ms.y) + chest.z * (shoulder_ms.z - chest_ms.z);
@@ -213,14 +218,18 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     T one = T(1.0f);
     T look[3];  // of chest, neck and head
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
-    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude);
+    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.nod;
     SinCosOf<T> half_lean = sin_cos_half(lean);
-    Q4<T> chest_ws = turned_yzx(plus(trunk.heading.half, sin_cos_half(trunk.curves.turn * T(0.4f) + look[0])),
-                                sin_cos_half(trunk.curves.list * T(-0.2f)), half_lean);
+    Q4<T> chest_ws = turned_yzx(
+        plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
+        sin_cos_half(trunk.curves.list * T(-0.35f) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
     Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one}, sin_cos_half(lean * T(0.55f)));
     neck_ws = after_y(plus(trunk.heading.half, sin_cos_half(look[1])), neck_ws);
-    SinCosOf<T> gaze = plus(trunk.heading.half, sin_cos_half(look[2]));
-    Q4<T> head_ws{T(0.0f), gaze.sine, T(0.0f), gaze.cosine};
+    // Down as the body rises, so that the eyes keep to what they look at.
+    T nods = cycle.cosine[1] * trunk.amplitude * T(-k_head_nod), rolls = trunk.curves.list * T(k_head_roll);
+    Q4<T> head_ws =
+        turned_yzx(plus(trunk.heading.half, sin_cos_half(look[2] + trunk.curves.twist * T(k_head_turn))),
+                   sin_cos_half(rolls), sin_cos_half(nods));
 
     const Q4<T> rotations_ws[] = {trunk.pelvis_ws,
                                   nlerp_near(trunk.pelvis_ws, chest_ws, 1.0f / 3),

@@ -7,6 +7,7 @@
 #define FLANEUR_SIM_POSE_WALK_INL_H
 #endif
 
+#include "sim/gait/rise-inl.h"
 #include "sim/ik/two_bone-inl.h"
 #include "sim/pose/foot-inl.h"
 #include "sim/pose/trunk-inl.h"
@@ -23,17 +24,15 @@ struct Pelvis {
     V3<T> to_hip_ws[2];  // from its centre to the hip joints
 };
 
-// What raises and lowers the pelvis besides the legs, metres.
+// How high the pelvis wants to be, metres.
 template <class T>
 struct Height {
-    T load;    // share of the body on the left leg
-    T bob;     // added as it passes over a leg
+    T walk;    // of one who walks or stands
     T bounce;  // of a run: up in flight, down in stance
     T crouch;
 };
 
-// How high the pelvis goes: to where the leg that carries it has the knee of the normal walk. A runner's
-// bounces instead.
+// The pelvis goes its own smooth way, as far as legs reach.
 //
 // With thigh u, shank l and a knee flexed by k, hip and ankle are d = sqrt(u^2 + l^2 + 2 u l cos k) apart,
 // and the hip stands sqrt(d^2 - flat^2) above the ankle, where flat is what lies between them along the
@@ -41,11 +40,10 @@ struct Height {
 template <class T>
 HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSizes<T>& foot_size,
                              const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height) {
-    T one = T(1.0f);
     T squares = leg.upper * leg.upper + leg.lower * leg.lower, product = T(2.0f) * leg.upper * leg.lower;
     T least = leg.upper * leg.upper * T(0.8f);
     T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
-    T wanted = height.bob, limits[2];
+    T wanted = height.walk, limits[2];
     for (int side = 0; side < 2; ++side) {
         const Foot<T>& foot = feet[side];
         T hip_up = pelvis.to_hip_ws[side].y;
@@ -53,9 +51,6 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
         T x = pelvis.place_os.x + pelvis.to_hip_ws[side].x - ankle_os.x,
           z = pelvis.place_os.z + pelvis.to_hip_ws[side].z - ankle_os.z;
         T flat2 = x * x + z * z;
-        T above = sqrt(max(squares + product * foot.knee - flat2, least)) - hip_up;
-        wanted = wanted +
-                 (above + ankle_os.y - foot.place_os.y) * (side == k_left ? height.load : one - height.load);
         limits[side] = sqrt(max(full2 - flat2, least)) + ankle_os.y - hip_up;
     }
     if (any(walk.running > T(0.0f))) {
@@ -99,6 +94,7 @@ HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane) {
     walk.amplitude = at<T>(g.amplitude + lane);
     walk.ahead = walk.amplitude * max(at<T>(g.course + lane), T(0.0f));
     walk.running = at<T>(g.running + lane);
+    walk.over = over_natural(at<T>(g.pace + lane)) * (one - walk.running);
     walk.lift = at<T>(g.lift + lane);
     return walk;
 }
@@ -111,15 +107,19 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     T style = at<T>(p.sway + lane), share = walk.amplitude * style;
     T idle = (at<T>(g.load + lane) - T(0.5f)) * (T(1.0f) - walk.amplitude);
     PelvisCurves<T> curves;
-    curves.list = curve_at(k_norm_pelvic_list, cycle) * share + idle * T(0.08f);
-    curves.turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
+    curves.list =
+        curve_at(k_norm_pelvic_list, cycle) * share * (T(1.0f) + T(1.2f) * walk.over) + idle * T(0.08f);
+    T turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
+    curves.turn = turn * clamp(T(0.97f) + T(2.6f) * walk.over, T(0.6f), T(1.35f));
+    curves.twist = turn * T(k_chest_turn);
     curves.slow = walk.duty - T(k_norm_duty);
     curves.sway =
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
         idle * T(0.06f);
     curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude;
+    curves.nod = curves.surge * T(-k_nod);
     curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.3f), T(0.6f)) * T(0.3f) +
-                  walk.running * T(k_run_lean);
+                  at<T>(g.drive + lane) * T(k_drive_lean) + walk.running * T(k_run_lean);
     return curves;
 }
 
@@ -127,12 +127,13 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
 template <class T>
 HWY_INLINE Pelvis<T> turned_pelvis(const PelvisCurves<T>& curves, const Heading<T>& heading, V3<T> hips_ms,
                                    V3<T> left_hip_ms) {
-    T zero = T(0.0f);
+    T leg = left_hip_ms.y, zero = T(0.0f);
     Pelvis<T> pelvis;
-    pelvis.rotation_ws = turned_yzx(plus(heading.half, sin_cos_half(zero - curves.turn)),
-                                    sin_cos_half(curves.list), sin_cos_half(curves.lean * T(0.3f)));
+    pelvis.rotation_ws =
+        turned_yzx(plus(heading.half, sin_cos_half(zero - curves.turn)), sin_cos_half(curves.list),
+                   sin_cos_half(curves.lean * T(0.6f) + curves.nod));
     pelvis.axes_ws = axes_of(pelvis.rotation_ws);
-    pelvis.place_os = os_of_bs(heading, V3<T>{curves.sway, zero, curves.surge});
+    pelvis.place_os = os_of_bs(heading, V3<T>{curves.sway, zero, curves.surge * leg});
     V3<T> aside_ws = pelvis.axes_ws.x * left_hip_ms.x;
     V3<T> middle_ws =
         pelvis.axes_ws.y * (left_hip_ms.y - hips_ms.y) + pelvis.axes_ws.z * (left_hip_ms.z - hips_ms.z);
@@ -143,15 +144,12 @@ HWY_INLINE Pelvis<T> turned_pelvis(const PelvisCurves<T>& curves, const Heading<
 
 template <class T>
 HWY_INLINE Height<T> pelvis_height(const GaitBlock& g, const PersonBlock& p, size_t lane,
-                                   const WalkNow<T>& walk, const Harmonics<T, 3>& cycle, T slow) {
-    T one = T(1.0f), zero = T(0.0f);
+                                   const WalkNow<T>& walk, const Harmonics<T, 3>& cycle, T upright, T leg) {
     Height<T> height;
-    height.load = at<T>(g.load + lane);
-    height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane);
-    // With a = 2 pi phase: cosine[1] is cos 2a, sine[1] sin 2a.
-    T over_foot = cycle.cosine[1] * T(k_high_cosine) + cycle.sine[1] * T(k_high_sine);
-    height.bob = (one + over_foot) * max(T(k_bob) + T(k_bob_slow) * slow, zero) * walk.amplitude;
-    // -cos 2(a - pi duty): lowest when half the time on the ground is over.
+    height.walk = upright + leg * pelvis_rise(at<T>(g.step + lane), walk.over, walk.amplitude,
+                                              clamp(at<T>(g.rise + lane), T(0.0f), T(k_steepest)), cycle);
+    height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane) + at<T>(g.sink + lane);
+    // -cos 2(a - pi duty), a = 2 pi phase: lowest when half the time on the ground is over.
     SinCosOf<T> middle_of_stance = doubled(doubled(sin_cos_half(walk.duty * T(k_pi))));
     height.bounce = (cycle.cosine[1] * middle_of_stance.cosine + cycle.sine[1] * middle_of_stance.sine) *
                     T(0.0f - k_bounce);
@@ -216,13 +214,14 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     SinCosOf<T> half = sin_cos(at<T>(g.heading + lane) * T(0.5f));
     Heading<T> heading{half, doubled(half)};
     Pelvis<T> pelvis = turned_pelvis(curves, heading, hips_ms, hip_ms);
-    raise_pelvis(pelvis, feet, foot_size, leg, walk, pelvis_height(g, p, lane, walk, cycle, curves.slow));
+    raise_pelvis(pelvis, feet, foot_size, leg, walk,
+                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y));
     set_joint(out, hips, lane, pelvis.place_os, pelvis.rotation_ws);
     for (int side = 0; side < 2; ++side)
         pose_leg(out, lane, side, pelvis, heading, leg, foot_size, feet[side]);
 
     Trunk<T> trunk{pelvis.place_os, hips_ms,        pelvis.rotation_ws, heading,
-                   curves,          walk.amplitude, walk.running};
+                   curves,          walk.amplitude, walk.running,       walk.over};
     pose_trunk(g, p, out, lane, trunk, cycle, origin_ws);
 }
 

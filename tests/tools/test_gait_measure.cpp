@@ -253,7 +253,42 @@ TEST(GaitCrowd, FindsAJumpOfAJointALongBoneAndNoNumber) {
             }
         }
     }
-    EXPECT_EQ(worst_places(watches).size(), 2u);
+    EXPECT_EQ(worst_places(watches).size(), 2u + worst_count);
+}
+
+TEST(GaitCrowd, TellsTheWorstAndWhoseItIs) {
+    World w = small_world();
+    std::vector<WalkerWatch> watches(2);
+    Vec2& velocity = w.crowd.motion.velocity[0];
+    velocity = {0, 1};
+    for (w.tick = 1; w.tick < 80; ++w.tick)
+        for (WalkerWatch& watch : watches) watch_walker(watch, w, 0);
+    for (const WorstWatch& worst : watches[1].worst) EXPECT_LT(worst.most, 0.01f);
+
+    auto lower = [&](float by) {
+        for (Joint joint : {hips, head}) w.poses[0].position[joint][1][0] -= by;
+    };
+    velocity = {0, 0.9f};
+    lower(0.01f);
+    watch_walker(watches[1], w, 0);
+    const auto& worst = watches[1].worst;
+    EXPECT_NEAR(worst[worst_slowing].most, 6, 1e-3);
+    EXPECT_NEAR(worst[worst_head_rise].most, 0.6, 1e-3);
+    EXPECT_NEAR(worst[worst_fall].most, 36, 0.1);
+    EXPECT_EQ(worst[worst_fall].tick, 80u);
+    EXPECT_EQ(worst[worst_head_step].most, 0);
+
+    w.tick = 81;
+    w.poses[0].position[left_foot][1][0] -= 0.04f;  // planted, and drawn into the ground
+    w.poses[0].position[left_toes][1][0] -= 0.04f;
+    watch_walker(watches[1], w, 0);
+    EXPECT_NEAR(worst[worst_below].most, 40, 1);
+
+    bool is_told = false;
+    for (const std::string& line : worst_places(watches))
+        is_told =
+            is_told || line == "root_slowing_max.m_s2 is 6: walker 1, tick 80; 1 beyond the goal of 3.5";
+    EXPECT_TRUE(is_told);
 }
 
 }  // namespace

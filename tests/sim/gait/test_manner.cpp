@@ -23,7 +23,7 @@ TEST(Manner, PeopleSpreadAroundTheMiddle) {
             EXPECT_GT(m.toe_out, 0);
         }
         EXPECT_NEAR(stride, 0, 0.005);
-        EXPECT_NEAR(std::sqrt(squares), 0.075, 0.01);
+        EXPECT_NEAR(std::sqrt(squares), 0.047, 0.006);
         EXPECT_NEAR(width, 1, 0.01);
     }
 }

@@ -86,6 +86,10 @@ constexpr SpeedBar k_by_speed[] = {
 constexpr Bar k_any_speed[] = {
     {"step_length.ratio", 0.9, 1.1, 0, "1.16 L (v / sqrt(g L))^0.5"},
     {"walk_ratio.m_spm", 0.0052, 0.0073, 0, "Murakami & Otaka 2017"},
+    {"pelvis_up.m_s2", 0, 8, 0, k_mocap},
+    {"pelvis_down.m_s2", -6, 0, 0, k_mocap},
+    {"trunk_lean.deg", 2.2, 8, 0, k_mocap},
+    {"trunk_lean.range", 1.9, 5.1, 0, k_mocap},
 };
 
 constexpr Bar k_slow[] = {{"arm_twice.ratio", 1, k_open, 0, k_pooled}};

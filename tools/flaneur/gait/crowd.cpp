@@ -18,6 +18,8 @@ namespace {
 constexpr float k_degrees = 1 / k_radians;
 constexpr float k_steady_speed = 0.7f;  // m/s
 constexpr float k_steady_turn = 0.15f;  // rad/s
+constexpr uint32_t k_settles = 60;      // ticks
+constexpr float k_level = 0.02f;        // metres
 
 bool finite(const JointPose& p) {
     return std::isfinite(p.position.x + p.position.y + p.position.z + p.rotation.x + p.rotation.y +
@@ -95,6 +97,48 @@ void watch_leg(WalkerWatch& watch, const World& world, size_t i, const FootInsta
     watch.legs.push_back({thigh, thigh - shank, pitch - shank, speed, foot.swinging, steady});
 }
 
+void note_worst(WalkerWatch& watch, Worst which, float value, uint32_t tick) {
+    WorstWatch& worst = watch.worst[which];
+    if (value > worst.most) worst = {value, tick};
+}
+
+// How evenly the body moves, but in its first second, in which it takes its place.
+void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInstant (&feet)[2]) {
+    Vec2 velocity = world.crowd.motion.velocity[i];
+    float head_y = joint_pose(world.poses, i, head).position.y,
+          pelvis_y = joint_pose(world.poses, i, hips).position.y;
+    if (watch.ticks >= k_settles) {
+        float slowing = (length(watch.velocity) - length(velocity)) / k_tick;
+        note_worst(watch, worst_slowing, slowing, world.tick);
+        float root_y = world.crowd.motion.position[i].y;
+        bool level = true;
+        for (const FootInstant& foot : feet)
+            for (float ground : foot.ground) level = level && std::fabs(ground - root_y) < k_level;
+        note_worst(watch, level ? worst_head_rise : worst_head_step, std::fabs(head_y - watch.head) / k_tick,
+                   world.tick);
+        float falls = (2 * watch.pelvis[1] - watch.pelvis[0] - pelvis_y) / (k_tick * k_tick);
+        if (!feet[k_left].swinging || !feet[k_right].swinging)
+            note_worst(watch, worst_fall, falls, world.tick);
+    }
+    watch.velocity = velocity;
+    watch.head = head_y;
+    watch.pelvis[0] = watch.pelvis[1];
+    watch.pelvis[1] = pelvis_y;
+    ++watch.ticks;
+}
+
+void watch_feet(WalkerWatch& watch, const FootInstant (&feet)[2], uint32_t tick) {
+    for (Side side : {k_left, k_right}) {
+        StanceWatch& foot = watch.feet[side];
+        if (auto stance = watch_stance(foot, feet[side])) watch.stances.push_back(*stance);
+        if (!foot.standing) continue;
+        watch.slips.push_back(foot.slip);
+        note_worst(watch, worst_drift, 1000 * foot.stance.drift, tick);
+        note_worst(watch, worst_below, 1000 * foot.stance.below, tick);
+        note_worst(watch, worst_above, 1000 * foot.stance.above, tick);
+    }
+}
+
 struct LegCurves {
     Cycle thigh{}, knee{}, ankle{};
     double speed = 0;
@@ -156,16 +200,23 @@ double spread(const std::vector<LegCurves>& people, const Cycle LegCurves::*curv
     return sum;
 }
 
+// The walker whose worst is the highest.
+size_t whose_worst(const std::vector<WalkerWatch>& watches, Worst which) {
+    auto most = std::max_element(watches.begin(), watches.end(), [&](const auto& a, const auto& b) {
+        return a.worst[which].most < b.worst[which].most;
+    });
+    return static_cast<size_t>(most - watches.begin());
+}
+
 }  // namespace
 
 void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
     watch_joints(watch, world, i);
-    for (Side side : {k_left, k_right}) {
-        FootInstant foot = foot_instant(*world.ground, world.gait, world.poses, i, side);
-        if (auto stance = watch_stance(watch.feet[side], foot)) watch.stances.push_back(*stance);
-        if (watch.feet[side].standing) watch.slips.push_back(watch.feet[side].slip);
-        if (side == k_left) watch_leg(watch, world, i, foot);
-    }
+    const FootInstant feet[2] = {foot_instant(*world.ground, world.gait, world.poses, i, k_left),
+                                 foot_instant(*world.ground, world.gait, world.poses, i, k_right)};
+    watch_feet(watch, feet, world.tick);
+    watch_body(watch, world, i, feet);
+    watch_leg(watch, world, i, feet[k_left]);
 }
 
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
@@ -200,7 +251,6 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
     auto spread_over = [&](const std::string& name, std::vector<double>& values) {
         r.quantities.push_back({name + "_p50.mm", quantile(values, 0.5)});
         r.quantities.push_back({name + "_p99.mm", quantile(values, 0.99)});
-        r.quantities.push_back({name + "_max.mm", *std::max_element(values.begin(), values.end())});
     };
     r.quantities.push_back({"stances", static_cast<double>(drift.size() - 1)});
     spread_over("drift", drift);
@@ -214,6 +264,11 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                           {"joint_speed.deg_s", spin},
                           {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});
+    for (int kind = 0; kind < worst_count; ++kind) {
+        size_t walker = whose_worst(watches, static_cast<Worst>(kind));
+        r.quantities.push_back({k_worst[kind].name,
+                                watches.empty() ? 0 : static_cast<double>(watches[walker].worst[kind].most)});
+    }
     if (people.size() > 1) {
         append(r.quantities, {{"spread_thigh.deg", spread(people, &LegCurves::thigh)},
                               {"spread_knee.deg", spread(people, &LegCurves::knee)},
@@ -261,6 +316,18 @@ std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches) {
                           line.far_walker, line.farthest->beyond_tick);
             texts.push_back(text);
         }
+    }
+    for (int kind = 0; kind < worst_count && !watches.empty(); ++kind) {
+        size_t walker = whose_worst(watches, static_cast<Worst>(kind));
+        const WorstWatch& most = watches[walker].worst[kind];
+        auto beyond = std::count_if(watches.begin(), watches.end(), [&](const WalkerWatch& w) {
+            return w.worst[kind].most > k_worst[kind].goal;
+        });
+        char text[160];
+        std::snprintf(text, sizeof text, "%s is %.3g: walker %zu, tick %u; %zu beyond the goal of %g",
+                      k_worst[kind].name, static_cast<double>(most.most), walker, most.tick,
+                      static_cast<size_t>(beyond), static_cast<double>(k_worst[kind].goal));
+        texts.push_back(text);
     }
     return texts;
 }

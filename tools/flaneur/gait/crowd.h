@@ -21,12 +21,42 @@ struct JointWatch {
     uint32_t outside = 0;  // ticks in which it was
 };
 
+// What is worst about one walker, and the tick in which it was.
+enum Worst : int {
+    worst_drift,      // of a planted foot, mm
+    worst_below,      // of a planted foot, mm under the ground
+    worst_above,      // of a planted foot, mm over it
+    worst_slowing,    // of the root, m/s2
+    worst_head_rise,  // up or down, of one who walks on level ground, m/s
+    worst_head_step,  // the same on any other ground
+    worst_fall,       // of the pelvis while a foot stands, m/s2 down
+    worst_count
+};
+struct WorstKind {
+    const char* name;
+    float goal;  // that nobody should be beyond
+};
+inline constexpr WorstKind k_worst[worst_count] = {
+    {"drift_max.mm", 10},           {"penetration_max.mm", 20},
+    {"float_max.mm", 30},           {"root_slowing_max.m_s2", 3.5f},
+    {"head_rise_max.m_s", 1},       {"head_rise_steps_max.m_s", 1.6f},
+    {"pelvis_fall_max.m_s2", 9.81f}};
+struct WorstWatch {
+    float most = 0;
+    uint32_t tick = 0;
+};
+
 // One walker, looked at after each tick.
 struct WalkerWatch {
     StanceWatch feet[2];
     std::vector<Stance> stances;
     std::vector<float> slips;  // metres in a tick, of planted feet
     JointWatch joints[k_joint_count];
+    WorstWatch worst[worst_count];
+    // Its last ticks.
+    Vec2 velocity;
+    float head = 0, pelvis[2] = {};  // heights, metres
+    uint32_t ticks = 0;
     bool seen = false;        // whether `last` of the joints is of the tick before
     uint32_t not_finite = 0;  // ticks
     float bone_error = 0;     // metres by which a bone differs from its length
@@ -45,8 +75,8 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i);
 // What all of them come to, with bars.
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world);
 
-// A line for each joint that jumped and each that was beyond its limits: how often, and who can be seen doing
-// the worst of it when.
+// A line for each joint that jumped and each that was beyond its limits, how often, and for each of these:
+// who can be seen doing the worst of it when.
 std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches);
 
 }  // namespace flaneur

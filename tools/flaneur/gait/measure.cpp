@@ -199,6 +199,10 @@ void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, con
     q.push_back({"trunk_rotation.deg", range(c.trunk_rotation)});
     q.push_back({"head_yaw.deg", range(c.head_rotation)});
     q.push_back({"head_pitch.deg", range(c.head_pitch)});
+    q.push_back({"head_roll.deg", range(c.head_roll)});
+    q.push_back({"trunk_lean.deg", mean(c.trunk_lean)});
+    q.push_back({"trunk_lean.range", range(c.trunk_lean)});
+    q.push_back({"trunk_list.range", range(c.trunk_list)});
     q.push_back({"upper_arm.range", range(c.upper_arm)});
     q.push_back({"elbow.range", range(c.elbow)});
     q.push_back({"elbow.mean", mean(c.elbow)});
@@ -216,6 +220,18 @@ void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, con
     jerk("jerk_head.m_s3", head);
     jerk("jerk_wrist.m_s3", left_hand);
     jerk("jerk_ankle.m_s3", left_foot);
+    q.push_back({"jerk_head.ratio", value_of(q, "jerk_head.m_s3") / value_of(q, "jerk_pelvis.m_s3")});
+
+    // After the 10 Hz low-pass, like the jerk.
+    Samples height =
+        low_pass(series(walk, [](const Instant& now) { return metres(place(now, hips).y); }), walk.rate, 10);
+    double up = 0, down = 0;
+    for (size_t t = begin + 1; t + 1 < end; ++t) {
+        double a = (height[t + 1] - 2 * height[t] + height[t - 1]) * walk.rate * walk.rate;
+        up = std::max(up, a), down = std::min(down, a);
+    }
+    q.push_back({"pelvis_up.m_s2", up});
+    q.push_back({"pelvis_down.m_s2", down});
 }
 
 }  // namespace
@@ -283,10 +299,24 @@ Curves curves_of(const Walk& walk, const std::vector<MeasuredStride>& all) {
     c.pelvis_rotation = of(turned(hips), true);
     c.trunk_rotation = of(turned(upper_chest), true);
     c.head_rotation = of(turned(head), true);
-    c.head_pitch = of(
-        [](const Instant& now, Side) {
-            Vec3 front = rotate(now.joints[head].rotation, Vec3{0, 0, 1});
-            return std::asin(std::clamp(metres(front.y), -1.0, 1.0)) * k_degrees;
+    auto upness = [](const Instant& now, Vec3 axis) {
+        return std::asin(std::clamp(metres(rotate(now.joints[head].rotation, axis).y), -1.0, 1.0)) *
+               k_degrees;
+    };
+    c.head_pitch = of([&](const Instant& now, Side) { return upness(now, {0, 0, 1}); }, true);
+    c.head_roll = of([&](const Instant& now, Side s) { return mirror(s) * upness(now, {1, 0, 0}); }, true);
+    // Against the line's slant in the body at rest.
+    auto rest = walk.body.joints[neck] - walk.body.joints[hips];
+    double slant = std::atan2(metres(rest.z), metres(rest.y)) * k_degrees;
+    auto trunk = [](const Instant& now) { return place(now, neck) - place(now, hips); };
+    c.trunk_lean = of([&](const Instant& now, Side) {
+        Vec3 line = trunk(now);
+        return std::atan2(dot_d(line, ahead(now)), metres(line.y)) * k_degrees - slant;
+    });
+    c.trunk_list = of(
+        [&](const Instant& now, Side s) {
+            Vec3 line = trunk(now);
+            return mirror(s) * std::atan2(dot_d(line, left(now)), metres(line.y)) * k_degrees;
         },
         true);
     c.upper_arm = of([](const Instant& now, Side s) {

@@ -36,7 +36,8 @@ std::vector<MeasuredStride> strides(const Walk& walk, size_t first, size_t last)
 // Mean curves over the strides of both sides.
 struct Curves {
     Cycle thigh, knee, ankle, foot_pitch, pelvis_list, pelvis_rotation;
-    Cycle trunk_rotation, head_rotation, head_pitch, upper_arm, elbow;
+    Cycle trunk_rotation, head_rotation, head_pitch, head_roll, upper_arm, elbow;
+    Cycle trunk_lean, trunk_list;      // of the line from pelvis to neck: forward +, towards this side +
     Cycle pelvis_height, pelvis_side;  // mm, mean 0; side: towards the foot that has come down
     Cycle heel_height, toe_height;     // mm of the sole over the ground; toe: the lower one of ball and tip
 };

@@ -1,0 +1,169 @@
+#include "sim/gait/height.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/gait/rise-inl.h"
+
+namespace flaneur {
+
+static constexpr float k_base_stiffness = 12;      // 1/s, critically damped
+static constexpr float k_sink_release = 3;         // 1/s, critically damped, of letting go
+static constexpr float k_step_down_least = 0.03f;  // metres
+static constexpr float k_stairs_wait = 0.4f;       // of the swing
+static constexpr float k_soonest = 0.08f;          // seconds
+static constexpr float k_most_effort = 9;          // m/s2
+static constexpr float k_most_sink = 0.2f;         // legs
+static constexpr float k_just_landed = 0.1f;       // of the cycle
+static constexpr float k_bears = 0.36f;  // of a foot's phase on the ground, until its heel begins to give
+static constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
+static constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
+
+namespace {
+
+// The height at the walker's place of the plane that a foot stands on.
+float height_here(const FootPlaces& foot, int lane, Vec3 root) {
+    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
+    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
+    return foot.y[lane] - (nx * (root.x - foot.x[lane]) + nz * (root.z - foot.z[lane])) / ny;
+}
+
+// The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
+// down, by the time that foot lands; and it rises only as the higher foot takes the load.
+float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
+    const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
+    if (!l.swinging[lane] && !r.swinging[lane]) {
+        float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
+        // Whoever has stepped down stays down.
+        bool last_is_left = l.phase[lane]<r.phase[lane], left_is_high = left> right;
+        if (!g.standing[lane] && last_is_left != left_is_high) return std::min(left, right);
+        float high = left_is_high ? g.load[lane] : 1 - g.load[lane];
+        return lerp(std::min(left, right), std::max(left, right), 0.6f * high);
+    }
+    bool both = l.swinging[lane] && r.swinging[lane];
+    const FootBlock &swings = l.swinging[lane] ? l : r, &stands = l.swinging[lane] ? r : l;
+    float from = both ? lerp(height_here(l.from, lane, root), height_here(r.from, lane, root), 0.5f)
+                      : height_here(stands.from, lane, root);
+    float to = both ? lerp(height_here(l.to, lane, root), height_here(r.to, lane, root), 0.5f)
+                    : height_here(swings.to, lane, root);
+    float duty = g.duty[lane];
+    float u = smoothstep(duty, lerp(duty, 1, 0.6f), swings.phase[lane]);
+    return both || to < from ? lerp(from, to, u) : from;
+}
+
+// The acceleration that moves a body at `velocity` by so many metres in the time given, and leaves it at
+// rest: one that changes evenly, whose square is the least over that time.
+float least_effort(float by, float velocity, float seconds) {
+    return clamp((6 * by / seconds - 4 * velocity) / seconds, -k_most_effort, k_most_effort);
+}
+
+// What lets the body down onto a lower foot by the time that it lands; 0: nothing does. On stairs the foot
+// goes ahead, so that its knee need not bend far.
+float let_down(const GaitBlock& g, const Stepper& s) {
+    int lane = s.lane;
+    bool left = g.feet[k_left].swinging[lane] != 0;
+    if (left == (g.feet[k_right].swinging[lane] != 0)) return 0;
+    const FootBlock &swings = g.feet[left ? k_left : k_right], &stands = g.feet[left ? k_right : k_left];
+    float to = height_here(swings.goal, lane, s.root);
+    float begins = g.tread[lane] > 0 ? lerp(g.duty[lane], 1, k_stairs_wait) : 0;
+    if (swings.phase[lane] < begins) return 0;
+    float from = height_here(stands.from, lane, s.root), by = to - g.base[lane];
+    if (to > from - k_step_down_least || by > 0) return 0;
+    float seconds =
+        std::max((1 - swings.phase[lane]) / std::max(swings.rate[lane], g.frequency[lane]), k_soonest);
+    return least_effort(by, g.base_velocity[lane], seconds);
+}
+
+void advance_base(GaitBlock& g, const Stepper& s, float speed) {
+    int lane = s.lane;
+    float w = k_base_stiffness, target = carrying_height(g, lane, s.root) + 1.2f / w * g.rise[lane] * speed;
+    float& velocity = g.base_velocity[lane];
+    float down = let_down(g, s);
+    velocity += (down != 0 ? down : w * w * (target - g.base[lane]) - 2 * w * velocity) * s.dt;
+    g.base[lane] += velocity * s.dt;
+    float rise = speed > 0.2f ? clamp(velocity / speed, -0.8f, 0.8f) : 0;
+    g.rise[lane] += (rise - g.rise[lane]) * std::min(1.0f, 3 * s.dt);
+}
+
+// Metres by which the pelvis at `root`, on ground at `base`, would be higher than the leg of `side` lets it,
+// its foot at `place`, with `rise` as in rise-inl.h.
+float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces& place, Vec2 root,
+               float base, float rise, bool lands) {
+    int lane = s.lane;
+    const auto& joints = s.person.joints;
+    float hip_x = joints[left_upper_leg][0][lane] * (side == k_left ? 1.0f : -1.0f);
+    float ankle = joints[left_foot][1][lane], reach = (s.leg_length - ankle) * k_straightest;
+    Vec2 hip = root + Vec2{s.facing.z, -s.facing.x} * hip_x;
+    Vec2 foot{place.x[lane], place.z[lane]};
+    float up = ankle;
+    if (lands) {
+        float ahead = g.amplitude[lane] * std::max(g.course[lane], 0.0f),
+              forefoot = g.feet[side].forefoot[lane];
+        float ball = joints[left_toes][2][lane] - joints[left_foot][2][lane];
+        float heel_up = s.person.heel[lane] * k_contact_pitch_sine * ahead,
+              back = ankle * k_contact_pitch_sine * ahead;
+        up += lerp(heel_up, ball * k_tiptoe_sine, forefoot);
+        foot -= heading_direction(place.yaw[lane]) * lerp(back, -ankle * k_tiptoe_sine, forefoot);
+    }
+    float flat2 = length_squared(foot - hip);
+    float least = 0.25f * reach * reach;
+    float limit = place.y[lane] + up + std::sqrt(std::max(reach * reach - flat2, least));
+    float hip_height = base + s.leg_length * (1 + rise) - g.crouch[lane] - s.person.crouch[lane];
+    float downhill = clamp(-g.rise[lane], 0, k_steepest) * s.leg_length * k_downhill;
+    float slow = std::max(k_natural_pace - g.pace[lane], 0.0f) * g.amplitude[lane];
+    return hip_height + k_spare + k_spare_slow * slow + (lands ? downhill : 0) - limit;
+}
+
+// The pelvis comes down in time for what the next contact will let it, and for the legs that carry it; and up
+// again at leisure.
+void advance_sink(GaitBlock& g, const Stepper& s) {
+    namespace kernel = HWY_NAMESPACE;
+    int lane = s.lane;
+    float needed = 0;
+    float until = k_soonest, over = kernel::over_natural(g.pace[lane]);
+    auto need = [&](float amount, float seconds) {
+        if (amount > needed) needed = amount, until = std::max(seconds, k_soonest);
+    };
+    auto rise_at = [&](float phase) {
+        return kernel::pelvis_rise(g.step[lane], over, g.amplitude[lane], clamp(g.rise[lane], 0, k_steepest),
+                                   kernel::harmonics<3>(phase));
+    };
+    bool walks = g.running[lane] <= 0.5f && g.jump[lane] <= 0;
+    for (Side side : {k_left, k_right}) {
+        const FootBlock& foot = g.feet[side];
+        if (walks && foot.swinging[lane]) {
+            float seconds =
+                std::min((1 - foot.phase[lane]) / std::max(foot.rate[lane], g.frequency[lane]), 0.6f);
+            Vec2 change = s.wish - s.velocity;
+            float l = length(change), most = k_reaction * seconds;
+            Vec2 later = s.velocity + (l > most ? change * (most / l) : change);
+            Vec2 root = on_ground(s.root) + (s.velocity + later) * (0.5f * seconds);
+            Vec3 there = at_height(root, 0);
+            const FootPlaces& stands = g.feet[1 - side].from;
+            float base = std::min(height_here(foot.goal, lane, there), height_here(stands, lane, there));
+            base += std::max(g.base[lane] - std::max(height_here(stands, lane, s.root), base), 0.0f);
+            need(too_high(g, s, side, foot.goal, root, base, rise_at(0), true), seconds);
+        } else if (walks && foot.phase[lane] < k_bears) {
+            bool lands = foot.phase[lane] < k_just_landed && !g.standing[lane];
+            need(too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane], rise_at(g.phase[lane]),
+                          lands),
+                 0);
+        }
+    }
+    needed = std::min(needed, k_most_sink * s.leg_length);
+    float &sink = g.sink[lane], &velocity = g.sink_velocity[lane], w = k_sink_release;
+    float a = needed > sink ? least_effort(needed - sink, velocity, until)
+                            : w * w * (needed - sink) - 2 * w * velocity;
+    velocity += a * s.dt;
+    sink += velocity * s.dt;
+}
+
+}  // namespace
+
+void advance_height(GaitBlock& g, const Stepper& s, float speed) {
+    advance_base(g, s, speed);
+    advance_sink(g, s);
+}
+
+}  // namespace flaneur
