@@ -64,13 +64,16 @@ struct alignas(64) GaitBlock {
     float base_velocity[k_block];
     float sink[k_block];  // metres that the pelvis stays below its way, for legs to reach
     float sink_velocity[k_block];
-    float look[k_block];        // yaw of the head against the body
-    int32_t standing[k_block];  // 1: both feet down and the phases at rest
-    float frequency[k_block];   // cycles a second
-    int32_t first[k_block];     // Side that leaves first as soon as the other leg carries the body, or -1
-    float tread[k_block];       // metres from step to step of the stairs underfoot, 0: none
-    float jump[k_block];        // seconds since a jump began, 0: none
-    float flight[k_block];      // seconds that it is in the air, 0 until the feet leave
+    float breath[k_block];                           // breaths drawn, counted round
+    float inhaled[k_block];                          // -1: breathed out .. 1: in
+    float tilt_ahead[k_block], tilt_aside[k_block];  // radians that one who stands sways ahead, to the left
+    float look[k_block];                             // yaw of the head against the body
+    int32_t standing[k_block];                       // 1: both feet down and the phases at rest
+    float frequency[k_block];                        // cycles a second
+    int32_t first[k_block];  // Side that leaves first as soon as the other leg carries the body, or -1
+    float tread[k_block];    // metres from step to step of the stairs underfoot, 0: none
+    float jump[k_block];     // seconds since a jump began, 0: none
+    float flight[k_block];   // seconds that it is in the air, 0 until the feet leave
     FootBlock feet[2];
     HandBlock hands[2];
 };

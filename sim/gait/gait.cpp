@@ -7,6 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
+#include "sim/gait/rest.h"
 #include "sim/gait/states.h"
 #include "sim/gait/steps.h"
 
@@ -74,6 +75,8 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
     g.phase[lane] =
         random_unit({seed, static_cast<uint32_t>(i), 0, Purpose::first_step}) < 0.5f ? 0.05f : 0.55f;
     g.load[lane] = 0.5f;
+    g.breath[lane] =
+        k_breath_round * random_unit({seed, static_cast<uint32_t>(i), 0, Purpose::first_step}, 1);
     g.course[lane] = 1;
     g.standing[lane] = 1;
     g.x[lane] = at.x;

@@ -8,6 +8,7 @@
 #include "sim/gait/height.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
+#include "sim/gait/rest.h"
 
 namespace flaneur {
 
@@ -220,7 +221,7 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
     float target = 0.5f, rate = lerp(5.0f, 25.0f, g.amplitude[lane]), duty = g.duty[lane];
     if (g.standing[lane]) {
-        target = 0.5f + random_between(chance, -0.25f, 0.25f, 2);
+        target = resting_load(g, lane, chance);
         rate = 0.35f;
         if (g.first[lane] >= 0) target = g.first[lane] == k_left ? 0.0f : 1.0f, rate = 3.5f;
     } else if (l.swinging[lane] && r.swinging[lane]) {
@@ -285,6 +286,7 @@ void advance_walker(GaitBlock& g, const Stepper& s, RandomKey chance) {
     if (!g.standing[lane]) advance_phase(g, s);
     advance_load(g, s, chance);
     advance_height(g, s, speed);
+    advance_rest(g, s);
     advance_look(g, s, chance);
 }
 

@@ -47,8 +47,10 @@ template <class T>
 struct PelvisCurves {
     T list, turn, lean;  // left side up, left side forward, forward: lean is the trunk's
     T twist;             // of the chest, the other way than the pelvis turns
-    T sway, surge;       // to the left, metres; ahead, legs
+    T sway;              // to the left, metres
+    T surge, aside;      // ahead; to the left of one who sways: legs
     T nod;               // forward, of pelvis and trunk: keeps the head from the surge
+    T breath;            // -1 .. 1, of one who stands
     T slow;              // how much longer feet stand than at a natural speed, as a share of the cycle
 };
 
@@ -218,7 +220,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     T one = T(1.0f);
     T look[3];  // of chest, neck and head
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
-    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.nod;
+    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.nod -
+             trunk.curves.breath * T(k_breath_lean);
     SinCosOf<T> half_lean = sin_cos_half(lean);
     Q4<T> chest_ws = turned_yzx(
         plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),

@@ -105,19 +105,25 @@ template <class T>
 HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& p, size_t lane,
                                          const WalkNow<T>& walk, const Harmonics<T, 3>& cycle) {
     T style = at<T>(p.sway + lane), share = walk.amplitude * style;
-    T idle = (at<T>(g.load + lane) - T(0.5f)) * (T(1.0f) - walk.amplitude);
+    T stands = (T(1.0f) - walk.amplitude) * (T(1.0f) - walk.amplitude);
+    T idle = (at<T>(g.load + lane) - T(0.5f)) * stands;
     PelvisCurves<T> curves;
     curves.list =
-        curve_at(k_norm_pelvic_list, cycle) * share * (T(1.0f) + T(1.2f) * walk.over) + idle * T(0.08f);
+        curve_at(k_norm_pelvic_list, cycle) * share * (T(1.0f) + T(1.2f) * walk.over) + idle * T(k_idle_list);
     T turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
     curves.turn = turn * clamp(T(0.97f) + T(2.6f) * walk.over, T(0.6f), T(1.35f));
     curves.twist = turn * T(k_chest_turn);
     curves.slow = walk.duty - T(k_norm_duty);
     curves.sway =
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
-        idle * T(0.06f);
+        idle * T(k_idle_sway);
+    curves.aside = at<T>(g.tilt_aside + lane) * stands;
     curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude;
     curves.nod = curves.surge * T(-k_nod);
+    T tilt = at<T>(g.tilt_ahead + lane) * stands;
+    curves.surge = curves.surge + tilt;
+    curves.nod = curves.nod + tilt;
+    curves.breath = at<T>(g.inhaled + lane) * stands;
     curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.3f), T(0.6f)) * T(0.3f) +
                   at<T>(g.drive + lane) * T(k_drive_lean) + walk.running * T(k_run_lean);
     return curves;
@@ -133,7 +139,7 @@ HWY_INLINE Pelvis<T> turned_pelvis(const PelvisCurves<T>& curves, const Heading<
         turned_yzx(plus(heading.half, sin_cos_half(zero - curves.turn)), sin_cos_half(curves.list),
                    sin_cos_half(curves.lean * T(0.6f) + curves.nod));
     pelvis.axes_ws = axes_of(pelvis.rotation_ws);
-    pelvis.place_os = os_of_bs(heading, V3<T>{curves.sway, zero, curves.surge * leg});
+    pelvis.place_os = os_of_bs(heading, V3<T>{curves.sway + curves.aside * leg, zero, curves.surge * leg});
     V3<T> aside_ws = pelvis.axes_ws.x * left_hip_ms.x;
     V3<T> middle_ws =
         pelvis.axes_ws.y * (left_hip_ms.y - hips_ms.y) + pelvis.axes_ws.z * (left_hip_ms.z - hips_ms.z);

@@ -366,6 +366,46 @@ TEST(GaitStates, RunsFromFroudeOneHalf) {
     EXPECT_GT(flight, ticks / 12);
 }
 
+TEST(GaitStates, WhoStandsBreathesSwaysAndShiftsTheirWeight) {
+    Tried t = make_tried(wide_floor());
+    for_seconds(t, 3, {0, 0});
+    float least_x = 1, most_x = -1, least_z = 1, most_z = -1, least_load = 1, most_load = 0, stillest = 1;
+    Vec3 head_before = joint_pose(t.poses, 0, head).position;
+    int breaths = 0, shifts = 0, ticks = 0;
+    float inhaled = t.block().inhaled[0];
+    bool on_left = t.block().load[0] > 0.5f;
+    for_seconds(t, 180, {0, 0}, [&] {
+        least_x = std::min(least_x, t.pelvis.x), most_x = std::max(most_x, t.pelvis.x);
+        least_z = std::min(least_z, t.pelvis.z), most_z = std::max(most_z, t.pelvis.z);
+        float load = t.block().load[0];
+        least_load = std::min(least_load, load), most_load = std::max(most_load, load);
+        shifts += on_left ? load < 0.35f : load > 0.65f;
+        on_left = on_left ? load >= 0.35f : load > 0.65f;
+        breaths += inhaled < 0 && t.block().inhaled[0] >= 0;
+        inhaled = t.block().inhaled[0];
+        if (++ticks % 120 == 0) {
+            Vec3 now = joint_pose(t.poses, 0, head).position;
+            stillest = std::min(stillest, length(now - head_before));
+            head_before = now;
+        }
+        EXPECT_LT(t.drift, 5e-4f) << t.tick;
+        EXPECT_LT(t.acceleration, 4) << t.tick;
+        EXPECT_LT(t.fastest, 300) << t.tick;
+    });
+    EXPECT_TRUE(t.block().standing[0]);
+    EXPECT_GT(most_z - least_z, 0.005f);
+    EXPECT_LT(most_z - least_z, 0.02f);
+    EXPECT_GT(most_x - least_x, 0.02f);
+    EXPECT_LT(most_x - least_x, 0.09f);
+    EXPECT_LT(least_load, 0.4f);
+    EXPECT_GT(most_load, 0.6f);
+    EXPECT_GE(breaths, 36);
+    EXPECT_LE(breaths, 60);
+    EXPECT_GE(shifts, 1);
+    EXPECT_LE(shifts, 9) << "every twenty seconds at most";
+    EXPECT_GT(stillest, 5e-5f) << "nobody is a statue for two seconds";
+}
+
 TEST(GaitStates, JumpsWhenAskedAndWhereItMust) {
     // Standing: both feet leave, both come down where they were.
     Tried hop = make_tried(wide_floor());

@@ -1,0 +1,17 @@
+// What a body does while it stands: it breathes, sways, and shifts its weight.
+#pragma once
+
+#include "sim/base/rng.h"
+#include "sim/gait/steps.h"
+
+namespace flaneur {
+
+inline constexpr float k_breath_round = 100;  // breaths after which all begins again
+
+// A tick of GaitBlock::breath, inhaled and tilt.
+void advance_rest(GaitBlock& gait, const Stepper& stepper);
+
+// The share of the body that the left leg of one who stands carries for half a minute, as `chance` has it.
+float resting_load(const GaitBlock& gait, int lane, RandomKey chance);
+
+}  // namespace flaneur
