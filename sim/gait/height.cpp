@@ -106,13 +106,13 @@ float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces
         up += lerp(heel_up, ball * k_tiptoe_sine, forefoot);
         foot -= heading_direction(place.yaw[lane]) * lerp(back, -ankle * k_tiptoe_sine, forefoot);
     }
-    float flat2 = length_squared(foot - hip);
-    float least = 0.25f * reach * reach;
-    float limit = place.y[lane] + up + std::sqrt(std::max(reach * reach - flat2, least));
+    float flat2 = length_squared(foot - hip), reach2 = reach * reach;
     float hip_height = base + s.leg_length * (1 + rise) - g.crouch[lane] - s.person.crouch[lane];
     float downhill = clamp(-g.rise[lane], 0, k_steepest) * s.leg_length * k_downhill;
     float slow = std::max(k_natural_pace - g.pace[lane], 0.0f) * g.amplitude[lane];
-    return hip_height + k_spare + k_spare_slow * slow + (lands ? downhill : 0) - limit;
+    float above = hip_height + k_spare + k_spare_slow * slow + (lands ? downhill : 0) - place.y[lane] - up;
+    if (above <= 0 || above * above + flat2 <= reach2) return 0;
+    return above - std::sqrt(std::max(reach2 - flat2, 0.25f * reach2));
 }
 
 // The pelvis comes down in time for what the next contact will let it, and for the legs that carry it; and up
@@ -125,9 +125,9 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
     auto need = [&](float amount, float seconds) {
         if (amount > needed) needed = amount, until = std::max(seconds, k_soonest);
     };
-    auto rise_at = [&](float phase) {
+    auto rise_at = [&](SinCosOf<float> twice) {
         return kernel::pelvis_rise(g.step[lane], over, g.amplitude[lane], clamp(g.rise[lane], 0, k_steepest),
-                                   kernel::harmonics<3>(phase));
+                                   twice);
     };
     bool walks = g.running[lane] <= 0.5f && g.jump[lane] <= 0;
     for (Side side : {k_left, k_right}) {
@@ -143,11 +143,12 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
             const FootPlaces& stands = g.feet[1 - side].from;
             float base = std::min(height_here(foot.goal, lane, there), height_here(stands, lane, there));
             base += std::max(g.base[lane] - std::max(height_here(stands, lane, s.root), base), 0.0f);
-            need(too_high(g, s, side, foot.goal, root, base, rise_at(0), true), seconds);
+            need(too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), true), seconds);
         } else if (walks && foot.phase[lane] < k_bears) {
+            auto wave = kernel::harmonics<2>(g.phase[lane]);
             bool lands = foot.phase[lane] < k_just_landed && !g.standing[lane];
-            need(too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane], rise_at(g.phase[lane]),
-                          lands),
+            need(too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane],
+                          rise_at({wave.sine[1], wave.cosine[1]}), lands),
                  0);
         }
     }

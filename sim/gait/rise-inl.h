@@ -25,11 +25,11 @@ HWY_INLINE T over_natural(T pace) {
 }
 
 // Legs by which the pelvis is above where it is when one stands upright. `step` and `amplitude` as in
-// GaitBlock, `over` as above; `cycle` is at the phase of the pelvis.
-template <class T, int N>
-HWY_INLINE T pelvis_rise(T step, T over, T amplitude, T climb, const Harmonics<T, N>& cycle) {
-    // With a = 2 pi phase: cos and sin of 2a, 4a, 6a.
-    T c2 = cycle.cosine[1], s2 = cycle.sine[1];
+// GaitBlock, `over` as above; `twice` is 2a, a = 2 pi phase.
+template <class T>
+HWY_INLINE T pelvis_rise(T step, T over, T amplitude, T climb, SinCosOf<T> twice) {
+    // Cosines and sines of 2a, 4a, 6a.
+    T c2 = twice.cosine, s2 = twice.sine;
     T c4 = c2 * c2 - s2 * s2, s4 = c2 * s2 + c2 * s2;
     T c6 = c4 * c2 - s4 * s2, s6 = s4 * c2 + c4 * s2;
     over = max(over, T(k_slowest_over));

@@ -153,7 +153,8 @@ HWY_INLINE Height<T> pelvis_height(const GaitBlock& g, const PersonBlock& p, siz
                                    const WalkNow<T>& walk, const Harmonics<T, 3>& cycle, T upright, T leg) {
     Height<T> height;
     height.walk = upright + leg * pelvis_rise(at<T>(g.step + lane), walk.over, walk.amplitude,
-                                              clamp(at<T>(g.rise + lane), T(0.0f), T(k_steepest)), cycle);
+                                              clamp(at<T>(g.rise + lane), T(0.0f), T(k_steepest)),
+                                              SinCosOf<T>{cycle.sine[1], cycle.cosine[1]});
     height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane) + at<T>(g.sink + lane);
     // -cos 2(a - pi duty), a = 2 pi phase: lowest when half the time on the ground is over.
     SinCosOf<T> middle_of_stance = doubled(doubled(sin_cos_half(walk.duty * T(k_pi))));
