@@ -127,6 +127,7 @@ Examples:
   flaneur gait --stairs up --riser 0.16 --tread 0.32
   flaneur gait --slope -8
   flaneur gait --crowd 1000 --seconds 60 --check           feet, joints and manners of a whole crowd
+  flaneur gait --crowd 500 --city town.osm.pbf             the same in a city of yours
   flaneur gait --strip out/strip.png --view front)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
@@ -253,7 +254,7 @@ Result<std::string> parse_stairs(const std::string& text) {
     return Error{excerpt(text) + " is neither up nor down"};
 }
 
-void add_gait(CLI::App& app, Options& options) {
+void add_gait(CLI::App& app, SceneWords& words, Options& options) {
     GaitOptions& gait = options.gait;
     CLI::App* command =
         app.add_subcommand("gait", "Walk one person and measure the walk")->footer(k_gait_footer);
@@ -287,10 +288,12 @@ void add_gait(CLI::App& app, Options& options) {
         number(k_where, "--wall", gait.wall, 0.2, 2, "M", "A wall so far to the left, in a strip");
     command
         ->add_option("--crowd", gait.crowd,
-                     "Watch so many people in the built-in city instead, for --seconds")
+                     "Watch so many people in a city instead, for --seconds: in the built-in one, or in that "
+                     "of a scene")
         ->type_name("N")
         ->transform(whole_between(1, k_max_walkers))
         ->group(k_where);
+    add_place_options(*command, words);
     command->add_option("--csv", gait.csv, "Write every quantity and curve")->type_name("FILE");
     command->add_option("--json", options.json, "The same")->type_name("FILE");
     command->add_option("--svg", gait.svg, "Draw the curves over those of people")->type_name("FILE");
@@ -436,7 +439,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     add_render(app, words, options);
     add_sim(app, words, options);
     add_bench(app, words, options);
-    add_gait(app, options);
+    add_gait(app, words, options);
     add_people(app, words, options);
     add_inspect(app, words, options);
     add_city(app, words, options);
