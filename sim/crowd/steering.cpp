@@ -117,8 +117,8 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
         float distance = length(away);
         bool tip = t <= 0 || t >= 1;  // passed to either side
         if (tip && distance < 0.02f) continue;
-        planes[count++] = {tip ? away / distance : inward,
-                           tip ? -distance / k_border_horizon : -border_speed(distance)};
+        planes[count++] = tip ? HalfPlane{away / distance, -distance / k_border_horizon}
+                              : HalfPlane{inward, -border_speed(distance)};
     }
     int firm = count;
 

@@ -12,6 +12,7 @@ static constexpr float k_base_stiffness = 12;      // 1/s, critically damped
 static constexpr float k_sink_release = 3;         // 1/s, critically damped, of letting go
 static constexpr float k_step_down_least = 0.03f;  // metres
 static constexpr float k_stairs_wait = 0.4f;       // of the swing
+static constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 static constexpr float k_soonest = 0.08f;          // seconds
 static constexpr float k_most_effort = 9;          // m/s2
 static constexpr float k_most_sink = 0.2f;         // legs
@@ -36,7 +37,8 @@ float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
     if (!l.swinging[lane] && !r.swinging[lane]) {
         float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
         // Whoever has stepped down stays down.
-        bool last_is_left = l.phase[lane]<r.phase[lane], left_is_high = left> right;
+        bool last_is_left = l.phase[lane] < r.phase[lane];
+        bool left_is_high = left > right;
         if (!g.standing[lane] && last_is_left != left_is_high) return std::min(left, right);
         float high = left_is_high ? g.load[lane] : 1 - g.load[lane];
         return lerp(std::min(left, right), std::max(left, right), 0.6f * high);
@@ -58,6 +60,11 @@ float least_effort(float by, float velocity, float seconds) {
     return clamp((6 * by / seconds - 4 * velocity) / seconds, -k_most_effort, k_most_effort);
 }
 
+// Seconds until a swinging foot lands.
+float until_contact(const GaitBlock& g, const FootBlock& foot, int lane) {
+    return (1 - foot.phase[lane]) / std::max(foot.rate[lane], g.frequency[lane]);
+}
+
 // What lets the body down onto a lower foot by the time that it lands; 0: nothing does. On stairs the foot
 // goes ahead, so that its knee need not bend far.
 float let_down(const GaitBlock& g, const Stepper& s) {
@@ -70,9 +77,7 @@ float let_down(const GaitBlock& g, const Stepper& s) {
     if (swings.phase[lane] < begins) return 0;
     float from = height_here(stands.from, lane, s.root), by = to - g.base[lane];
     if (to > from - k_step_down_least || by > 0) return 0;
-    float seconds =
-        std::max((1 - swings.phase[lane]) / std::max(swings.rate[lane], g.frequency[lane]), k_soonest);
-    return least_effort(by, g.base_velocity[lane], seconds);
+    return least_effort(by, g.base_velocity[lane], std::max(until_contact(g, swings, lane), k_soonest));
 }
 
 void advance_base(GaitBlock& g, const Stepper& s, float speed) {
@@ -133,8 +138,7 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
     for (Side side : {k_left, k_right}) {
         const FootBlock& foot = g.feet[side];
         if (walks && foot.swinging[lane]) {
-            float seconds =
-                std::min((1 - foot.phase[lane]) / std::max(foot.rate[lane], g.frequency[lane]), 0.6f);
+            float seconds = std::min(until_contact(g, foot, lane), k_farthest_ahead);
             Vec2 change = s.wish - s.velocity;
             float l = length(change), most = k_reaction * seconds;
             Vec2 later = s.velocity + (l > most ? change * (most / l) : change);

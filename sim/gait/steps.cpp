@@ -135,12 +135,10 @@ Footing down_or_before(const Stepper& s, const Footing& down, const FootPlace& w
                        const FootSize& size) {
     Footing over = clear_of_edge(s.around, down, direction, size);
     float level = s.root.y - k_stair;
-    auto shift = [&](const Footing& f) {
-        return dot(on_ground(f.place.position - wished.position), direction);
-    };
-    if (shift(over) < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
+    float shift = dot(on_ground(over.place.position - wished.position), direction);
+    if (shift < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
     for (float back : {0.08f, 0.16f, 0.24f, 0.32f}) {
-        if (back > shift(over) + k_over_edge) break;  // the longer step is less of a change
+        if (back > shift + k_over_edge) break;  // the longer step is less of a change
         FootPlace nearer = wished;
         nearer.position += at_height(direction * -back, 0);
         Footing before = find_footing(s.around, nearer, size);
@@ -179,8 +177,8 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     auto is_near = [&](const Footing& f) {
         return f.found && (!committed || std::fabs(f.place.position.y - foot.goal.y[s.lane]) < k_stair);
     };
-    Vec3 goal{foot.goal.x[s.lane], 0, foot.goal.z[s.lane]};
-    if (committed && !is_near(footing) && length(on_ground(wished.position - goal)) < k_about_there)
+    Vec2 goal{foot.goal.x[s.lane], foot.goal.z[s.lane]};
+    if (committed && !is_near(footing) && length(on_ground(wished.position) - goal) < k_about_there)
         return true;
     if (!is_near(footing)) {
         bool jumps = leaves && g.flight[s.lane] <= 0 && g.amplitude[s.lane] > 0.3f;

@@ -75,8 +75,8 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i);
 // What all of them come to, with bars.
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world);
 
-// A line for each joint that jumped and each that was beyond its limits, how often, and for each of these:
-// who can be seen doing the worst of it when.
+// A line for each joint that jumped and each that was beyond its limits, how often, and for each of
+// k_worst: who can be seen doing the worst of it when.
 std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches);
 
 }  // namespace flaneur
