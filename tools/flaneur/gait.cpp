@@ -7,8 +7,10 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/gait/bvh.h"
 #include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/report.h"
+#include "tools/flaneur/gait/take.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/strip.h"
@@ -81,8 +83,35 @@ std::vector<Report> try_person(const GaitOptions& gait) {
     return chosen_trials(person, speed, gait);
 }
 
-// The crowd of the built-in city, or of the one that the scene names.
-Result<Report> try_crowd(const Options& options) {
+// A body and what it did.
+struct Motion {
+    Body body;
+    std::vector<JointPoses> ticks;
+};
+
+// Of the one who walks as asked.
+Motion one_motion(const GaitOptions& gait) {
+    Person person{standard_body(static_cast<float>(height_of(gait))), manner_of(gait)};
+    Motion motion{person.body, {}};
+    for (const Instant& now : make_take(gait, person, speed_of(gait)).walk.ticks)
+        motion.ticks.push_back(now.joints);
+    return motion;
+}
+
+void add_tick(Motion& motion, const World& world, size_t walker) {
+    if (motion.ticks.empty()) {
+        float scale = world.crowd.identity.scale[walker];
+        motion.body = world.kinds[world.crowd.identity.body[walker]].body;
+        for (Vec3& joint : motion.body.joints) joint = joint * scale;
+        for (float* size : {&motion.body.height, &motion.body.heel, &motion.body.toe}) *size *= scale;
+    }
+    JointPoses& poses = motion.ticks.emplace_back();
+    for (size_t j = 0; j < k_joint_count; ++j)
+        poses[j] = joint_pose(world.poses, walker, static_cast<Joint>(j));
+}
+
+// The crowd of the built-in city, or of the one that the scene names. Keeps the motion of one of them.
+Result<Report> try_crowd(const Options& options, Motion& motion) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
@@ -91,6 +120,7 @@ Result<Report> try_crowd(const Options& options) {
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted();
         step(world);
+        if (!options.gait.motion.empty()) add_tick(motion, world, static_cast<size_t>(options.gait.walker));
         parallel_for(*world.workers, watches.size(), 16, [&](size_t begin, size_t end, int) {
             for (size_t i = begin; i < end; ++i) watch_walker(watches[i], world, i);
         });
@@ -113,9 +143,9 @@ Result<void> write(PartFilePtr file, const std::string& text) {
 
 Result<void> run_gait(const Options& options) {
     const GaitOptions& gait = options.gait;
-    PartFilePtr files[3];
-    const std::string* paths[3] = {&gait.csv, &options.json, &gait.svg};
-    for (int i = 0; i < 3; ++i) {
+    PartFilePtr files[4];
+    const std::string* paths[4] = {&gait.csv, &options.json, &gait.svg, &gait.motion};
+    for (int i = 0; i < 4; ++i) {
         if (paths[i]->empty()) continue;
         Result<PartFilePtr> file = open_file(*paths[i]);
         if (!file) return file.error();
@@ -128,12 +158,14 @@ Result<void> run_gait(const Options& options) {
     }
 #endif
     std::vector<Report> reports;
+    Motion motion;
     if (gait.crowd > 0) {
-        Result<Report> crowd = try_crowd(options);
+        Result<Report> crowd = try_crowd(options, motion);
         if (!crowd) return crowd.error();
         reports.push_back(std::move(*crowd));
     } else {
         reports = try_person(gait);
+        if (!gait.motion.empty()) motion = one_motion(gait);
     }
     int failed = 0, bars = 0;
     for (const Report& r : reports) {
@@ -154,6 +186,10 @@ Result<void> run_gait(const Options& options) {
     }
     if (files[2]) {
         if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
+    }
+    if (files[3]) {
+        std::string text = bvh_text(motion.body, motion.ticks, 1 / static_cast<double>(k_tick));
+        if (Result<void> done = write(std::move(files[3]), text); !done) return done;
     }
     if (!gait.check || failed == 0) return {};
     return Error{std::to_string(failed) + " of " + std::to_string(bars) +

@@ -128,6 +128,8 @@ Examples:
   flaneur gait --slope -8
   flaneur gait --crowd 1000 --seconds 60 --check           feet, joints and manners of a whole crowd
   flaneur gait --crowd 500 --city town.osm.pbf             the same in a city of yours
+  flaneur gait --stairs up --export out/up.bvh             its motion, for animation programs
+  flaneur gait --crowd 500 --walker 12 --export out/12.bvh
   flaneur gait --strip out/strip.png --view front)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
@@ -303,6 +305,14 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
                "side")
         ->needs(strip);
     wall->needs(strip);
+    CLI::Option* motion =
+        command->add_option("--export", gait.motion, "Write the motion, for Blender and others, a .bvh")
+            ->type_name("FILE");
+    command->add_option("--walker", gait.walker, "Whose of a --crowd that is, from 0 on")
+        ->type_name("ID")
+        ->transform(whole_between(0, k_max_walkers))
+        ->capture_default_str()
+        ->needs(motion);
     command->add_flag("--check", gait.check,
                       "Fail if a bar is not met; without a place, try every walk that has bars");
 }

@@ -41,6 +41,8 @@ struct GaitOptions {
     int crowd = 0;                      // walkers to watch, instead of one
     bool check = false;
     std::string csv, svg, strip;
+    std::string motion;  // a .bvh
+    int walker = 0;      // of a crowd, whose motion it is
     StripView view = StripView::side;
 };
 

@@ -1,0 +1,97 @@
+#include "tools/flaneur/gait/bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+namespace {
+
+void append_numbers(std::string& text, std::initializer_list<double> values) {
+    char number[32];
+    for (double v : values) {
+        std::snprintf(number, sizeof number, " %.6f", v);
+        text += number;
+    }
+}
+
+void append_offset(std::string& text, const std::string& indent, Vec3 by) {
+    text += indent + "OFFSET";
+    append_numbers(text, {static_cast<double>(by.x), static_cast<double>(by.y), static_cast<double>(by.z)});
+    text += "\n";
+}
+
+// Where a bone ends that no other joint follows.
+Vec3 end_of(const Body& body, size_t joint) {
+    if (joint == head) return {0, body.height - body.joints[head].y, 0};
+    if (joint == left_toes || joint == right_toes) return {0, 0, body.toe};
+    return {0, 0.1f * (body.joints[left_foot].y - body.joints[left_upper_leg].y), 0};  // a hand
+}
+
+// The joints in the order in which they are nested.
+void append_joint(std::string& text, const Body& body, size_t joint, size_t depth,
+                  std::vector<size_t>& order) {
+    bool is_root = k_joint_parents[joint] == k_no_parent;
+    const std::string outer(depth, '\t'), inner(depth + 1, '\t');
+    Vec3 parent = is_root ? Vec3{} : body.joints[static_cast<size_t>(k_joint_parents[joint])];
+    order.push_back(joint);
+    text += outer + (is_root ? "ROOT " : "JOINT ") + std::string(k_joint_names[joint]) + "\n" + outer + "{\n";
+    append_offset(text, inner, is_root ? Vec3{} : body.joints[joint] - parent);
+    text += inner + (is_root ? "CHANNELS 6 Xposition Yposition Zposition" : "CHANNELS 3") +
+            " Zrotation Xrotation Yrotation\n";
+    bool is_end = true;
+    for (size_t child = 0; child < k_joint_count; ++child) {
+        if (k_joint_parents[child] != static_cast<int>(joint)) continue;
+        append_joint(text, body, child, depth + 1, order);
+        is_end = false;
+    }
+    if (is_end) {
+        text += inner + "End Site\n" + inner + "{\n";
+        append_offset(text, inner + "\t", end_of(body, joint));
+        text += inner + "}\n";
+    }
+    text += outer + "}\n";
+}
+
+// Of a rotation by z, x and y, in this order, the outermost first; degrees.
+void append_angles(std::string& text, Quat q) {
+    Vec3 x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1});
+    auto degrees = [](float sine, float cosine) {
+        return std::atan2(static_cast<double>(sine), static_cast<double>(cosine)) /
+               static_cast<double>(k_radians);
+    };
+    float about_x = std::clamp(y.z, -1.0f, 1.0f);
+    append_numbers(
+        text, {degrees(-y.x, y.y), degrees(about_x, std::sqrt(1 - about_x * about_x)), degrees(-x.z, z.z)});
+}
+
+}  // namespace
+
+std::string bvh_text(const Body& body, const std::vector<JointPoses>& ticks, double rate) {
+    std::string text = "HIERARCHY\n";
+    std::vector<size_t> order;
+    append_joint(text, body, hips, 0, order);
+    char line[64];
+    std::snprintf(line, sizeof line, "MOTION\nFrames: %zu\nFrame Time: %.7f\n", ticks.size(), 1 / rate);
+    text += line;
+    for (const JointPoses& poses : ticks) {
+        const size_t begins = text.size();
+        for (size_t joint : order) {
+            bool is_root = k_joint_parents[joint] == k_no_parent;
+            Vec3 p = poses[joint].position;
+            if (is_root)
+                append_numbers(
+                    text, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+            Quat up = is_root ? Quat{} : poses[static_cast<size_t>(k_joint_parents[joint])].rotation;
+            append_angles(text, conjugate(up) * poses[joint].rotation);
+        }
+        text.erase(begins, 1);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace flaneur
