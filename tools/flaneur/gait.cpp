@@ -10,10 +10,10 @@
 #include "tools/flaneur/gait/bvh.h"
 #include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/report.h"
-#include "tools/flaneur/gait/take.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/strip.h"
+#include "tools/flaneur/sheets/take.h"
 
 namespace flaneur {
 

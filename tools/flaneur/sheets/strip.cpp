@@ -6,8 +6,8 @@
 #include "assets/outfit.h"
 #include "sim/base/levels.h"
 #include "tools/extract/convert.h"
-#include "tools/flaneur/gait/take.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/sheets/take.h"
 #include "tools/flaneur/view/show.h"
 
 namespace flaneur {

@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/take.h"
+#include "tools/flaneur/sheets/take.h"
 
 #include <algorithm>
 #include <cmath>
