@@ -118,6 +118,7 @@ void add_osm_outdoors(OsmImport& in) {
     pave_to_walls(in);
     std::vector<DeckPiece> decks = solve_decks(in);
     clear_ground_below(in, decks);
+    add_piers(in, decks);
     Area rest;
     rest.rank = k_rank_rest;
     rest.kind = Surface::grass;

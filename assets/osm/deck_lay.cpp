@@ -1,6 +1,7 @@
 // Building the decks of raised ways.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "assets/osm/decks.h"
 #include "assets/plan/masses.h"
@@ -11,8 +12,9 @@ namespace flaneur {
 namespace {
 
 constexpr float k_railing = 1.05f, k_railing_width = 0.18f;  // metres
-constexpr float k_flush = 0.3f;   // what is no farther below or above goes on as one surface, metres
-constexpr float k_buried = 0.7f;  // abutments reach this far below the ground, metres
+constexpr float k_flush = 0.3f;        // what is no farther below or above goes on as one surface, metres
+constexpr float k_half_riser = 0.13f;  // so far treads lie off their slope, metres
+constexpr float k_buried = 0.7f;       // abutments reach this far below the ground, metres
 
 int level_of(const OsmStreet& street) { return std::max(1, street.highway.level); }
 
@@ -84,8 +86,8 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
         Halves halves = halves_of(street);
         float half = street.highway.width * 0.5f;
         for (size_t i = begin; i < end; ++i) {
-            bool round_start = i > begin || !decks[i].starts_on_ground;
-            bool round_end = i + 1 < end || !decks[i].ends_on_ground;
+            bool round_start = i > begin || !(decks[i].starts_on_ground || decks[i].starts_open);
+            bool round_end = i + 1 < end || !(decks[i].ends_on_ground || decks[i].ends_open);
             auto add = [&](int rank, Surface kind, float lift, float left, float right) {
                 Area area;
                 area.rank = rank;
@@ -142,8 +144,15 @@ void add_building_solids(GroundPlan& plan, const OsmImport& in, const DeckField&
 }
 
 struct DeckEdge {
-    Vec3 a, b;  // the deck lies to their left as seen from above with x to the right and z up
+    Vec3 a, b;          // the deck lies to their left as seen from above with x to the right and z down
+    Vec2 a_out, b_out;  // from there to the outer edge of a railing, in its widths
 };
+
+// Square to an edge, away from the deck.
+Vec2 out_of(Vec3 a, Vec3 b) {
+    Vec2 along = on_ground(b) - on_ground(a);
+    return normalize_or(Vec2{-along.z, along.x}, {1, 0});
+}
 
 // Edges of the triangles from `first` on that no other of them shares.
 std::vector<DeckEdge> free_edges(const City& city, size_t first) {
@@ -158,7 +167,7 @@ std::vector<DeckEdge> free_edges(const City& city, size_t first) {
             Vec3 b = city.ground.vertices[city.ground.indices[t * 3 + (k + 1) % 3]];
             Point p = to_point(on_ground(a)), q = to_point(on_ground(b));
             bool forward = p.X != q.X ? p.X < q.X : p.Y < q.Y;
-            halves.push_back({forward ? p : q, forward ? q : p, {a, b}});
+            halves.push_back({forward ? p : q, forward ? q : p, {a, b, out_of(a, b), out_of(a, b)}});
         }
     }
     auto key = [](const Half& h) { return std::tuple(h.low.X, h.low.Y, h.high.X, h.high.Y); };
@@ -174,6 +183,36 @@ std::vector<DeckEdge> free_edges(const City& city, size_t first) {
     return edges;
 }
 
+// The ground that goes on beside a place on an edge.
+std::optional<GroundHit> ground_beside(const City& city, Vec3 p, Vec2 out) {
+    return ground_at(city.ground, at_height(on_ground(p) + out * 0.12f, p.y), k_flush, k_flush);
+}
+
+// Railings that meet at a corner have one outer edge. After the ground is laid.
+void mitre(const City& city, std::vector<DeckEdge>& edges) {
+    constexpr float k_least = 0.05f, k_sharpest = -0.3f;  // metres; cosine between edges
+    std::map<std::pair<int64_t, int64_t>, DeckEdge*> starts;
+    auto key = [](Vec3 p) {
+        Point at = to_point(on_ground(p));
+        return std::pair<int64_t, int64_t>(at.X, at.Y);
+    };
+    auto has_railing = [&](Vec3 at, Vec3 other, Vec2 out) {
+        float whole = length(on_ground(other) - on_ground(at));
+        return whole > k_least && !ground_beside(city, lerp(at, other, std::min(0.5f, 0.1f / whole)), out);
+    };
+    for (DeckEdge& edge : edges) starts[key(edge.a)] = &edge;
+    for (DeckEdge& edge : edges) {
+        auto found = starts.find(key(edge.b));
+        if (found == starts.end()) continue;
+        DeckEdge& next = *found->second;
+        Vec2 out = out_of(edge.a, edge.b), other = out_of(next.a, next.b);
+        if (dot(out, other) < k_sharpest || !has_railing(edge.b, edge.a, out) ||
+            !has_railing(next.a, next.b, other))
+            continue;
+        edge.b_out = next.a_out = (out + other) * (1 / (1 + dot(out, other)));
+    }
+}
+
 void add_triangle(City& city, Vec3 a, Vec3 b, Vec3 c, uint32_t building) {
     for (Vec3 p : {a, b, c}) {
         city.roof_indices.push_back(static_cast<uint32_t>(city.roof_vertices.size()));
@@ -184,20 +223,19 @@ void add_triangle(City& city, Vec3 a, Vec3 b, Vec3 c, uint32_t building) {
 
 // What ends a deck along a short edge: a railing, the flank of the slab or of the abutment, a kerb, or
 // nothing, where another surface or a house goes on.
-void finish_edge(OsmImport& in, const DeckField& field, Vec3 a, Vec3 b, uint32_t building) {
+void finish_edge(OsmImport& in, const DeckField& field, const DeckEdge& edge, uint32_t building) {
     City& city = in.city;
-    Vec2 along = on_ground(b) - on_ground(a);
+    auto [a, b, a_out, b_out] = edge;
+    Vec2 along = on_ground(b) - on_ground(a), out = out_of(a, b);
     if (length(along) < 0.004f) return;
-    Vec2 out = normalize_or(Vec2{-along.z, along.x}, {1, 0});
-    auto beyond_at = [&](float share) {
-        Vec3 p = lerp(a, b, share);
-        return ground_at(city.ground, at_height(on_ground(p) + out * 0.12f, p.y), k_flush, k_flush);
+    auto beyond_at = [&, start = a, end = b](float share) {
+        return ground_beside(city, lerp(start, end, share), out);
     };
     Vec3 middle = (a + b) * 0.5f;
     constexpr float k_shortest = 0.2f;
     if (length(along) > k_shortest && beyond_at(0.1f).has_value() != beyond_at(0.9f).has_value()) {
-        finish_edge(in, field, a, middle, building);
-        finish_edge(in, field, middle, b, building);
+        finish_edge(in, field, {a, middle, a_out, out}, building);
+        finish_edge(in, field, {middle, b, out, b_out}, building);
         return;
     }
     if (std::optional<GroundHit> beyond = beyond_at(0.5f)) {
@@ -213,12 +251,12 @@ void finish_edge(OsmImport& in, const DeckField& field, Vec3 a, Vec3 b, uint32_t
     std::optional<WallPoint> wall = closest_wall(city.ground, middle + Vec3{0, 1, 0}, 0.25f);
     bool at_house = wall && wall->face != ~0u && city.ground.faces[wall->face].kind == FaceKind::facade;
     auto clearance = [&](Vec3 p) { return p.y - terrain_at(in.plan, on_ground(p)); };
-    bool in_air = std::min(clearance(a), clearance(b)) > k_headroom;
+    bool in_air = std::min(clearance(a), clearance(b)) > k_headroom + k_half_riser;
     auto bottom = [&](Vec3 p) {
         return in_air ? p.y - k_deck : terrain_at(in.plan, on_ground(p)) - k_buried;
     };
-    Vec3 shift = at_height(out * (at_house ? 0 : k_railing_width), 0), outer_a = a + shift,
-         outer_b = b + shift;
+    float width = at_house ? 0 : k_railing_width;
+    Vec3 outer_a = a + at_height(a_out * width, 0), outer_b = b + at_height(b_out * width, 0);
     // Along steps the railing follows their slope.
     auto top = [&](Vec3 p) {
         return at_house ? p.y : clamp(field(on_ground(p)) + k_kerb, p.y - 0.15f, p.y + 0.15f) + k_railing;
@@ -240,10 +278,10 @@ void add_undersides(OsmImport& in, size_t first, uint32_t building) {
     City& city = in.city;
     for (size_t t = first; t < city.ground.kinds.size(); ++t) {
         Vec3 p[3];
-        bool in_air = true;
+        bool in_air = false;
         for (size_t k = 0; k < 3; ++k) {
             p[k] = city.ground.vertices[city.ground.indices[t * 3 + k]];
-            in_air &= p[k].y - terrain_at(in.plan, on_ground(p[k])) > k_headroom;
+            in_air |= p[k].y - terrain_at(in.plan, on_ground(p[k])) > k_headroom;
             p[k].y -= k_deck;
         }
         if (in_air) add_triangle(city, p[0], p[2], p[1], building);
@@ -285,15 +323,20 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
     for (const DeckPiece& piece : decks) {
         float a = piece.a_height - terrain_at(in.plan, piece.a),
               b = piece.b_height - terrain_at(in.plan, piece.b);
-        if (std::min(a, b) >= k_headroom) continue;
+        constexpr float k_high = k_headroom - k_kerb;  // as measured from pavements
+        if (std::min(a, b) >= k_high) continue;
+        auto share_at = [&](float height) {
+            return clamp((height - a) / (std::fabs(b - a) > 1e-3f ? b - a : 1e-3f), 0, 1);
+        };
+        float first = a >= k_high ? share_at(k_high) : 0, last = b >= k_high ? share_at(k_high) : 1;
         Vec2 along = normalize_or(piece.b - piece.a, {1, 0});
         Halves halves = halves_of(in.raised[piece.street]);
         // The surfaces overlap by a hair where they meet.
         constexpr float k_hair = 0.01f;
         // As they are laid: flights of steps end straight.
         bool is_round = in.raised[piece.street].highway.kind != Surface::steps;
-        bool round_start = is_round && !piece.starts_on_ground && a < k_headroom,
-             round_end = is_round && !piece.ends_on_ground && b < k_headroom;
+        bool round_start = is_round && !piece.starts_on_ground && !piece.starts_open && first <= 0,
+             round_end = is_round && !piece.ends_on_ground && !piece.ends_open && last >= 1;
         Vec2 from = piece.a + along * (piece.starts_on_ground ? k_hair : 0),
              to = piece.b - along * (piece.ends_on_ground ? k_hair : 0);
         auto add = [&](Rings& rings, float start, float end, float more) {
@@ -301,11 +344,11 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
                       halves.right + more, round_start && start <= 0, round_end && end >= 1);
         };
         // Railings stand outside the deck; where there is none it ends flush with the ground.
-        float level = clamp((k_flush - a) / (std::fabs(b - a) > 1e-3f ? b - a : 1e-3f), 0, 1);
-        add(solid.rings, 0, level, a > k_flush ? k_railing_width : 0);
-        add(solid.rings, level, 1, b > k_flush ? k_railing_width : 0);
+        float flush = k_flush + (is_round ? 0 : k_half_riser), level = clamp(share_at(flush), first, last);
+        add(solid.rings, first, level, a > flush ? k_railing_width : 0);
+        add(solid.rings, level, last, b > flush ? k_railing_width : 0);
         Rings wide;
-        add(wide, 0, 1, k_railing_width);
+        add(wide, first, last, k_railing_width);
         ClipperLib::IntRect box = box_of(wide);
         Rings below;  // a lake far away takes as long to clip as one below
         for (const auto& [its, ring] : water) {
@@ -316,15 +359,18 @@ void clear_ground_below(OsmImport& in, const std::vector<DeckPiece>& decks) {
         for (Ring& ring : intersect(wide, below)) solid.rings.push_back(std::move(ring));
         // The face of the abutment, where one can walk on below.
         Vec2 side{along.z, -along.x};
-        auto close = [&](Vec2 at, float height, bool forward) {
-            Vec2 left = at + side * halves.left, right = at - side * halves.right;
-            if (!forward) std::swap(left, right);
-            float foot = terrain_at(in.plan, at) - k_buried;
-            in.city.ground.faces.push_back({at_height(left, foot), at_height(right, foot), height, height,
+        auto close = [&](float share, bool forward) {
+            Vec2 at = lerp(piece.a, piece.b, share);
+            Vec2 left = at + side * (halves.left + k_railing_width),
+                 right = at - side * (halves.right + k_railing_width);
+            if (forward) std::swap(left, right);
+            float foot = terrain_at(in.plan, at) - k_buried,
+                  top = lerp(piece.a_height, piece.b_height, share) + k_kerb - k_deck;
+            in.city.ground.faces.push_back({at_height(left, foot), at_height(right, foot), top, top,
                                             FaceKind::garden_wall, wall_building(in)});
         };
-        if (a >= k_headroom) close(piece.a, piece.a_height - k_deck, false);
-        if (b >= k_headroom) close(piece.b, piece.b_height - k_deck, true);
+        if (a >= k_high) close(first, false);
+        if (b >= k_high) close(last, true);
     }
     if (!solid.rings.empty()) in.plan.areas.push_back(std::move(solid));
 }
@@ -360,13 +406,17 @@ void lay_decks(OsmImport& in, const std::vector<DeckPiece>& decks) {
     uint32_t building = wall_building(in);
     constexpr float k_piece = 2;  // metres
     for (size_t l = 0; l < laid.size(); ++l) {
+        mitre(city, laid[l].edges);
         for (const DeckEdge& edge : laid[l].edges) {
+            Vec2 out = out_of(edge.a, edge.b);
             int parts = std::max(1, static_cast<int>(std::ceil(length(edge.b - edge.a) / k_piece)));
             for (int i = 0; i < parts; ++i) {
                 auto at = [&](int k) {
                     return lerp(edge.a, edge.b, static_cast<float>(k) / static_cast<float>(parts));
                 };
-                finish_edge(in, laid[l].field, at(i), at(i + 1), building);
+                finish_edge(in, laid[l].field,
+                            {at(i), at(i + 1), i == 0 ? edge.a_out : out, i + 1 == parts ? edge.b_out : out},
+                            building);
             }
         }
     }

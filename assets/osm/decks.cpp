@@ -53,9 +53,8 @@ std::vector<Point> places_on_ground(const OsmImport& in) {
     return places;
 }
 
-Net make_net(const OsmImport& in) {
+Net make_net(const OsmImport& in, const std::vector<Point>& ground) {
     Net net;
-    std::vector<Point> ground = places_on_ground(in);
     std::vector<std::pair<Point, uint32_t>> shared;  // corners of raised ways, for finding them again
     for (const OsmStreet& street : in.raised)
         for (const std::vector<Vec2>& line : street.lines)
@@ -170,8 +169,8 @@ void find_wants(const OsmImport& in, Net& net) {
     }
 }
 
-// Shortest ways from the ground by the slope of each link.
-void find_limits(Net& net) {
+// How high the slope of each link allows every joint to be, if the sources lie on the ground.
+std::vector<float> limits_from(const Net& net, const std::vector<uint32_t>& sources) {
     std::vector<std::vector<uint32_t>> links_of(net.joints.size());
     for (uint32_t i = 0; i < net.links.size(); ++i) {
         links_of[net.links[i].a].push_back(i);
@@ -179,24 +178,33 @@ void find_limits(Net& net) {
     }
     using Reached = std::pair<float, uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-    for (uint32_t j = 0; j < net.joints.size(); ++j) {
-        if (!net.joints[j].fixed) continue;
-        net.joints[j].most = net.joints[j].terrain;
-        queue.push({net.joints[j].most, j});
+    std::vector<float> most(net.joints.size(), 1e9f);
+    for (uint32_t j : sources) {
+        most[j] = net.joints[j].terrain;
+        queue.push({most[j], j});
     }
     while (!queue.empty()) {
         auto [height, j] = queue.top();
         queue.pop();
-        if (height > net.joints[j].most) continue;
+        if (height > most[j]) continue;
         for (uint32_t i : links_of[j]) {
             const Link& link = net.links[i];
-            DeckJoint& other = net.joints[link.a == j ? link.b : link.a];
+            uint32_t other = link.a == j ? link.b : link.a;
             float up = height + link.length * link.slope;
-            if (other.fixed || up >= other.most) continue;
-            other.most = up;
-            queue.push({up, link.a == j ? link.b : link.a});
+            if (net.joints[other].fixed || up >= most[other]) continue;
+            most[other] = up;
+            queue.push({up, other});
         }
     }
+    return most;
+}
+
+void find_limits(Net& net) {
+    std::vector<uint32_t> fixed;
+    for (uint32_t j = 0; j < net.joints.size(); ++j)
+        if (net.joints[j].fixed) fixed.push_back(j);
+    std::vector<float> most = limits_from(net, fixed);
+    for (uint32_t j = 0; j < net.joints.size(); ++j) net.joints[j].most = most[j];
 }
 
 // Evenly between what is fixed: each free joint tends to the mean of its neighbours, over and over (Jacobi).
@@ -224,10 +232,8 @@ void relax(Net& net) {
     }
 }
 
-}  // namespace
-
-std::vector<DeckPiece> solve_decks(const OsmImport& in) {
-    Net net = make_net(in);
+Net solve(const OsmImport& in, const std::vector<Point>& ground) {
+    Net net = make_net(in, ground);
     fix_feet_of_steps(in, net);
     find_wants(in, net);
     find_limits(net);
@@ -242,6 +248,44 @@ std::vector<DeckPiece> solve_decks(const OsmImport& in) {
         piece.starts_on_ground = a.fixed;
         piece.ends_on_ground = b.fixed;
     }
+    return net;
+}
+
+// Whether an end may lie on the ground without what has to be high becoming lower.
+bool may_come_down(const OsmImport& in, const Net& net, const DeckEnd& end) {
+    const Link& link = net.links[end.piece];
+    const OsmHighway& highway = in.raised[net.pieces[end.piece].street].highway;
+    std::vector<Surface> not_on = highway.drives
+                                      ? std::vector<Surface>{Surface::water}
+                                      : std::vector<Surface>{Surface::water, Surface::road, Surface::track};
+    if (!has_room(in, {end.at - end.out, end.at + end.out}, highway.width * 0.5f, not_on)) return false;
+    std::vector<float> most = limits_from(net, {end.is_start ? link.a : link.b});
+    for (size_t j = 0; j < net.joints.size(); ++j)
+        if (most[j] < std::min(net.joints[j].wanted, net.joints[j].most)) return false;
+    return true;
+}
+
+}  // namespace
+
+std::vector<DeckPiece> solve_decks(OsmImport& in) {
+    std::vector<Point> ground = places_on_ground(in);
+    Net net = solve(in, ground);
+    size_t before = ground.size() + in.raised.size();
+    for (const DeckEnd& end : open_ends(in, net.pieces)) {
+        if (is_at_border(in.plan, end.at)) continue;
+        const OsmHighway& highway = in.raised[net.pieces[end.piece].street].highway;
+        if (may_come_down(in, net, end)) {
+            ground.push_back(to_point(end.at));
+        } else if (!highway.drives && highway.kind != Surface::track) {
+            add_flight_down(in, net.pieces, end);
+        }
+    }
+    if (ground.size() + in.raised.size() > before) {
+        std::sort(ground.begin(), ground.end(), point_less);
+        net = solve(in, ground);
+    }
+    for (const DeckEnd& end : open_ends(in, net.pieces))
+        (end.is_start ? net.pieces[end.piece].starts_open : net.pieces[end.piece].ends_open) = true;
     return net.pieces;
 }
 

@@ -151,6 +151,106 @@ TEST(OsmStreets, BridgeIsWalkedOverAndUnder) {
     EXPECT_NEAR(before, deck, 0.02f);
 }
 
+// A walkway over a street, with steps up to it in the west; in the east it ends at `x`.
+Drawing half_a_bridge(float x) {
+    Drawing d;
+    d.way({{0, 50}, {0, -50}}, tag("highway", "residential") + tag("width", "7"));
+    int a = d.node(-40, 0), b = d.node(-28, 0), c = d.node(-16, 0), e = d.node(x, 0);
+    d.way({a, b}, tag("highway", "footway"));
+    d.way({b, c}, tag("highway", "steps"));
+    d.way({c, e}, tag("highway", "footway") + tag("bridge", "yes") + tag("layer", "1") + tag("width", "3"));
+    return d;
+}
+
+// Whether a wall that a walker on the deck cannot pass closes its end, looking along `out`.
+bool is_closed(const City& city, Vec2 end, Vec2 out, float deck) {
+    Vec2 side{-out.z, out.x};
+    for (float off : {-1.3f, -0.7f, 0.0f, 0.7f, 1.3f}) {
+        Vec3 eye = at_height(end - out + side * off, deck + 0.9f);
+        std::optional<RayHit> hit = raycast(city.ground, eye, {out.x, 0, out.z}, 3);
+        if (!hit || hit->distance > 1.3f) return false;
+    }
+    return true;
+}
+
+TEST(OsmStreets, BridgesThatEndInTheAirComeDownBySteps) {
+    City city = build(half_a_bridge(12));
+    float deck = height(city, {0, 0}, k_level_height), before = deck;
+    EXPECT_NEAR(deck, k_level_height + k_kerb, 0.02f);
+    EXPECT_FLOAT_EQ(height(city, {0, 0}, 0), 0) << "the street goes on below";
+    for (float x = 0; x < 30; x += 0.05f) {
+        std::optional<GroundHit> hit = ground_at(city.ground, {x, before, 0.3f}, 0.3f, 0.3f);
+        ASSERT_TRUE(hit) << x;
+        before = hit->height;
+    }
+    EXPECT_NEAR(before, k_kerb, 1e-3f);
+    NavmeshPtr mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    EXPECT_LT(path_ends_short(*mesh, {30, k_kerb, 0}, {0, deck, 0}), 0.1f);
+    EXPECT_LT(path_ends_short(*mesh, {-36, k_kerb, 0}, {30, k_kerb, 0}), 0.1f);
+    EXPECT_LT(path_ends_short(*mesh, {13, k_kerb, 20}, {13, k_kerb, -20}), 0.1f) << "under the end";
+
+    for (float x = 12; x < 24; x += 0.1f) {
+        if (ground_at(city.ground, {x, k_kerb, 0}, 0.5f, 0.5f)) continue;
+        for (float side : {-1.0f, 1.0f})
+            EXPECT_TRUE(raycast(city.ground, {x, 0.4f, side * 4}, {0, 0, -side}, 4))
+                << x << ": a hole in the ground";
+    }
+
+    // A house stands ahead: they turn away from it.
+    Drawing blocked = half_a_bridge(12);
+    blocked.area({17, -20}, {30, 20}, tag("building", "yes"));
+    city = build(blocked);
+    mesh = mesh_of(city);
+    ASSERT_TRUE(mesh);
+    EXPECT_FALSE(is_closed(city, {12, 0}, {1, 0}, deck) && is_closed(city, {12, 0}, {0, 1}, deck) &&
+                 is_closed(city, {12, 0}, {0, -1}, deck));
+    EXPECT_LT(path_ends_short(*mesh, {8, k_kerb, 40}, {0, deck, 0}), 0.1f);
+}
+
+TEST(OsmStreets, BridgesThatAreLongEnoughComeDownThemselves) {
+    // They rise from the ground; at the border of the map they go on beyond.
+    for (std::string kind : {"residential", "footway"}) {
+        for (float x : {45.0f, 58.0f}) {
+            Drawing d;
+            d.way({{-15, 50}, {-15, -50}}, tag("highway", "residential") + tag("width", "7"));
+            int a = d.node(-58, 0), b = d.node(-50, 0), c = d.node(x, 0);
+            d.way({a, b}, tag("highway", kind));
+            d.way({b, c}, tag("highway", kind) + tag("bridge", "yes"));
+            City city = build(d);
+            EXPECT_TRUE(ground_at(city.ground, {-15, 3.5f, 0}, 2, 2)) << "over the street";
+            EXPECT_EQ(ground_at(city.ground, {x - 1, 3, 0}, 2.5f, 2.5f).has_value(), x > 50) << kind;
+            NavmeshPtr mesh = mesh_of(city);
+            ASSERT_TRUE(mesh);
+            if (x < 50) {
+                EXPECT_LT(path_ends_short(*mesh, {-54, 0, 0}, {x + 2, k_kerb, 0}), 0.1f) << kind;
+            }
+            for (Surface s : city.ground.kinds) ASSERT_NE(s, Surface::steps);
+        }
+    }
+}
+
+TEST(OsmStreets, BridgesWithoutRoomForStepsAreClosedAndStandOnPiers) {
+    // In a lake, where there is no ground to come down to, and at the border of the map.
+    Drawing lake = half_a_bridge(16);
+    std::vector<int> shore{lake.node(10, -50), lake.node(50, -50), lake.node(50, 50), lake.node(10, 50)};
+    shore.push_back(shore[0]);
+    lake.way(shore, tag("natural", "water"));
+    for (bool in_lake : {true, false}) {
+        float x = in_lake ? 16.0f : 55.0f;
+        Drawing d = in_lake ? lake : half_a_bridge(x);
+        // What it leads over is near the border, too.
+        d.way({{42, 50}, {42, -50}}, tag("highway", "footway"));
+        City city = build(d);
+        float deck = height(city, {x - 0.5f, 0}, k_level_height);
+        EXPECT_NEAR(deck, k_level_height + k_kerb, 0.02f);
+        EXPECT_TRUE(is_closed(city, {x, 0}, {1, 0}, deck));
+        EXPECT_FALSE(ground_at(city.ground, {x + 0.5f, deck, 0}, 3, 1)) << "it ends square";
+        EXPECT_TRUE(raycast(city.ground, {x + 2, 1.5f, 0}, {-1, 0, 0}, 4)) << "a pier";
+        EXPECT_FALSE(raycast(city.ground, {x + 2, 1.5f, 1.9f}, {-1, 0, 0}, 4)) << "beside the pier";
+    }
+}
+
 TEST(OsmStreets, BridgeOverWaterStaysOnTheGround) {
     Drawing d;
     std::vector<int> shore{d.node(-8, -50), d.node(8, -50), d.node(8, 50), d.node(-8, 50)};
