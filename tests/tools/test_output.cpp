@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -8,6 +9,7 @@
 #include <thread>
 #include <tuple>
 
+#include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/output.h"
 
 namespace flaneur {
@@ -200,6 +202,37 @@ TEST_F(Outputs, AFilmGivenUpLeavesNothing) {
         ASSERT_TRUE(write_image(**output, k_grey, 0));
     }
     EXPECT_EQ(entries(), 0u);
+}
+
+// What stands in for a program of ffmpeg.
+void write_program(const fs::path& file, const std::string& words) {
+    std::ofstream(file) << "#!/bin/sh\n" << words << "\n";
+    fs::permissions(file, fs::perms::owner_all);
+}
+
+// As by Ctrl-C while what was drawn is joined to what was there.
+TEST_F(Outputs, FilmsThatAreBeingJoinedCanBeAbandoned) {
+    const std::string paths = getenv("PATH");
+    signal(SIGPIPE, SIG_IGN);  // as the program does
+    write_program(path / "ffprobe", "printf '6\\n4\\n60/1\\n1\\n{\"--seed\":\"1\"}\\n'");
+    fs::path joining = path / "joining";
+    ASSERT_EQ(mkfifo(joining.c_str(), 0600), 0);
+    write_program(path / "ffmpeg", "case \"$*\" in *concat*) echo yes > " + joining.string() +
+                                       "; exec sleep 20;; esac; cat > /dev/null");
+    std::ofstream(path / "film.mp4") << "begun";
+    setenv("PATH", (path.string() + ":" + paths).c_str(), 1);
+    Result<FilmPtr> film = open_film(path / "film.mp4", k_size, 1, "{\"--seed\":\"1\"}", true);
+    ASSERT_TRUE(film) << film.error().message;
+    EXPECT_EQ(pictures_begun_with(**film), 1u);
+    EXPECT_TRUE(write_film(**film, k_grey));
+    std::thread another([&] {
+        EXPECT_EQ(words_of(joining), "yes");
+        abandon_films();
+    });
+    EXPECT_FALSE(finish_film(std::move(*film))) << "ffmpeg went on";
+    another.join();
+    setenv("PATH", paths.c_str(), 1);
+    EXPECT_EQ(words_of(path / "film.mp4"), "begun");
 }
 
 }  // namespace

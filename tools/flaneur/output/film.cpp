@@ -31,7 +31,7 @@ struct Film {
 
 namespace {
 
-std::atomic<pid_t> running = -1;  // the ffmpeg of the film under way
+std::atomic<pid_t> running = -1;  // the ffmpeg that makes a film, or joins two
 
 struct Pipe {
     int read = -1, write = -1;
@@ -73,10 +73,12 @@ Result<pid_t> start_ffmpeg(const std::vector<std::string>& input, const Pipe& pi
     // Without "file:", a colon in a path would begin a protocol.
     words.insert(words.end(), {"-metadata", comment, "-movflags", "+faststart", "-fflags", "+bitexact", "-f",
                                "mp4", "file:" + to.part});
-    return start(words, pipe.read, STDIN_FILENO);
+    Result<pid_t> ffmpeg = start(words, pipe.read, STDIN_FILENO);
+    if (ffmpeg) running = *ffmpeg;
+    return ffmpeg;
 }
 
-// Whether the program was content.
+// Waits for the program; whether it was content.
 bool has_ended_well(pid_t program) {
     int status = 1;
     while (waitpid(program, &status, 0) < 0 && errno == EINTR) {
@@ -161,7 +163,9 @@ Result<void> join(Film& film) {
     bool told = write_all(pipe->write, list.data(), list.size());
     close(pipe->write);
     if (!ffmpeg) return ffmpeg.error();
-    if (!has_ended_well(*ffmpeg) || !told)
+    bool content = has_ended_well(*ffmpeg);
+    running = -1;
+    if (!content || !told)
         return Error{"ffmpeg could not join " + tail->path +
                      " and what goes on with it; it may have said why above."};
     film.file = std::move(*whole);
@@ -206,7 +210,7 @@ Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, con
                                          "-crf", "20",       "-pix_fmt", "yuv420p"},
                                         *pipe, film->comment, *film->file);
     if (!ffmpeg) return ffmpeg.error();
-    running = film->ffmpeg = *ffmpeg;
+    film->ffmpeg = *ffmpeg;
     return film;
 }
 
