@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <sstream>
+
 #include "tests/folder.h"
 #include "tools/flaneur/options/options.h"
 
@@ -60,12 +63,44 @@ TEST(Options, TheCommandLineOverridesHowASceneIsLookedAt) {
 TEST(Options, ASceneIsToBlameForItsOwnCamera) {
     TestFolder folder;
     std::string file = folder.write("mine.json", R"({"walkers": 5, "camera": "follow:5"})");
-    auto refused = parse({"sim", "--scene", file});
+    auto refused = parse({"render", "--out", "a.png", "--scene", file});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("camera of the scene"), std::string::npos)
         << refused.error().message;
     EXPECT_EQ(refused.error().message.find("--camera"), std::string::npos) << refused.error().message;
-    EXPECT_TRUE(parse({"sim", "--scene", file, "--walkers", "6"}));
+    EXPECT_TRUE(parse({"render", "--out", "a.png", "--scene", file, "--walkers", "6"}));
+    for (const char* command : {"view", "bench frame"}) {
+        std::vector<std::string> words{"--scene", file};
+        std::istringstream in(command);
+        words.insert(words.begin(), std::istream_iterator<std::string>(in), {});
+        EXPECT_FALSE(parse(words)) << command;
+    }
+}
+
+TEST(Options, NobodyAsksForTheCameraOfWhatIsNotDrawn) {
+    TestFolder folder;
+    std::string file = folder.write("mine.json", R"({"walkers": 20, "camera": "follow:12"})");
+    EXPECT_TRUE(parse({"sim", "--scene", file, "--walkers", "5"}));
+    EXPECT_TRUE(parse({"bench", "crowd", "--scene", file, "--walkers", "5"}));
+    EXPECT_TRUE(parse({"gait", "--scene", file, "--crowd", "10"}));
+    EXPECT_TRUE(parse({"city", "--check", "--scene", file, "--walkers", "5"}));
+    EXPECT_FALSE(parse({"render", "--out", "a.png", "--scene", file, "--walkers", "5"}));
+}
+
+TEST(Options, AnotherCityIsNotWhatTheSceneSaysOfItsOwn) {
+    TestFolder folder;
+    std::string map = folder.write(
+        "map.json", R"({"city": "a.osm", "terrain": "a.tif", "center": "52,13", "radius": 500})");
+    std::string model = folder.write("model.json", R"({"city": "a.glb", "scale": 0.01})");
+    Options own = parsed({"sim", "--scene", map}), other = parsed({"sim", "--scene", map, "--city", "b.osm"});
+    EXPECT_EQ(own.scene.terrain, folder / "a.tif");
+    EXPECT_EQ(other.scene.terrain, "");
+    EXPECT_FALSE(other.scene.center);
+    EXPECT_EQ(other.scene.radius, 0);
+    EXPECT_EQ(parsed({"sim", "--scene", map, "--city", "b.osm", "--terrain", "b.tif"}).scene.terrain,
+              "b.tif");
+    EXPECT_FLOAT_EQ(parsed({"sim", "--scene", model}).scene.scale, 0.01f);
+    EXPECT_FLOAT_EQ(parsed({"sim", "--scene", model, "--city", "b.glb"}).scene.scale, 1);
 }
 
 TEST(Options, ViewsForWorkGoTogetherWhereTheyCan) {

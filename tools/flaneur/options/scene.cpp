@@ -117,9 +117,12 @@ void add_camera_option(CLI::App& app, SceneWords& words) {
         "CAMERA", "");
 }
 
-// Refuses a camera that has nothing to show.
+// Refuses a camera that has nothing to show, where something is drawn with it.
 static Result<void> check_camera(const SceneWords& words, const Options& options) {
     using enum CameraChoice::Kind;
+    bool is_drawn = options.command == Command::view || options.command == Command::render ||
+                    (options.command == Command::bench && options.load == BenchLoad::frame);
+    if (!is_drawn) return {};
     const CameraChoice& camera = options.scene.camera;
     std::string who = words.camera ? "--camera " : "The camera of the scene " + words.scene + ", ";
     if (options.scene.asteroid && options.command == Command::render && camera.kind != fixed &&
@@ -144,8 +147,11 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.city) {
         options.scene.city = *words.city;
         options.scene.asteroid = false;
-        options.scene.center = std::nullopt;  // of the scene's own city
+        // What is said of the scene's own city.
+        options.scene.center = std::nullopt;
         options.scene.radius = 0;
+        options.scene.terrain.clear();
+        options.scene.scale = 1;
     }
     if (words.terrain) options.scene.terrain = *words.terrain;
     bool no_map = options.scene.city.empty() && options.command != Command::inspect;
