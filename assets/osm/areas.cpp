@@ -6,14 +6,13 @@
 
 namespace flaneur {
 
-std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way) {
+std::vector<std::vector<Vec2>> lines_of(const OsmImport& in, const OsmWay& way) {
     std::vector<std::vector<Vec2>> lines(1);
     for (int64_t id : way.nodes) {
         if (const OsmNode* node = in.map.node(id)) {
             lines.back().push_back(in.project(*node));
-        } else {
-            ++in.counts.missing_nodes;
-            if (!lines.back().empty()) lines.emplace_back();
+        } else if (!lines.back().empty()) {
+            lines.emplace_back();
         }
     }
     std::erase_if(lines, [](const std::vector<Vec2>& line) { return line.size() < 2; });
@@ -28,10 +27,7 @@ static std::optional<Ring> ring_of(OsmImport& in, const std::vector<int64_t>& no
     Ring ring;
     for (int64_t id : nodes) {
         const OsmNode* node = in.map.node(id);
-        if (!node) {
-            ++in.counts.missing_nodes;
-            return std::nullopt;
-        }
+        if (!node) return std::nullopt;
         ring.push_back(to_point(in.project(*node)));
     }
     ring.pop_back();
@@ -109,36 +105,34 @@ struct AreaKind {
 };
 
 std::optional<AreaKind> area_kind(const OsmTags& tags) {
-    auto any_of = [&](std::string_view key, std::initializer_list<std::string_view> values) {
-        return std::find(values.begin(), values.end(), tags[key]) != values.end();
-    };
     if (is_hidden(tags)) return std::nullopt;
-    if (any_of("amenity", {"fountain"})) return AreaKind{k_rank_basin, Surface::water, k_kerb + 0.4f};
-    if (any_of("natural", {"water"}) || any_of("waterway", {"riverbank", "dock"}) ||
-        any_of("leisure", {"swimming_pool"})) {
+    if (tags.is("amenity", "fountain")) return AreaKind{k_rank_basin, Surface::water, k_kerb + 0.4f};
+    if (tags.is("natural", "water") || is_one_of(tags["waterway"], {"riverbank", "dock"}) ||
+        tags.is("leisure", "swimming_pool")) {
         return AreaKind{k_rank_water, Surface::water, -0.3f};
     }
     if (std::optional<float> height = platform_of(tags))
         return AreaKind{k_rank_platform, Surface::plaza, *height};
-    if (any_of("highway", {"pedestrian", "footway", "platform"}) || any_of("place", {"square"}) ||
-        any_of("area:highway", {"pedestrian", "footway"}) || any_of("man_made", {"pier"})) {
+    if (is_one_of(tags["highway"], {"pedestrian", "footway", "platform"}) || tags.is("place", "square") ||
+        is_one_of(tags["area:highway"], {"pedestrian", "footway"}) || tags.is("man_made", "pier")) {
         return AreaKind{k_rank_plaza, Surface::plaza};
     }
-    if (any_of("amenity", {"parking", "fuel", "bus_station"}) ||
-        any_of("highway", {"service", "residential"})) {
+    if (is_one_of(tags["amenity"], {"parking", "fuel", "bus_station"}) ||
+        is_one_of(tags["highway"], {"service", "residential"})) {
         return AreaKind{k_rank_path, Surface::road};
     }
-    if (any_of("leisure", {"park", "garden", "pitch", "playground", "golf_course", "dog_park", "track"}) ||
-        any_of("landuse", {"grass", "forest", "meadow", "village_green", "recreation_ground", "cemetery",
-                           "flowerbed", "orchard"}) ||
-        any_of("natural", {"wood", "scrub", "grassland", "heath", "shrubbery"})) {
+    if (is_one_of(tags["leisure"],
+                  {"park", "garden", "pitch", "playground", "golf_course", "dog_park", "track"}) ||
+        is_one_of(tags["landuse"], {"grass", "forest", "meadow", "village_green", "recreation_ground",
+                                    "cemetery", "flowerbed", "orchard"}) ||
+        is_one_of(tags["natural"], {"wood", "scrub", "grassland", "heath", "shrubbery"})) {
         return AreaKind{k_rank_grass, Surface::grass};
     }
-    if (any_of("natural", {"beach", "sand", "bare_rock", "shingle"}) ||
-        any_of("landuse", {"construction", "brownfield"})) {
+    if (is_one_of(tags["natural"], {"beach", "sand", "bare_rock", "shingle"}) ||
+        is_one_of(tags["landuse"], {"construction", "brownfield"})) {
         return AreaKind{k_rank_grass, Surface::path};
     }
-    if (any_of("landuse", {"railway"})) return AreaKind{k_rank_grass, Surface::track, k_track};
+    if (tags.is("landuse", "railway")) return AreaKind{k_rank_grass, Surface::track, k_track};
     return std::nullopt;
 }
 

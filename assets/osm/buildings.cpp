@@ -28,10 +28,6 @@ struct FoundBuilding {
     std::vector<std::pair<Rings, float>> floating;  // parts that start above the ground, and where
 };
 
-bool is_one_of(std::string_view value, std::initializer_list<std::string_view> values) {
-    return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 bool apart(const FoundBuilding& a, Point low, Point high) {
     return a.high.X < low.X || high.X < a.low.X || a.high.Y < low.Y || high.Y < a.low.Y;
 }
@@ -113,40 +109,6 @@ std::vector<FoundBuilding> find_buildings(OsmImport& in) {
         consider(relation.id, relation.tags, [&] { return regions_of_relation(in, relation); });
     }
     return all;
-}
-
-// Parts stand in the place of their outline; what they leave of it is built to the height of the lowest of
-// them.
-void assign_parts(std::vector<FoundBuilding>& all) {
-    std::vector<FoundBuilding*> parts;
-    for (FoundBuilding& f : all) {
-        if (f.part) parts.push_back(&f);
-    }
-    std::stable_sort(parts.begin(), parts.end(),
-                     [](const FoundBuilding* a, const FoundBuilding* b) { return a->low.X < b->low.X; });
-    for (FoundBuilding& outline : all) {
-        if (outline.part) continue;
-        Rings rings = rings_of(outline.region);
-        auto first = std::lower_bound(parts.begin(), parts.end(), outline.low.X - 1000,
-                                      [](const FoundBuilding* part, int64_t x) { return part->low.X < x; });
-        for (auto at = first; at != parts.end() && (*at)->low.X < outline.high.X; ++at) {
-            FoundBuilding& part = **at;
-            if (part.whole || apart(part, outline.low, outline.high)) continue;
-            std::optional<Vec2> middle = middle_of(part.region.outer);
-            if (!contains(rings, part.region.outer[0]) && !(middle && contains(rings, to_point(*middle))))
-                continue;
-            Rings whole = rings_of(part.region), covered = intersect(rings, whole);
-            if (area(covered) < 0.5 * area(whole)) continue;
-            part.whole = &outline;
-            part.foot = outline.foot, part.peak = outline.peak;
-            OsmHouse house =
-                house_of(*part.tags, *outline.tags, part.region, {}, static_cast<uint64_t>(part.id));
-            float top = house.top - house.roof_height;
-            outline.lowest_part = outline.parts.empty() ? top : std::min(outline.lowest_part, top);
-            outline.parts.insert(outline.parts.end(), whole.begin(), whole.end());
-            if (house.bottom > 0.5f) outline.floating.push_back({covered, house.bottom});
-        }
-    }
 }
 
 // What stands around buildings, for what their tags leave open.
@@ -241,7 +203,7 @@ struct Passage {
     Point low, high;
 };
 
-std::vector<Passage> find_passages(OsmImport& in) {
+std::vector<Passage> find_passages(const OsmImport& in) {
     std::vector<Passage> passages;
     for (const OsmWay& way : in.map.ways) {
         bool through = way.tags.is("tunnel", "building_passage") ||
@@ -364,6 +326,39 @@ OsmHouse house_of(const FoundBuilding& f, const Context& context) {
                     static_cast<uint64_t>(f.id));
 }
 
+// Parts stand in the place of their outline; what they leave of it is built to the height of the lowest of
+// them.
+void assign_parts(std::vector<FoundBuilding>& all, const Context& context) {
+    std::vector<FoundBuilding*> parts;
+    for (FoundBuilding& f : all) {
+        if (f.part) parts.push_back(&f);
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const FoundBuilding* a, const FoundBuilding* b) { return a->low.X < b->low.X; });
+    for (FoundBuilding& outline : all) {
+        if (outline.part) continue;
+        Rings rings = rings_of(outline.region);
+        auto first = std::lower_bound(parts.begin(), parts.end(), outline.low.X - 1000,
+                                      [](const FoundBuilding* part, int64_t x) { return part->low.X < x; });
+        for (auto at = first; at != parts.end() && (*at)->low.X < outline.high.X; ++at) {
+            FoundBuilding& part = **at;
+            if (part.whole || apart(part, outline.low, outline.high)) continue;
+            std::optional<Vec2> middle = middle_of(part.region.outer);
+            if (!contains(rings, part.region.outer[0]) && !(middle && contains(rings, to_point(*middle))))
+                continue;
+            Rings whole = rings_of(part.region), covered = intersect(rings, whole);
+            if (area(covered) < 0.5 * area(whole)) continue;
+            part.whole = &outline;
+            part.foot = outline.foot, part.peak = outline.peak;
+            OsmHouse house = house_of(part, context);
+            float top = house.top - house.roof_height;
+            outline.lowest_part = outline.parts.empty() ? top : std::min(outline.lowest_part, top);
+            outline.parts.insert(outline.parts.end(), whole.begin(), whole.end());
+            if (house.bottom > 0.5f) outline.floating.push_back({covered, house.bottom});
+        }
+    }
+}
+
 void build(OsmImport& in, const FoundBuilding& f, const OsmHouse& house, Context& context) {
     OsmCounts& counts = in.counts;
     count_built(counts, f.part ? OsmSort::part : OsmSort::building);
@@ -483,8 +478,8 @@ void build(OsmImport& in, const FoundBuilding& f, const OsmHouse& house, Context
 
 void add_osm_buildings(OsmImport& in) {
     std::vector<FoundBuilding> all = find_buildings(in);
-    assign_parts(all);
     Context context{look_around(in, all), find_passages(in), find_shops(in)};
+    assign_parts(all, context);
     // The highest first: it keeps its shape where others overlap it.
     std::vector<std::pair<const FoundBuilding*, OsmHouse>> houses;
     houses.reserve(all.size());

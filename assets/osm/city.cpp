@@ -76,6 +76,14 @@ std::string counted(int count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
+int missing_nodes(const OsmMap& map) {
+    int missing = 0;
+    for (const OsmWay& way : map.ways)
+        missing += static_cast<int>(
+            std::count_if(way.nodes.begin(), way.nodes.end(), [&](int64_t id) { return !map.node(id); }));
+    return missing;
+}
+
 void write_notes(OsmImport& in) {
     const OsmCounts& c = in.counts;
     std::vector<std::string>& notes = in.city.notes;
@@ -96,7 +104,7 @@ void write_notes(OsmImport& in) {
          "ways were left out because they have more nodes than the 2000 that OpenStreetMap takes.");
     note(c.tangled, "outline was left out because it crosses itself more than a hundred times.",
          "outlines were left out because they cross themselves more than a hundred times.");
-    note(c.missing_nodes, "reference to a node that the file lacks was skipped.",
+    note(missing_nodes(in.map), "reference to a node that the file lacks was skipped.",
          "references to nodes that the file lacks were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",
          "ways and buildings under ground or indoors were left out.");

@@ -77,7 +77,7 @@ void add_deck_streets(GroundPlan& plan, const OsmImport& in, const std::vector<D
             flight.width = street.highway.width;
             flight.from = head.a_height + k_kerb;
             flight.to = tail.b_height + k_kerb;
-            flight.risers = static_cast<int>(parse_number(street.way->tags["step_count"]).value_or(0));
+            flight.risers = stated_risers(street.way->tags);
             add_flight(plan, flight);
             continue;
         }

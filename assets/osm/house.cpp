@@ -14,10 +14,6 @@ namespace {
 constexpr float k_storey = 3.2f, k_attic = 0.8f;  // of a flat roof, above the last ceiling
 constexpr float k_highest = 900, k_most_storeys = 200;
 
-bool is_one_of(std::string_view value, std::initializer_list<std::string_view> values) {
-    return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 // What kind of building it is; other keys help where the map says "yes" only.
 std::string_view type_of(const OsmTags& tags) {
     std::string_view type = tags["building"];

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -124,6 +125,9 @@ Result<City> city_of(const OsmMap& map, const std::string& path, const CityOptio
 // A length in metres: "12", "12.5 m", "1,5", "40 ft", "12'6\"". None for anything else.
 std::optional<float> parse_metres(std::string_view text);
 std::optional<float> parse_number(std::string_view text);
+bool is_one_of(std::string_view value, std::initializer_list<std::string_view> values);
+// The steps that a stair says it has, 1000 at most; 0 where it says nothing.
+int stated_risers(const OsmTags& tags);
 // Below ground, in a tunnel or indoors.
 bool is_hidden(const OsmTags& tags);
 
@@ -164,7 +168,7 @@ inline constexpr size_t k_osm_sort_count = static_cast<size_t>(OsmSort::platform
 
 // How often something was met, for City::notes and City::tallies.
 struct OsmCounts {
-    int missing_nodes = 0, open_buildings = 0, broken_relations = 0, hidden = 0;
+    int open_buildings = 0, broken_relations = 0, hidden = 0;
     int outside = 0, props_off_ground = 0;
     int tangled = 0;       // outlines that cross themselves again and again
     int flat_instead = 0;  // roofs whose outlines do not allow for their shape
@@ -235,7 +239,7 @@ struct OsmImport {
 };
 
 // The known points of a way; missing ones split it. Lines of fewer than two points are left out.
-std::vector<std::vector<Vec2>> lines_of(OsmImport& in, const OsmWay& way);
+std::vector<std::vector<Vec2>> lines_of(const OsmImport& in, const OsmWay& way);
 // The regions that a closed way or a relation encloses; empty, and counted, where nodes are missing or rings
 // stay open.
 std::vector<Region> regions_of_way(OsmImport& in, const OsmWay& way);

@@ -142,7 +142,6 @@ void add_osm_sea(OsmImport& in) {
         // With the sea on the right, an island runs counter-clockwise on the map: negatively.
         (twice_area(ring) < 0 ? islands : basins).push_back(positive(ring));
     }
-    for (Ring& island : islands) island = positive(island);
     sea.insert(sea.end(), basins.begin(), basins.end());
     if (sea.empty()) return;
     for (const Region& region : regions_of(subtract(unite(sea), islands))) {

@@ -122,7 +122,7 @@ void line_flights(GroundPlan& plan, const std::vector<Vec2>& line, const OsmStre
     int flights = std::max(1, static_cast<int>(whole / k_flight));
     auto height = [&](Vec2 p) { return terrain_at(plan, p) + k_kerb; };
     float from = height(line.front()), last = height(line.back()), rise = last - from;
-    float stated = clamp(parse_number(steps.way->tags["step_count"]).value_or(0), 0, 1000);
+    auto stated = static_cast<float>(stated_risers(steps.way->tags));
     for (int i = 0; i < flights; ++i) {
         auto place = [&](int k) { return whole * static_cast<float>(k) / static_cast<float>(flights); };
         Flight flight;

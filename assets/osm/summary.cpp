@@ -23,9 +23,6 @@ template <const char* shape>
 bool has_roof(const OsmTags& t) {
     return t.is("roof:shape", shape) && (is_building(t) || is_part(t));
 }
-bool any_of(const OsmTags& t, std::string_view key, std::initializer_list<std::string_view> values) {
-    return std::find(values.begin(), values.end(), t[key]) != values.end();
-}
 
 constexpr char k_flat[] = "flat", k_gabled[] = "gabled", k_half_hipped[] = "half-hipped",
                k_hipped[] = "hipped", k_pyramidal[] = "pyramidal", k_skillion[] = "skillion",
@@ -70,9 +67,9 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
     {"footway=sidewalk", Sort::lines, [](const OsmTags& t) { return t.is("footway", "sidewalk"); }},
     {"other ways on foot", Sort::lines,
      [](const OsmTags& t) {
-         return any_of(t, "highway",
-                       {"footway", "path", "pedestrian", "living_street", "track", "cycleway"}) &&
-                !any_of(t, "footway", {"sidewalk", "crossing"}) && !t.is("area", "yes");
+         return is_one_of(t["highway"],
+                          {"footway", "path", "pedestrian", "living_street", "track", "cycleway"}) &&
+                !is_one_of(t["footway"], {"sidewalk", "crossing"}) && !t.is("area", "yes");
      }},
     {"crossing nodes", Sort::nodes, [](const OsmTags& t) { return t.is("highway", "crossing"); }},
     {"crossing ways", Sort::lines, [](const OsmTags& t) { return t.is("footway", "crossing"); }},
@@ -82,7 +79,7 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
      [](const OsmTags& t) { return t.is("highway", "steps") && t.has("step_count"); }},
     {"pedestrian areas", Sort::lines,
      [](const OsmTags& t) {
-         return (any_of(t, "highway", {"pedestrian", "footway"}) && t.is("area", "yes")) ||
+         return (is_one_of(t["highway"], {"pedestrian", "footway"}) && t.is("area", "yes")) ||
                 (t.is("highway", "pedestrian") && t.is("type", "multipolygon")) || t.is("place", "square");
      }},
     {"bridges", Sort::lines,
@@ -90,13 +87,13 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
     {"ways with layer=*", Sort::lines, [](const OsmTags& t) { return t.has("layer"); }},
     {"parks and grass", Sort::lines,
      [](const OsmTags& t) {
-         return any_of(t, "leisure", {"park", "garden", "pitch", "playground"}) ||
-                any_of(t, "landuse", {"grass", "forest", "meadow", "village_green"}) ||
+         return is_one_of(t["leisure"], {"park", "garden", "pitch", "playground"}) ||
+                is_one_of(t["landuse"], {"grass", "forest", "meadow", "village_green"}) ||
                 t.is("natural", "wood");
      }},
     {"water", Sort::lines,
      [](const OsmTags& t) {
-         return t.is("natural", "water") || any_of(t, "waterway", {"riverbank", "dock"});
+         return t.is("natural", "water") || is_one_of(t["waterway"], {"riverbank", "dock"});
      }},
     {"trees", Sort::nodes, [](const OsmTags& t) { return t.is("natural", "tree"); }},
     {"street lamps", Sort::nodes, [](const OsmTags& t) { return t.is("highway", "street_lamp"); }},
@@ -107,7 +104,8 @@ constexpr Sort k_sorts[k_osm_sort_count] = {
     {"bus stops", Sort::nodes, [](const OsmTags& t) { return t.is("highway", "bus_stop"); }},
     {"walls and fences", Sort::lines,
      [](const OsmTags& t) {
-         return any_of(t, "barrier", {"wall", "retaining_wall", "city_wall", "fence", "hedge", "guard_rail"});
+         return is_one_of(t["barrier"],
+                          {"wall", "retaining_wall", "city_wall", "fence", "hedge", "guard_rail"});
      }},
     {"railway tracks", Sort::lines, [](const OsmTags& t) { return track_of(t).has_value(); }},
     {"platforms of trains and trams", Sort::lines,

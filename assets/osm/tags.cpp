@@ -59,6 +59,14 @@ std::optional<float> parse_metres(std::string_view text) {
     return static_cast<float>(feet * 0.3048);
 }
 
+bool is_one_of(std::string_view value, std::initializer_list<std::string_view> values) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+int stated_risers(const OsmTags& tags) {
+    return static_cast<int>(clamp(parse_number(tags["step_count"]).value_or(0), 0, 1000));
+}
+
 bool is_hidden(const OsmTags& tags) {
     if (tags.is("location", "underground") || tags.is("indoor", "yes") || tags.is("tunnel", "yes") ||
         tags.is("tunnel", "culvert")) {

@@ -13,6 +13,7 @@
 #include "assets/osm/map.h"
 #include "assets/terrain/terrain.h"
 #include "tests/assets/city_checks.h"
+#include "tests/assets/osm_drawing.h"
 #include "tests/folder.h"
 
 namespace flaneur {
@@ -73,6 +74,26 @@ TEST(Osm, ParsesLengths) {
     EXPECT_FALSE(parse_number("1;2"));
 }
 
+TEST(Osm, StairsSayHowManyStepsTheyHave) {
+    auto risers = [](const std::string& count) { return stated_risers({{{"step_count", count}}}); };
+    EXPECT_EQ(risers("12"), 12);
+    EXPECT_EQ(risers("9999999999"), 1000);
+    EXPECT_EQ(risers("-5"), 0);
+    EXPECT_EQ(risers("many"), 0);
+    EXPECT_EQ(stated_risers({}), 0);
+}
+
+// Though several steps of the import look at the way.
+TEST(Osm, AMissingNodeIsToldOnce) {
+    std::string way = R"(<node id="7" lat="0.00005" lon="0.0005"/><node id="8" lat="0.0005" lon="0.0005"/>
+        <way id="3"><nd ref="7"/><nd ref="8"/><nd ref="77"/><tag k="highway" v="footway"/><tag k="tunnel" v="building_passage"/></way>)";
+    Result<City> city = load_text(map_of(k_nodes + way + with_tags(k_street, "") + with_tags(k_house, "")));
+    ASSERT_TRUE(city) << city.error().message;
+    const std::vector<std::string>& notes = city->notes;
+    EXPECT_EQ(
+        std::count(notes.begin(), notes.end(), "1 reference to a node that the file lacks was skipped."), 1);
+}
+
 TEST(Osm, ProjectsToMetres) {
     // One minute of latitude is a nautical mile; at 60 degrees one of longitude is half as long.
     Projection p = projection_about(10, 60);
@@ -120,6 +141,27 @@ TEST(Osm, HeightsComeFromTags) {
     EXPECT_FLOAT_EQ(top("<tag k='building:levels' v='3'/>"), 3 * 3.2f + 0.8f);
     EXPECT_NEAR(top("<tag k='height' v='12\"'/>"), top(""), 8);
     EXPECT_GT(top(""), 5);
+}
+
+// A part that says no height is as high as the houses about it, and so is what it leaves of its outline.
+TEST(Osm, PartsStandInTheirNeighbourhood) {
+    Drawing d;
+    d.way(std::vector<Vec2>{{-200, 0}, {200, 0}}, tag("highway", "residential"));
+    for (int i = 0; i < 10; ++i) {
+        float x = -150 + 30 * static_cast<float>(i);
+        if (i != 5)
+            d.area({x, 10}, {x + 20, 30}, tag("building", "apartments") + tag("building:levels", "10"));
+    }
+    d.area({0, 10}, {20, 30}, tag("building", "yes"));
+    d.area({0, 10}, {20, 20}, tag("building:part", "yes"));
+    Result<City> city = load_text(osm_of(d));
+    ASSERT_TRUE(city) << city.error().message;
+    ASSERT_GE(city->buildings.size(), 11u);
+    for (const Building& building : city->buildings) {
+        if (building.top > 2) {
+            EXPECT_GT(building.top, 27) << "nine storeys";
+        }
+    }
 }
 
 TEST(Osm, PassageLeadsThroughTheHouse) {

@@ -20,7 +20,7 @@ struct PbfBlobs {
     std::string path, header;  // the first blob of the file, without which no other can be read
     std::vector<PbfStretch> stretches;
     // Of the first stretch that begins with no node, and of the first that begins with a relation; see
-    // may_hold.
+    // held_by.
     size_t ways = 0, relations = 0;
 
     // Again a .pbf: the header, and the beginning of a stretch or all of it.
