@@ -42,7 +42,7 @@ Result<std::string> measure(const Options& options) {
 }  // namespace
 
 void add_setting(Figures& figures, const Options& options, const World& world) {
-    figures.setting = {{"city", world.ground->name},
+    figures.setting = {{"city", city_name(options.scene)},
                        {"walkers", world.crowd.count},
                        {"threads", thread_count(*world.workers)},
                        {"measured", options.bench_frames}};

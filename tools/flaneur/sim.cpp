@@ -43,7 +43,7 @@ Result<void> run_sim(const Options& options) {
     char counts[96];
     std::snprintf(counts, sizeof counts, ": %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s",
                   world.crowd.count, world.tick, thread_count(*world.workers), spent.count());
-    say(world.ground->name + counts);
+    say(city_name(options.scene) + counts);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
     return log ? keep_file(std::move(log)) : Result<void>();
 }

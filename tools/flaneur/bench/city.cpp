@@ -145,7 +145,7 @@ Result<std::string> bench_city(const Options& options) {
     }
 
     Figures figures;
-    figures.setting = {{"city", city.ground.name},
+    figures.setting = {{"city", city_name(options.scene)},
                        {"walkers", crowd->count},
                        {"threads", threads},
                        {"measured", options.bench_frames}};

@@ -205,7 +205,7 @@ Result<std::string> bench_pose(const Options& options) {
     Samples samples = measure(kernels, isas, options.bench_frames);
 
     Figures figures;
-    figures.setting = {{"city", loaded->world->ground->name},
+    figures.setting = {{"city", city_name(options.scene)},
                        {"walkers", static_cast<int64_t>(work.walking.count)},
                        {"threads", 1},
                        {"measured", options.bench_frames}};

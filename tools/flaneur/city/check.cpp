@@ -331,8 +331,9 @@ Result<void> check_city(const Options& options) {
     for (Finding& f : *crowd) findings.push_back(std::move(f));
 
     nlohmann::ordered_json json;
-    json["city"] = city->ground.name;
-    std::printf("%-36s %10s %10s\n", printable(city->ground.name).c_str(), "found", "bar");
+    const std::string name = city_name(options.scene);
+    json["city"] = name;
+    std::printf("%-36s %10s %10s\n", printable(name).c_str(), "found", "bar");
     size_t missed = 0;
     for (const Finding& f : findings) {
         std::printf("%-36s %10.3f %s%8.3f%s\n", f.name.c_str(), f.value, f.at_least ? ">=" : "<=", f.bar,
@@ -349,8 +350,8 @@ Result<void> check_city(const Options& options) {
         if (!kept) return kept;
     }
     if (missed > 0)
-        return Error{city->ground.name + " misses " + std::to_string(missed) + " of " +
-                     std::to_string(findings.size()) + " bars."};
+        return Error{name + " misses " + std::to_string(missed) + " of " + std::to_string(findings.size()) +
+                     " bars."};
     return {};
 }
 

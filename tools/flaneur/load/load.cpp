@@ -1,5 +1,6 @@
 #include "tools/flaneur/load/load.h"
 
+#include <filesystem>
 #include <string>
 
 #include "assets/asteroid.h"
@@ -99,7 +100,7 @@ Result<City> read_city(const Scene& scene) {
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
-    if (city) print_notes(scene.city.empty() ? city->ground.name : scene.city, city->notes);
+    if (city) print_notes(scene.city.empty() ? scene.name : scene.city, city->notes);
     return city;
 }
 
@@ -127,6 +128,10 @@ std::vector<std::string> files_of(const Scene& scene) {
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
     return paths;
+}
+
+std::string city_name(const Scene& scene) {
+    return scene.city.empty() ? scene.name : std::filesystem::path(scene.city).stem().string();
 }
 
 Result<void> find_files(const Scene& scene) {

@@ -27,6 +27,9 @@ Result<void> find_files(const Scene& scene);
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
+// What its city is called: after its file or, built in, after the scene.
+std::string city_name(const Scene& scene);
+
 // What a scene says of its city; how far it is comes on the terminal.
 CityOptions city_options(const Scene& scene);
 
