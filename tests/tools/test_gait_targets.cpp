@@ -2,6 +2,7 @@
 // shared/gait beside the checkout.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -35,6 +36,16 @@ TEST(GaitTargets, CurvesAreThoseOfTheFile) {
         ++row;
     }
     EXPECT_EQ(row, static_cast<size_t>(k_percents));
+}
+
+TEST(GaitTargets, ARunIsJudgedAsOneWhereItBegins) {
+    auto is_run = [](const std::vector<Bar>& bars) {
+        return std::none_of(bars.begin(), bars.end(), [](const Bar& bar) {
+            return std::string_view(bar.quantity) == "walk_ratio.m_spm";
+        });
+    };
+    EXPECT_TRUE(is_run(level_bars(2.13, 0.9))) << "Froude number 0.51";
+    EXPECT_FALSE(is_run(level_bars(2.08, 0.9))) << "Froude number 0.49";
 }
 
 // Every bar of targets.json that is two numbers or one is ours too, not looser.

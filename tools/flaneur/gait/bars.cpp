@@ -183,7 +183,7 @@ void add(std::vector<Bar>& bars, const Bar (&more)[N]) {
 
 std::vector<Bar> level_bars(double speed, double leg) {
     std::vector<Bar> bars;
-    if (speed * speed / (static_cast<double>(k_gravity) * leg) > 0.55) {
+    if (speed * speed / (static_cast<double>(k_gravity) * leg) > k_run_froude) {
         if (speed > 2.8 && speed < 3.4) add(bars, k_run);
         add(bars, k_any_run);
         return bars;

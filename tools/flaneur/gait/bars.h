@@ -8,7 +8,8 @@
 
 namespace flaneur {
 
-inline constexpr double k_open = 1e9;  // no bound on this side
+inline constexpr double k_open = 1e9;        // no bound on this side
+inline constexpr double k_run_froude = 0.5;  // beyond this Froude number people run
 
 struct Bar {
     const char* quantity;
@@ -17,7 +18,7 @@ struct Bar {
     const char* source;  // of the numbers
 };
 
-// Bars of level walking at a speed, or of a run where it is one (from Froude number 0.5), for a leg's length
+// Bars of level walking at a speed, or of a run where it is one (beyond k_run_froude), for a leg's length
 // in metres. Bars that hold at natural speed only are among them from 1.2 to 1.4 m/s.
 std::vector<Bar> level_bars(double speed, double leg);
 std::vector<Bar> turn_bars(double degrees);
