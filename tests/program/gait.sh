@@ -28,6 +28,14 @@ for walk in "--turn 180" "--turn -45" "--kerb 0.15" "--stairs down" "--slope 20"
 done
 "$flaneur" gait --age 30.5 --slope 5 > walk.txt
 grep --quiet '^A man of 30.5 years' walk.txt
+# An exported motion is as long as was asked for.
+"$flaneur" gait --seconds 12 --export level.bvh > walk.txt
+grep --quiet '^Frames: 720$' level.bvh
+"$flaneur" gait --turn 90 --seconds 15 --export turn.bvh > walk.txt
+grep --quiet '^Frames: 900$' turn.bvh
+# One word for every walk: another one for another walk.
+poses() { "$flaneur" gait "$@" | grep '^Poses '; }
+if [[ $(poses --kerb 0.12) == "$(poses --kerb 0.1)" ]]; then echo "FAILED: two kerbs, one word" && exit 1; fi
 "$flaneur" gait --help > help.txt
 grep --quiet -- '--seconds .*(12 to 600)$' help.txt
 "$flaneur" gait --crowd 20 --seconds 12 > crowd.txt

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "sim/base/math.h"
@@ -9,6 +10,7 @@
 #include "tools/flaneur/gait/contact.h"
 #include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/report.h"
 #include "tools/flaneur/gait/transients.h"
 
 namespace flaneur {
@@ -195,7 +197,7 @@ TEST(GaitLimits, KnowWhatJointsOfPeopleDo) {
 // A world of one who stands on level ground.
 World small_world() {
     World w;
-    w.ground = std::make_shared<Ground>(strip([](float) { return 0.0f; }, {-20, 20}, false));
+    w.ground = std::make_shared<Ground>(ground_of(level_course(0)));
     w.kinds = {{standard_body(1.75f)}};
     w.crowd.motion.position = {Vec3{}};
     w.crowd.motion.velocity = {Vec2{}};
@@ -245,7 +247,12 @@ TEST(GaitCrowd, FindsAJumpOfAJointALongBoneAndNoNumber) {
     watch_walker(watch, w, 0);
     EXPECT_EQ(watch.not_finite, 1u);
 
-    Report report = judge_crowd(watches, w);
+    // Of any length, with anything in it.
+    const std::string town = "a \"town\" \\ of Zürich" + std::string(99, 'n');
+    Report report = judge_crowd(watches, w, town);
+    nlohmann::json json = nlohmann::json::parse(reports_json({report}), nullptr, false);
+    ASSERT_TRUE(json.is_object());
+    EXPECT_EQ(json["trials"][0]["title"], "1 walkers in " + town + " for 0 s");
     for (const char* name : {"joint_speed.deg_s", "bone_error.m", "joints_outside", "not_finite"}) {
         for (const Verdict& v : report.verdicts) {
             if (std::string_view(v.bar.quantity) == name) {

@@ -2,8 +2,10 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "sim/base/hash.h"
+#include "sim/crowd/pace.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -19,9 +21,6 @@ namespace flaneur {
 
 namespace {
 
-// Preferred speed, m/s, by decade of age from the twenties on: Bohannon & Andrews, Physiotherapy 97, 2011.
-constexpr double k_women[] = {1.34, 1.34, 1.39, 1.31, 1.24, 1.13, 0.94};
-constexpr double k_men[] = {1.36, 1.43, 1.43, 1.43, 1.34, 1.26, 0.97};
 // Middle heights, metres, of girls and boys at 4, 6 .. 18 years: WHO growth reference, 2007.
 constexpr double k_girls_grow[] = {1.03, 1.15, 1.27, 1.39, 1.51, 1.60, 1.625, 1.63};
 constexpr double k_boys_grow[] = {1.03, 1.16, 1.27, 1.38, 1.49, 1.63, 1.73, 1.765};
@@ -33,18 +32,11 @@ double usual_height(const GaitOptions& gait) {
     return grow[i] + (grow[i + 1] - grow[i]) * (at - static_cast<double>(i));
 }
 
-// Children walk at the Froude number of those in their twenties.
-double usual_speed(const GaitOptions& gait, double height) {
-    const double* table = gait.sex == Sex::woman ? k_women : k_men;
-    double decade = std::clamp((gait.age - 25.0) / 10, 0.0, 6.0);
-    auto i = static_cast<size_t>(std::min(decade, 5.0));
-    double speed = table[i] + (table[i + 1] - table[i]) * (decade - static_cast<double>(i));
-    return gait.age < 18 ? speed * std::sqrt(height / (gait.sex == Sex::woman ? 1.63 : 1.765)) : speed;
-}
-
 double height_of(const GaitOptions& gait) { return gait.height > 0 ? gait.height : usual_height(gait); }
 double speed_of(const GaitOptions& gait) {
-    return gait.speed > 0 ? gait.speed : usual_speed(gait, height_of(gait));
+    if (gait.speed > 0) return gait.speed;
+    float leg = leg_length(standard_body(static_cast<float>(height_of(gait))));
+    return static_cast<double>(usual_speed(static_cast<float>(gait.age), gait.sex == Sex::woman, leg));
 }
 
 Manner manner_of(const GaitOptions& gait) {
@@ -93,8 +85,8 @@ struct Motion {
 Motion one_motion(const GaitOptions& gait) {
     Person person{standard_body(static_cast<float>(height_of(gait))), manner_of(gait)};
     Motion motion{person.body, {}};
-    for (const Instant& now : make_take(gait, person, speed_of(gait)).walk.ticks)
-        motion.ticks.push_back(now.joints);
+    Take take = make_take(gait, person, speed_of(gait), gait.seconds);
+    for (const Instant& now : take.walk.ticks) motion.ticks.push_back(now.joints);
     return motion;
 }
 
@@ -131,25 +123,38 @@ Result<Report> try_crowd(const Options& options, Motion& motion) {
     }
     clear_progress();
     for (const std::string& line : worst_places(watches)) std::printf("%s.\n", line.c_str());
-    return judge_crowd(watches, world);
+    return judge_crowd(watches, world, city_name(options.scene));
 }
 
-Result<void> write(PartFilePtr file, const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), file->file);
-    return keep_file(std::move(file));
+// A file that is opened before anything is walked, and its text once all is.
+struct Paper {
+    const std::string& path;  // empty: not asked for
+    std::function<std::string()> text;
+    PartFilePtr file{};
+};
+
+Result<void> write(Paper& paper) {
+    std::string text = paper.text();
+    std::fwrite(text.data(), 1, text.size(), paper.file->file);
+    return keep_file(std::move(paper.file));
 }
 
 }  // namespace
 
 Result<void> run_gait(const Options& options) {
     const GaitOptions& gait = options.gait;
-    PartFilePtr files[4];
-    const std::string* paths[4] = {&gait.csv, &options.json, &gait.svg, &gait.motion};
-    for (int i = 0; i < 4; ++i) {
-        if (paths[i]->empty()) continue;
-        Result<PartFilePtr> file = open_file(*paths[i]);
+    std::vector<Report> reports;
+    Motion motion;
+    Paper papers[] = {
+        {gait.csv, [&] { return reports_csv(reports); }},
+        {options.json, [&] { return reports_json(reports); }},
+        {gait.svg, [&] { return curves_svg(reports.front()); }},
+        {gait.motion, [&] { return bvh_text(motion.body, motion.ticks, 1 / static_cast<double>(k_tick)); }}};
+    for (Paper& paper : papers) {
+        if (paper.path.empty()) continue;
+        Result<PartFilePtr> file = open_file(paper.path);
         if (!file) return file.error();
-        files[i] = std::move(*file);
+        paper.file = std::move(*file);
     }
 #ifdef FLANEUR_VULKAN
     if (!gait.strip.empty()) {
@@ -157,8 +162,6 @@ Result<void> run_gait(const Options& options) {
         if (!drawn) return drawn;
     }
 #endif
-    std::vector<Report> reports;
-    Motion motion;
     if (gait.crowd > 0) {
         Result<Report> crowd = try_crowd(options, motion);
         if (!crowd) return crowd.error();
@@ -178,18 +181,9 @@ Result<void> run_gait(const Options& options) {
     uint64_t poses = 0;
     for (const Report& r : reports) poses = mix(poses ^ r.poses);
     if (gait.crowd == 0) std::printf("Poses %016" PRIx64 ".\n", poses);
-    if (files[0]) {
-        if (Result<void> done = write(std::move(files[0]), reports_csv(reports)); !done) return done;
-    }
-    if (files[1]) {
-        if (Result<void> done = write(std::move(files[1]), reports_json(reports)); !done) return done;
-    }
-    if (files[2]) {
-        if (Result<void> done = write(std::move(files[2]), curves_svg(reports.front())); !done) return done;
-    }
-    if (files[3]) {
-        std::string text = bvh_text(motion.body, motion.ticks, 1 / static_cast<double>(k_tick));
-        if (Result<void> done = write(std::move(files[3]), text); !done) return done;
+    for (Paper& paper : papers) {
+        if (!paper.file) continue;
+        if (Result<void> done = write(paper); !done) return done;
     }
     if (!gait.check || failed == 0) return {};
     return Error{std::to_string(failed) + " of " + std::to_string(bars) +

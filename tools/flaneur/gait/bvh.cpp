@@ -27,8 +27,8 @@ void append_offset(std::string& text, const std::string& indent, Vec3 by) {
 // Where a bone ends that no other joint follows.
 Vec3 end_of(const Body& body, size_t joint) {
     if (joint == head) return {0, body.height - body.joints[head].y, 0};
-    if (joint == left_toes || joint == right_toes) return {0, 0, body.toe};
-    return {0, 0.1f * (body.joints[left_foot].y - body.joints[left_upper_leg].y), 0};  // a hand
+    if (joint == left_toes || joint == right_toes) return {0, -body.joints[joint].y, body.toe};  // the sole
+    return {0, 0.1f * (body.joints[left_foot].y - body.joints[left_upper_leg].y), 0};            // a hand
 }
 
 // The joints in the order in which they are nested.
@@ -56,16 +56,38 @@ void append_joint(std::string& text, const Body& body, size_t joint, size_t dept
     text += outer + "}\n";
 }
 
-// Of a rotation by z, x and y, in this order, the outermost first; degrees.
-void append_angles(std::string& text, Quat q) {
-    Vec3 x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1});
+// Turns about z, x and y, in this order, the outermost first; degrees.
+struct Angles {
+    double z = 0, x = 0, y = 0;
+};
+
+// The angle and so many whole turns as bring it nearest to `to`.
+double near(double angle, double to) { return to + std::remainder(angle - to, 360); }
+
+Angles near(Angles a, const Angles& to) { return {near(a.z, to.z), near(a.x, to.x), near(a.y, to.y)}; }
+
+double distance(const Angles& a, const Angles& b) {
+    return std::fabs(a.z - b.z) + std::fabs(a.x - b.x) + std::fabs(a.y - b.y);
+}
+
+// Of the angles that a rotation can be told by, those nearest to the ones of the tick before: so a knee goes
+// on beyond 90 degrees, and who walks round in a circle beyond 180.
+Angles angles_of(Quat q, const Angles& before) {
     auto degrees = [](float sine, float cosine) {
         return std::atan2(static_cast<double>(sine), static_cast<double>(cosine)) /
                static_cast<double>(k_radians);
     };
-    float about_x = std::clamp(y.z, -1.0f, 1.0f);
-    append_numbers(
-        text, {degrees(-y.x, y.y), degrees(about_x, std::sqrt(1 - about_x * about_x)), degrees(-x.z, z.z)});
+    Vec3 x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1});
+    float upright = std::hypot(y.x, y.y);
+    double about_x = degrees(y.z, upright);
+    constexpr float k_blind = 1e-4f;  // where z and y turn about one axis, and only their sum is known
+    if (upright < k_blind) {
+        double both = degrees(x.y, x.x);
+        return near({y.z > 0 ? both - before.y : both + before.y, about_x, before.y}, before);
+    }
+    Angles one{degrees(-y.x, y.y), about_x, degrees(-x.z, z.z)};
+    Angles here = near(one, before), over = near({one.z + 180, 180 - one.x, one.y + 180}, before);
+    return distance(here, before) <= distance(over, before) ? here : over;
 }
 
 }  // namespace
@@ -77,6 +99,7 @@ std::string bvh_text(const Body& body, const std::vector<JointPoses>& ticks, dou
     char line[64];
     std::snprintf(line, sizeof line, "MOTION\nFrames: %zu\nFrame Time: %.7f\n", ticks.size(), 1 / rate);
     text += line;
+    std::array<Angles, k_joint_count> angles;
     for (const JointPoses& poses : ticks) {
         const size_t begins = text.size();
         for (size_t joint : order) {
@@ -86,7 +109,9 @@ std::string bvh_text(const Body& body, const std::vector<JointPoses>& ticks, dou
                 append_numbers(
                     text, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
             Quat up = is_root ? Quat{} : poses[static_cast<size_t>(k_joint_parents[joint])].rotation;
-            append_angles(text, conjugate(up) * poses[joint].rotation);
+            Angles& its = angles[joint];
+            its = angles_of(conjugate(up) * poses[joint].rotation, its);
+            append_numbers(text, {its.z, its.x, its.y});
         }
         text.erase(begins, 1);
         text += "\n";

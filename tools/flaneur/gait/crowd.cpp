@@ -200,12 +200,16 @@ double spread(const std::vector<LegCurves>& people, const Cycle LegCurves::*curv
     return sum;
 }
 
-// The walker whose worst is the highest.
-size_t whose_worst(const std::vector<WalkerWatch>& watches, Worst which) {
-    auto most = std::max_element(watches.begin(), watches.end(), [&](const auto& a, const auto& b) {
-        return a.worst[which].most < b.worst[which].most;
-    });
-    return static_cast<size_t>(most - watches.begin());
+// The worst of all, and whose it is: the first one's where nobody has any.
+struct WorstOfAll {
+    WorstWatch worst;
+    size_t walker = 0;
+};
+WorstOfAll worst_of_all(const std::vector<WalkerWatch>& watches, int kind) {
+    WorstOfAll all;
+    for (size_t i = 0; i < watches.size(); ++i)
+        if (watches[i].worst[kind].most > all.worst.most) all = {watches[i].worst[kind], i};
+    return all;
 }
 
 }  // namespace
@@ -219,7 +223,7 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
     watch_leg(watch, world, i, feet[k_left]);
 }
 
-Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) {
+Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, const std::string& city) {
     std::vector<double> drift{0}, below{0}, above{0}, slip{0};
     double not_finite = 0, outside = 0, beyond = 0, bone = 0, spin = 0, jumps = 0;
     std::vector<LegCurves> people;
@@ -265,9 +269,8 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                           {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});
     for (int kind = 0; kind < worst_count; ++kind) {
-        size_t walker = whose_worst(watches, static_cast<Worst>(kind));
-        r.quantities.push_back({k_worst[kind].name,
-                                watches.empty() ? 0 : static_cast<double>(watches[walker].worst[kind].most)});
+        auto most = static_cast<double>(worst_of_all(watches, kind).worst.most);
+        r.quantities.push_back({k_worst[kind].name, most});
     }
     if (people.size() > 1) {
         append(r.quantities, {{"spread_thigh.deg", spread(people, &LegCurves::thigh)},
@@ -276,10 +279,8 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world) 
                               {"spread_speed.m_s", deviation(speeds)}});
     }
     r.name = "crowd";
-    char title[96];
-    std::snprintf(title, sizeof title, "%zu walkers in %s for %.0f s", watches.size(),
-                  printable(world.ground->name).c_str(), world.tick * static_cast<double>(k_tick));
-    r.title = title;
+    r.title = std::to_string(watches.size()) + " walkers in " + printable(city) + " for " +
+              std::to_string(std::lround(world.tick * static_cast<double>(k_tick))) + " s";
     r.verdicts = judge(r.quantities, crowd_bars());
     return r;
 }
@@ -318,8 +319,7 @@ std::vector<std::string> worst_places(const std::vector<WalkerWatch>& watches) {
         }
     }
     for (int kind = 0; kind < worst_count && !watches.empty(); ++kind) {
-        size_t walker = whose_worst(watches, static_cast<Worst>(kind));
-        const WorstWatch& most = watches[walker].worst[kind];
+        auto [most, walker] = worst_of_all(watches, kind);
         auto beyond = std::count_if(watches.begin(), watches.end(), [&](const WalkerWatch& w) {
             return w.worst[kind].most > k_worst[kind].goal;
         });

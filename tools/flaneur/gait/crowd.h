@@ -72,8 +72,8 @@ struct WalkerWatch {
 // Looks at walker `i` after world.tick ticks.
 void watch_walker(WalkerWatch& watch, const World& world, size_t i);
 
-// What all of them come to, with bars.
-Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world);
+// What all of them come to, with bars, in the city of that name.
+Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, const std::string& city);
 
 // A line for each joint that jumped and each that was beyond its limits, how often, and for each of
 // k_worst: who can be seen doing the worst of it when.

@@ -84,10 +84,10 @@ double next_after(const std::vector<double>& events, double tick) {
     return it == events.end() ? -1 : *it;
 }
 
-// A percent within the first (period) percent, brought near 0: 98 becomes -2.
-double near_zero(double percent, double period) {
-    double p = std::fmod(percent, period);
-    return p > period / 2 ? p - period : p;
+// A share of a cycle, brought near 0: 0.98 becomes -0.02.
+double near_zero(double share) {
+    double s = std::fmod(share, 1.0);
+    return s > 0.5 ? s - 1 : s;
 }
 
 double first_below(const Cycle& c, size_t from, double value) {
@@ -143,7 +143,7 @@ void measure_timing(const Walk& walk, const std::vector<MeasuredStride>& all, co
         seconds += ticks / walk.rate;
         stance += (s.toe_off - s.begin) / ticks;
         // In a run the other foot leaves before this one comes: a negative share, flight.
-        auto share = [&](double from, double to) { return near_zero((to - from) / ticks + 1, 1); };
+        auto share = [&](double from, double to) { return near_zero((to - from) / ticks + 1); };
         both += share(s.begin, s.other_toe_off) + share(s.other_contact, s.toe_off);
         auto at = [&](double percent) -> const Instant& {
             return walk.ticks[static_cast<size_t>(std::lround(s.begin + percent / 100 * ticks))];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "tools/flaneur/gait/signal.h"
 
@@ -29,6 +30,8 @@ const std::vector<NamedCurve> k_named_curves = {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 bool has_bar(const Report& report, const std::string& name) {
     return std::any_of(report.verdicts.begin(), report.verdicts.end(),
                        [&](const Verdict& v) { return name == v.bar.quantity; });
@@ -43,7 +46,8 @@ std::string number(double v) {
     return text;
 }
 
-std::string bound(double v) { return std::fabs(v) >= k_open ? "" : number(v); }
+bool is_bound(double v) { return std::fabs(v) < k_open; }
+std::string bound(double v) { return is_bound(v) ? number(v) : ""; }
 
 std::string bar_text(const Bar& bar) {
     char text[64];
@@ -63,12 +67,6 @@ std::string measured_text(const Verdict& v) {
     // A millionth is as good as nothing in any of the units.
     std::snprintf(text, sizeof text, "%.4g", std::fabs(v.value) < 5e-7 ? 0 : v.value);
     return text;
-}
-
-std::string json_curve(const char* name, const Cycle& c) {
-    std::string text = std::string("\"") + name + "\": [";
-    for (size_t p = 0; p < c.size(); ++p) text += (p ? ", " : "") + number(c[p]);
-    return text + "]";
 }
 
 }  // namespace
@@ -116,40 +114,33 @@ std::string reports_csv(const std::vector<Report>& reports) {
 }
 
 std::string reports_json(const std::vector<Report>& reports) {
-    std::string text = "{\"trials\": [";
+    Json json;
+    json["trials"] = Json::array();
     for (const Report& r : reports) {
-        text += (&r == &reports.front() ? "\n" : ",\n");
-        text += " {\"name\": \"" + r.name + "\", \"title\": \"" + r.title + "\",\n  \"quantities\": [";
+        Json trial = {{"name", r.name}, {"title", r.title}};
+        trial["quantities"] = Json::array();
         for (const Quantity& q : r.quantities) {
             auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
                                   [&](const Verdict& one) { return q.name == one.bar.quantity; });
-            text += (&q == &r.quantities.front() ? "\n" : ",\n");
-            text += "   {\"name\": \"" + q.name + "\", \"value\": " + number(q.value);
+            Json quantity = {{"name", q.name}, {"value", q.value}};
             if (v != r.verdicts.end()) {
-                if (!bound(v->bar.low).empty()) text += ", \"low\": " + bound(v->bar.low);
-                if (!bound(v->bar.high).empty()) text += ", \"high\": " + bound(v->bar.high);
-                if (v->bar.stretch > 0) text += ", \"stretch\": " + number(v->bar.stretch);
-                text += std::string(", \"source\": \"") + v->bar.source + "\", \"pass\": ";
-                text += v->pass ? "true" : "false";
+                if (is_bound(v->bar.low)) quantity["low"] = v->bar.low;
+                if (is_bound(v->bar.high)) quantity["high"] = v->bar.high;
+                if (v->bar.stretch > 0) quantity["stretch"] = v->bar.stretch;
+                quantity["source"] = v->bar.source;
+                quantity["pass"] = v->pass;
             }
-            text += "}";
+            trial["quantities"].push_back(std::move(quantity));
         }
-        text += "],\n  \"curves\": {";
-        for (const NamedCurve& c : k_named_curves) {
-            if (!has_curves(r)) break;
-            text += (&c == &k_named_curves.front() ? "\n   " : ",\n   ");
-            text += json_curve(c.name, r.curves.*c.curve);
-        }
-        text += "}}";
+        trial["curves"] = Json::object();
+        for (const NamedCurve& c : k_named_curves)
+            if (has_curves(r)) trial["curves"][c.name] = r.curves.*c.curve;
+        json["trials"].push_back(std::move(trial));
     }
-    text += "],\n \"norm\": {";
-    bool first = true;
-    for (const NamedCurve& c : k_named_curves) {
-        if (!c.norm) continue;
-        text += (first ? "\n   " : ",\n   ") + json_curve(c.name, *c.norm);
-        first = false;
-    }
-    return text + "}}\n";
+    json["norm"] = Json::object();
+    for (const NamedCurve& c : k_named_curves)
+        if (c.norm) json["norm"][c.name] = *c.norm;
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace flaneur

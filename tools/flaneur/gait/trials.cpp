@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "sim/base/hash.h"
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/contact.h"
@@ -22,8 +23,9 @@ std::string text(const char* format, double a, double b = 0) {
     return buffer;
 }
 
-Ground flat_ground() {
-    return strip([](float) { return 0.0f; }, {-60, 600}, false);
+// For so many seconds at a speed.
+Ground flat_ground(double speed, double seconds) {
+    return ground_of(level_course(static_cast<float>(speed * seconds)));
 }
 
 Vec2 onward(double speed) { return {0, static_cast<float>(speed)}; }
@@ -52,7 +54,7 @@ Report steady(const Walk& w, size_t first, size_t last) {
 
 Report try_level(const Person& person, double speed, double seconds) {
     double stop = seconds - 3;
-    Walk w = walk(flat_ground(), person, seconds,
+    Walk w = walk(flat_ground(speed, seconds), person, seconds,
                   [&](double t) { return onward(t >= k_stand && t < stop ? speed : 0); });
     Report r = steady(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
     append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
@@ -64,8 +66,8 @@ Report try_level(const Person& person, double speed, double seconds) {
 
 Report try_turn(const Person& person, double speed, double degrees) {
     Vec2 after = heading_direction(static_cast<float>(degrees) * k_radians) * static_cast<float>(speed);
-    double asked = k_stand + k_settle;
-    Walk w = walk(flat_ground(), person, asked + 6, [&](double t) {
+    double asked = k_stand + k_settle, seconds = asked + 6;
+    Walk w = walk(flat_ground(speed, seconds), person, seconds, [&](double t) {
         return t < k_stand ? Vec2{} : t < asked ? onward(speed) : after;
     });
     Report r;
@@ -80,13 +82,16 @@ Report try_turn(const Person& person, double speed, double degrees) {
 Report try_bends(const Person& person, double speed) {
     // A line through (log curvature, log speed) by least squares.
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    constexpr double k_seconds = k_stand + 20;
+    uint64_t poses = 0;
     for (double rate : {0.7, 0.9, 1.1, 1.3, 1.5}) {
-        Walk w = walk(flat_ground(), person, k_stand + 20, [&](double t) {
+        Walk w = walk(flat_ground(speed, k_seconds), person, k_seconds, [&](double t) {
             double angle = std::max(0.0, t - k_stand - 2) * rate;
             Vec2 way = heading_direction(
                 wrap_angle(static_cast<float>(std::remainder(angle, 2 * std::numbers::pi))));
             return t < k_stand ? Vec2{} : way * static_cast<float>(speed);
         });
+        poses = mix(poses ^ w.hash);
         // One whole turn of the circle, of the pelvis.
         size_t last = w.ticks.size() - 1;
         size_t first = last - static_cast<size_t>(std::lround(2 * std::numbers::pi / rate * w.rate));
@@ -99,26 +104,17 @@ Report try_bends(const Person& person, double speed) {
         double a = std::log(rate / v), b = std::log(v);
         ++n, x += a, y += b, xx += a * a, xy += a * b;
     }
-    Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}, 0};
+    Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}, poses};
     r.quantities.push_back({"bend_exponent", (n * xy - x * y) / (n * xx - x * x)});
     return finished(std::move(r), bends_bars());
 }
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
-    constexpr int k_steps = 40;
     constexpr float k_begin = 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
-    std::vector<float> edges{-60};
-    for (int i = 0; i < k_steps; ++i) edges.push_back(k_begin + static_cast<float>(i) * run);
-    edges.push_back(600);
-    Ground ground = strip(
-        [&](float z) {
-            float step = std::floor((z - k_begin) / run) + 1;
-            return clamp(step, 0, k_steps) * rise;
-        },
-        edges, true, Surface::steps);
+    Ground ground = ground_of(stairs_course(k_begin, rise, run));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
-    Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_steps - 4) * run));
+    Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_flight_steps - 4) * run));
     double stairs = 0, odd = 0, steps = 0;
     for (const MeasuredStride& s :
          strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
@@ -142,13 +138,12 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
 }
 
 Report try_slope(const Person& person, double speed, double percent) {
-    constexpr float k_begin = 3, k_length = 60;
-    auto grade = static_cast<float>(percent / 100);
-    Ground ground = strip([&](float z) { return clamp(z - k_begin, 0, k_length) * grade; },
-                          {-60, k_begin, k_begin + k_length, 600}, false);
+    constexpr float k_begin = 3;
+    Ground ground = ground_of(slope_course(k_begin, static_cast<float>(percent / 100)));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4), tick_past(w, k_begin + 40));
     Report level = try_level(person, speed, 15);
+    r.poses = mix(r.poses ^ level.poses);
     double here = value_of(r.quantities, "speed.m_s"), there = value_of(level.quantities, "speed.m_s");
     r.quantities.push_back({"speed.against_level", here / there});
     r.quantities.push_back(
@@ -162,12 +157,11 @@ Report try_slope(const Person& person, double speed, double percent) {
 Report try_kerb(const Person& person, double speed, double height) {
     // At twelve distances, so that the kerb comes at every part of a step.
     Report r;
-    auto up = static_cast<float>(height);
     for (int i = 0; i < 12; ++i) {
         float begin = 6 + 0.11f * static_cast<float>(i);
-        Ground ground = strip([&](float z) { return z > begin && z < begin + 4 ? up : 0; },
-                              {-60, begin, begin + 4, 600}, true);
+        Ground ground = ground_of(kerb_course(begin, static_cast<float>(height)));
         Walk w = walk(ground, person, 14, [&](double t) { return onward(t < k_stand ? 0 : speed); });
+        r.poses = mix(r.poses ^ w.hash);
         Quantities here = measure_contact(w, strides(w, tick_past(w, begin - 2), tick_past(w, begin + 7)));
         if (i == 0) r.quantities = here;
         for (size_t q = 0; q < here.size(); ++q)
@@ -183,6 +177,7 @@ Report try_gaits(const Person& person) {
     for (int i = 16; i <= 28; ++i) {
         double speed = i / 10.0;
         Report level = try_level(person, speed, 14);
+        r.poses = mix(r.poses ^ level.poses);
         if (value_of(level.quantities, "double_support.pct") >= 0) continue;
         r.quantities.push_back({"run_from.m_s", speed});
         double leg = static_cast<double>(leg_length(person.body));

@@ -14,7 +14,7 @@ struct Report {
     Curves curves;
     Quantities quantities;
     std::vector<Verdict> verdicts;
-    uint64_t poses = 0;  // the hash of the walk, if it was one
+    uint64_t poses = 0;  // the hash of its walks
 };
 
 // Stands, walks straight on level ground at `speed` and stands again, in `seconds`. A run if that is the

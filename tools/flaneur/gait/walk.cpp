@@ -1,5 +1,8 @@
 #include "tools/flaneur/gait/walk.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/base/hash.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
@@ -24,20 +27,68 @@ FootInstant foot_instant(const Ground& ground, const Gait& gait, const std::vect
     return foot;
 }
 
-Ground strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
-             Surface kind) {
+static constexpr float k_near = -60, k_far = 600;  // metres, where courses end
+
+Course level_course(float way) {
+    Course course{{std::min(k_near, -way), std::max(k_far, way)}};
+    course.half_width = std::max(course.half_width, way);
+    return course;
+}
+
+Course stairs_course(float begin, float rise, float tread) {
+    Course course{{k_near}};
+    for (int i = 0; i < k_flight_steps; ++i) course.edges.push_back(begin + static_cast<float>(i) * tread);
+    course.edges.push_back(k_far);
+    course.height = [=](float z) {
+        return clamp(std::floor((z - begin) / tread) + 1, 0, k_flight_steps) * rise;
+    };
+    course.is_stepped = true;
+    course.kind = Surface::steps;
+    return course;
+}
+
+Course slope_course(float begin, float grade) {
+    constexpr float k_length = 60;
+    return {{k_near, begin, begin + k_length, k_far},
+            [=](float z) { return clamp(z - begin, 0, k_length) * grade; }};
+}
+
+Course kerb_course(float begin, float height) {
+    constexpr float k_length = 4;
+    Course course{{k_near, begin, begin + k_length, k_far},
+                  [=](float z) { return z > begin && z < begin + k_length ? height : 0; }};
+    course.is_stepped = true;
+    return course;
+}
+
+Ground ground_of(const Course& course) {
     Ground ground;
-    for (size_t i = 0; i + 1 < edges.size(); ++i) {
-        float a = edges[i], b = edges[i + 1];
-        float ya = stepped ? height((a + b) / 2) : height(a), yb = stepped ? ya : height(b);
+    float x = course.half_width;
+    for (size_t i = 0; i + 1 < course.edges.size(); ++i) {
+        float a = course.edges[i], b = course.edges[i + 1];
+        float ya = course.height(course.is_stepped ? (a + b) / 2 : a);
+        float yb = course.is_stepped ? ya : course.height(b);
         auto n = static_cast<uint32_t>(ground.vertices.size());
-        for (Vec3 v : {Vec3{-10, ya, a}, Vec3{-10, yb, b}, Vec3{10, yb, b}, Vec3{10, ya, a}})
+        for (Vec3 v : {Vec3{-x, ya, a}, Vec3{-x, yb, b}, Vec3{x, yb, b}, Vec3{x, ya, a}})
             ground.vertices.push_back(v);
         for (uint32_t k : {0, 1, 2, 0, 2, 3}) ground.indices.push_back(n + k);
-        ground.kinds.insert(ground.kinds.end(), 2, kind);
+        ground.kinds.insert(ground.kinds.end(), 2, course.kind);
     }
     index_ground(ground);
     return ground;
+}
+
+void add_risers(Ground& ground, const Course& course) {
+    for (size_t i = 1; i + 1 < course.edges.size(); ++i) {
+        float z = course.edges[i];
+        float before = course.height((course.edges[i - 1] + z) / 2),
+              after = course.height((z + course.edges[i + 1]) / 2);
+        Vec3 left{course.half_width, std::min(before, after), z},
+            right{-course.half_width, std::min(before, after), z};
+        if (after < before) std::swap(left, right);
+        float top = std::max(before, after);
+        ground.faces.push_back({left, right, top, top, FaceKind::riser});
+    }
 }
 
 Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish) {
@@ -55,7 +106,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     std::vector<PoseBlock> poses(1), before(1);
     pose_blocks(gait, 0, 1, poses);
 
-    auto ticks = static_cast<uint32_t>(seconds * result.rate);
+    auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
         wished = wish_on(under, wish(t / result.rate));

@@ -47,10 +47,31 @@ struct Walk {
     uint64_t hash = 0;  // of every pose: equal for equal walks on any machine
 };
 
-// A strip of ground 20 m wide along +z whose height changes at `edges`: between two of them it lies level at
-// the height of its middle (`stepped`) or runs straight from one end's height to the other's.
-Ground strip(const std::function<float(float z)>& height, const std::vector<float>& edges, bool stepped,
-             Surface kind = Surface::sidewalk);
+// Heights along +z, metres, and where they change.
+struct Course {
+    std::vector<float> edges;  // the first and the last are its ends
+    std::function<float(float z)> height = [](float) { return 0.0f; };
+    // Level between two edges, at the height of its middle; else straight from one's height to the other's.
+    bool is_stepped = false;
+    Surface kind = Surface::sidewalk;
+    float half_width = 10;
+};
+
+inline constexpr int k_flight_steps = 40;
+
+// Level ground that one who begins at (0, 0) and goes so many metres, wherever, does not leave.
+Course level_course(float way);
+// A flight of k_flight_steps whose risers are `rise` high: down where that is negative.
+Course stairs_course(float begin, float rise, float tread);
+// 60 m that rise by `grade` metres in one.
+Course slope_course(float begin, float grade);
+// Up a kerb, and down again 4 m on.
+Course kerb_course(float begin, float height);
+
+// The ground of a course, with its index.
+Ground ground_of(const Course& course);
+// The upright face of each of its steps; to be indexed then.
+void add_risers(Ground& ground, const Course& course);
 
 // Who walks: a body and its manner.
 struct Person {

@@ -128,7 +128,8 @@ Examples:
   flaneur gait --slope -8
   flaneur gait --crowd 1000 --seconds 60 --check           feet, joints and manners of a whole crowd
   flaneur gait --crowd 500 --city town.osm.pbf             the same in a city of yours
-  flaneur gait --stairs up --export out/up.bvh             its motion, for animation programs
+  flaneur gait --stairs up --export out/up.bvh             its motion, for animation programs: metres, +y up, ahead
+                                                           along +z, at 60 frames a second
   flaneur gait --crowd 500 --walker 12 --export out/12.bvh
   flaneur gait --strip out/strip.png --view front)";
 
@@ -159,7 +160,10 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options) {
 // "trails,speed"
 Result<WorkViews> parse_view_list(const std::string& text) {
     std::vector<std::string> names;
-    for (std::string_view name : split(text, ',')) names.emplace_back(name);
+    for (std::string_view name : split(text, ',')) {
+        if (name.empty()) return Error{excerpt(text) + " has a comma that no view stands beside"};
+        names.emplace_back(name);
+    }
     return parse_work_views(names);
 }
 
@@ -278,7 +282,7 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
                "S", "0")
         ->group(k_who);
     number(k_where, "--seconds", gait.seconds, 12, 600, "T",
-           "On level ground, from standing to standing, or of a crowd", "25");
+           "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");
     number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");
     add_parsed(*command, "--stairs", parse_stairs, gait.stairs, "A flight up or down", "up|down", "")
         ->group(k_where);

@@ -22,6 +22,11 @@ bool has_place(const GaitOptions& gait) {
 
 bool is_file(const PeopleShare& people) { return !people.character.empty(); }
 
+bool has_no_file(const Options& options) {
+    return std::none_of(options.scene.people.begin(), options.scene.people.end(), is_file);
+}
+constexpr const char* k_force = "is for files: give one with --character";
+
 bool has_built_in(const Options& options) {
     const std::vector<PeopleShare>& people = options.scene.people;
     return people.empty() || !std::all_of(people.begin(), people.end(), is_file);
@@ -57,8 +62,8 @@ const UselessWhere k_useless[] = {
      "is of a stair: say --stairs up or down too"},
     {Command::gait,
      {"--seconds"},
-     [](const Options& o) { return has_place(o.gait); },
-     "is for level ground and --crowd: other ways are as long as they are"},
+     [](const Options& o) { return has_place(o.gait) && o.gait.motion.empty(); },
+     "is for level ground, --crowd and --export: other ways are as long as they are"},
     {Command::gait,
      {"--speed", "--height", "--sex", "--age", "--style"},
      [](const Options& o) { return o.gait.crowd > 0; },
@@ -79,10 +84,11 @@ const UselessWhere k_useless[] = {
      {"--count", "--seed", "--threads"},
      [](const Options& o) { return !has_built_in(o); },
      "is of the built-in people: add --character builtin, or leave it out"},
-    {Command::people,
-     {"--force"},
-     [](const Options& o) { return std::none_of(o.scene.people.begin(), o.scene.people.end(), is_file); },
-     "is for files: give one with --character"},
+    {Command::people, {"--force"}, has_no_file, k_force},
+    {Command::view, {"--force"}, has_no_file, k_force},
+    {Command::render, {"--force"}, has_no_file, k_force},
+    {Command::sim, {"--force"}, has_no_file, k_force},
+    {Command::bench, {"--force"}, has_no_file, k_force},
     {Command::inspect,
      {"--force"},
      [](const Options& o) { return kind_of(o.file) == FileKind::map; },

@@ -95,7 +95,7 @@ Moments moments_of(const Sitter& sitter) {
     constexpr double k_seconds = 6, k_stand = 1, k_steady = 3;
     const PersonOptions& person = sitter.character.person;
     const Body& body = sitter.character.body;
-    Ground ground = strip([](float) { return 0.0f; }, {-5, 60}, false);
+    Ground ground = ground_of(level_course(0));
     Vec2 onward{0, usual_speed(person.age, person.woman, leg_length(body))};
     Walk taken = walk(ground, {body, manner_at_age(person.age)}, k_seconds,
                       [&](double time) { return time < k_stand ? Vec2{} : onward; });

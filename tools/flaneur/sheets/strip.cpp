@@ -65,7 +65,7 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Character character = generate_person({gait.style, static_cast<float>(height), gait.sex == Sex::woman});
-    Take take = make_take(gait, {character.body, manner}, speed);
+    Take take = make_moment(gait, {character.body, manner}, speed);
     City city;
     city.ground = take.ground;
     city.ground_axes.assign(city.ground.kinds.size(), {0, 1});

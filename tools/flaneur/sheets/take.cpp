@@ -11,65 +11,60 @@ namespace flaneur {
 
 namespace {
 
-constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7;      // seconds: stands; then turns; shown of a turn
-constexpr float k_begin = 9;                                   // metres: where stairs, slopes and kerbs begin
-constexpr float k_near = -60, k_far = 600, k_half_width = 10;  // metres, of the ground
+// Seconds: stands; then turns; shown of a turn; stands at the end.
+constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_stop = 3;
+constexpr float k_begin = 9;  // metres: where stairs, slopes and kerbs begin
 
-// The upright face of each step between the levels of a strip of ground.
-void add_risers(Ground& ground, const std::function<float(float)>& height, const std::vector<float>& edges) {
-    for (size_t i = 1; i + 1 < edges.size(); ++i) {
-        float z = edges[i];
-        float before = height((edges[i - 1] + z) / 2), after = height((z + edges[i + 1]) / 2);
-        Vec3 left{k_half_width, std::min(before, after), z}, right = left - Vec3{2 * k_half_width, 0, 0};
-        if (after < before) std::swap(left, right);
-        float top = std::max(before, after);
-        ground.faces.push_back({left, right, top, top, FaceKind::riser});
+Course course_of(const GaitOptions& gait) {
+    if (!gait.stairs.empty()) {
+        return stairs_course(k_begin, static_cast<float>(gait.stairs == "up" ? gait.riser : -gait.riser),
+                             static_cast<float>(gait.tread));
     }
+    if (gait.slope != 0) return slope_course(k_begin, static_cast<float>(gait.slope / 100));
+    if (gait.kerb != 0) return kerb_course(k_begin, static_cast<float>(gait.kerb));
+    return level_course(0);
 }
 
-Ground ground_of(const GaitOptions& gait) {
-    std::vector<float> edges{k_near};
-    std::function<float(float)> height = [](float) { return 0.0f; };
-    bool stepped = !gait.stairs.empty() || gait.kerb != 0;
-    if (!gait.stairs.empty()) {
-        constexpr int k_steps = 40;
-        auto rise = static_cast<float>(gait.stairs == "up" ? gait.riser : -gait.riser);
-        auto run = static_cast<float>(gait.tread);
-        for (int i = 0; i < k_steps; ++i) edges.push_back(k_begin + static_cast<float>(i) * run);
-        height = [=](float z) { return clamp(std::floor((z - k_begin) / run) + 1, 0, k_steps) * rise; };
-    } else if (gait.slope != 0) {
-        constexpr float k_length = 60;
-        edges.insert(edges.end(), {k_begin, k_begin + k_length});
-        auto grade = static_cast<float>(gait.slope / 100);
-        height = [=](float z) { return clamp(z - k_begin, 0, k_length) * grade; };
-    } else if (gait.kerb != 0) {
-        edges.push_back(k_begin);
-        auto kerb = static_cast<float>(gait.kerb);
-        height = [=](float z) { return z > k_begin ? kerb : 0; };
-    }
-    edges.push_back(k_far);
-    Ground ground = strip(height, edges, stepped, gait.stairs.empty() ? Surface::sidewalk : Surface::steps);
-    if (stepped) add_risers(ground, height, edges);
+// For one who goes so many metres.
+Ground ground_of(const GaitOptions& gait, float way) {
+    Course course = gait.turn != 0 ? level_course(way) : course_of(gait);
+    course.edges.back() = std::max(course.edges.back(), way);
+    Ground ground = ground_of(course);
+    if (course.is_stepped) add_risers(ground, course);
     if (gait.wall > 0) {
         auto x = static_cast<float>(gait.wall);
-        ground.faces.push_back({{x, 0, k_near}, {x, 0, k_far}, 2.4f, 2.4f, FaceKind::garden_wall});
+        ground.faces.push_back(
+            {{x, 0, course.edges.front()}, {x, 0, course.edges.back()}, 2.4f, 2.4f, FaceKind::garden_wall});
     }
     index_ground(ground);
     return ground;
 }
 
-}  // namespace
-
-Take make_take(const GaitOptions& gait, const Person& person, double speed) {
+Take take_on(Ground ground, const GaitOptions& gait, const Person& person, double speed, double seconds) {
     Vec2 onward{0, static_cast<float>(speed)};
     Vec2 turned = heading_direction(static_cast<float>(gait.turn) * k_radians) * onward.z;
-    float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
     Take take;
-    take.ground = ground_of(gait);
-    double seconds = k_steady + k_turn + static_cast<double>(from / stair_speed(onward.z)) + 3;
+    take.ground = std::move(ground);
     take.walk = walk(take.ground, person, seconds, [&](double t) {
-        return t < k_stand ? Vec2{} : gait.turn != 0 && t >= k_steady ? turned : onward;
+        if (t < k_stand || t >= seconds - k_stop) return Vec2{};
+        return gait.turn != 0 && t >= k_steady ? turned : onward;
     });
+    take.last = static_cast<double>(take.walk.ticks.size());
+    return take;
+}
+
+}  // namespace
+
+Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds) {
+    return take_on(ground_of(gait, static_cast<float>(speed * seconds)), gait, person, speed, seconds);
+}
+
+Take make_moment(const GaitOptions& gait, const Person& person, double speed) {
+    float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
+    double walked =
+        k_steady + k_turn + static_cast<double>(from / stair_speed(static_cast<float>(speed))) + 3;
+    // What is shown lies near the beginning.
+    Take take = take_on(ground_of(gait, 0), gait, person, speed, walked + k_stop);
     const std::vector<Instant>& ticks = take.walk.ticks;
     if (gait.turn != 0) {
         take.first = (k_steady - 0.3) * take.walk.rate;

@@ -1,5 +1,5 @@
-// The walk that a strip shows and that is exported: over ground with the stairs, slope, kerb or wall asked
-// for.
+// A walk as `flaneur gait` was asked for it, over ground with the stairs, slope, kerb or wall, of which a
+// strip shows a part and which is exported.
 #pragma once
 
 #include "tools/flaneur/gait/walk.h"
@@ -7,14 +7,17 @@
 
 namespace flaneur {
 
-// A walk somewhere, and the ticks of it that tell most: a stride, or a turn.
+// A walk somewhere, and from which of its ticks to which it is looked at.
 struct Take {
     Ground ground;
     Walk walk;
     double first = 0, last = 0;
 };
 
-// The person stands for a second, then walks at `speed` m/s as `gait` says.
-Take make_take(const GaitOptions& gait, const Person& person, double speed);
+// All of `seconds` in which the person stands for a second, walks at `speed` m/s as `gait` says, and stands
+// again for the last three. A turn comes after five.
+Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds);
+// What tells most of such a walk: a stride, or the turn.
+Take make_moment(const GaitOptions& gait, const Person& person, double speed);
 
 }  // namespace flaneur
