@@ -44,8 +44,11 @@ Result<Bytes> read_bytes(const std::string& path, size_t most) {
         }
     } file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     struct stat about;
-    if (file.number < 0 || fstat(file.number, &about) != 0 || !S_ISREG(about.st_mode))
+    if (file.number < 0 || fstat(file.number, &about) != 0)
         return Error{"cannot be opened as a file; check the path and its permissions"};
+    if (S_ISDIR(about.st_mode)) return Error{"is a folder, where a file is needed"};
+    if (!S_ISREG(about.st_mode))
+        return Error{"is a pipe or a device, where a file is needed: write it to one first"};
     auto size = static_cast<size_t>(about.st_size);
     if (size > most) {
         std::string limit =

@@ -15,6 +15,13 @@ bool parse_number(std::string_view text, T& to) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
+// A number as short as tells it from all others of its type, without an exponent.
+template <class Number>
+std::string plainly(Number value) {
+    char text[400];  // the smallest double has 330 digits
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr};
+}
+
 // What stands between separators: one part more than there are separators.
 inline std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;

@@ -29,11 +29,15 @@ printf '{ "walkers": 1e999 }\n' > large.json
 printf '{ "asteroid": true,\n  "city": "a.osm" }\n' > both.json
 echo '{ "walkers": 5, "camera": "follow:5" }' > nobody.json
 echo '{ "seed": 18446744073709551616, "city": "" }' > beyond.json
-if "$flaneur" scenes --check good.json bad.json broken.json large.json both.json nobody.json beyond.json nowhere.json > check.txt 2> sentence.txt; then
+mkfifo pipe.json
+echo '{ "city": "gone.osm" }' > gone.json
+if timeout 20 "$flaneur" scenes --check gone.json pipe.json good.json bad.json broken.json large.json both.json nobody.json beyond.json nowhere.json > check.txt 2> sentence.txt; then
     echo "FAILED: faults do not count." && exit 1
 fi
 cat check.txt sentence.txt
 said 'good\.json: good'
+said 'gone\.json: There is no file gone\.osm; check the path\.'
+said 'Cannot read the scene pipe\.json: it is a pipe or a device, .*'
 said 'bad\.json:2:35: "walkers" must be a whole number from 0 to 100000, not -1\.'
 said 'bad\.json:3:65: in "people", number 2: "share" must be a number from 0.001 to 1000, not 0\.'
 said 'bad\.json:4:5: "wlakers" is not known; a scene may have .*'
@@ -45,8 +49,8 @@ said 'nobody\.json:1:27: "camera" follows nobody: walkers are numbered from 0, a
 said 'beyond\.json:1:11: "seed" must be a whole number from 0 to 18446744073709551615, not 18446744073709551616\.'
 said 'beyond\.json:1:41: "city" must be a text of some letters, not ""\.'
 said 'Cannot read the scene nowhere\.json.*'
-expect "$(wc -l < check.txt)" 12
-expect "$(cat sentence.txt)" "flaneur: 7 of 8 scenes cannot be used; the lines above say why."
+expect "$(wc -l < check.txt)" 14
+expect "$(cat sentence.txt)" "flaneur: 9 of 10 scenes cannot be used; the lines above say why."
 
 # An unreadable scene and a sound one make no good check.
 if "$flaneur" scenes --check good.json nowhere.json > /dev/null 2>&1; then echo "FAILED: a missing file is good." && exit 1; fi

@@ -30,6 +30,7 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
     const TickRange& ticks = options.ticks;
     uint32_t pictures = count(ticks);
     Camera camera;
+    bool is_new = false;
     for (uint32_t i = 0; i < pictures; ++i) {
         uint32_t tick = ticks.first + i * ticks.step;
         while (world.tick < tick && !is_stopping()) {
@@ -41,6 +42,7 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         if (i == 0 || options.scene.camera.kind == CameraChoice::Kind::follow)
             camera = choose_camera(*show.loaded.city, world, show.sun, options.scene.camera, 1);
         if (is_written(output, i, tick)) continue;
+        is_new = true;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         Result<Image> image = draw_image(*show.renderer, extract_frame(show, camera, options.scene.size, 1),
                                          static_cast<uint32_t>(options.scene.size.width),
@@ -50,7 +52,10 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         if (!written) return written;
         if (has_ending(options.out, ".mp4")) be_patient(k_film_patience);
     }
-    return finish_output(output);
+    Result<void> finished = finish_output(output);
+    clear_progress();
+    if (finished) say(is_new ? "Wrote " + options.out : options.out + " has them already: nothing was drawn");
+    return finished;
 }
 
 Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
@@ -64,7 +69,6 @@ Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
     if (!show) return show.error();
     Result<void> drawn = draw_all(*show, options, **output);
     clear_progress();
-    if (drawn) say("Wrote " + options.out);
     return drawn;
 }
 

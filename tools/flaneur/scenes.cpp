@@ -4,8 +4,26 @@
 #include "assets/scene.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
+#include "tools/flaneur/load/load.h"
 
 namespace flaneur {
+
+// Says what is wrong with a scene, or what it names that is not there; whether it is good.
+static bool tell_faults(const std::string& file) {
+    Result<std::vector<SceneFault>> faults = check_scene(file);
+    if (!faults) {
+        std::printf("%s\n", printable(faults.error().message).c_str());
+        return false;
+    }
+    const std::string name = printable(file);
+    for (const SceneFault& f : *faults)
+        std::printf("%s:%d:%d: %s.\n", name.c_str(), f.line, f.column, printable(f.what).c_str());
+    if (!faults->empty()) return false;
+    Result<Scene> scene = load_scene(file);
+    Result<void> found = scene ? find_files(*scene) : scene.error();
+    std::printf("%s: %s\n", name.c_str(), found ? "good" : printable(found.error().message).c_str());
+    return static_cast<bool>(found);
+}
 
 Result<void> run_scenes(const Options& options) {
     if (options.schema) {
@@ -22,17 +40,7 @@ Result<void> run_scenes(const Options& options) {
     }
     size_t bad = 0;
     for (const std::string& file : options.scene_files) {
-        Result<std::vector<SceneFault>> faults = check_scene(file);
-        if (!faults) {
-            std::printf("%s\n", printable(faults.error().message).c_str());
-        } else if (faults->empty()) {
-            std::printf("%s: good\n", printable(file).c_str());
-        } else {
-            for (const SceneFault& f : *faults)
-                std::printf("%s:%d:%d: %s.\n", printable(file).c_str(), f.line, f.column,
-                            printable(f.what).c_str());
-        }
-        bad += !faults || !faults->empty();
+        bad += !tell_faults(file);
     }
     if (bad == 0) return {};
     return Error{std::to_string(bad) + " of " + std::to_string(options.scene_files.size()) +

@@ -29,6 +29,11 @@ alike=$(ffmpeg -v info -i "$film" -i whole.mp4 -lavfi psnr -f null - 2>&1 | sed 
 cp "$film" before.mp4
 render --frames 0:40:4 --out "$film" --resume
 cmp "$film" before.mp4 || failed "a whole film was changed"
+grep -q "it's 100% half.mp4 has them already" said || failed "wrote what was there: $(cat said)"
+render --frames 0:20:4 --out many/%03d.png --resume
+grep -q "many/%03d.png has them already" said || failed "wrote what was there: $(cat said)"
+render --frames 0:20:4 --out "$film" --resume
+cmp "$film" before.mp4 || failed "a film that goes on was changed"
 [[ -s said ]] && ! grep -q -i error said || failed "$(cat said)"
 
 # refuse PATTERN WORDS...: what another command began, or nobody knows who, is left as it is.
@@ -38,11 +43,11 @@ refuse() {
     cmp "$film" before.mp4 || failed "a refused film was changed"
     diff -r many whole || failed "refused pictures were changed"
 }
-refuse "it was begun with --frames 0:LAST:4, not --frames 0:LAST:5\\." --frames 0:40:5 --out "$film"
+refuse "it was begun with --frames from 0 by 4, not --frames from 0 by 5\\." --frames 0:40:5 --out "$film"
 refuse "it was begun with --seed 1, --camera follow:3, not --seed 2, --camera overview\\." \
     --frames 0:80:4 --seed 2 --camera overview --out "$film"
 refuse "with --scene corner, .*not --scene district, " --frames 0:80:4 --scene district --out "$film"
-refuse "many/000.png: it was begun with --time 17:30, .*not --time 08:00" --frames 0:80:4 --time 08:00 --out many/%03d.png
+refuse "many/000.png: it was begun with --time 17:30, the scene's sun at .*, not --time 08:00" --frames 0:80:4 --time 08:00 --out many/%03d.png
 refuse "with no --view, .*not --view trails" --frames 4:80:4 --view trails --out many/%03d.png
 ffmpeg -v error -i "$film" -c copy -map_metadata -1 stripped.mp4
 refuse "does not say which command began it" --frames 0:80:4 --out stripped.mp4

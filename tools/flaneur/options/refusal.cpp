@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "assets/files/words.h"
 #include "tools/flaneur/options/spelling.h"
 
 namespace flaneur {
@@ -60,13 +60,6 @@ std::string no_command(CLI::App& app, int argc, char** argv) {
 }
 
 }  // namespace
-
-std::string plainly(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text,
-                  value == static_cast<double>(static_cast<int64_t>(value)) ? "%.0f" : "%.6g", value);
-    return text;
-}
 
 Result<void> check_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {

@@ -12,9 +12,6 @@ namespace flaneur {
 CLI::Validator number_between(double low, double high);
 CLI::Validator whole_between(int64_t low, int64_t high);
 
-// As a sentence has a number: without zeros behind.
-std::string plainly(double value);
-
 // Refuses a value that is empty, as of a variable that nobody set: it is not the same as no value.
 Result<void> check_values(const CLI::App& command);
 

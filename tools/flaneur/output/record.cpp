@@ -1,6 +1,5 @@
 #include "tools/flaneur/output/record.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -14,19 +13,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// As short as tells it from all others.
-template <class Number>
-std::string plainly(Number value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+std::string told_point(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
 
-std::string plainly(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
-
-std::string told_time(float hour) {
-    const long minutes = std::lround(hour * 60);
-    char text[32];
-    std::snprintf(text, sizeof text, "%02ld:%02ld", minutes / 60, minutes % 60);
+// With the height and the heading that the scene gives the sun, if it does.
+std::string told_time(const Scene& scene) {
+    const long minutes = std::lround(scene.hour * 60);
+    char time[32];
+    std::snprintf(time, sizeof time, "%02ld:%02ld", minutes / 60, minutes % 60);
+    std::string text = time;
+    if (scene.sun_height || scene.sun_heading) text += ", the scene's sun";
+    if (scene.sun_height) text += " at " + plainly(*scene.sun_height);
+    if (scene.sun_heading) text += " heading " + plainly(*scene.sun_heading);
     return text;
 }
 
@@ -46,7 +43,7 @@ std::string told_camera(const CameraChoice& camera) {
         case CameraChoice::Kind::follow:
             return "follow:" + std::to_string(camera.walker);
         default:
-            return plainly(camera.eye) + "/" + plainly(camera.target);
+            return told_point(camera.eye) + "/" + told_point(camera.target);
     }
 }
 
@@ -108,15 +105,13 @@ std::string record_of(const Options& options) {
     put("--character", told_people(s.people));
     put("--force", options.force ? "yes" : "");
     put("--idle", told_idles(s.idles));
-    put("--time", told_time(s.hour));
-    put("sun_height", s.sun_height ? plainly(*s.sun_height) : "");
-    put("sun_heading", s.sun_heading ? plainly(*s.sun_heading) : "");
+    put("--time", told_time(s));
     put("--weather", s.is_overcast ? "overcast" : "clear");
     put("--camera", told_camera(s.camera));
     put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
     put("--quality", s.quality);
     put("--view", told_views(s.views));
-    put("--frames", std::to_string(t.first) + ":LAST:" + std::to_string(t.step));
+    put("--frames", "from " + std::to_string(t.first) + " by " + std::to_string(t.step));
     return record.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
