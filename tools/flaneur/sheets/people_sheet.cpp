@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "sim/base/levels.h"
 #include "sim/base/math.h"
@@ -118,14 +119,11 @@ Joints placed(const Joints& joints, float yaw, float x) {
     return out;
 }
 
-// How far a figure reaches: to the left and the right of the picture, and up.
-struct Reach {
-    float left = 0, right = 0, up = 0;
-};
-
-Reach reach_of(const Character& character, const Joints& joints) {
-    Reach reach;
+// visit(place) of every vertex of a posed figure; of the head's alone, with all that it wears, if told so.
+template <class Visit>
+void for_each_place(const Character& character, const Joints& joints, bool is_head, Visit&& visit) {
     for (const CharacterVertex& v : character.vertices) {
+        if (is_head && v.joints[0] != head) continue;
         Vec3 place;
         for (int n = 0; n < 4; ++n) {
             const JointPose& joint = joints[v.joints[n]];
@@ -133,35 +131,81 @@ Reach reach_of(const Character& character, const Joints& joints) {
             Vec3 moved = joint.position + rotate(turn, v.position - character.bind_joints[v.joints[n]]);
             place += moved * (static_cast<float>(v.weights[n]) / 255);
         }
-        reach.left = std::max(reach.left, -place.x);
-        reach.right = std::max(reach.right, place.x);
-        reach.up = std::max(reach.up, place.y);
+        visit(place);
     }
+}
+
+// Through the eye at k_away from the origin, how far to the left and the right of it a figure is seen.
+struct Reach {
+    float left = 0, right = 0;
+};
+
+Reach reach_of(const Character& character, const Joints& joints) {
+    Reach reach;
+    for_each_place(character, joints, false, [&](Vec3 place) {
+        const float seen = place.x * k_away / (k_away - place.z);
+        reach.left = std::max(reach.left, -seen);
+        reach.right = std::max(reach.right, seen);
+    });
     return reach;
 }
 
-// Both poses of one sitter side by side about the middle of its picture.
+// Looks ahead and `above` / k_away down. What is seen about the target is half as wide and as tall as this.
+struct View {
+    Vec3 target;
+    float above = 0;
+    float width = 0, height = 0;
+};
+
+Vec3 eye_of(const View& view) { return view.target + Vec3{0, view.above, k_away}; }
+
+// What of it the figures take up: a view of them alone, looking the same way.
+View around(const Character& character, std::span<const Joints> figures, bool is_head, View view) {
+    const Vec3 ahead = normalize_or({0, -view.above, -k_away}, {0, 0, -1}), up = cross({1, 0, 0}, ahead);
+    const float away = length(Vec3{0, view.above, k_away});
+    for (int round = 0; round < 3; ++round) {  // moving the eye changes a little what it sees
+        const Vec3 eye = eye_of(view);
+        float low[2] = {1e9f, 1e9f}, high[2] = {-1e9f, -1e9f};
+        for (const Joints& joints : figures)
+            for_each_place(character, joints, is_head, [&](Vec3 place) {
+                const Vec3 to = place - eye;
+                const float seen[2] = {to.x * away / dot(to, ahead), dot(to, up) * away / dot(to, ahead)};
+                for (int i = 0; i < 2; ++i)
+                    low[i] = std::min(low[i], seen[i]), high[i] = std::max(high[i], seen[i]);
+            });
+        view.target += Vec3{1, 0, 0} * (0.5f * (low[0] + high[0])) + up * (0.5f * (low[1] + high[1]));
+        view.width = high[0] - low[0];
+        view.height = high[1] - low[1];
+    }
+    return view;
+}
+
+// Both poses of one sitter side by side, and a view of both.
 struct PosedPair {
-    Joints tee, stepping;
-    float width = 0, tall = 0;
+    std::array<Joints, 2> figures;  // its arms held out, stepping
+    View view;
 };
 
 PosedPair pair_of(const Character& character, const Moments& moments, float turn) {
-    PosedPair pair{placed(tee(character), turn, 0), placed(moments.stepping, k_turned + turn, 0)};
-    Reach a = reach_of(character, pair.tee), b = reach_of(character, pair.stepping);
-    pair.width = a.left + a.right + b.left + b.right + 3 * k_gap;
-    pair.tall = std::max(a.up, b.up);
-    pair.tee = placed(pair.tee, 0, -0.5f * pair.width + k_gap + a.left);
-    pair.stepping = placed(pair.stepping, 0, 0.5f * pair.width - k_gap - b.right);
+    PosedPair pair{{placed(tee(character), turn, 0), placed(moments.stepping, k_turned + turn, 0)}, {}};
+    auto& [tee, stepping] = pair.figures;
+    Reach a = reach_of(character, tee), b = reach_of(character, stepping);
+    const float width = a.left + a.right + b.left + b.right + k_gap;
+    tee = placed(tee, 0, -0.5f * width + a.left);
+    stepping = placed(stepping, 0, 0.5f * width - b.right);
+    constexpr float k_above = 1.5f;
+    pair.view = around(character, pair.figures, false, {{0, 0.5f * character.body.height, 0}, k_above});
     return pair;
 }
 
-Camera camera_at(Vec3 target, float above, float width, float height, Size size) {
+Camera camera_of(const View& view, Size size) {
+    constexpr float k_margin = 1.06f;
     float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    float away = length(Vec3{0, view.above, k_away});
     Camera camera;
-    camera.eye = to_glm(target + Vec3{0, above, k_away});
-    camera.target = to_glm(target);
-    camera.vertical_fov = 2 * std::atan(0.5f * std::max(height, width / aspect) / k_away);
+    camera.eye = to_glm(eye_of(view));
+    camera.target = to_glm(view.target);
+    camera.vertical_fov = 2 * std::atan(0.5f * k_margin * std::max(view.height, view.width / aspect) / away);
     return camera;
 }
 
@@ -232,8 +276,15 @@ Result<void> draw_face(Sheet& sheet, const std::vector<Sitter>& sitters, uint32_
     float neck_up = sitters[i].character.body.height - moments.standing[head].position.y;
     for (int side : {0, 1}) {
         PosedFigure figure{i, placed(moments.standing, turn + (side == 0 ? 0 : k_turned), 0)};
-        Vec3 target = figure.joints[head].position + Vec3{0, 0.45f * neck_up, 0};
-        Camera camera = camera_at(target, 0, 1.3f * neck_up, 1.9f * neck_up, half);
+        // All that the head wears, and some of the shoulders.
+        View view{figure.joints[head].position + Vec3{0, 0.45f * neck_up, 0}};
+        const View worn = around(sitters[i].character, std::span(&figure.joints, 1), true, view);
+        auto cover = [](float have, float from, float wanted) {
+            return std::max(have, wanted + 2 * std::abs(from));
+        };
+        view.width = cover(1.8f * neck_up, worn.target.x - view.target.x, worn.width);
+        view.height = cover(1.22f * neck_up, worn.target.y - view.target.y, worn.height);
+        Camera camera = camera_of(view, half);
         Result<void> drawn = draw_part(sheet, sitters, {figure}, camera, left + side * half.width, top, half);
         if (!drawn) return drawn;
     }
@@ -261,8 +312,8 @@ Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool o
     for (const Sitter& sitter : sitters) {
         moments.push_back(moments_of(sitter));
         pairs.push_back(pair_of(sitter.character, moments.back(), turn));
-        widest = std::max(widest, pairs.back().width);
-        tallest = std::max(tallest, pairs.back().tall);
+        widest = std::max(widest, pairs.back().view.width);
+        tallest = std::max(tallest, pairs.back().view.height);
     }
     for (uint32_t i = 0; i < sitters.size(); ++i) {
         if (is_stopping()) return interrupted();
@@ -273,9 +324,10 @@ Result<void> draw_cells(Sheet& sheet, const std::vector<Sitter>& sitters, bool o
         if (people.close) {
             drawn = draw_face(sheet, sitters, i, moments[i], turn, left, top, picture);
         } else {
-            float wide = one_scale ? widest : pairs[i].width, tall = one_scale ? tallest : pairs[i].tall;
-            Camera camera = camera_at({0, 0.48f * tall, 0}, 1.5f, wide, 1.16f * tall, picture);
-            std::vector<PosedFigure> both{{i, pairs[i].tee}, {i, pairs[i].stepping}};
+            View view = pairs[i].view;
+            if (one_scale) view.width = widest, view.height = tallest;
+            std::vector<PosedFigure> both{{i, pairs[i].figures[0]}, {i, pairs[i].figures[1]}};
+            const Camera camera = camera_of(view, picture);
             drawn = draw_part(sheet, sitters, both, camera, left, top, picture);
         }
         if (!drawn) return drawn;
