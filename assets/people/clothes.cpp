@@ -44,6 +44,9 @@ void add_upper(Tailor t, const Cut& cut) {
         }
     }
     t.add(std::move(torso), cut.grow);
+    // What hangs over a skirt goes round it down to the hem.
+    if (t.layer == layer_top && f.has_skirt() && cut.hem < .57f)
+        t.add(trimmed(skirt_loft(f), cut.hem, .580f, 0, .030f), cut.grow, .004f);
     add_chest(t, cut.grow);
     if (cut.sleeve <= 0) return;
     Loft arm = arm_loft(f);

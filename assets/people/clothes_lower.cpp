@@ -17,6 +17,23 @@ Loft foot_loft(const Figure& figure) {
     return make_loft({.052f, 0, 0}, {-1, 0, 0}, {0, 0, 1}, rings, .009f, .011f);
 }
 
+Loft skirt_loft(const Figure& f) {
+    float hem = f.bottom == Bottom::long_skirt ? .105f : f.bottom == Bottom::dress ? .275f : .292f;
+    float flare = f.bottom == Bottom::long_skirt ? 1.10f : f.bottom == Bottom::dress ? 1.14f : 1;
+    float g = lerp(.96f, 1, f.feminine), stout = 1 + .10f * std::max(f.build, 0.0f);
+    BodyRing rings[] = {{hem, 0, .002f, .112f * flare, .085f * flare, .092f * flare, .1f},
+                        {lerp(hem, .5f, .5f), 0, 0, .103f * lerp(1, flare, .6f), .075f, .086f, .1f},
+                        {.480f, 0, 0, .098f, .062f, .078f, .15f},
+                        {.530f, 0, 0, .096f, .060f, .072f, .15f},
+                        {.570f, 0, 0, .088f, .056f, .058f, .15f},
+                        {.605f, 0, .002f, .076f, .051f, .047f, .15f}};
+    for (BodyRing& r : rings) {
+        float hips = r.t < .55f ? 1 : stout;
+        r.width *= g * hips, r.ahead *= g * (r.t < .5f ? 1 : stout), r.behind *= g;
+    }
+    return make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0);
+}
+
 namespace {
 
 // Where trousers end under what is worn above.
@@ -35,6 +52,8 @@ void add_trousers(Tailor t) {
         ring.ahead += .006f * shin + .006f * cuff + .013f * flare;
         ring.behind += .001f * shin + .004f * cuff + .008f * flare;
         if (wide) ring.side += .004f * flare;
+        // The heel of a shoe stays inside.
+        ring.behind = std::max(ring.behind, .0345f * smoothstep(.090f, .060f, ring.t));
         // Folds above the shoe and behind the knee.
         float low = ring.t < .075f ? (ring.t - .026f) / .0165f : 0, phase = low - float(int(low)) - .5f;
         float fold = slim ? 0 : .0022f * (.25f - phase * phase) * 4 * (low > 0 ? 1.0f : 0.0f);
@@ -60,21 +79,9 @@ void add_shorts(Tailor t) {
 
 void add_skirt(Tailor t) {
     const Figure& f = t.figure;
-    float hem = f.bottom == Bottom::long_skirt ? .105f : f.bottom == Bottom::dress ? .275f : .292f;
-    float flare = f.bottom == Bottom::long_skirt ? 1.10f : f.bottom == Bottom::dress ? 1.14f : 1;
-    float g = lerp(.96f, 1, f.feminine), stout = 1 + .10f * std::max(f.build, 0.0f);
-    BodyRing rings[] = {{hem, 0, .002f, .112f * flare, .085f * flare, .092f * flare, .1f},
-                        {lerp(hem, .5f, .5f), 0, 0, .103f * lerp(1, flare, .6f), .075f, .086f, .1f},
-                        {.480f, 0, 0, .098f, .062f, .078f, .15f},
-                        {.530f, 0, 0, .096f, .060f, .072f, .15f},
-                        {.570f, 0, 0, .088f, .056f, .058f, .15f},
-                        {.605f, 0, .002f, .076f, .051f, .047f, .15f}};
-    for (BodyRing& r : rings) {
-        float hips = r.t < .55f ? 1 : stout;
-        r.width *= g * hips, r.ahead *= g * (r.t < .5f ? 1 : stout), r.behind *= g;
-    }
     float top = f.over == Over::coat ? .580f : std::min(top_hem(f) + .012f, .605f);
-    t.add(trimmed(make_loft({}, {1, 0, 0}, {0, 1, 0}, rings, 0, 0), hem, top, 0, 0), .006f);
+    Loft skirt = skirt_loft(f);
+    t.add(trimmed(skirt, skirt.begin, top, 0, 0), .006f);
 }
 
 void add_shoes(Tailor t) {

@@ -35,7 +35,8 @@ Loft shoulder_loft(const Figure& figure);
 Loft arm_loft(const Figure& figure);
 Loft leg_loft(const Figure& figure);
 Loft neck_loft(const Figure& figure);
-Loft foot_loft(const Figure& figure);  // in a shoe
+Loft foot_loft(const Figure& figure);   // in a shoe
+Loft skirt_loft(const Figure& figure);  // from its hem up, where there is one
 Loft skull_loft(const Figure& figure);
 
 // The lower end of what is outermost above, in body heights; a skirt or trousers end a little higher.
