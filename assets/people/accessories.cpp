@@ -1,5 +1,6 @@
 #include "assets/people/accessories.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "assets/people/parts.h"
@@ -24,6 +25,16 @@ std::vector<Vec3> draped(const Field& field, std::vector<Vec3> path, float gap) 
             p -= normalize_or(gradient(field, near, p), {0, 0, 0}) * clamp(away, -.02f, .02f);
         }
     return path;
+}
+
+float least_distance(const Field& field, const std::vector<Vec3>& path) {
+    std::vector<uint16_t> near;
+    float least = 1;
+    for (Vec3 p : path) {
+        parts_near(field, p, .05f, near);
+        least = std::min(least, distance(layer_distances(field, near, p)));
+    }
+    return least;
 }
 
 // Twice as many places, rounded (Chaikin 1974, closed or with its ends kept).
@@ -56,11 +67,11 @@ struct Rack {
     std::vector<Accessory> worn;
 
     void add(SolidMesh solid, Tint tint, uint32_t colour, int joint) {
-        worn.push_back({std::move(solid), tint, colour, joint});
+        worn.push_back({std::move(solid), tint, colour, joint, false});
     }
     // Lies on the coat or whatever is worn.
     void add_on_cloth(SolidMesh solid, Tint tint, uint32_t colour) {
-        worn.push_back({std::move(solid), tint, colour, -1});
+        worn.push_back({std::move(solid), tint, colour, -1, false});
     }
     // In the canonical pose, the arms down, into the bind pose; `side` 1 left, -1 right.
     void add_to_hand(SolidMesh solid, Tint tint, uint32_t colour, float side) {
@@ -141,18 +152,7 @@ void add_hat(Rack& r) {
 }
 
 void add_glasses(Rack& r) {
-    Vec3 eye = r.figure.face.eye;
-    std::vector<Vec3> rim;
-    constexpr int k_points = 14;
-    bool round = r.figure.seed % 3 == 0;
-    for (int i = 0; i < k_points; ++i) {
-        float a = 6.2831853f * (float(i) + .5f) / k_points, c = std::cos(a), s = std::sin(a);
-        auto boxy = [&](float v) { return v < 0 ? -std::pow(-v, .62f) : std::pow(v, .62f); };
-        Vec3 p = round ? Vec3{.083f * c, .078f * s, 0} : Vec3{.088f * boxy(c), .062f * boxy(s), 0};
-        p += {eye.x + .006f, eye.y - .004f, .432f};
-        p.z -= .20f * (p.x - .06f) + .02f * (eye.y - p.y);
-        rim.push_back(p);
-    }
+    const std::vector<Vec3> rim = glasses_rim(r.figure, 14, 0);
     std::vector<Vec3> temple = {{.228f, .517f, .400f},
                                 {.285f, .512f, .26f},
                                 {.335f, .503f, .10f},
@@ -160,8 +160,8 @@ void add_glasses(Rack& r) {
                                 {.350f, .43f, -.085f}};
     std::vector<Vec3> bridge = {
         {.062f, .500f, .434f}, {.02f, .514f, .450f}, {-.02f, .514f, .450f}, {-.062f, .500f, .434f}};
-    float thick = .0098f * h;
-    uint32_t colour = r.figure.seed % 2 == 0 ? k_dark : 0xff26364a;
+    const float thick = k_glasses_thick * h;
+    const uint32_t colour = glasses_colour(r.figure);
     for (bool left : {true, false}) {
         auto side = [&](const std::vector<Vec3>& path) { return on_face(left ? path : mirrored(path)); };
         r.add(make_ring(side(rim), {0, 0, 1}, thick, thick, 4), Tint::none, colour, head);
@@ -185,18 +185,26 @@ void add_headphones(Rack& r) {
 }
 
 void add_scarf(Rack& r) {
+    // As tight as the collar under it allows.
+    constexpr int k_points = 18;
+    constexpr float k_clear = .000f;  // of the cloth; it is .0125 thick
+    const float g = lerp(1, .92f, r.figure.feminine);
     std::vector<Vec3> loop;
-    constexpr int k_points = 14;
-    float g = lerp(1, .92f, r.figure.feminine);
-    for (int i = 0; i < k_points; ++i) {
-        float a = 6.2831853f * float(i) / k_points, s = std::sin(a), c = std::cos(a);
-        loop.push_back({.0500f * g * s, .838f - .010f * c + .003f * std::sin(3 * a), -.010f + .048f * g * c});
+    for (int tries = 0; tries < 12 && (loop.empty() || least_distance(r.field, loop) < k_clear); ++tries) {
+        loop.clear();
+        const float out = g * (1 + .02f * float(tries)), up = .0020f * float(tries);
+        for (int i = 0; i < k_points; ++i) {
+            float a = 6.2831853f * float(i) / k_points, s = std::sin(a), c = std::cos(a);
+            loop.push_back({.0500f * out * s, up + .838f - .010f * c + .003f * std::sin(3 * a),
+                            -.010f + .048f * out * c});
+        }
     }
     r.add_on_cloth(make_ring(loop, {0, 1, 0}, .0185f, .0125f, 8), Tint::accent, 0xffffffff);
-    std::vector<Vec3> end = {{.010f, .822f, .050f}, {.019f, .795f, .065f}, {.023f, .765f, .075f},
+    std::vector<Vec3> end = {{.014f, .805f, .060f}, {.019f, .795f, .065f}, {.023f, .765f, .075f},
                              {.025f, .735f, .078f}, {.026f, .700f, .075f}, {.027f, .665f, .070f}};
-    r.add_on_cloth(make_band(draped(r.field, end, .005f), {1, 0, 0}, .0190f, .0052f, 8), Tint::accent,
-                   0xfff0f0f0);
+    end = draped(r.field, rounded(end, false), .006f);
+    end.insert(end.begin(), loop.front() + Vec3{.008f, -.004f, 0});  // it comes out of the loop
+    r.add_on_cloth(make_band(end, {1, 0, 0}, .0190f, .0052f, 8), Tint::accent, 0xfff0f0f0);
 }
 
 void add_backpack(Rack& r) {
@@ -216,14 +224,17 @@ void add_backpack(Rack& r) {
 }
 
 void add_shoulder_bag(Rack& r) {
-    std::vector<Vec3> strap = {{.062f, .830f, -.010f},  {.048f, .800f, .040f},   {.018f, .735f, .085f},
-                               {-.030f, .665f, .080f},  {-.075f, .600f, .060f},  {-.104f, .560f, .020f},
-                               {-.108f, .545f, -.030f}, {-.085f, .560f, -.070f}, {-.050f, .610f, -.080f},
-                               {-.010f, .680f, -.075f}, {.030f, .755f, -.075f},  {.054f, .805f, -.050f}};
-    strap = draped(r.field, rounded(strap, true), .0020f);
-    r.add_on_cloth(make_ring(strap, {.6f, .8f, 0}, .0075f, .0026f), Tint::shoes, 0xffe0e0e0);
-    Vec3 at = draped(r.field, {{-.080f, .505f, -.09f}}, .018f)[0];
+    // It lies on the hip, and the strap runs from one of its upper corners to the other.
+    Vec3 at = draped(r.field, {{-.080f, .508f, -.09f}}, .011f)[0];
     Frame bag = make_frame(at, {0, 1, 0}, {-.55f, 0, -.85f});
+    std::vector<Vec3> strap = {{-.104f, .575f, .010f}, {-.075f, .605f, .060f}, {-.030f, .665f, .080f},
+                               {.018f, .735f, .085f},  {.048f, .800f, .040f},  {.062f, .830f, -.010f},
+                               {.054f, .805f, -.050f}, {.030f, .755f, -.075f}, {-.010f, .680f, -.075f},
+                               {-.040f, .620f, -.080f}};
+    strap = draped(r.field, rounded(strap, false), .0020f);
+    strap.insert(strap.begin(), bag.at({.056f, .034f, 0}));
+    strap.push_back(bag.at({-.056f, .034f, 0}));
+    r.add_on_cloth(make_band(strap, {.6f, .8f, 0}, .0075f, .0026f), Tint::shoes, 0xffe0e0e0);
     r.add(make_pillow(bag, {.062f, .046f, .021f}, .5f, 18, 8), Tint::shoes, 0xffe0e0e0, hips);
     Frame flap = make_frame(bag.at({0, .018f, .004f}), bag.up, bag.front);
     r.add(make_pillow(flap, {.0635f, .031f, .0205f}, .5f, 18, 8), Tint::shoes, 0xffffffff, hips);
@@ -259,10 +270,27 @@ void add_stick(Rack& r) {
 
 }  // namespace
 
+uint32_t glasses_colour(const Figure& figure) { return figure.seed % 2 == 0 ? k_dark : 0xff26364a; }
+
+std::vector<Vec3> glasses_rim(const Figure& figure, int corners, float wider) {
+    const Vec3 eye = figure.face.eye;
+    const bool round = figure.seed % 3 == 0;
+    auto boxy = [&](float v) { return v < 0 ? -std::pow(-v, .62f) : std::pow(v, .62f); };
+    std::vector<Vec3> rim;
+    for (int i = 0; i < corners; ++i) {
+        float a = 6.2831853f * (float(i) + .5f) / float(corners), c = std::cos(a), s = std::sin(a);
+        Vec3 p = round ? Vec3{(.083f + wider) * c, (.078f + wider) * s, 0}
+                       : Vec3{(.088f + wider) * boxy(c), (.062f + wider) * boxy(s), 0};
+        p += {eye.x + .006f, eye.y - .004f, .432f};
+        p.z -= .20f * (p.x - .06f) + .02f * (eye.y - p.y);
+        rim.push_back(p);
+    }
+    return rim;
+}
+
 std::vector<Accessory> make_accessories(const Figure& figure, const Field& field) {
     Rack r{figure, field, {}};
     add_hat(r);
-    if (figure.glasses) add_glasses(r);
     if (figure.headphones && figure.hat == Hat::none) add_headphones(r);
     if (figure.scarf) add_scarf(r);
     if (figure.bag == Bag::backpack) add_backpack(r);
@@ -270,6 +298,9 @@ std::vector<Accessory> make_accessories(const Figure& figure, const Field& field
     if (figure.bag == Bag::handbag) add_handbag(r);
     if (figure.phone) add_phone(r);
     if (figure.stick && !figure.phone) add_stick(r);
+    const size_t others = r.worn.size();
+    if (figure.glasses) add_glasses(r);
+    for (size_t i = others; i < r.worn.size(); ++i) r.worn[i].painted_afar = true;
     return r.worn;
 }
 

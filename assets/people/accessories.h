@@ -14,7 +14,13 @@ struct Accessory {
     Tint tint = Tint::none;
     uint32_t colour = 0xffffffff;
     int joint = -1;
+    bool painted_afar = false;  // coarse levels have it painted on instead
 };
+
+// The rim of the left glass, head heights, counter-clockwise from ahead; of glasses so much wider and taller.
+std::vector<Vec3> glasses_rim(const Figure& figure, int corners, float wider);
+inline constexpr float k_glasses_thick = .0098f;  // half of the rim's, head heights
+uint32_t glasses_colour(const Figure& figure);
 
 std::vector<Accessory> make_accessories(const Figure& figure, const Field& field);
 

@@ -1,3 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "assets/people/accessories.h"
+#include "assets/people/face.h"
 #include "assets/people/parts.h"
 
 namespace flaneur {
@@ -68,6 +74,212 @@ void add_head(Field& field, const Figure& figure) {
     add(.02f, make_ellipsoid(ear, Vec3{.026f, .120f, .066f} * (h * f.ear), outward, lean));
     carve(.02f, make_ellipsoid(ear + outward * (.030f * h) + Vec3{0, .008f, .006f} * h,
                                Vec3{.020f, .075f, .036f} * (h * f.ear), outward, lean));
+}
+
+namespace {
+
+// Pointed at both ends, bowed up and down, head heights.
+struct Almond {
+    float half_width, up, down;
+};
+
+// Negative inside.
+float outside(const Almond& a, float x, float y) {
+    float height = y > 0 ? a.up : a.down;
+    float bow = height * (1 - x * x / (a.half_width * a.half_width));
+    return (y > 0 ? y : -y) - bow;
+}
+
+struct Features {
+    Almond lid, eye, lips;
+    float iris;                            // radius
+    Vec3 brow;                             // its middle
+    float thick, half_brow;                // half the brow's height at its inner end, and half its length
+    static constexpr float k_tilt = .12f;  // of the eyes, outward and up
+    static constexpr float k_arch = 1.1f;  // of the brows
+
+    float thickness(float along) const { return thick * (1 - smoothstep(0, .09f, along) * .6f); }
+    float arch(float along) const { return .012f - k_arch * along * along; }
+};
+
+Features features_of(const Figure& figure) {
+    const FaceShape& f = figure.face;
+    float s = f.eye_size;
+    Features out;
+    out.lid = {.084f * s, .046f * s, .012f};
+    out.eye = {.069f * s, .031f * s, .021f * s};
+    out.lips = {.098f * f.mouth, .027f * f.lips, .034f * f.lips};
+    out.iris = .029f * s;
+    out.brow = {f.eye.x + .012f, f.eye.y + lerp(.083f, .097f, figure.feminine), 0};
+    out.thick = lerp(.0165f, .010f, figure.feminine);
+    out.half_brow = .080f;
+    return out;
+}
+
+// A corner of what is left of a triangle: its shares of the triangle's corners, and where that is.
+struct Corner {
+    Vec3 shares;
+    Vec3 place;
+};
+
+// What is left of it to the left of the line from a to b, as seen from ahead.
+std::vector<Corner> left_of(const std::vector<Corner>& piece, Vec3 a, Vec3 b) {
+    auto side = [&](const Corner& c) {
+        return (b.x - a.x) * (c.place.y - a.y) - (b.y - a.y) * (c.place.x - a.x);
+    };
+    std::vector<Corner> out;
+    for (size_t i = 0; i < piece.size(); ++i) {
+        const Corner &from = piece[i], &to = piece[(i + 1) % piece.size()];
+        float at_from = side(from), at_to = side(to);
+        if (at_from >= 0) out.push_back(from);
+        if ((at_from >= 0) == (at_to >= 0)) continue;
+        float t = at_from / (at_from - at_to);
+        out.push_back({lerp(from.shares, to.shares, t), lerp(from.place, to.place, t)});
+    }
+    return out;
+}
+
+}  // namespace
+
+void paint_face(const Figure& figure, Vec3 face, std::span<float> out) {
+    float shown = out[material_skin];
+    // Over whatever is shown so far, where `inside` is negative.
+    auto paint = [&](Material m, float inside) {
+        out[m] = shown + inside * k_head_height;
+        shown = std::min(shown, out[m]);
+    };
+    const Features f = features_of(figure);
+    float x = face.x < 0 ? -face.x : face.x;
+    float ex = x - figure.face.eye.x, ey = face.y - figure.face.eye.y - Features::k_tilt * ex;
+    float eye = outside(f.eye, ex, ey);
+    paint(material_lash, std::max(outside(f.lid, ex, ey), -ey));
+    paint(material_eye_white, eye);
+    paint(material_iris, std::max(eye, std::sqrt(ex * ex + ey * ey) - f.iris));
+    float at = x - f.brow.x, by = face.y - f.brow.y - f.arch(at);
+    paint(material_brow, std::max((by > 0 ? by : -by) - f.thickness(at), (at > 0 ? at : -at) - f.half_brow));
+    paint(material_lips, outside(f.lips, x, face.y - k_mouth_y));
+}
+
+bool is_painted(uint8_t material) { return material >= material_lips && material <= material_brow; }
+
+std::vector<FacePatch> face_patches(const Figure& figure, bool with_glasses) {
+    const Features f = features_of(figure);
+    const Vec3 eye = figure.face.eye;
+    const int above = with_glasses ? 2 : 0;  // coats that rims take
+    const auto looks = material_looks(figure);
+    std::vector<FacePatch> patches;
+    auto add_patch = [&](Tint tint, uint32_t colour, int coat, const std::vector<Vec3>& outline,
+                         bool mirrored) {
+        FacePatch patch{tint, colour, coat, {}};
+        for (Vec3 p : outline)
+            patch.outline.push_back(warped(figure, from_face({mirrored ? -p.x : p.x, p.y, .4f})) *
+                                    figure.height);
+        if (mirrored) std::reverse(patch.outline.begin(), patch.outline.end());
+        patches.push_back(std::move(patch));
+    };
+    auto add = [&](Material m, int coat, const std::vector<Vec3>& outline, bool mirrored) {
+        add_patch(looks[m].tint, looks[m].colour, above + coat, outline, mirrored);
+    };
+    for (bool mirrored : {false, true}) {
+        auto add_eye = [&](Material m, int coat, const std::vector<Vec3>& outline) {
+            std::vector<Vec3> placed;
+            placed.reserve(outline.size());
+            for (Vec3 p : outline) placed.push_back({eye.x + p.x, eye.y + p.y + Features::k_tilt * p.x, 0});
+            add(m, coat, placed, mirrored);
+        };
+        float w = f.lid.half_width, up = f.lid.up;
+        add_eye(material_lash, 0, {{-w, 0, 0}, {w, 0, 0}, {.5f * w, .75f * up, 0}, {-.5f * w, .75f * up, 0}});
+        w = f.eye.half_width, up = f.eye.up;
+        float down = f.eye.down;
+        add_eye(material_eye_white, 1,
+                {{-w, 0, 0},
+                 {-.5f * w, -.75f * down, 0},
+                 {.5f * w, -.75f * down, 0},
+                 {w, 0, 0},
+                 {.5f * w, .75f * up, 0},
+                 {-.5f * w, .75f * up, 0}});
+        float r = f.iris;
+        up = std::min(r, .9f * up), down = std::min(r, .9f * down);
+        add_eye(material_iris, 2,
+                {{-r, 0, 0},
+                 {-.5f * r, -down, 0},
+                 {.5f * r, -down, 0},
+                 {r, 0, 0},
+                 {.5f * r, up, 0},
+                 {-.5f * r, up, 0}});
+        for (float from : {-f.half_brow, 0.0f}) {
+            float to = from + f.half_brow;
+            auto at = [&](float along, float side) {
+                return f.brow + Vec3{along, f.arch(along) + side * f.thickness(along), 0};
+            };
+            add(material_brow, 0, {at(from, -1), at(to, -1), at(to, 1), at(from, 1)}, mirrored);
+        }
+    }
+    if (with_glasses) {
+        const float thick = k_glasses_thick;
+        for (bool mirrored : {false, true}) {
+            add_patch(Tint::none, glasses_colour(figure), 0, glasses_rim(figure, 8, thick), mirrored);
+            add_patch(Tint::skin, 0xffffffff, 1, glasses_rim(figure, 8, -thick), mirrored);
+        }
+        add_patch(Tint::none, glasses_colour(figure), 0,
+                  {{-.06f, .507f - thick, 0},
+                   {.06f, .507f - thick, 0},
+                   {.06f, .507f + thick, 0},
+                   {-.06f, .507f + thick, 0}},
+                  false);
+    }
+    const Almond& l = f.lips;
+    add(material_lips, 0,
+        {{-l.half_width, k_mouth_y, 0},
+         {-.5f * l.half_width, k_mouth_y - .75f * l.down, 0},
+         {.5f * l.half_width, k_mouth_y - .75f * l.down, 0},
+         {l.half_width, k_mouth_y, 0},
+         {.5f * l.half_width, k_mouth_y + .75f * l.up, 0},
+         {-.5f * l.half_width, k_mouth_y + .75f * l.up, 0}},
+        false);
+    return patches;
+}
+
+void lay_on(std::span<const FacePatch> patches, std::vector<uint32_t>& level, Character& person) {
+    constexpr float k_coat = .0007f;  // metres: less is not told apart in the distance
+    constexpr float k_least = 1e-6f;  // square metres: what is smaller is left out
+    const size_t bare = level.size();
+    for (const FacePatch& patch : patches)
+        for (size_t t = 0; t + 2 < bare; t += 3) {
+            std::array<CharacterVertex, 3> v;
+            bool is_face = true;
+            for (size_t i = 0; i < 3; ++i) {
+                v[i] = person.vertices[level[t + i]];
+                is_face = is_face && v[i].tint == Tint::skin && v[i].joints[0] == head;
+            }
+            if (!is_face || cross(v[1].position - v[0].position, v[2].position - v[0].position).z <= 0)
+                continue;
+            std::vector<Corner> piece = {
+                {{1, 0, 0}, v[0].position}, {{0, 1, 0}, v[1].position}, {{0, 0, 1}, v[2].position}};
+            for (size_t i = 0; i < patch.outline.size() && !piece.empty(); ++i)
+                piece = left_of(piece, patch.outline[i], patch.outline[(i + 1) % patch.outline.size()]);
+            const auto first = static_cast<uint32_t>(person.vertices.size());
+            for (const Corner& c : piece) {
+                CharacterVertex laid = v[0];
+                laid.normal = normalize_or(
+                    v[0].normal * c.shares.x + v[1].normal * c.shares.y + v[2].normal * c.shares.z,
+                    v[0].normal);
+                laid.position = c.place + Vec3{0, 0, k_coat * float(patch.coat + 1)};
+                // Skin is white before it is tinted: what there is of it is light.
+                float light = 0;
+                const float shares[3] = {c.shares.x, c.shares.y, c.shares.z};
+                for (size_t i = 0; i < 3; ++i) light += shares[i] * float(v[i].colour & 0xffu) / 255;
+                laid.tint = patch.tint;
+                laid.colour = scaled_colour(patch.colour, light);
+                person.vertices.push_back(laid);
+            }
+            for (size_t i = 2; i < piece.size(); ++i) {
+                Vec3 a = piece[0].place;
+                if (length(cross(piece[i - 1].place - a, piece[i].place - a)) < k_least) continue;
+                level.insert(level.end(),
+                             {first, first + static_cast<uint32_t>(i) - 1, first + static_cast<uint32_t>(i)});
+            }
+        }
 }
 
 }  // namespace flaneur

@@ -14,6 +14,7 @@ namespace flaneur {
 namespace {
 
 constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
+constexpr size_t k_near_above = 2000;      // levels that keep glasses
 constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
 constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
 constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew
@@ -67,11 +68,11 @@ int garment(Tint tint) {
 }
 
 // With `keep_garments`, vertices of two garments at one place stay two.
-Weld weld(const Character& c, const std::vector<Vec3>& weighed, bool keep_garments) {
+Weld weld(const Character& c, const std::vector<uint32_t>& shown, const std::vector<Vec3>& weighed,
+          bool keep_garments) {
     auto group = [&](uint32_t v) { return keep_garments ? garment(c.vertices[v].tint) : 0; };
     Weld w;
-    std::vector<uint32_t> order(c.vertices.size());
-    for (size_t v = 0; v < order.size(); ++v) order[v] = uint32_t(v);
+    std::vector<uint32_t> order = shown;
     std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
         Vec3 p = c.vertices[a].position, q = c.vertices[b].position;
         if (p.x != q.x) return p.x < q.x;
@@ -79,7 +80,7 @@ Weld weld(const Character& c, const std::vector<Vec3>& weighed, bool keep_garmen
         if (p.z != q.z) return p.z < q.z;
         return group(a) != group(b) ? group(a) < group(b) : a < b;
     });
-    w.place.resize(order.size());
+    w.place.resize(c.vertices.size());
     for (size_t i = 0; i < order.size(); ++i) {
         uint32_t v = order[i];
         bool same = i > 0 && c.vertices[v].position == c.vertices[order[i - 1]].position &&
@@ -131,24 +132,24 @@ std::vector<uint32_t> unweld(const std::vector<uint32_t>& places, const Characte
 
 // Where a level has lost the borders of garments, each of its triangles takes vertices of its own in the
 // colour that the fine surface shows nearest to its middle.
-void repaint(std::vector<uint32_t>& level, Character& c, size_t fine) {
+void repaint(std::vector<uint32_t>& level, Character& c, const std::vector<uint32_t>& shown) {
     for (size_t t = 0; t + 2 < level.size(); t += 3) {
         std::array<CharacterVertex, 3> corner;
         for (size_t i = 0; i < 3; ++i) corner[i] = c.vertices[level[t + i]];
         Vec3 middle = (corner[0].position + corner[1].position + corner[2].position) / 3;
         Vec3 normal = cross(corner[1].position - corner[0].position, corner[2].position - corner[0].position);
-        size_t nearest = level[t];
+        uint32_t nearest = level[t];
         float best = 1e30f;
-        for (size_t v = 0; v < fine; ++v) {
+        for (uint32_t v : shown) {
             float d = length_squared(c.vertices[v].position - middle);
             if (d < best && dot(c.vertices[v].normal, normal) > 0) best = d, nearest = v;
         }
-        const CharacterVertex shown = c.vertices[nearest];
+        const CharacterVertex seen = c.vertices[nearest];
         for (size_t i = 0; i < 3; ++i) {
-            bool plain = corner[i].tint != Tint::none && shown.tint != Tint::none;
-            if (!plain || corner[i].tint == shown.tint) continue;
-            corner[i].tint = shown.tint;
-            corner[i].colour = shown.colour;
+            bool plain = corner[i].tint != Tint::none && seen.tint != Tint::none;
+            if (!plain || corner[i].tint == seen.tint) continue;
+            corner[i].tint = seen.tint;
+            corner[i].colour = seen.colour;
             level[t + i] = uint32_t(c.vertices.size());
             c.vertices.push_back(corner[i]);
         }
@@ -157,7 +158,7 @@ void repaint(std::vector<uint32_t>& level, Character& c, size_t fine) {
 
 // A coarse level takes vertices of its own: their normals are those of its few triangles, their colours the
 // means of what the fine surface shows about them, so that no single dark fold spreads over half a body.
-void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
+void smooth_out(std::vector<uint32_t>& level, Character& c, const std::vector<uint32_t>& shown) {
     std::map<std::array<float, 3>, Vec3> normals;
     auto place = [&](uint32_t v) {
         Vec3 p = c.vertices[v].position;
@@ -194,7 +195,7 @@ void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
         }
         return nearest;
     };
-    for (uint32_t v = 0; v < fine; ++v) {
+    for (uint32_t v : shown) {
         Mean* m = nearest_mean(c.vertices[v].position, c.vertices[v].tint);
         if (!m) continue;
         for (size_t i = 0; i < 3; ++i) m->sum[i] += float(c.vertices[v].colour >> (8 * i) & 0xffu);
@@ -206,6 +207,52 @@ void smooth_out(std::vector<uint32_t>& level, Character& c, size_t fine) {
         colour &= 0xff000000u;
         for (size_t i = 0; i < 3; ++i) colour |= uint32_t(means[o].sum[i] / means[o].weight) << (8 * i);
     }
+}
+
+// The triangles that levels are made of, ready to be simplified.
+struct Base {
+    std::vector<uint32_t> triangles;
+    std::vector<uint32_t> shown;  // the vertices in use, rising
+    // The same alone, by their numbers among `shown`: others at their places would pass for seams.
+    std::vector<uint32_t> numbered;
+    std::vector<Vec3> places;
+    std::array<Weld, 2> welds;  // with the borders of garments, without
+};
+
+Base make_base(const Character& c, const std::vector<uint32_t>& triangles, const std::vector<Vec3>& places) {
+    Base base{triangles, triangles, {}, {}, {}};
+    std::sort(base.shown.begin(), base.shown.end());
+    base.shown.erase(std::unique(base.shown.begin(), base.shown.end()), base.shown.end());
+    for (uint32_t v : base.shown) base.places.push_back(places[v]);
+    for (uint32_t v : triangles) {
+        auto found = std::lower_bound(base.shown.begin(), base.shown.end(), v);
+        base.numbered.push_back(uint32_t(found - base.shown.begin()));
+    }
+    base.welds = {weld(c, base.shown, places, true), weld(c, base.shown, places, false)};
+    return base;
+}
+
+// About so many triangles of it.
+std::vector<uint32_t> coarse(const Character& c, const Base& base, size_t triangles) {
+    auto fits = [&](const std::vector<uint32_t>& level) {
+        return !level.empty() && level.size() / 3 <= triangles + triangles / 4;
+    };
+    std::vector<uint32_t> level;
+    if (triangles > k_welded_below) {
+        level = simplify(base.numbered, base.places, triangles);
+        for (uint32_t& v : level) v = base.shown[v];
+    }
+    // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
+    const auto& welds = base.welds;
+    for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
+        std::vector<uint32_t> whole;
+        for (uint32_t v : base.triangles) whole.push_back(welds[w].place[v]);
+        level = simplify(whole, welds[w].places, triangles);
+        if (w + 1 == welds.size() && level.size() / 3 > 2 * triangles)
+            level = simplify_sloppily(whole, welds[w].places, triangles);
+        level = unweld(level, c, welds[w]);
+    }
+    return level;
 }
 
 }  // namespace
@@ -236,32 +283,25 @@ std::vector<Vec3> weighed_places(const Character& c) {
     return places;
 }
 
-void build_person_lods(Character& c) {
+void build_person_lods(Character& c, const Unpainted& unpainted) {
     c.lods.resize(1);
-    if (c.vertices.empty() || c.lods[0].empty()) return;
-    const size_t fine = c.vertices.size();
-    std::vector<Vec3> places = weighed_places(c);
-    const std::array<Weld, 2> welds = {weld(c, places, true), weld(c, places, false)};
+    if (c.vertices.empty() || unpainted.triangles.empty()) return;
+    const Base base = make_base(c, unpainted.triangles, weighed_places(c));
+    const auto& glasses = unpainted.glasses;
     for (size_t triangles : k_level_triangles) {
-        const std::vector<uint32_t>& before = c.lods.back();
-        if (before.size() / 3 <= triangles + triangles / 4) continue;
-        auto fits = [&](const std::vector<uint32_t>& level) {
-            return !level.empty() && level.size() / 3 <= triangles + triangles / 4;
-        };
-        std::vector<uint32_t> level;
-        if (triangles > k_welded_below) level = simplify(c.lods[0], places, triangles);
-        // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
-        for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
-            std::vector<uint32_t> whole;
-            for (uint32_t v : c.lods[0]) whole.push_back(welds[w].place[v]);
-            level = simplify(whole, welds[w].places, triangles);
-            if (w + 1 == welds.size() && level.size() / 3 > 2 * triangles)
-                level = simplify_sloppily(whole, welds[w].places, triangles);
-            level = unweld(level, c, welds[w]);
-        }
-        if (triangles < k_repainted_below) repaint(level, c, fine);
-        if (level.empty() || level.size() * 10 > before.size() * 9) continue;
-        if (triangles <= k_smoothed_below) smooth_out(level, c, fine);
+        const size_t before = c.lods.back().size();
+        if (before / 3 <= triangles + triangles / 4) continue;
+        const bool is_near = triangles > k_near_above, is_painted = triangles > k_welded_below;
+        size_t wanted = is_painted ? triangles - triangles / 10 : triangles;
+        if (is_near) wanted -= glasses.size() / 3;
+        std::vector<uint32_t> level = coarse(c, base, wanted);
+        if (triangles < k_repainted_below) repaint(level, c, base.shown);
+        if (level.empty() || level.size() * 10 > before * 9) continue;
+        if (triangles <= k_smoothed_below) smooth_out(level, c, base.shown);
+        // Where rims would be a sixth of a pixel, none are painted.
+        const bool has_rims = !is_near && triangles > k_smoothed_below;
+        if (is_painted) lay_on(has_rims ? unpainted.face_with_glasses : unpainted.face, level, c);
+        if (is_near) level.insert(level.end(), glasses.begin(), glasses.end());
         c.lods.push_back(std::move(level));
     }
     order_levels(c);

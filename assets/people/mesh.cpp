@@ -270,9 +270,6 @@ FieldMesh cut_materials(const FieldMesh& mesh, const Field& field, std::span<con
     return out;
 }
 
-namespace {
-
-// For each vertex, a number that those at one place share.
 std::vector<uint32_t> place_numbers(const std::vector<Vec3>& positions) {
     std::vector<uint32_t> order(positions.size()), number(positions.size());
     for (size_t v = 0; v < order.size(); ++v) order[v] = uint32_t(v);
@@ -287,6 +284,31 @@ std::vector<uint32_t> place_numbers(const std::vector<Vec3>& positions) {
             i > 0 && positions[order[i]] == positions[order[i - 1]] ? number[order[i - 1]] : order[i];
     return number;
 }
+
+std::vector<uint32_t> painted_over(FieldMesh& mesh, bool (*hidden)(uint8_t), uint8_t material) {
+    const std::vector<uint32_t> place = place_numbers(mesh.positions);
+    constexpr uint32_t k_none = ~0u;
+    std::vector<uint32_t> shown(place.size(), k_none);  // by place
+    for (uint32_t v : mesh.indices)
+        if (mesh.materials[v] == material) shown[place[v]] = v;
+    std::vector<uint32_t> out;
+    for (uint32_t v : mesh.indices) {
+        if (hidden(mesh.materials[v])) {
+            uint32_t& other = shown[place[v]];
+            if (other == k_none) {
+                other = uint32_t(mesh.positions.size());
+                Vec3 p = mesh.positions[v];
+                mesh.positions.push_back(p);
+                mesh.materials.push_back(material);
+            }
+            v = other;
+        }
+        out.push_back(v);
+    }
+    return out;
+}
+
+namespace {
 
 // Drops triangles without area and pairs of triangles back to back.
 void drop_flat(FieldMesh& mesh, const std::vector<uint32_t>& place) {

@@ -32,6 +32,13 @@ using PaintDistances = std::function<void(const LayerDistances& layers, Vec3 p, 
 FieldMesh cut_materials(const FieldMesh& mesh, const Field& field, std::span<const Layer> layer_of,
                         const PaintDistances& paint);
 
+// For each vertex, a number that those at one place share.
+std::vector<uint32_t> place_numbers(const std::vector<Vec3>& positions);
+
+// The triangles with what `hidden` tells of shown in `material` instead, without the borders between them.
+// Adds the vertices that this takes.
+std::vector<uint32_t> painted_over(FieldMesh& mesh, bool (*hidden)(uint8_t), uint8_t material);
+
 // Down to about `triangles`, keeping the borders; `importance` maps a place to the space where errors are
 // measured.
 void simplify_mesh(FieldMesh& mesh, size_t triangles, const std::function<Vec3(Vec3)>& importance);

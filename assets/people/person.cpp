@@ -1,5 +1,6 @@
 #include "assets/character.h"
 #include "assets/people/accessories.h"
+#include "assets/people/face.h"
 #include "assets/people/lods.h"
 #include "assets/people/mesh.h"
 #include "assets/people/parts.h"
@@ -77,13 +78,6 @@ float strand(Vec3 p) {
     return .84f + .20f * wave;
 }
 
-uint32_t scaled_colour(uint32_t colour, float f) {
-    uint32_t out = colour & 0xff000000u;
-    for (int shift = 0; shift < 24; shift += 8)
-        out |= uint32_t(clamp(float(colour >> shift & 0xff) * f, 0, 255)) << shift;
-    return out;
-}
-
 void add_accessory(const Accessory& a, const Figure& figure, const Field& field,
                    const std::array<Vec3, k_joint_count>& bind, Character& person) {
     auto first = uint32_t(person.vertices.size());
@@ -156,12 +150,23 @@ Character generate_person(const PersonOptions& options) {
     size_t carried = 0;
     for (const Accessory& a : accessories) carried += a.solid.indices.size() / 3;
     simplify_mesh(mesh, k_finest_triangles - carried, importance);
+    Unpainted unpainted{painted_over(mesh, is_painted, material_skin),
+                        {},
+                        face_patches(figure, false),
+                        face_patches(figure, figure.glasses)};
 
     Character person;
     person.person = options;
     person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
     const auto bind = bind_joints(figure);
     const std::vector<Vec3> facing = facing_of(mesh);
+    const std::vector<uint32_t> place = place_numbers(mesh.positions);
+    // What lies at one place goes one way, or garments would come apart where they meet.
+    std::vector<std::array<float, k_joint_count>> weights(mesh.positions.size());
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+        const auto own = skin_weights(mesh.positions[v], looks[mesh.materials[v]].layer, figure, bind);
+        for (size_t j = 0; j < own.size(); ++j) weights[place[v]][j] += own[j];
+    }
     std::vector<uint16_t> near;
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
         const MaterialLook& look = looks[mesh.materials[v]];
@@ -172,7 +177,7 @@ Character generate_person(const PersonOptions& options) {
         // Where garments meet, the field of one bends away under the other.
         if (dot(vertex.normal, facing[v]) < .6f) vertex.normal = facing[v];
         vertex.tint = look.tint;
-        pack_weights(skin_weights(p, look.layer, figure, bind), vertex);
+        pack_weights(weights[place[v]], vertex);
         float light = .55f + .45f * openness(field, p, vertex.normal, near);
         if (look.layer == layer_hair) light = strand(p) * (.3f + .7f * light);
         vertex.colour = scaled_colour(look.colour, light);
@@ -180,10 +185,16 @@ Character generate_person(const PersonOptions& options) {
         person.vertices.push_back(vertex);
     }
     person.lods.push_back(std::move(mesh.indices));
-    for (const Accessory& a : accessories) add_accessory(a, figure, field, bind, person);
+    for (const Accessory& a : accessories) {
+        const auto first = std::ptrdiff_t(person.lods[0].size());
+        add_accessory(a, figure, field, bind, person);
+        const auto from = person.lods[0].begin() + first, to = person.lods[0].end();
+        auto& level = a.painted_afar ? unpainted.glasses : unpainted.triangles;
+        level.insert(level.end(), from, to);
+    }
 
     warp_person(figure, bind, person);
-    build_person_lods(person);
+    build_person_lods(person, unpainted);
     return person;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "assets/people/face.h"
 #include "assets/people/parts.h"
 #include "sim/base/rng.h"
 
@@ -118,6 +119,13 @@ Field figure_field(const Figure& figure) {
     return field;
 }
 
+uint32_t scaled_colour(uint32_t colour, float f) {
+    uint32_t out = colour & 0xff000000u;
+    for (int shift = 0; shift < 24; shift += 8)
+        out |= uint32_t(clamp(float(colour >> shift & 0xff) * f, 0, 255)) << shift;
+    return out;
+}
+
 std::array<MaterialLook, k_material_count> material_looks(const Figure& figure) {
     // What is under a jacket takes the third colour; a dress is one with its top.
     bool covered = figure.over != Over::none;
@@ -144,39 +152,6 @@ std::array<MaterialLook, k_material_count> material_looks(const Figure& figure) 
              {layer_collar, inner, 0xffffffff},
              {layer_trim, Tint::top, 0xfff4f4f4}}};
 }
-
-namespace {
-
-// Inside an almond `half_width` long that rises `up` above its axis and `down` below: negative.
-float almond(float x, float y, float half_width, float up, float down) {
-    float height = y > 0 ? up : down;
-    float bow = height * (1 - x * x / (half_width * half_width));
-    return (y > 0 ? y : -y) - bow;
-}
-
-void paint_face(const Figure& figure, Vec3 face, std::span<float> out) {
-    float shown = out[material_skin];
-    // Over whatever is shown so far, where `inside` is negative.
-    auto paint = [&](Material m, float inside) {
-        out[m] = shown + inside * k_head_height;
-        shown = std::min(shown, out[m]);
-    };
-    const FaceShape& f = figure.face;
-    float x = face.x < 0 ? -face.x : face.x, s = f.eye_size;
-    float ex = x - f.eye.x, ey = face.y - f.eye.y - .12f * ex;
-    float eye = almond(ex, ey, .069f * s, .031f * s, .021f * s);
-    float lid = almond(ex, ey, .084f * s, .046f * s, .012f);
-    paint(material_lash, std::max(lid, -ey));
-    paint(material_eye_white, eye);
-    paint(material_iris, std::max(eye, std::sqrt(ex * ex + ey * ey) - .029f * s));
-    float at = x - f.eye.x - .012f, arch = .012f - 1.1f * at * at;
-    float by = face.y - f.eye.y - lerp(.083f, .097f, figure.feminine) - arch;
-    float thick = lerp(.0165f, .010f, figure.feminine) * (1 - smoothstep(0, .09f, at) * .6f);
-    paint(material_brow, std::max((by > 0 ? by : -by) - thick, (at > 0 ? at : -at) - .080f));
-    paint(material_lips, almond(x, face.y - k_mouth_y, .098f * f.mouth, .027f * f.lips, .034f * f.lips));
-}
-
-}  // namespace
 
 void material_distances(const Figure& figure, const LayerDistances& layers, Vec3 p, std::span<float> out) {
     std::fill(out.begin(), out.end(), 2.0f);  // farther than any layer

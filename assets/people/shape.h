@@ -58,6 +58,8 @@ struct MaterialLook {
 };
 std::array<MaterialLook, k_material_count> material_looks(const Figure& figure);
 
+uint32_t scaled_colour(uint32_t colour, float by);  // but for its alpha
+
 Figure choose_figure(const PersonOptions& options);
 
 // From the adult body to this person's: the legs' and the torso's length, the size of the head about the

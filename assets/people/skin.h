@@ -11,7 +11,7 @@ namespace flaneur {
 std::array<float, k_joint_count> skin_weights(Vec3 p, Layer layer, const Figure& figure,
                                               const std::array<Vec3, k_joint_count>& bind_joints);
 
-// The four heaviest as bytes that fall and sum to 255.
+// The four heaviest, whatever their sum, as bytes that fall and sum to 255.
 void pack_weights(const std::array<float, k_joint_count>& weights, CharacterVertex& vertex);
 
 }  // namespace flaneur
