@@ -64,7 +64,7 @@ Result<CameraChoice> parse_camera(const std::string& text);
 Result<Size> parse_size(const std::string& text);
 // Names of views. Refuses unknown ones and rivals.
 Result<WorkViews> parse_work_views(const std::vector<std::string>& names);
-// "52.5163,13.3777": latitude and longitude, degrees.
+// "52.5163,13.3777", blanks behind the comma or not: latitude and longitude, degrees.
 Result<MapPlace> parse_place(const std::string& text);
 // "17:30" as an hour of the day: 17.5. From 00:00 to 23:59; or "dawn", "noon", "dusk" and "night" of a day
 // late in August.

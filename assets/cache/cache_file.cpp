@@ -39,10 +39,9 @@ struct KeptFile {
     bool part;  // being written, or left behind
 };
 
-// Ours, and none of what else lies there.
-std::vector<KeptFile> files_in(const fs::path& folder) {
+// Ours, and none of what else lies there: none where there is no folder. `failed` where they cannot be seen.
+std::vector<KeptFile> files_in(const fs::path& folder, std::error_code& failed) {
     std::vector<KeptFile> files;
-    std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
         std::string name = at->path().filename().string();
         std::error_code gone;
@@ -50,15 +49,19 @@ std::vector<KeptFile> files_in(const fs::path& folder) {
         if (!is("levels-") && !is("navmesh-") && !is("person-")) continue;
         if (!at->is_regular_file(gone)) continue;
         KeptFile file{at->path(), at->file_size(gone), at->last_write_time(gone), name.ends_with(".part")};
+        if (gone == std::errc::permission_denied) return failed = gone, files;
         if (!gone) files.push_back(std::move(file));
     }
+    if (failed == std::errc::no_such_file_or_directory || failed == std::errc::not_a_directory)
+        failed.clear();
     return files;
 }
 
 // What was left half-written goes, and then, until the rest is no more than `limit`, what was used least
 // recently.
 void make_room(const fs::path& folder, uint64_t limit) {
-    std::vector<KeptFile> files = files_in(folder);
+    std::error_code ignored;
+    std::vector<KeptFile> files = files_in(folder, ignored);
     auto stale = fs::file_time_type::clock::now() - std::chrono::hours(1);
     auto order = [&](const KeptFile& file) {
         return std::tuple(!(file.part && file.used < stale), file.used, file.path);
@@ -69,7 +72,6 @@ void make_room(const fs::path& folder, uint64_t limit) {
     for (const KeptFile& file : files) bytes += file.bytes;
     for (const KeptFile& file : files) {
         if (file.part ? file.used >= stale : bytes <= limit) continue;
-        std::error_code ignored;
         if (fs::remove(file.path, ignored)) bytes -= file.bytes;
     }
 }
@@ -121,16 +123,20 @@ uint64_t cache_limit() {
     return said ? *said : k_usual_cache_limit;
 }
 
-CacheStatus cache_status(const std::string& folder) {
+Result<CacheStatus> cache_status(const std::string& folder) {
     CacheStatus status;
-    for (const KeptFile& file : files_in(folder)) ++status.files, status.bytes += file.bytes;
+    std::error_code failed;
+    for (const KeptFile& file : files_in(folder, failed)) ++status.files, status.bytes += file.bytes;
+    if (failed) return Error{"Cannot look into " + folder + ": " + failed.message() + "."};
     return status;
 }
 
 Result<CacheStatus> clear_cache(const std::string& folder) {
     CacheStatus removed;
-    for (const KeptFile& file : files_in(folder)) {
-        std::error_code failed;
+    std::error_code failed;
+    std::vector<KeptFile> files = files_in(folder, failed);
+    if (failed) return Error{"Cannot look into " + folder + ": " + failed.message() + "."};
+    for (const KeptFile& file : files) {
         if (fs::remove(file.path, failed)) ++removed.files, removed.bytes += file.bytes;
         if (failed) return Error{"Cannot remove " + file.path.string() + ": " + failed.message() + "."};
     }

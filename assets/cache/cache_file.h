@@ -22,12 +22,12 @@ constexpr uint64_t k_usual_cache_limit = uint64_t{1} << 30;
 Result<uint64_t> read_cache_limit();
 uint64_t cache_limit();
 
-// Of the folder.
+// Of the folder; refuses one that may not be looked into.
 struct CacheStatus {
     size_t files = 0;
     uint64_t bytes = 0;
 };
-CacheStatus cache_status(const std::string& folder);
+Result<CacheStatus> cache_status(const std::string& folder);
 
 // Removes them, and nothing else that lies there; gives what was removed. Refuses what may not be removed.
 Result<CacheStatus> clear_cache(const std::string& folder);

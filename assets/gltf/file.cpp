@@ -204,6 +204,17 @@ std::string decoded_uri(std::string_view uri) {
     return out;
 }
 
+// The file that a URI which is no data stands for, from the folder on.
+Result<std::filesystem::path> named_file(const std::string& uri) {
+    if (uri.find("://") != std::string::npos)
+        return Error{"lies at " + excerpt(uri) + "; nothing is downloaded"};
+    std::filesystem::path file = decoded_uri(uri);
+    bool climbs = std::find(file.begin(), file.end(), "..") != file.end();
+    if (file.is_absolute() || climbs || file.native().find('\0') != std::string::npos)
+        return Error{"is in " + excerpt(file.string()) + "; only files in its own folder are read"};
+    return file;
+}
+
 // What a URI stands for: base64 in itself, or a file in the folder.
 Result<Bytes> resolve(const std::string& uri, const std::string& folder, size_t most) {
     if (uri.starts_with("data:")) {
@@ -211,14 +222,11 @@ Result<Bytes> resolve(const std::string& uri, const std::string& folder, size_t 
         if (begin == std::string::npos) return Error{"is a data URI that is not base64"};
         return from_base64(std::string_view(uri).substr(begin + 8));
     }
-    if (uri.find("://") != std::string::npos)
-        return Error{"lies at " + excerpt(uri) + "; nothing is downloaded"};
-    std::filesystem::path file = decoded_uri(uri);
-    bool climbs = std::find(file.begin(), file.end(), "..") != file.end();
-    if (file.is_absolute() || climbs || file.native().find('\0') != std::string::npos)
-        return Error{"is in " + excerpt(file.string()) + "; only files in its own folder are read"};
-    auto bytes = read_bytes((std::filesystem::path(folder) / file).string(), most);
-    if (!bytes) return Error{"is in the file " + excerpt(file.string()) + ", which " + bytes.error().message};
+    auto file = named_file(uri);
+    if (!file) return file.error();
+    auto bytes = read_bytes((std::filesystem::path(folder) / *file).string(), most);
+    if (!bytes)
+        return Error{"is in the file " + excerpt(file->string()) + ", which " + bytes.error().message};
     return bytes;
 }
 
@@ -299,15 +307,38 @@ void trim(Json& gltf) {
             for (const char* key : {"camera", "extras", "weights"}) node.erase(key);
 }
 
+Result<Json> parse(std::string_view json) {
+    if (auto done = check_json(json, k_most_depth, k_most_values); !done) return done.error();
+    Json gltf = Json::parse(json, nullptr, false);
+    if (gltf.is_discarded())
+        return Error{"is no glTF file: it is neither .glb nor sound JSON; export it again as .glb"};
+    return gltf;
+}
+
 }  // namespace
+
+std::vector<std::string> files_named_by(const std::string& path) {
+    auto bytes = read_bytes(path, k_most_gltf_bytes);
+    auto parts = bytes ? split(*bytes) : bytes.error();
+    auto gltf = parts ? parse(parts->json) : parts.error();
+    if (!gltf || !check_version(*gltf) || !check_outline(*gltf)) return {};
+    std::vector<std::string> files;
+    for (const char* list : {"buffers", "images"}) {
+        for (const Json& entry : member(*gltf, list)) {
+            std::string uri = text(entry, "uri");
+            auto file = uri.empty() || uri.starts_with("data:") ? Error{""} : named_file(uri);
+            if (file) files.push_back((std::filesystem::path(path).parent_path() / *file).string());
+        }
+    }
+    return files;
+}
 
 Result<GltfFile> open_gltf(std::span<const uint8_t> bytes, const std::string& folder) {
     auto parts = split(bytes);
     if (!parts) return parts.error();
-    if (auto done = check_json(parts->json, k_most_depth, k_most_values); !done) return done.error();
-    Json gltf = Json::parse(parts->json, nullptr, false);
-    if (gltf.is_discarded())
-        return Error{"is no glTF file: it is neither .glb nor sound JSON; export it again as .glb"};
+    auto parsed = parse(parts->json);
+    if (!parsed) return parsed.error();
+    Json gltf = std::move(*parsed);
     if (auto done = check_version(gltf); !done) return done.error();
     if (auto done = check_extensions(gltf); !done) return done.error();
     if (auto done = check_outline(gltf); !done) return done.error();

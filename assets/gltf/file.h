@@ -26,4 +26,8 @@ inline constexpr size_t k_most_gltf_bytes = size_t{128} << 20;  // of the file, 
 // supported.
 Result<GltfFile> open_gltf(std::span<const uint8_t> bytes, const std::string& folder);
 
+// The files beside it that a .gltf, .glb or .vrm file says its buffers and images are in, whether they are
+// there or not. None of what is no glTF 2.0.
+std::vector<std::string> files_named_by(const std::string& path);
+
 }  // namespace flaneur

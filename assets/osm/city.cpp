@@ -91,8 +91,8 @@ void write_notes(OsmImport& in) {
         if (count > 0) notes.push_back(counted(count, one, many));
     };
     note(std::max(0, c.built[static_cast<size_t>(OsmSort::without_height)]),
-         "building says neither its height nor its storeys; a usual height was taken.",
-         "buildings say neither their height nor their storeys; usual heights were taken.");
+         "building says neither a height nor storeys that can be; a usual height was taken.",
+         "buildings say neither heights nor storeys that can be; usual heights were taken.");
     note(c.flat_instead, "roof became flat because its outline does not allow for its shape.",
          "roofs became flat because their outlines do not allow for their shapes.");
     note(c.open_buildings, "building was left out because its outline is not closed.",
@@ -104,8 +104,8 @@ void write_notes(OsmImport& in) {
          "ways were left out because they have more nodes than the 2000 that OpenStreetMap takes.");
     note(c.tangled, "outline was left out because it crosses itself more than a hundred times.",
          "outlines were left out because they cross themselves more than a hundred times.");
-    note(missing_nodes(in.map), "reference to a node that the file lacks was skipped.",
-         "references to nodes that the file lacks were skipped.");
+    note(missing_nodes(in.map), "reference to a node that the file lacks, or has nowhere on Earth, was skipped.",
+         "references to nodes that the file lacks, or has nowhere on Earth, were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",
          "ways and buildings under ground or indoors were left out.");
     if (!in.map.window) {  // which has others beside it
@@ -155,16 +155,20 @@ Error too_wide(const std::string& name) {
 
 std::optional<OsmBox> extent_of(const OsmMap& map) {
     std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
+    bool has_line = false;  // of more than one place
     for (const OsmWay& way : map.ways) {
         if (!way.tags.has("building") && !highway_of(way.tags)) continue;
+        const OsmNode* other = nullptr;
         for (int64_t id : way.nodes) {
             const OsmNode* node = map.node(id);
             if (!node) continue;
+            if (!other) other = node;
+            has_line |= node->longitude != other->longitude || node->latitude != other->latitude;
             box = {std::min(box[0], node->longitude), std::min(box[1], node->latitude),
                    std::max(box[2], node->longitude), std::max(box[3], node->latitude)};
         }
     }
-    if (box[0] > box[2]) return std::nullopt;
+    if (!has_line) return std::nullopt;
     if (map.box) {
         std::array<double, 4> stated{std::max(box[0], (*map.box)[0]), std::max(box[1], (*map.box)[1]),
                                      std::min(box[2], (*map.box)[2]), std::min(box[3], (*map.box)[3])};

@@ -250,10 +250,14 @@ Result<OsmMap> read_drawn(const std::string& path, const CityOptions& options) {
     if (options.center) {
         choice.window = window_about(*options.center, options.radius > 0 ? options.radius : k_usual_radius);
         std::optional<OsmBox> box = box_of(choice.window, bounds);
-        if (bounds && box && ((*box)[0] >= (*box)[2] || (*box)[1] >= (*box)[3]))
+        if (bounds && box && ((*box)[0] >= (*box)[2] || (*box)[1] >= (*box)[3])) {
+            MapPlace swapped{options.center->longitude, options.center->latitude};
             return Error{"The map " + path + " reaches from " + shown_box(*bounds) +
-                         " (latitude,longitude); --center " + shown_place(*options.center) +
-                         " is not there."};
+                         " (latitude,longitude); --center " + shown_place(*options.center) + " is not there" +
+                         (is_in(*bounds, swapped.longitude, swapped.latitude)
+                              ? ", but " + shown_place(swapped) + " is: latitude comes first."
+                              : ".")};
+        }
         if (bounds && projection_about((*bounds)[0], (*bounds)[1]).pole == 0) {
             const Projection& p = choice.window.project;
             choice.width = static_cast<float>(((*bounds)[2] - (*bounds)[0]) * p.metres_per_longitude);

@@ -137,7 +137,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          [](Reading&, Scene& s, const Json& v) { s.city = v; }},
         {"center",
          {text, 0, 0,
-          degrees("([0-8]?[0-9](\\.[0-9]*)?|90(\\.0*)?)") + "," +
+          degrees("([0-8]?[0-9](\\.[0-9]*)?|90(\\.0*)?)") + ", *" +
               degrees("((1[0-7][0-9]|[0-9]?[0-9])(\\.[0-9]*)?|180(\\.0*)?)")},
          nullptr,
          R"("52.5163,13.3777")",
@@ -232,8 +232,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          {text, 0, 0, "street|overview|follow:0*[0-9]{1,5}|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
-         "Where to look from: street, overview, follow:ID (behind a walker, numbered from 0), or "
-         "EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
+         "Where to look from: street, overview (on the asteroid, where it is usual), follow:ID (behind a "
+         "walker, "
+         "numbered from 0), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_camera(v), s.camera); }},
         {"size",
          {text, 0, 0, pixels + "x" + pixels},
@@ -372,6 +373,27 @@ constexpr SceneClash k_clashes[] = {
          return OrderedJson{{"required", OrderedJson::array({key, "city"})},
                             {"properties", {{key, {{"const", true}}}}}};
      }},
+    {"camera", R"("camera": on the asteroid it is overview, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
+     [](const Scene& s, const Json&) {
+         bool on_ground =
+             s.camera.kind == CameraChoice::Kind::street || s.camera.kind == CameraChoice::Kind::follow;
+         return s.asteroid && on_ground;
+     },
+     [](const char* key) {
+         return OrderedJson{
+             {"required", OrderedJson::array({"asteroid", key})},
+             {"properties", {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|follow:.*)$"}}}}}};
+     }},
+    {"blocks", R"("blocks" is of the built-in district, where neither "city" nor "asteroid" is)",
+     [](const Scene& s, const Json& json) {
+         return json.contains("blocks") && (s.asteroid || !s.city.empty());
+     },
+     [](const char* key) {
+         OrderedJson asteroid = {{"required", OrderedJson::array({"asteroid"})},
+                                 {"properties", {{"asteroid", {{"const", true}}}}}};
+         OrderedJson elsewhere = OrderedJson::array({{{"required", OrderedJson::array({"city"})}}, asteroid});
+         return OrderedJson{{"required", OrderedJson::array({key})}, {"anyOf", elsewhere}};
+     }},
     {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
      [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); }, needs_map},
     {"center", R"("center" is of an OpenStreetMap city, which "city" must name)",
@@ -481,6 +503,7 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
         return r.faults;
     }
     read_keys(r, scene_keys(), "a scene", json, scene);
+    if (scene.asteroid && !json.contains("camera")) scene.camera.kind = CameraChoice::Kind::overview;
     for (const SceneClash& clash : k_clashes) {
         if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
         r.path = {clash.key};

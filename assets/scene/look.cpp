@@ -92,6 +92,8 @@ Result<Size> parse_size(const std::string& text) {
 Result<MapPlace> parse_place(const std::string& text) {
     auto parts = split(text, ',');
     MapPlace place;
+    // "52.5163, 13.3777", as sites with maps have it copied.
+    if (parts.size() == 2) parts[1].remove_prefix(std::min(parts[1].find_first_not_of(' '), parts[1].size()));
     // Digits with a sign and a point at most, not in the words and powers that numbers may be written in.
     auto is_plain = [](std::string_view part) {
         size_t first = part.starts_with('-');

@@ -77,7 +77,7 @@ TEST(CacheFile, WhatWasUsedLeastRecentlyGoes) {
     std::string part = folder.write("person-0.1-1.part", text),
                 young = folder.write("person-1.1-1.part", text);
     fs::last_write_time(part, fs::file_time_type::clock::now() - std::chrono::hours(2));
-    EXPECT_EQ(cache_status(folder.path.string()).files, 7u);
+    EXPECT_EQ(cache_status(folder.path.string())->files, 7u);
     ASSERT_TRUE(read_kept(paths[0], 0, 2000)) << "used again";
     std::string last = kept_path(folder.path.string(), "person", 9);
     keep(last, 9, text, 5000);
@@ -85,7 +85,7 @@ TEST(CacheFile, WhatWasUsedLeastRecentlyGoes) {
         EXPECT_TRUE(fs::exists(path)) << path;
     for (const std::string& path : {paths[1], paths[2], paths[3], part})
         EXPECT_FALSE(fs::exists(path)) << path;
-    EXPECT_LE(cache_status(folder.path.string()).bytes, 5000u);
+    EXPECT_LE(cache_status(folder.path.string())->bytes, 5000u);
 
     keep(kept_path(folder.path.string(), "person", 10), 10, std::string(6000, 'x'), 5000);
     EXPECT_TRUE(fs::exists(last)) << "what would never fit drives nobody out";
@@ -93,7 +93,7 @@ TEST(CacheFile, WhatWasUsedLeastRecentlyGoes) {
     Result<CacheStatus> removed = clear_cache(folder.path.string());
     ASSERT_TRUE(removed);
     EXPECT_EQ(removed->files, 4u);
-    EXPECT_EQ(cache_status(folder.path.string()).files, 0u);
+    EXPECT_EQ(cache_status(folder.path.string())->files, 0u);
     EXPECT_TRUE(fs::exists(stranger));
     EXPECT_EQ(clear_cache(folder / "nowhere")->files, 0u);
 }
@@ -105,7 +105,7 @@ TEST(CacheFile, WhereNothingCanBeKeptNothingIs) {
         std::string path = kept_path(nowhere, "person", 1);
         keep(path, 1, "somebody");
         EXPECT_FALSE(read_kept(path, 1, 100));
-        EXPECT_EQ(cache_status(nowhere).files, 0u);
+        EXPECT_EQ(cache_status(nowhere)->files, 0u);
     }
 }
 

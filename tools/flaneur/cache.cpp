@@ -2,6 +2,7 @@
 
 #include "assets/cache/cache_file.h"
 #include "tools/flaneur/commands.h"
+#include "tools/flaneur/console/console.h"
 
 namespace flaneur {
 
@@ -19,15 +20,17 @@ Result<void> run_cache(const Options& options) {
         return {};
     }
     if (!options.clear_cache) {
-        std::printf("%s\n", folder.c_str());
-        print_amount("", cache_status(folder));
+        Result<CacheStatus> status = cache_status(folder);
+        if (!status) return status.error();
+        std::printf("%s\n", printable(folder).c_str());
+        print_amount("", *status);
         std::printf(" of at most %.0f\n", static_cast<double>(cache_limit()) / (1 << 20));
         return {};
     }
     Result<CacheStatus> removed = clear_cache(folder);
     if (!removed) return removed.error();
     print_amount("Removed ", *removed);
-    std::printf(" from %s\n", folder.c_str());
+    std::printf(" from %s\n", printable(folder).c_str());
     return {};
 }
 

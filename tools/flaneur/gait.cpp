@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "assets/files/file.h"
 #include "sim/base/hash.h"
 #include "sim/crowd/pace.h"
 #include "tools/flaneur/commands.h"
@@ -143,6 +144,8 @@ Result<void> write(Paper& paper) {
 
 Result<void> run_gait(const Options& options) {
     const GaitOptions& gait = options.gait;
+    if (!gait.motion.empty() && !has_ending(gait.motion, ".bvh") && !is_stream(gait.motion))
+        return Error{"--export writes a .bvh, which " + gait.motion + " is not called."};
     std::vector<Report> reports;
     Motion motion;
     Paper papers[] = {

@@ -1,3 +1,7 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 
@@ -76,12 +80,21 @@ int run_program(int argc, char** argv) {
     return fail(is_unread(stdout) ? unread() : Error{"Cannot write to standard output."});
 }
 
+// Where a standard file is closed, the next file to be opened would take its number, and what is said on the
+// terminal would be written into it. Nothing can be written to what takes it here: what was to go there
+// fails.
+void fill_standard_files() {
+    for (int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(standard, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDONLY);
+}
+
 }  // namespace
 
 }  // namespace flaneur
 
 int main(int argc, char** argv) {
     using namespace flaneur;
+    fill_standard_files();
     std::signal(SIGPIPE, SIG_IGN);  // a pipe that closes is an error like others
     return run_guarded([&] {
         obey_signals(abandon_outputs);

@@ -17,9 +17,10 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_far = 20'000;       // no city is wider, metres
-constexpr float k_steepest = 0.766f;  // cosine of 40 degrees
-constexpr float k_storey = 0.5f;      // heights of ground are counted in such slices, metres
+constexpr float k_far = 20'000;         // no city is wider, metres
+constexpr float k_most_ground = 40e6f;  // square metres of the rectangle about it: no map is drawn larger
+constexpr float k_steepest = 0.766f;    // cosine of 40 degrees
+constexpr float k_storey = 0.5f;        // heights of ground are counted in such slices, metres
 
 struct Gathered {
     Scenery scenery;
@@ -267,6 +268,13 @@ Result<City> make_gltf_city(const tinygltf::Model& model, const std::string& pat
         take_pictures(*scene, city.scenery);
         if (auto done = find_ground(city, gathered->hints); !done) return refuse(done.error());
         index_city(city);
+        Vec2 size = city.ground.high - city.ground.low;
+        if (size.x * size.z > k_most_ground)
+            return refuse(
+                Error{"has ground of " + std::to_string(std::lround(size.x)) + " x " +
+                      std::to_string(std::lround(size.z)) +
+                      " m, more than the 6 x 6 km that people find their ways about in; cut out a part, "
+                      "or give --scale, such as 0.01 for centimetres"});
     } catch (const std::bad_alloc&) {
         return refuse(Error{"needs more memory than there is"});
     }

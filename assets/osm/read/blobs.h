@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,5 +30,9 @@ struct PbfBlobs {
 
 // Goes from frame to frame and unpacks nothing. None if they do not fill the file to its end.
 std::optional<PbfBlobs> blobs_of(const std::string& path);
+
+// How many bytes the blobs of a .pbf say that they unpack to, as far as they can be told apart; libosmium
+// goes by what they say.
+uint64_t unpacked_size(std::istream& file);
 
 }  // namespace flaneur

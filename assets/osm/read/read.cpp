@@ -1,11 +1,16 @@
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <osmium/io/compression.hpp>
+#include <sstream>
 
 #include "assets/files/file.h"
 #include "assets/osm/cut.h"
@@ -43,22 +48,28 @@ bool take_place(osmium::io::file_compression how) {
 
 namespace {
 
-// OpenStreetMap's XML shrinks to a tenth or a twentieth, and what is all alike to a thousandth.
+// OpenStreetMap's XML shrinks to a tenth or a twentieth, what it packs itself to a third, and what is all
+// alike to a thousandth.
+constexpr size_t k_most_times = 100;
+
+// `room` and `packed` in bytes; the room is that of a small file.
+size_t room_for(size_t packed, size_t room) { return std::max(room, packed * k_most_times); }
+
+TooMuch bomb() { return TooMuch("unpacks to more than a hundred times its size, as no map does"); }
+
 class BoundedDecompressor final : public osmium::io::Decompressor {
   public:
     BoundedDecompressor(osmium::io::Decompressor* inner, size_t packed)
-        : m_inner(inner), m_room(std::max(k_least, packed * k_most_times)) {}
+        : m_inner(inner), m_room(room_for(packed, size_t{16} << 20)) {}
     std::string read() override {
         std::string bytes = m_inner->read();
-        if (bytes.size() > m_room)
-            throw TooMuch("unpacks to more than a hundred times its size, as no map does");
+        if (bytes.size() > m_room) throw bomb();
         m_room -= bytes.size();
         return bytes;
     }
     void close() override { m_inner->close(); }
 
   private:
-    static constexpr size_t k_least = size_t{16} << 20, k_most_times = 100;
     std::unique_ptr<osmium::io::Decompressor> m_inner;
     size_t m_room;
 };
@@ -212,9 +223,26 @@ std::optional<OsmBox> bounds_of(osmium::io::Reader& reader) {
     return OsmBox{box.left(), box.bottom(), box.right(), box.top()};
 }
 
+// A byte of a .pbf becomes up to a hundred in memory before any object is seen, so little is let through.
+void refuse_bomb(const File& file) {
+    if (file.format() != osmium::io::file_format::pbf) return;
+    auto check = [](std::istream& bytes, size_t packed) {
+        if (unpacked_size(bytes) > room_for(packed, size_t{1} << 20)) throw bomb();
+    };
+    if (file.buffer()) {
+        std::istringstream bytes(std::string(file.buffer(), file.buffer_size()));
+        check(bytes, file.buffer_size());
+    } else {
+        std::ifstream bytes(file.filename(), std::ios::binary);
+        check(bytes, std::filesystem::file_size(file.filename()));
+    }
+}
+
 // libosmium goes by small letters, and takes what begins with http: for an address.
 Result<File> file_of(const std::string& path) {
     if (Result<void> found = find_file(path); !found) return found.error();
+    if (access(path.c_str(), R_OK) != 0)
+        return Error{"The map " + path + " cannot be read: " + std::strerror(errno) + "."};
     const char* format = has_ending(path, ".osm")       ? "osm"
                          : has_ending(path, ".osm.gz")  ? "osm.gz"
                          : has_ending(path, ".osm.bz2") ? "osm.bz2"
@@ -238,8 +266,12 @@ auto guarded(const std::string& name, const std::string& advice, Read read) -> R
         if (std::string_view(e.what()).find("entities") != std::string_view::npos)
             return Error{"The map " + name +
                          " has XML entities of its own, which are not read; export it again without them."};
-        return Error{"The map " + name + " cannot be read (" + excerpt(e.what()) +
-                     "); it may be cut short or be no .osm or .osm.pbf file. Download or export it again."};
+        // Where XML breaks off is worth knowing; what a parser of packed maps calls its trouble is not.
+        bool is_packed = dynamic_cast<const osmium::pbf_error*>(&e) != nullptr ||
+                         dynamic_cast<const protozero::exception*>(&e) != nullptr;
+        return Error{"The map " + name + " cannot be read" +
+                     (is_packed ? "" : " (" + excerpt(e.what()) + ")") +
+                     "; it may be cut short or be no .osm or .osm.pbf file. Download or export it again."};
     }
 }
 
@@ -250,6 +282,7 @@ auto guarded_input(const std::string& path, const std::string& advice, Read read
     Result<File> file = file_of(path);
     if (!file) return file.error();
     return guarded(path, advice, [&] {
+        refuse_bomb(*file);
         Input input{*file};
         if (file->format() == osmium::io::file_format::pbf) {
             osmium::io::Header header = osmium::io::Reader{*file, kinds::nothing}.header();
@@ -293,6 +326,7 @@ Result<OsmMap> read_from(const Input& input, const std::string& name, const OsmR
                          bool* too_large) {
     const char* advice = "cut out a part of a few kilometres (osmium extract does)";
     return guarded(name, advice, [&] {
+        refuse_bomb(input.file);
         OsmMap map;
         Taker taker{how.most};
         // Whatever is in the file costs something, taken or not.

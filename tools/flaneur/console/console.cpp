@@ -31,10 +31,18 @@ size_t character_length(std::string_view text) {
     return 0;
 }
 
+// What steers a terminal, breaks a line, or has what follows shown from right to left.
 bool is_control(std::string_view character) {
-    auto first = static_cast<uint8_t>(character[0]);
-    if (character.size() == 1) return first < 0x20 || first == 0x7f;
-    return first == 0xc2 && static_cast<uint8_t>(character[1]) < 0xa0;  // U+0080 to U+009F
+    auto byte = [&](size_t i) { return static_cast<uint8_t>(character[i]); };
+    if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+    if (character.size() == 2)
+        return (byte(0) == 0xc2 && byte(1) < 0xa0) || character == "\u061c";  // U+0080 to U+009F
+    if (byte(0) != 0xe2) return false;
+    bool is_mark = character == "\u200e" || character == "\u200f";
+    bool is_separator = character == "\u2028" || character == "\u2029";
+    bool is_embedding = character >= "\u202a" && character <= "\u202e";
+    bool is_isolate = character >= "\u2066" && character <= "\u2069";
+    return is_mark || is_separator || is_embedding || is_isolate;
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 namespace flaneur {
 
-// `text` with its control characters (and what is no UTF-8) written out, as in \x1b: names and notes come
-// from files of strangers, and must neither move the cursor nor begin a line of their own.
+// `text` with its control characters, those of direction too (and what is no UTF-8) written out, as in \x1b:
+// names and notes come from files of strangers, and must neither move the cursor nor begin a line of their
+// own.
 std::string printable(std::string_view text);
 
 // A line on stderr, printable, in place of the line of progress.

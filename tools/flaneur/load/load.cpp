@@ -1,6 +1,8 @@
 #include "tools/flaneur/load/load.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "assets/asteroid.h"
@@ -27,14 +29,28 @@ void print_notes(const std::string& source, const std::vector<std::string>& note
     for (const std::string& note : notes) say((line = source).append(": ").append(note));
 }
 
+// Those of a scene, each once: who is named again is not loaded again, but is a larger part of all walkers.
+std::vector<PeopleShare> distinct_people(const Scene& scene) {
+    std::vector<PeopleShare> distinct;
+    for (const PeopleShare& some : scene.people) {
+        auto known = std::find_if(distinct.begin(), distinct.end(),
+                                  [&](const PeopleShare& d) { return d.character == some.character; });
+        if (known == distinct.end()) {
+            distinct.push_back(some);
+        } else {
+            known->share += some.share;
+        }
+    }
+    if (distinct.empty()) distinct.emplace_back();
+    return distinct;
+}
+
 // Fills both: a kind for each character. The built-in people share what they have evenly.
 Result<void> add_people(const Options& options, std::vector<Character>& characters,
                         std::vector<Kind>& kinds) {
     const Scene& scene = options.scene;
     kinds.clear();
-    std::vector<PeopleShare> people = scene.people;
-    if (people.empty()) people.emplace_back();
-    for (const PeopleShare& some : people) {
+    for (const PeopleShare& some : distinct_people(scene)) {
         std::vector<Character> added;
         if (some.character.empty()) {
             auto made = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
@@ -56,7 +72,9 @@ Result<void> add_people(const Options& options, std::vector<Character>& characte
 
 Result<std::vector<Clip>> load_idles(const Scene& scene) {
     std::vector<Clip> clips;
+    std::set<std::string> known;
     for (const std::string& idle : scene.idles) {
+        if (!known.insert(idle).second) continue;
         show_progress("reading " + idle);
         ClipName name = split_clip(idle);
         Result<RecordedMotion> motion = load_motion(name.file, name.clip);

@@ -191,8 +191,6 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) + (gait.crowd > 0);
         if (walks > 1)
             return Error{"gait measures one of --turn, --stairs, --slope, --kerb and --crowd at a time."};
-        if (!gait.motion.empty() && gait.motion != "-" && !has_ending(gait.motion, ".bvh"))
-            return Error{"--export writes a .bvh, which " + gait.motion + " is not called."};
         if (gait.crowd > 0 && gait.walker >= gait.crowd)
             return Error{"--walker " + std::to_string(gait.walker) +
                          " is nobody: people are numbered from 0, and there are " +

@@ -1,4 +1,6 @@
 // How values on the command line are read.
+#include <charconv>
+#include <limits>
 #include <string_view>
 
 #include "assets/files/file.h"
@@ -7,13 +9,21 @@
 
 namespace flaneur {
 
+// Whether `text` is a number, which `to` then is; of one beyond all doubles, infinite.
+static bool is_number(std::string_view text, double& to) {
+    auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
+    if (error == std::errc::result_out_of_range) to = std::numeric_limits<double>::infinity();
+    return error != std::errc::invalid_argument && end == text.data() + text.size();
+}
+
 Result<PeopleShare> parse_people(const std::string& text) {
     PeopleShare people{text};
     size_t colon = text.rfind(':');
-    if (colon != std::string::npos && parse_number(std::string_view(text).substr(colon + 1), people.share)) {
+    double share = 0;
+    if (colon != std::string::npos && is_number(std::string_view(text).substr(colon + 1), share)) {
         people.character.resize(colon);
-        if (!(static_cast<double>(people.share) >= k_least_share &&
-              static_cast<double>(people.share) <= k_most_share))
+        people.share = static_cast<float>(share);
+        if (!(share >= k_least_share && share <= k_most_share))
             return Error{excerpt(people.character) + excerpt(text.substr(colon)) +
                          " has a share that is not from 0.001 to 1000"};
     }

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <initializer_list>
 
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
@@ -20,11 +21,12 @@ namespace flaneur {
 
 struct Film {
     PartFilePtr file;
-    std::string comment;  // as ffmpeg takes it: with the record
+    Size size;
+    std::string record, comment;  // as ffmpeg takes it: with the record
     uint32_t step = 1;
     bool goes_on = false;  // with the film that is there
     uint32_t begun = 0;    // how many pictures that has
-    bool has_more = false;
+    uint32_t more = 0;     // how many were written
     int pipe = -1;
     pid_t ffmpeg = -1;
 };
@@ -44,17 +46,17 @@ Result<Pipe> make_pipe() {
     return Pipe{ends[0], ends[1]};
 }
 
-// Starts a program of ffmpeg with one of its standard files at the end of a pipe, which is closed here.
+// Starts a program of ffmpeg with some of its standard files at the end of a pipe, which is closed here.
 // Signals that are blocked here are blocked there: Ctrl-C reaches both, and ffmpeg must go on until it has
 // what was drawn.
-Result<pid_t> start(const std::vector<std::string>& words, int end, int standard) {
+Result<pid_t> start(const std::vector<std::string>& words, int end, std::initializer_list<int> standards) {
     std::vector<char*> pointers;
     pointers.reserve(words.size() + 1);
     for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, end, standard);
+    for (int standard : standards) posix_spawn_file_actions_adddup2(&actions, end, standard);
     pid_t started = -1;
     int failure = posix_spawnp(&started, pointers[0], &actions, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -73,7 +75,7 @@ Result<pid_t> start_ffmpeg(const std::vector<std::string>& input, const Pipe& pi
     // Without "file:", a colon in a path would begin a protocol.
     words.insert(words.end(), {"-metadata", comment, "-movflags", "+faststart", "-fflags", "+bitexact", "-f",
                                "mp4", "file:" + to.part});
-    Result<pid_t> ffmpeg = start(words, pipe.read, STDIN_FILENO);
+    Result<pid_t> ffmpeg = start(words, pipe.read, {STDIN_FILENO});
     if (ffmpeg) running = *ffmpeg;
     return ffmpeg;
 }
@@ -107,15 +109,15 @@ bool end_ffmpeg(Film& film) {
 
 int even(int length) { return length + length % 2; }
 
-// How many pictures a film has that is to go on.
-Result<uint32_t> count_pictures(const PartFile& file, Size size, uint32_t step, const std::string& record) {
+// How many pictures a film has that is to go on, or that went on; `path` is what it is called.
+Result<uint32_t> count_pictures(const Film& film, const std::string& at, const std::string& path) {
     Result<Pipe> pipe = make_pipe();
     if (!pipe) return pipe.error();
     Result<pid_t> probe =
         start({"ffprobe", "-loglevel", "error", "-select_streams", "v:0", "-count_packets", "-show_entries",
                "stream=width,height,r_frame_rate,nb_read_packets:format_tags=comment", "-of",
-               "default=noprint_wrappers=1:nokey=1", "file:" + file.target},
-              pipe->write, STDOUT_FILENO);
+               "default=noprint_wrappers=1:nokey=1", "file:" + at},
+              pipe->write, {STDOUT_FILENO, STDERR_FILENO});  // what is wrong with it comes first
     std::string said;
     char some[4096];
     for (ssize_t got = 1; got > 0;) {
@@ -129,11 +131,13 @@ Result<uint32_t> count_pictures(const PartFile& file, Size size, uint32_t step, 
     uint32_t rate = 0, seconds = 0, pictures = 0;
     if (!content || std::sscanf(said.c_str(), "%d %d %u/%u %u %n", &width, &height, &rate, &seconds,
                                 &pictures, &length) != 5)
-        return Error{"Cannot go on with " + file.path + ": it is no film that ffprobe can read."};
-    if (Result<void> same = check_record(file.path, said.substr(static_cast<size_t>(length)), record); !same)
+        return Error{"Cannot go on with " + path +
+                     ": ffprobe cannot read it to its end, so it is damaged or no film."};
+    if (Result<void> same = check_record(path, said.substr(static_cast<size_t>(length)), film.record); !same)
         return same.error();
-    if (width != even(size.width) || height != even(size.height) || rate * step != 60 * seconds)
-        return Error{"Cannot go on with " + file.path + ": it is " + std::to_string(width) + "x" +
+    if (width != even(film.size.width) || height != even(film.size.height) ||
+        rate * film.step != 60 * seconds)
+        return Error{"Cannot go on with " + path + ": it is " + std::to_string(width) + "x" +
                      std::to_string(height) + " at " + std::to_string(rate / std::max(1u, seconds)) +
                      " pictures a second; give the --size and the step of --frames that it was begun with."};
     return pictures;
@@ -149,6 +153,12 @@ std::string list_line(const std::string& path) {
 // One film of the one that is there and the one that goes on with it, picture for picture.
 Result<void> join(Film& film) {
     PartFilePtr tail = std::move(film.file);
+    Result<uint32_t> now = count_pictures(film, tail->target, tail->path);
+    if (!now) return now.error();
+    if (*now != film.begun)
+        return Error{"Cannot go on with " + tail->path + ": it had " + std::to_string(film.begun) +
+                     " pictures and has " + std::to_string(*now) +
+                     " now, so another command wrote it; give each a film of its own."};
     tail->gives_way = true;
     Result<PartFilePtr> whole = open_file(tail->path);
     if (!whole) return whole.error();
@@ -168,6 +178,10 @@ Result<void> join(Film& film) {
     if (!content || !told)
         return Error{"ffmpeg could not join " + tail->path +
                      " and what goes on with it; it may have said why above."};
+    Result<uint32_t> joined = count_pictures(film, (*whole)->part, tail->path);
+    if (!joined || *joined != film.begun + film.more)
+        return Error{"ffmpeg could not join " + tail->path +
+                     " and what goes on with it, so it is left as it was."};
     film.file = std::move(*whole);
     return {};
 }
@@ -185,15 +199,18 @@ void FilmDelete::operator()(Film* film) const {
 
 Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, const std::string& record,
                           bool resume) {
+    // Before it is opened, which takes until a pipe has a reader.
+    if (is_stream(path)) return Error{"A film takes a plain file, which " + path + " is not."};
     Result<PartFilePtr> file = open_file(path);
     if (!file) return file.error();
     FilmPtr film(new Film);
     film->file = std::move(*file);
+    film->size = size;
+    film->record = record;
     film->comment = "comment=" + record;
     film->step = step;
-    if (film->file->part.empty()) return Error{"A film takes a plain file, which " + path + " is not."};
     if (resume && std::filesystem::exists(film->file->target)) {
-        Result<uint32_t> begun = count_pictures(*film->file, size, step, record);
+        Result<uint32_t> begun = count_pictures(*film, film->file->target, path);
         if (!begun) return begun.error();
         film->goes_on = true;
         film->begun = *begun;
@@ -217,13 +234,13 @@ Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, con
 uint32_t pictures_begun_with(const Film& film) { return film.begun; }
 
 Result<void> write_film(Film& film, const std::vector<uint8_t>& rgba) {
-    film.has_more = true;
+    ++film.more;
     if (write_all(film.pipe, rgba.data(), rgba.size())) return {};
     return Error{"ffmpeg stopped before " + film.file->path + " was done; it may have said why above."};
 }
 
 Result<void> finish_film(FilmPtr film) {
-    if (film->goes_on && !film->has_more) {  // it was whole
+    if (film->goes_on && film->more == 0) {  // it was whole
         abandon_films();
         return {};
     }

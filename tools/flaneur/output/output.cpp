@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -18,6 +17,7 @@
 
 #include "assets/files/file.h"
 #include "assets/files/picture.h"
+#include "assets/gltf/file.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/record.h"
@@ -49,6 +49,32 @@ void remember(const PartFile* file) {
     open_files().files.push_back(file);
 }
 
+// Opens the part of `f`, and remembers it at once. One of that name may have been left behind by another
+// process that had our number.
+void open_part(PartFile& f) {
+    static int number = 0;
+    std::lock_guard lock(open_files().mutex);
+    do {
+        // Short, so that whatever name fits may be asked for.
+        std::string name = ".flaneur-" + std::to_string(getpid()) + "-" + std::to_string(number++) + ".part";
+        f.part = (fs::path(f.target).parent_path() / name).string();
+        f.file = std::fopen(f.part.c_str(), "wbxe");
+    } while (!f.file && errno == EEXIST);
+    if (f.file) open_files().files.push_back(&f);
+}
+
+// The topmost folder made for another file under way, where that is above `target` too; or an empty text.
+std::string folder_made_for_another(const fs::path& target) {
+    std::lock_guard lock(open_files().mutex);
+    for (const PartFile* file : open_files().files) {
+        fs::path made = file->made_folder;
+        if (!made.empty() &&
+            std::mismatch(made.begin(), made.end(), target.begin(), target.end()).first == made.end())
+            return file->made_folder;
+    }
+    return "";
+}
+
 // Whether another file under way goes there too. Devices and pipes with names take any number.
 bool is_taken(const std::string& target) {
     std::lock_guard lock(open_files().mutex);
@@ -60,10 +86,16 @@ bool is_taken(const std::string& target) {
 }
 
 bool is_read(const std::string& target) {
-    const std::vector<std::string>& inputs = open_files().inputs;
-    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+    auto is_target = [&](const std::string& input) {
         std::error_code ignored;
         return fs::equivalent(input, target, ignored);
+    };
+    const std::vector<std::string>& inputs = open_files().inputs;
+    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
+        if (is_target(input)) return true;
+        if (kind_of(input) != FileKind::gltf) return false;
+        std::vector<std::string> named = files_named_by(input);
+        return std::any_of(named.begin(), named.end(), is_target);
     });
 }
 
@@ -133,20 +165,22 @@ Result<std::string> make_folders(const std::string& path, const std::string& tar
     return made;
 }
 
-// A text with one place for a whole number, %d or %0Nd.
+// A path whose last name has one place for a whole number, %d or %0Nd.
 struct Numbered {
     std::string before, after;
     size_t digits = 0;
 };
 
-std::optional<Numbered> parse_numbered(const std::string& path) {
-    size_t percent = path.find('%');
-    if (percent == std::string::npos || path.find('%', percent + 1) != std::string::npos) return {};
-    size_t end = path.find('d', percent);
+std::optional<Numbered> numbered_of(const std::string& path) {
+    std::string name = fs::path(path).filename().string();
+    size_t percent = name.find('%');
+    if (percent == std::string::npos || name.find('%', percent + 1) != std::string::npos) return {};
+    size_t end = name.find('d', percent);
     if (end == std::string::npos) return {};
-    Numbered numbered{path.substr(0, percent), path.substr(end + 1)};
-    const char* first = path.data() + percent + 1;
-    const char* last = path.data() + end;
+    Numbered numbered{(fs::path(path).parent_path() / name.substr(0, percent)).string(),
+                      name.substr(end + 1)};
+    const char* first = name.data() + percent + 1;
+    const char* last = name.data() + end;
     if (first == last) return numbered;
     auto [stop, error] = std::from_chars(first, last, numbered.digits);
     if (*first != '0' || error != std::errc() || stop != last || numbered.digits > 20) return {};
@@ -216,18 +250,12 @@ Result<PartFilePtr> open_file(const std::string& path) {
         return cannot_write(path, "it is there already and protected from writing");
     Result<std::string> made = make_folders(path, f->target);
     if (!made) return made.error();
-    f->made_folder = *made;
-    // Short, so that whatever name fits may be asked for.
-    static std::atomic<int> number = 0;
-    std::string name = ".flaneur-" + std::to_string(getpid()) + "-" + std::to_string(number++) + ".part";
-    f->part = (fs::path(f->target).parent_path() / name).string();
-    remember(f.get());
-    f->file = std::fopen(f->part.c_str(), "wbxe");
+    f->made_folder = made->empty() ? folder_made_for_another(f->target) : *made;
+    open_part(*f);
     bool has_name = f->file && (is_there || stat(f->target.c_str(), &now) == 0 || errno == ENOENT);
     if (!has_name) {  // that it may have
         Error error = cannot_write(path, std::strerror(errno));
         if (f->file) return error;
-        forget(f.get());
         f->part.clear();
         remove_traces(*f);
         return error;
@@ -273,6 +301,11 @@ struct Output {
 
 void OutputDelete::operator()(Output* output) const { delete output; }
 
+std::string picture_path(const std::string& path, uint32_t tick) {
+    std::optional<Numbered> numbered = numbered_of(path);
+    return numbered && !has_ending(path, ".mp4") ? path_for(*numbered, tick) : path;
+}
+
 // Whether the numbered pictures that are there were drawn by the same command.
 static Result<void> check_pictures(const Output& output, const TickRange& ticks) {
     constexpr size_t k_head = 1 << 16;  // bytes, with the comment among them
@@ -303,16 +336,14 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
     }
     if (!has_ending(path, ".png") && !is_stream(path))
         return Error{"--out " + path + " must end in .png for pictures or in .mp4 for a film."};
-    output->numbered = parse_numbered(fs::path(path).filename().string());
-    if (output->numbered) {
-        output->numbered->before = (fs::path(path).parent_path() / output->numbered->before).string();
-    } else if (count(ticks) > 1) {
+    output->numbered = numbered_of(path);
+    if (!output->numbered && count(ticks) > 1) {
         return Error{"--out " + path + " is one picture, but --frames asks for " +
                      std::to_string(count(ticks)) +
                      "; number them with DIR/%05d.png, or write a film: FILE.mp4."};
-    } else if (resume) {
-        return Error{"--resume goes on with films and numbered pictures, and --out " + path + " is neither."};
     }
+    if (!output->numbered && resume)
+        return Error{"--resume goes on with films and numbered pictures, and --out " + path + " is neither."};
     if (resume) {
         if (Result<void> same = check_pictures(*output, ticks); !same) return same.error();
     }

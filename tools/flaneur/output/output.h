@@ -30,7 +30,8 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
-// Files that this command reads, if they are there: nothing is written over them.
+// Files that this command reads, if they are there: nothing is written over them, nor over those that a .gltf
+// among them names.
 void protect_inputs(std::vector<std::string> paths);
 
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
@@ -65,6 +66,8 @@ using OutputPtr = std::unique_ptr<Output, OutputDelete>;
 // those whose record (record.h) is another.
 Result<OutputPtr> open_output(const std::string& path, Size size, const TickRange& ticks,
                               const std::string& record = {}, bool resume = false);
+// Where the picture of a tick goes: `path`, with its number where that is a pattern.
+std::string picture_path(const std::string& path, uint32_t tick);
 // Whether the picture, the one with this number from 0, was there when it went on.
 bool is_written(const Output& output, uint32_t number, uint32_t tick);
 Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick);
