@@ -88,6 +88,10 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
                               {R"({"asteroid": true, "terrain": "a.tif"})", "\"terrain\""},
                               {R"({"scale": 2, "city": "A.OSM.PBF"})", "\"scale\""},
                               {R"({"scale": 2})", "\"scale\""},
+                              {R"({"blocks": 2, "asteroid": true})", "\"blocks\""},
+                              {R"({"blocks": 2, "city": "a.osm"})", "\"blocks\""},
+                              {R"({"camera": "street", "asteroid": true})", "\"camera\""},
+                              {R"({"camera": "follow:3", "asteroid": true})", "\"camera\""},
                               {R"({"radius": 500})", "\"radius\""},
                               {R"({"terrain": "a.tif", "city": "a.glb"})", "\"terrain\""}}) {
         Result<Scene> scene = load(text);
@@ -96,6 +100,8 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
     }
     EXPECT_TRUE(load(R"({"asteroid": false, "city": "a.osm"})"));
     EXPECT_TRUE(load(R"({"scale": 2, "city": "a.glb"})"));
+    EXPECT_EQ(load(R"({"asteroid": true})")->camera.kind, CameraChoice::Kind::overview);
+    EXPECT_EQ(load(R"({"center": "52.5, 13.25", "city": "a.osm"})")->center->longitude, 13.25);
 }
 
 // A sentence says which key and shows the beginning of its value; a parser's stack is not for a file to fill.

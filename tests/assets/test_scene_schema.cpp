@@ -212,6 +212,7 @@ TEST_F(SceneSchema, SaysWhatHoldsWithoutAKey) {
     Scene plain;
     plain.name = "it";
     usual["city"] = plain.city = "a.glb";  // whose scale is told
+    usual.erase("blocks");
     Result<Scene> scene = parse_scene(usual.dump(), "it");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(*scene, plain);

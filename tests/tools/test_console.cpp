@@ -20,6 +20,10 @@ TEST(Printable, LeavesWordsAndWritesOutControls) {
               "\\xc2\\x9b"
               "2J")
         << "a control sequence in one character";
+    EXPECT_EQ(printable("a\u202eb\u2066\u200f\u061c\u2028"),
+              "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6\\xe2\\x80\\x8f\\xd8\\x9c\\xe2\\x80\\xa8")
+        << "what is shown from right to left";
+    EXPECT_EQ(printable("\u200d\u2030\u061b\u206a"), "\u200d\u2030\u061b\u206a");
     // No UTF-8: cut short, overlong, alone.
     EXPECT_EQ(printable("\xe2\x82"), "\\xe2\\x82");
     EXPECT_EQ(printable("\xc0\x9b"), "\\xc0\\x9b");

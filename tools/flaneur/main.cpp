@@ -6,6 +6,8 @@
 #include <cstdio>
 
 #include "assets/cache/cache_file.h"
+#include "assets/files/file.h"
+#include "assets/gltf/file.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -72,6 +74,10 @@ int run_program(int argc, char** argv) {
         if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
         std::vector<std::string> inputs = files_of(options->scene);
         inputs.insert(inputs.end(), options->inputs.begin(), options->inputs.end());
+        for (size_t i = 0, named = inputs.size(); i < named; ++i) {
+            if (kind_of(inputs[i]) != FileKind::gltf) continue;
+            for (std::string& file : files_named_by(inputs[i])) inputs.push_back(std::move(file));
+        }
         protect_inputs(std::move(inputs));
         Result<void> done = run(*options);
         if (!done) return fail(done.error());

@@ -26,12 +26,12 @@ static std::string read_at(std::istream& file, uint64_t at, size_t size) {
 }
 
 // A blob and what stands before it.
-struct Frame {
+struct BlobFrame {
     size_t before = 0, size = 0;  // of all of it; 0: it is none
 };
 
 // The length of a message, four bytes from the highest on, and the message, which says how long the blob is.
-static Frame frame_at(std::istream& file, uint64_t at) {
+static BlobFrame frame_at(std::istream& file, uint64_t at) {
     size_t frame = 0;
     for (char byte : read_at(file, at, 4)) frame = frame << 8 | static_cast<uint8_t>(byte);
     if (frame > k_most_frame) return {};
@@ -68,7 +68,7 @@ uint64_t unpacked_size(std::istream& file) {
     uint64_t end = file_size(file), sum = 0;
     try {
         for (uint64_t at = 0; at < end;) {
-            Frame frame = frame_at(file, at);
+            BlobFrame frame = frame_at(file, at);
             if (frame.size == 0) break;
             sum += unpacked_blob(file, at + frame.before, std::min(end, at + frame.size));
             at += frame.size;

@@ -56,5 +56,20 @@ refuse "32x32 at 15 pictures a second" --frames 0:80:4 --out scaled.mp4
 ffmpeg -v error -i many/000.png many/044.png
 cp many/044.png whole
 refuse "many/044.png: it does not say" --frames 0:80:4 --out many/%03d.png
+head -c -5 "$film" > damaged.mp4
+refuse "damaged or no film" --frames 0:80:4 --out damaged.mp4
+head -c 3000 "$film" > damaged.mp4
+refuse "damaged or no film" --frames 0:80:4 --out damaged.mp4
+# Of two that go on with one film, the one that comes second sees that it is another.
+render --frames 0:16:4 --out rivals.mp4
+cp rivals.mp4 first.mp4
+"$flaneur" render --scene corner --walkers 20 --size 97x64 --camera follow:3 --frames 0:400:4 --out rivals.mp4 --resume 2> late &
+late=$!
+while [[ -z $(find . -name '.flaneur-*.part' -size +0) ]] && kill -0 $late 2> /dev/null; do sleep 0.02; done
+cp before.mp4 between
+mv between rivals.mp4
+if wait $late; then failed "joined with another film"; fi
+grep -q "it had 5 pictures and has 11 now" late || failed "$(cat late)"
+cmp rivals.mp4 before.mp4
 if render --frames 7 --out one.png --resume; then failed "went on with one picture"; fi
 [[ $(find . -name '*.part' -o -name '.flaneur*') == "" ]] || failed "parts are left"

@@ -17,7 +17,6 @@
 
 #include "assets/files/file.h"
 #include "assets/files/picture.h"
-#include "assets/gltf/file.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/record.h"
@@ -86,16 +85,10 @@ bool is_taken(const std::string& target) {
 }
 
 bool is_read(const std::string& target) {
-    auto is_target = [&](const std::string& input) {
-        std::error_code ignored;
-        return fs::equivalent(input, target, ignored);
-    };
     const std::vector<std::string>& inputs = open_files().inputs;
     return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-        if (is_target(input)) return true;
-        if (kind_of(input) != FileKind::gltf) return false;
-        std::vector<std::string> named = files_named_by(input);
-        return std::any_of(named.begin(), named.end(), is_target);
+        std::error_code ignored;
+        return fs::equivalent(input, target, ignored);
     });
 }
 

@@ -30,8 +30,7 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
-// Files that this command reads, if they are there: nothing is written over them, nor over those that a .gltf
-// among them names.
+// Files that this command reads, if they are there: nothing is written over them.
 void protect_inputs(std::vector<std::string> paths);
 
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
