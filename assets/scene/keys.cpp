@@ -384,15 +384,16 @@ constexpr SceneClash k_clashes[] = {
              {"required", OrderedJson::array({"asteroid", key})},
              {"properties", {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|follow:.*)$"}}}}}};
      }},
-    {"blocks", R"("blocks" is of the built-in district, where neither "city" nor "asteroid" is)",
-     [](const Scene& s, const Json& json) {
-         return json.contains("blocks") && (s.asteroid || !s.city.empty());
-     },
+    {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
+     [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },
      [](const char* key) {
-         OrderedJson asteroid = {{"required", OrderedJson::array({"asteroid"})},
-                                 {"properties", {{"asteroid", {{"const", true}}}}}};
-         OrderedJson elsewhere = OrderedJson::array({{{"required", OrderedJson::array({"city"})}}, asteroid});
-         return OrderedJson{{"required", OrderedJson::array({key})}, {"anyOf", elsewhere}};
+         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
+                            {"properties", {{"asteroid", {{"const", true}}}}}};
+     }},
+    {"blocks", R"("blocks" is of the built-in district, and "city" another place)",
+     [](const Scene& s, const Json& json) { return json.contains("blocks") && !s.city.empty(); },
+     [](const char* key) {
+         return OrderedJson{{"required", OrderedJson::array({key, "city"})}};
      }},
     {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
      [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); }, needs_map},

@@ -54,7 +54,8 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
     }
     Result<void> finished = finish_output(output);
     clear_progress();
-    if (finished) say(is_new ? "Wrote " + options.out : options.out + " has them already: nothing was drawn");
+    std::string out = pictures == 1 ? picture_path(options.out, ticks.first) : options.out;
+    if (finished) say(is_new ? "Wrote " + out : out + " has them already: nothing was drawn");
     return finished;
 }
 
