@@ -104,7 +104,8 @@ void write_notes(OsmImport& in) {
          "ways were left out because they have more nodes than the 2000 that OpenStreetMap takes.");
     note(c.tangled, "outline was left out because it crosses itself more than a hundred times.",
          "outlines were left out because they cross themselves more than a hundred times.");
-    note(missing_nodes(in.map), "reference to a node that the file lacks, or has nowhere on Earth, was skipped.",
+    note(missing_nodes(in.map),
+         "reference to a node that the file lacks, or has nowhere on Earth, was skipped.",
          "references to nodes that the file lacks, or has nowhere on Earth, were skipped.");
     note(c.hidden, "way or building under ground or indoors was left out.",
          "ways and buildings under ground or indoors were left out.");
