@@ -21,7 +21,8 @@ enum class Purpose : uint32_t {
     tree,
     touch,
     errand,
-    first_step
+    first_step,
+    step
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

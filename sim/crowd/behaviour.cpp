@@ -223,8 +223,9 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
             if (!is_there(c, i)) continue;
-            c.decision.looks[i] = tick < c.journeys[i].pause_until;
-            c.decision.wanted[i] = c.decision.looks[i] ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
+            bool waits = tick < c.journeys[i].pause_until;
+            c.decision.looks[i] = waits && c.journeys[i].arrived;
+            c.decision.wanted[i] = waits ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
         }
     };
     parallel_for(workers, due, 256, follow_some);

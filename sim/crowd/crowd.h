@@ -44,7 +44,7 @@ struct CrowdIdentity {
 struct CrowdMotion {
     std::vector<Vec3> position;     // on the ground, between the feet
     std::vector<Vec2> velocity;     // metres a second
-    std::vector<Vec2> wish;         // what it is led to: as decided, as fast as the ground lets one go
+    std::vector<Vec2> wish;         // what it is led to: as decided, as fast as ground and turns let one go
     std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;   // of the heading, radians a second
     std::vector<uint32_t> polygon;  // of the mesh, under the position

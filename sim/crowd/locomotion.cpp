@@ -50,6 +50,7 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish) {
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
+    Vec2 aim = wish;
 
     bool turns = wished > k_turning_speed;
     bool looks = !turns && speed < k_turning_speed && length_squared(look) > 0;
@@ -64,7 +65,9 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
         wish = turned_forward(wish, wished, heading, off);
         float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
         float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
-        wish = wish * std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
+        float left = std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
+        wish = wish * left;
+        aim = aim * left;
     }
     Vec2 change = wish - v;
     bool brakes = dot(change, v) < 0;
@@ -73,7 +76,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
     if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading));
-    return {v, heading, rate};
+    return {v, heading, rate, aim};
 }
 
 }  // namespace flaneur

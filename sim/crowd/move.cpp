@@ -14,8 +14,10 @@ namespace flaneur {
 static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other for long
 static constexpr float k_push = 0.5f;       // m/s that they are parted by, at most
 static constexpr float k_step_reach =
-    0.1f;                                 // metres that two who walk can near each other in a tick, at most
-static constexpr size_t k_together = 64;  // walkers whose ground is asked for at once
+    0.1f;  // metres that two who walk can near each other in a tick, at most
+static constexpr float k_sees_coming = 0.6f;  // metres between bodies from which on one brakes for another
+static constexpr float k_comfortable = 2;     // m/s2, of that
+static constexpr size_t k_together = 64;      // walkers whose ground is asked for at once
 static constexpr int k_contacts = 32;
 
 namespace {
@@ -24,6 +26,8 @@ namespace {
 struct Contacts {
     HalfPlane planes[k_contacts];
     int count = 0;
+    HalfPlane brakes[k_contacts];  // of the wish, that legs can keep to the planes
+    int brake_count = 0;
     Vec2 push{0, 0};  // m/s, that parts those who overlap
 };
 
@@ -31,19 +35,26 @@ struct Contacts {
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
-static Contacts contacts_of(const Crowd& c, const Seen& me) {
+static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
     Contacts out;
-    float reach = me.radius + c.widest + k_step_reach;
+    float reach = me.radius + c.widest + k_sees_coming;
     for_seen_near(c.scratch, me.position, reach, [&](uint32_t begin, uint32_t end) {
         for (uint32_t k = begin; k < end; ++k) {
             const Seen& other = c.scratch.sorted[k];
             Vec2 away = on_ground(me.position - other.position);
             float touching = me.radius + other.radius, d2 = length_squared(away);
-            if (d2 > (touching + k_step_reach) * (touching + k_step_reach) || other.id == me.id) continue;
+            if (d2 > (touching + k_sees_coming) * (touching + k_sees_coming) || other.id == me.id) continue;
             if (std::fabs(me.position.y - other.position.y) > k_other_level) continue;
             float d = std::sqrt(d2);
             Vec2 direction = d > 1e-5f ? away / d : Vec2{me.id < other.id ? 1.0f : -1.0f, 0};
             float gap = std::max(d - (touching - k_most_overlap), 0.0f);
+            // No faster towards the other than one can stop, or than it goes away.
+            float leaves = -dot(other.velocity, direction);
+            float room = std::max(d - touching, 0.0f) * (leaves < 0 ? 0.5f : 1.0f);
+            float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
+            if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
+                out.brakes[out.brake_count++] = {direction, -nearing};
+            if (d > touching + k_step_reach) continue;
             assert(out.count < k_contacts);  // more do not fit round one body
             if (out.count < k_contacts) out.planes[out.count++] = {direction, -0.5f * gap / k_tick};
             float overlap = touching - k_overlap - d;
@@ -69,15 +80,18 @@ static float share_within(const Contacts& near, Vec2 v) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
     uint32_t i = me.id;
     CrowdMotion& m = c.motion;
-    m.wish[i] = wish_on(m.under[i], c.decision.chosen[i]);
-    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i]}, m.wish[i], k_tick,
+    Vec2 wish = wish_on(m.under[i], c.decision.chosen[i]);
+    Contacts near = contacts_of(c, me, wish);
+    if (near.brake_count > 0)
+        wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
+    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
                                 c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0});
+    m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
     Vec2 v = motion.velocity;
     float speed = length(v);
 
-    Contacts near = contacts_of(c, me);
     Vec2 step = v + near.push;
     if (share_within(near, step) < 1)
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
@@ -85,11 +99,10 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0));
     Vec2 real = on_ground(to.position - from.position) / k_tick;
     // Along a wall one may have slid into somebody.
-    for (int attempt = 0; share_within(near, real) < 1; ++attempt) {
-        real = real * (attempt == 0 ? share_within(near, real) : 0);
-        to =
-            attempt == 0 ? move_along(mesh, thread, from, from.position + at_height(real * k_tick, 0)) : from;
+    if (float share = share_within(near, real); share < 1) {
+        to = move_along(mesh, thread, from, from.position + at_height(real * (share * k_tick), 0));
         real = on_ground(to.position - from.position) / k_tick;
+        if (share_within(near, real) < 1) to = from, real = {0, 0};
     }
     // Stopped or turned aside by the border or by others: velocity is what became of it.
     if (length_squared(real - v - near.push) > 1e-4f * 0.36f) {

@@ -14,6 +14,8 @@ static constexpr float k_margin = 0.04f;         // metres kept between bodies
 static constexpr float k_border_horizon = 0.2f;  // seconds to the border, of one who is nearly there
 static constexpr float k_border_braking = 2;     // m/s2, at most, of one who comes to it
 static constexpr float k_border_reach = 1;       // metres
+static constexpr float k_grazes = 0.02f;         // metres beyond its end by which one still touches a border
+static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
 static constexpr float k_headway = 0.5f;      // seconds: a walker needs this long to cover the gap ahead
 static constexpr float k_keep_right = 0.15f;  // of the speed, where others come the other way
@@ -100,6 +102,22 @@ static float border_speed(float distance) {
     return std::sqrt(2 * k_border_braking * distance + last * last) - last;
 }
 
+// Whether one at `p` with this velocity runs into the border from a to a + ab sooner or later, ahead of it.
+static bool runs_into(Vec2 p, Vec2 velocity, Vec2 a, Vec2 ab) {
+    float nearing = cross(velocity, ab), along = cross(a - p, velocity);
+    float grazes = k_grazes * length(velocity);
+    return nearing > 1e-6f && along >= -grazes && along <= nearing + grazes;
+}
+
+// A border whose end is what is nearest of it: one passes that end if that is less of a change than to stop.
+static HalfPlane pass_end(Vec2 velocity, Vec2 away, float distance, Vec2 inward, float to_line, Vec2 beyond) {
+    Vec2 aside{-away.z / distance, away.x / distance};
+    if (dot(aside, beyond) < 0) aside = aside * -1;
+    float to_stop = -dot(velocity, inward) - border_speed(to_line);
+    return -dot(velocity, aside) < to_stop ? HalfPlane{aside, k_clear_of_end}
+                                           : HalfPlane{inward, -border_speed(to_line)};
+}
+
 static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,
                             uint32_t tick) {
     HalfPlane planes[k_borders + k_neighbours];
@@ -117,8 +135,14 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
         float distance = length(away);
         bool tip = t <= 0 || t >= 1;  // passed to either side
         if (tip && distance < 0.02f) continue;
-        planes[count++] = tip ? HalfPlane{away / distance, -distance / k_border_horizon}
-                              : HalfPlane{inward, -border_speed(distance)};
+        float to_line = dot(p - a, inward);
+        if (!tip) {
+            planes[count++] = {inward, -border_speed(distance)};
+        } else if (to_line > 0 && runs_into(p, velocity, a, ab)) {
+            planes[count++] = pass_end(velocity, away, distance, inward, to_line, t <= 0 ? ab * -1 : ab);
+        } else {
+            planes[count++] = {away / distance, -distance / k_border_horizon};
+        }
     }
     int firm = count;
 

@@ -30,6 +30,7 @@ struct FootBlock {
     FootPlaces goal;                             // what `to` moves to, the ground's last word
     float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
     float wished_yaw[k_block];
+    float beside[k_block];  // metres outside of its line that this step lands
 };
 
 // What a hand reaches for.
@@ -70,6 +71,7 @@ struct alignas(64) GaitBlock {
     float look[k_block];                             // yaw of the head against the body
     int32_t standing[k_block];                       // 1: both feet down and the phases at rest
     float frequency[k_block];                        // cycles a second
+    float quicker[k_block];                          // share by which this step is
     int32_t first[k_block];  // Side that leaves first as soon as the other leg carries the body, or -1
     float tread[k_block];    // metres from step to step of the stairs underfoot, 0: none
     float jump[k_block];     // seconds since a jump began, 0: none
@@ -84,13 +86,18 @@ struct alignas(64) PersonBlock {
     float heel[k_block], toe[k_block];        // see Body
     float stride[k_block];                    // factor on step length
     float lead[k_block];                      // factor on how far ahead of the body a foot lands
-    float arm_swing[k_block];                 // factor
+    float arm_swing[2][k_block];              // factor, left and right
     float sway[k_block];                      // factor on pelvic movements
     float toe_out[k_block];                   // radians
     float step_width[k_block];                // metres between the lines of both feet
     float lean[k_block];                      // of the trunk, forward +, radians
+    float stoop[k_block];                     // of the chest over the pelvis, forward +, radians
     float carriage[k_block];                  // arms away from the body, radians
+    float elbow[k_block];                     // radians that elbows are bent beyond the middle
     float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
+    float unevenness[k_block];                // see Manner: share of a step's time,
+    float stray[k_block];                     // and metres beside its line
+    float limp[k_block];                      // see Manner
 };
 
 }  // namespace flaneur

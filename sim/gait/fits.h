@@ -11,37 +11,37 @@ namespace flaneur {
 // above the ground; its toes hang droop h radians lower than in the norm and have a share of its pitch, so
 // that they stay bent up.
 inline constexpr float k_progress_late = 4.256f, k_progress_hop = -0.03045f;
-inline constexpr float k_clear_early = 1.363f, k_clear = 0.00226f;
+inline constexpr float k_clear_early = 1.532f, k_clear = 0.0006344f;
 inline constexpr float k_pitch_pace = 0.04627f, k_clear_pace = 1.219f;
-inline constexpr float k_soft = 0.01195f, k_droop = -0.1006f, k_toes = 0.4717f;
+inline constexpr float k_soft = 0.01195f, k_droop = -0.108f, k_toes = 0.4717f;
 
 // The foot in stance: share of the norm's pitch at heel strike, phases in which the heel comes off, radians
 // by which it rises further before toe-off; pitch of a foot that lands on its ball.
-inline constexpr float k_heel_strike = 0.9283f, k_heel_off_0 = 0.1899f, k_heel_off_1 = 0.4998f;
-inline constexpr float k_heel_rise = 0.06147f, k_forefoot_pitch = -0.25f;
+inline constexpr float k_heel_strike = 0.9297f, k_heel_off_0 = 0.1896f, k_heel_off_1 = 0.521f;
+inline constexpr float k_heel_rise = 0.0731f, k_forefoot_pitch = -0.25f;
 
 // Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
 // metres.
-inline constexpr float k_tiptoe = 0.5372f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
+inline constexpr float k_tiptoe = 0.5197f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
 
 // Height of the pelvis, see rise-inl.h: speed over sqrt(g leg) at a natural speed, harmonics there and by how
 // much they grow with the pace, the mean below upright; of one who stands.
 inline constexpr float k_natural_pace = 0.43f, k_fastest_over = 0.27f, k_slowest_over = -0.07f;
-inline constexpr float k_rise_c2 = -0.01287f, k_rise_c2_pace = -0.04927f, k_rise_s2 = -0.01115f,
+inline constexpr float k_rise_c2 = -0.01366f, k_rise_c2_pace = -0.04774f, k_rise_s2 = -0.01151f,
                        k_rise_s2_pace = -0.006663f;
-inline constexpr float k_rise_c4 = 0.001879f, k_rise_s4 = 0.0009268f, k_rise_c6 = -0.001058f,
+inline constexpr float k_rise_c4 = 0.001879f, k_rise_s4 = 0.002108f, k_rise_c6 = -0.001058f,
                        k_rise_s6 = 0.001212f;
-inline constexpr float k_sink = 0.006831f, k_sink_step = -0.02499f, k_stand = 0.001f, k_steepest = 0.12f;
-inline constexpr float k_uphill = 10.61f, k_downhill = 0.2731f, k_spare = -0.007523f, k_spare_slow = 0.02895f;
+inline constexpr float k_sink = 0.009311f, k_sink_step = -0.005907f, k_stand = 0.001f, k_steepest = 0.12f;
+inline constexpr float k_uphill = 9.648f, k_downhill = 0.2405f, k_spare = -0.0075f, k_spare_slow = 0.05887f;
 
 // The straightest leg, as a share of its length, rounded over so many metres; metres that a leg may fall
 // short as it leaves, and before `landing`, a share of the swing, and by which a foot in mid-swing gives way.
-inline constexpr float k_straightest = 0.9992f, k_straight = 0.001037f;
-inline constexpr float k_leaving_slack = 0.06f, k_landing = 0.8227f, k_landing_slack = 0.137f,
-                       k_give = 0.01425f;
+inline constexpr float k_straightest = 0.9994f, k_straight = 0.004f;
+inline constexpr float k_leaving_slack = 0.04369f, k_landing = 0.8227f, k_landing_slack = 0.137f,
+                       k_give = 0.0147f;
 
 // Share of a foot's time on the ground before the hip passes it.
-inline constexpr float k_lead = 0.3958f;
+inline constexpr float k_lead = 0.3945f;
 
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;
@@ -50,7 +50,7 @@ inline constexpr float k_shift_width = 0.9136f;
 // adds to it: 70 mm from side to side at 0.7 m/s .. 39 at 1.6 (Orendurff et al. 2004). Its way ahead of an
 // even speed, legs, goes with surge_cosine cos 2a + surge_sine sin 2a, a = 2 pi phase.
 inline constexpr float k_sway = 0.0257f, k_sway_slow = 0.287f;
-inline constexpr float k_surge_cosine = -0.0009355f, k_surge_sine = -0.01684f;
+inline constexpr float k_surge_cosine = -0.0009355f, k_surge_sine = -0.01764f;
 
 // Trunk: radians by which it nods for each leg that the pelvis goes ahead, its turn over the pelvis's; head:
 // radians that it nods, rolls over the pelvis's list, its turn over the chest's.

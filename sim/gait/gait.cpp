@@ -53,7 +53,8 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.toe[lane] = b.toe * scale;
     person.stride[lane] = m.stride;
     person.lead[lane] = m.lead;
-    person.arm_swing[lane] = m.arm_swing;
+    person.arm_swing[k_left][lane] = m.arm_swing[0];
+    person.arm_swing[k_right][lane] = m.arm_swing[1];
     person.sway[lane] = m.sway;
     person.toe_out[lane] = m.toe_out;
     // Never so near that the thighs would meet.
@@ -61,6 +62,11 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.lean[lane] = m.lean;
     person.carriage[lane] = std::max(m.carriage, b.carriage);
     person.crouch[lane] = m.crouch * leg_length(b) * scale;
+    person.stoop[lane] = m.stoop;
+    person.elbow[lane] = m.elbow;
+    person.unevenness[lane] = m.unevenness;
+    person.stray[lane] = m.unevenness * b.height * scale;
+    person.limp[lane] = m.limp;
 }
 
 // Without `around`, nobody: a lane that holds a body all the same, so that kernels meet only sound numbers.
@@ -143,6 +149,7 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
         stepper.turn_rate = root.turn_rate[i];
         stepper.dt = dt;
+        stepper.chance = {seed, static_cast<uint32_t>(i), tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;
         advance_walker(gait.blocks[i / k_block], stepper, key);
     }
@@ -156,22 +163,22 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
     GaitBlock& g = gait.blocks[walker / k_block];
     int lane = static_cast<int>(walker % k_block);
     SinCos turn = sin_cos(yaw);
-    auto carried = [&](float x, float z) {
-        float dx = x - pivot.x, dz = z - pivot.z;
-        return Vec2{dx * turn.cosine + dz * turn.sine, dz * turn.cosine - dx * turn.sine};
+    auto turned = [&](float x, float z) {
+        return Vec2{x * turn.cosine + z * turn.sine, z * turn.cosine - x * turn.sine};
     };
+    auto carried = [&](float x, float z) { return turned(x - pivot.x, z - pivot.z) + on_ground(pivot + by); };
     for (FootBlock& foot : g.feet) {
         for (FootPlaces* p : {&foot.from, &foot.to, &foot.goal}) {
-            Vec2 place = carried(p->x[lane], p->z[lane]) + on_ground(pivot + by);
+            Vec2 place = carried(p->x[lane], p->z[lane]);
             p->x[lane] = place.x;
             p->y[lane] += by.y;
             p->z[lane] = place.z;
             p->yaw[lane] += yaw;
-            Vec2 normal = carried(p->normal_x[lane] + pivot.x, p->normal_z[lane] + pivot.z);
+            Vec2 normal = turned(p->normal_x[lane], p->normal_z[lane]);
             p->normal_x[lane] = normal.x;
             p->normal_z[lane] = normal.z;
         }
-        Vec2 wished = carried(foot.wished_x[lane], foot.wished_z[lane]) + on_ground(pivot + by);
+        Vec2 wished = carried(foot.wished_x[lane], foot.wished_z[lane]);
         foot.wished_x[lane] = wished.x;
         foot.wished_z[lane] = wished.z;
         foot.wished_yaw[lane] += yaw;

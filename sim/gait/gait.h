@@ -53,7 +53,7 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
 
 // Jumps, over a gap or up a ledge say: crouch, flight with both feet, crouch, up again; nothing while a jump
 // is under way. Whoever moves the root goes on as before. Walkers also jump by themselves where the next step
-// finds no ground, or one more than 0.45 m higher, but ground within 1.3 m.
+// finds no ground, or one more than 0.45 m higher, but ground within 1.8 m.
 void jump(Gait& gait, size_t walker);
 inline constexpr float k_jump_crouch = 0.34f;  // seconds from its beginning until the feet leave, at least
 

@@ -139,10 +139,7 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
         const FootBlock& foot = g.feet[side];
         if (walks && foot.swinging[lane]) {
             float seconds = std::min(until_contact(g, foot, lane), k_farthest_ahead);
-            Vec2 change = s.wish - s.velocity;
-            float l = length(change), most = k_reaction * seconds;
-            Vec2 later = s.velocity + (l > most ? change * (most / l) : change);
-            Vec2 root = on_ground(s.root) + (s.velocity + later) * (0.5f * seconds);
+            Vec2 root = on_ground(s.root) + (s.velocity + expected_velocity(s, seconds)) * (0.5f * seconds);
             Vec3 there = at_height(root, 0);
             const FootPlaces& stands = g.feet[1 - side].from;
             float base = std::min(height_here(foot.goal, lane, there), height_here(stands, lane, there));

@@ -42,6 +42,11 @@ void commit_leap(GaitBlock& g, const Stepper& s, Side side) {
     begin_jump(g, s.lane);
     g.flight[s.lane] = flight_seconds(g, s);
     g.first[s.lane] = side;
+    // In a run the other foot is ahead already, and this one has pushed.
+    Side other = side == k_left ? k_right : k_left;
+    if (!g.feet[other].swinging[s.lane]) return;
+    g.first[s.lane] = other;
+    g.jump[s.lane] = k_jump_crouch;
 }
 
 // The crouch before and after a flight of `flight` seconds: cubic curves that meet the parabola of the flight
@@ -95,11 +100,11 @@ static void fly(GaitBlock& g, const Stepper& s, float up) {
     float duty = g.duty[lane], flight = g.flight[lane];
     g.crouch[lane] = k_bent * smoothstep(0.4f, 1, up / flight);
     g.lift[lane] = 0.5f * k_gravity * up * (flight - up);
-    float share = up / flight;
+    float share = up / flight, moves = s.dt / (flight - up + s.dt);
     for (Side side : {k_left, k_right}) {
         bool hops = g.first[lane] < 0, leads = hops || side == g.first[lane];
-        float begin = hops || !leads ? 0 : k_push_off, end = leads ? 1 : k_follows;
-        g.feet[side].phase[lane] = duty + (1 - duty) * lerp(begin, end, share);
+        float &phase = g.feet[side].phase[lane], end = duty + (1 - duty) * (leads ? 1 : k_follows);
+        phase += (end - phase) * moves;
         g.feet[side].forefoot[lane] = std::max(g.feet[side].forefoot[lane], share);  // its ball comes first
         float after = leads ? 0 : (1 - k_follows) * (1 - duty) / g.frequency[lane];
         swing(g, s, side, flight - up + after, hops ? k_hop_steps : g.frequency[lane]);
@@ -139,7 +144,7 @@ bool advance_jump(GaitBlock& g, const Stepper& s) {
         fly(g, s, up);
         return true;
     }
-    if (g.lift[lane] > 0 || (left && right)) land(g, s);
+    if (up - s.dt < flight) land(g, s);
     float share = std::min((up - flight) / k_absorb, 1.0f);
     g.crouch[lane] = crouch_after(flight, k_absorb, share) + k_bent * (1 - smoothstep(0, 1, share));
     if (share >= 1) t = flight = 0;

@@ -7,10 +7,12 @@
 namespace flaneur {
 
 static constexpr struct {
-    float years, stride, step_width, arm_swing;
+    float years, stride, step_width, arm_swing, unevenness, stoop;  // stoop in degrees
 } k_ages[] = {
-    {5, 1.10f, 0.073f, 1}, {13, 1.10f, 0.057f, 1}, {17, 1, 0.055f, 1},
-    {30, 1, 0.055f, 1},    {72, 1, 0.052f, 0.8f},  {87, 0.95f, 0.058f, 0.8f},
+    {5, 1.10f, 0.073f, 1, 0.02f, 0},       {13, 1.10f, 0.057f, 1, 0.013f, 0},
+    {17, 1, 0.055f, 1, 0.011f, 0},         {30, 1, 0.055f, 1, 0.011f, 0},
+    {55, 1, 0.053f, 0.9f, 0.011f, 0},      {72, 1, 0.052f, 0.8f, 0.013f, 4},
+    {87, 0.95f, 0.058f, 0.8f, 0.017f, 10},
 };
 
 Manner manner_at_age(float years) {
@@ -22,7 +24,9 @@ Manner manner_at_age(float years) {
     Manner m;
     m.stride = lerp(a.stride, b.stride, t);
     m.step_width = lerp(a.step_width, b.step_width, t);
-    m.arm_swing = lerp(a.arm_swing, b.arm_swing, t);
+    m.arm_swing[0] = m.arm_swing[1] = lerp(a.arm_swing, b.arm_swing, t);
+    m.unevenness = lerp(a.unevenness, b.unevenness, t);
+    m.stoop = lerp(a.stoop, b.stoop, t) * k_radians;
     return m;
 }
 
@@ -30,13 +34,20 @@ Manner draw_manner(const Manner& middle, RandomKey key) {
     Manner m = middle;
     m.stride *= 1 + 0.05f * clamp(random_normal(key, 0), -2.0f, 2.0f);
     m.lead *= 1 + 0.075f * clamp(random_normal(key, 8), -2.0f, 2.0f);
-    m.arm_swing *= clamp(1 + 0.25f * random_normal(key, 1), 0.4f, 1.6f);
+    float arms = clamp(1 + 0.25f * random_normal(key, 1), 0.4f, 1.6f);
+    float favoured = clamp(0.17f * random_normal(key, 9), -0.35f, 0.35f);
+    m.arm_swing[0] *= std::min(arms * (1 + favoured), 1.6f);
+    m.arm_swing[1] *= std::min(arms * (1 - favoured), 1.6f);
     m.sway *= clamp(1 + 0.2f * random_normal(key, 2), 0.5f, 1.6f);
     m.toe_out = clamp(m.toe_out + 2.5f * k_radians * random_normal(key, 3), k_radians, 12 * k_radians);
     m.step_width = std::max(m.step_width + 0.007f * random_normal(key, 4), 0.025f);
     m.lean = clamp(m.lean + 1.5f * k_radians * random_normal(key, 5), k_radians, 11 * k_radians);
     m.carriage =
         clamp(m.carriage + 1.5f * k_radians * random_normal(key, 6), 6.5f * k_radians, 13 * k_radians);
+    m.elbow = clamp(3.2f * k_radians * random_normal(key, 10), -7 * k_radians, 9 * k_radians);
+    m.stoop = std::max(m.stoop + (2 * k_radians + 0.35f * m.stoop) * random_normal(key, 11), -3 * k_radians);
+    m.unevenness *= clamp(1 + 0.3f * random_normal(key, 12), 0.4f, 2.0f);
+    m.limp = clamp(0.008f * random_normal(key, 13), -0.02f, 0.02f);
     m.crouch = clamp(m.crouch + 0.009f * random_normal(key, 7), -0.002f, 0.018f);
     return m;
 }

@@ -38,7 +38,7 @@ inline constexpr HarmonicCurve<3> k_norm_pelvic_list = {0.0f,
 inline constexpr HarmonicCurve<3> k_norm_pelvic_rotation = {
     0.0f, {{5.4471f, 2.6602f}, {0, 0}, {0.8309f, -0.3824f}}};
 
-// Timing of a walk at a given speed. Step length over leg length L: 1.16 L (v / sqrt(g L))^0.5, of which the
+// Timing of a walk at a given speed. Step length over leg length L: 1.16 (v / sqrt(g L))^0.5, of which the
 // neutral person's are a little short; stance as a share of the cycle: 62.5, 60.3, 59.1 % at 0.94, 1.24, 1.50
 // m/s.
 inline constexpr float k_step_factor = 1.148f;

@@ -75,7 +75,8 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
             stride *= 1 + clamp(1.5f * dot(beyond, direction) / stride, -0.25f, 0.25f);
         }
     }
-    float f = lerp(speed / stride, run_frequency(speed, s.leg_length), g.running[lane]);
+    float f =
+        lerp(speed / stride, run_frequency(speed, s.leg_length), g.running[lane]) * (1 + g.quicker[lane]);
     float twist = std::max(off[k_left].twist, off[k_right].twist);
     f = std::max(f, twist > 0.5f || speed < 0.12f || g.course[lane] < 0.5f ? k_shuffle : k_slowest);
     // A foot left behind, by a push say, is fetched sooner.
@@ -110,6 +111,8 @@ void leave(GaitBlock& g, const Stepper& s, Side side, float rate) {
     phase = std::max(phase, duty);
     if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(g, s, side);
     g.feet[side].rate[s.lane] = rate;
+    g.quicker[s.lane] = s.person.unevenness[s.lane] * random_normal(s.chance, 1) +
+                        (side == k_left ? s.person.limp[s.lane] : -s.person.limp[s.lane]);
     if (lift_off(g, s, side, (1 - phase) / rate, f)) return;
     commit_leap(g, s, side);
     lift_off(g, s, side, (1 - phase) / f, f);
@@ -245,7 +248,7 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
 // the body as that is at the rate of its turns. And now and then to something of interest.
 void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     float coming = s.turn_rate * 0.2f;
-    if (length_squared(s.wish) > 0.0625f) coming = wrap_angle(heading_of(s.wish) - s.heading);
+    if (length_squared(s.wish) > k_goes * k_goes) coming = wrap_angle(heading_of(s.wish) - s.heading);
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;

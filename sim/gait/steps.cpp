@@ -8,9 +8,10 @@
 
 namespace flaneur {
 
-static constexpr float k_home_twist = 0.55f;                // radians; a standing foot turned farther steps
-static constexpr float k_longest_lead = 0.46f;              // legs, from the root to a landing foot
-static constexpr float k_run_lead = 0.34f;                  // the same of a run
+static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
+static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
+static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
+static constexpr float k_run_lead = 0.34f;      // the same of a run
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
@@ -26,6 +27,12 @@ static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metr
 static constexpr float k_over_edge = 0.06f;                              // metres
 static constexpr float k_off_riser = 0.02f;                              // metres
 static constexpr float k_reach_treads = 1.0f;                            // metres
+
+Vec2 expected_velocity(const Stepper& s, float seconds) {
+    Vec2 change = s.wish - s.velocity;
+    float l = length(change), most = k_reaction * seconds;
+    return l > most ? s.velocity + change * (most / l) : s.wish;
+}
 
 FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
@@ -56,9 +63,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     float duty = g.duty[s.lane];
     float stands = lerp(k_lead * s.person.lead[s.lane], k_run_lead, g.running[s.lane]) * duty / frequency,
           until = seconds + stands;
-    Vec2 change = s.wish - s.velocity;
-    float l = length(change), most = k_reaction * seconds;
-    Vec2 later = l > most ? s.velocity + change * (most / l) : s.wish;
+    Vec2 later = expected_velocity(s, seconds);
     // Who walks turns by turning, below. Steps get quicker with the root of the speed.
     float speed2 = length_squared(s.velocity);
     if (speed2 > 0.09f) {
@@ -68,9 +73,9 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     }
 
     float turn = s.turn_rate * until;
-    if (length_squared(s.wish) > 0.0625f) {
+    if (length_squared(s.wish) > k_goes * k_goes) {
         float rest = wrap_angle(heading_of(s.wish) - s.heading);
-        turn = rest > 0 ? std::min(turn, std::max(rest, 0.0f)) : std::max(turn, std::min(rest, 0.0f));
+        turn = rest > 0 ? std::min(turn, rest) : std::max(turn, rest);
     }
     turn = clamp(turn, -1.2f, 1.2f);
     // No farther ahead of the root than the other foot will be behind it: so high does the pelvis stand.
@@ -92,7 +97,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     // On its own side of the other foot, and within a step of it.
     Vec2 facing = heading_direction(heading);
     Vec2 outward = side == k_left ? Vec2{facing.z, -facing.x} : Vec2{-facing.z, facing.x};
-    Vec2 apart = on_ground(place.position) - there;
+    Vec2 apart = on_ground(place.position) - there + outward * g.feet[side].beside[s.lane];
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
     if (missing > 0) apart += outward * missing;
     float step = length(apart);
@@ -121,9 +126,9 @@ void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& s
     float low = next.begin + size.heel + k_off_riser,
           high = next.end - size.tip - (next.down ? 0 : k_off_riser);
     // Down, the toes come near the next edge, and the heel passes clear of the last one.
-    float fit = next.down    ? clamp(along + k_clear_of_edge, low, std::max(low, high))
-                : low < high ? clamp(along, low, high)
-                             : (low + high) * 0.5f;
+    // On a tread shorter than the foot, toes hang over down, heels up.
+    float fit = next.down ? clamp(along + k_clear_of_edge, low, std::max(low, high))
+                          : clamp(along, std::min(low, high), high);
     // Long treads take two steps.
     tread = fit - along < k_farthest_shift ? next.end - next.begin : 0;
     if (tread <= 0) return;
@@ -210,6 +215,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 
 bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
     FootBlock& foot = g.feet[side];
+    foot.beside[s.lane] = s.person.stray[s.lane] * g.amplitude[s.lane] * random_normal(s.chance);
     if (!plan(g, s, side, wished_landing(g, s, side, seconds, frequency), true, seconds)) return false;
     foot.swinging[s.lane] = 1;
     set_place(foot.to, s.lane, get_place(foot.goal, s.lane));

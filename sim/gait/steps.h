@@ -1,6 +1,7 @@
 // One foot's step: when it is due, where it goes, and its way there.
 #pragma once
 
+#include "sim/base/rng.h"
 #include "sim/gait/footing.h"
 #include "sim/gait/gait.h"
 
@@ -18,11 +19,15 @@ struct Stepper {
     Vec2 facing;       // of the heading
     float leg_length;  // metres
     float dt = 0;
+    RandomKey chance{};    // of this tick
     bool replans = false;  // looks at the landing place anew in this tick
 };
 
-inline constexpr float k_reaction = 2.2f;      // m/s2, with which velocity is expected to follow the wish
+inline constexpr float k_goes = 0.1f;          // m/s, of a wish that turns the body
 inline constexpr float k_longest_jump = 1.8f;  // metres from the root to ground on the far side
+
+// The velocity in so many seconds, as it is expected to follow the wish.
+Vec2 expected_velocity(const Stepper& s, float seconds);
 
 // Where the foot would stand beside a root at `root` that faces `heading`.
 FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading);

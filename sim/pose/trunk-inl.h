@@ -111,8 +111,10 @@ inline constexpr float k_arm_soft = 0.004f;
 // What both arms share.
 template <class T>
 struct ArmSwing {
-    T amount, bends;  // of the swing and of the elbow's, 0 standing
+    T swings[2];      // of each arm, 0 standing
+    T amount, bends;  // factors on that, of the upper arm and the elbow
     T elbow;          // radians that it is bent, in the middle of the swing
+    T ahead;          // radians that it hangs ahead of the chest's axis
     T twice;          // 0: in time with the legs .. 1: twice a stride
     SinCosOf<T> out;  // of the carriage
 };
@@ -124,14 +126,15 @@ struct ArmSwing {
 //   lower = bent forward from there by `elbow`, its forward part turned inward by 0.30 rad,
 // and both are turned outward about z.
 template <class T>
-HWY_INLINE V3<T> swung_wrist(const ArmSwing<T>& swing, const Harmonics<T, 3>& cycle, float mirror,
+HWY_INLINE V3<T> swung_wrist(const ArmSwing<T>& swing, const Harmonics<T, 3>& cycle, int side,
                              const LimbSizes<T>& size) {
-    T zero = T(0.0f);
+    T zero = T(0.0f), swings = swing.swings[side];
+    float mirror = side == k_left ? 1.0f : -1.0f;
     // +1 where the arm is farthest back: at this side's contact.
     T stroke = lerp(cycle.cosine[0] * T(mirror), cycle.cosine[1] * T(0.5f), swing.twice);
     T late = lerp(cycle.sine[0] * T(mirror), cycle.sine[1] * T(0.5f), swing.twice);
-    T back = T(0.02f) + swing.amount * (T(0.12f) + T(0.29f) * stroke);
-    T elbow = swing.elbow - swing.bends * T(0.22f) * (stroke - late * T(0.25f));
+    T back = T(0.02f) + swings * swing.amount * (T(0.12f) + T(0.29f) * stroke) - swing.ahead;
+    T elbow = swing.elbow - swings * swing.bends * T(0.22f) * (stroke - late * T(0.25f));
     SinCosOf<T> raised = doubled(sin_cos_half(back)), bent = doubled(sin_cos_half(elbow));
     T inward = bent.sine * T(0.2955f), forward = bent.sine * T(0.9553f);  // of 0.30 rad
     V3<T> upper{zero, zero - raised.cosine, zero - raised.sine};
@@ -166,11 +169,14 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     T elbow_height = at<T>(p.joints[left_lower_arm][1] + lane);
     T wrist_height = at<T>(p.joints[left_hand][1] + lane);
     LimbSizes<T> size = limb_sizes(shoulder_ms.y - elbow_height, elbow_height - wrist_height);
-    T swings = trunk.amplitude * at<T>(p.arm_swing + lane);
     ArmSwing<T> swing{
-        swings * max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)),
-        swings * clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
-        lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude), T(k_run_elbow), trunk.running),
+        {trunk.amplitude * at<T>(p.arm_swing[k_left] + lane),
+         trunk.amplitude * at<T>(p.arm_swing[k_right] + lane)},
+        max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)),
+        clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
+        at<T>(p.elbow + lane) + lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude),
+                                     T(k_run_elbow), trunk.running),
+        at<T>(p.stoop + lane),
         smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
         doubled(sin_cos_half(at<T>(p.carriage + lane)))};
     Axes<T> chest = axes_of(chest_ws);
@@ -184,7 +190,7 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         V3<T> shoulder_os = chest_os + to_shoulder_ws + chest.x * (shoulder_ms.x * T(mirror));
         set_joint(out, joint, lane, clavicle_os, chest_ws);
 
-        V3<T> wrist_cs = swung_wrist(swing, cycle, mirror, size);
+        V3<T> wrist_cs = swung_wrist(swing, cycle, side, size);
         // The elbow points back and a little out, away from a wall.
         SinCosOf<T> front{T(k_elbow_out_sine * -mirror), T(k_elbow_out_cosine)};
         T reach = at<T>(g.hands[side].reach + lane);
@@ -222,11 +228,12 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
     T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.nod -
              trunk.curves.breath * T(k_breath_lean);
-    SinCosOf<T> half_lean = sin_cos_half(lean);
+    T stoops = at<T>(p.stoop + lane);
+    SinCosOf<T> half_lean = sin_cos_half(lean + stoops);
     Q4<T> chest_ws = turned_yzx(
         plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
         sin_cos_half(trunk.curves.list * T(-0.35f) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
-    Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one}, sin_cos_half(lean * T(0.55f)));
+    Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one}, sin_cos_half(lean * T(0.55f) + stoops));
     neck_ws = after_y(plus(trunk.heading.half, sin_cos_half(look[1])), neck_ws);
     // Down as the body rises, so that the eyes keep to what they look at.
     T nods = cycle.cosine[1] * trunk.amplitude * T(-k_head_nod), rolls = trunk.curves.list * T(k_head_roll);

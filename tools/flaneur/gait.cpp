@@ -42,7 +42,9 @@ double speed_of(const GaitOptions& gait) {
 
 Manner manner_of(const GaitOptions& gait) {
     Manner middle = manner_at_age(static_cast<float>(gait.age));
-    return gait.style == 0 ? middle : draw_manner(middle, {gait.style, 0, 0, Purpose::style});
+    if (gait.style > 0) return draw_manner(middle, {gait.style, 0, 0, Purpose::style});
+    middle.unevenness = 0;  // the norms are means of many steps
+    return middle;
 }
 
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {

@@ -53,7 +53,7 @@ Tried make_tried(Ground ground, float height = 1.72f) {
     uint32_t body = 0;
     float scale = 1;
     if (auto hit = ground_at(t.ground, {0, 1, 0}, 3, 4)) t.position.y = hit->height;
-    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};
+    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim};
     Manner short_steps;
     short_steps.stride = 0.9f;
     start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, surroundings_of(t.ground), 5,
@@ -98,7 +98,7 @@ void advance(Tried& t, Vec2 wish) {
     t.motion = next_motion(t.motion, t.wish, k_tick);
     t.position += at_height(t.motion.velocity * k_tick, 0);
     if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
-    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.wish};
+    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim};
     advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
     observe(t);
     ++t.tick;
@@ -340,6 +340,35 @@ TEST(GaitStates, ClimbsOneTreadAStep) {
     }
 }
 
+TEST(GaitStates, ClimbsTreadsShorterThanTheFoot) {
+    for (float depth : {0.24f, 0.26f}) {
+        Ground ground;
+        add_floor(ground, {-5, -10}, {5, 3}, 0, Surface::plaza);
+        for (int i = 0; i < 16; ++i) {
+            float z = 3 + static_cast<float>(i) * depth;
+            add_floor(ground, {-5, z}, {5, i < 15 ? z + depth : 30}, 0.18f * static_cast<float>(i + 1),
+                      Surface::steps);
+        }
+        index_ground(ground);
+        Tried t = make_tried(ground);
+        float last = 0;
+        for_seconds(t, 14, {0, 1.3f}, [&] {
+            for (Side side : {k_left, k_right}) {
+                float z = t.foot_place(side).z;
+                if (!t.landed[side] || z < 3.5f || z > 6) continue;
+                auto hit = ground_at(t.ground, t.soles[side].ball, 0.3f, 0.3f);
+                ASSERT_TRUE(hit);
+                EXPECT_NEAR(hit->height, t.soles[side].ball.y, 0.03f) << depth << " m, tick " << t.tick;
+                if (last > 0) {
+                    EXPECT_NEAR(hit->height - last, 0.18f, 1e-3f) << depth << " m, tick " << t.tick;
+                }
+                last = hit->height;
+            }
+        });
+        EXPECT_GT(t.position.z, 6);
+    }
+}
+
 TEST(GaitStates, RunsFromFroudeOneHalf) {
     Tried t = make_tried(wide_floor());
     float leg = t.gait.people[0].joints[left_upper_leg][1][0];
@@ -444,6 +473,20 @@ TEST(GaitStates, JumpsWhenAskedAndWhereItMust) {
         EXPECT_GT(flight, 10);
         EXPECT_LT(flight, 60);
         EXPECT_GT(t.position.z, 8);
+    }
+}
+
+TEST(GaitStates, LeapsFromARun) {
+    for (float begins : {4.0f, 4.1f, 4.2f, 4.3f, 4.4f}) {
+        Tried t = make_tried(wide_floor());
+        for_seconds(t, begins, {0, 3.1f});
+        jump(t.gait, 0);
+        float highest = 0;
+        for_seconds(t, 2, {0, 3.1f}, [&] {
+            highest = std::max(highest, t.block().lift[0]);
+            EXPECT_LT(t.fastest, 1600) << begins << " s, tick " << t.tick;
+        });
+        EXPECT_GT(highest, 0.1f);
     }
 }
 

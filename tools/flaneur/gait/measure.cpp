@@ -223,15 +223,20 @@ void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, con
     q.push_back({"jerk_head.ratio", value_of(q, "jerk_head.m_s3") / value_of(q, "jerk_pelvis.m_s3")});
 
     // After the 10 Hz low-pass, like the jerk.
-    Samples height =
-        low_pass(series(walk, [](const Instant& now) { return metres(place(now, hips).y); }), walk.rate, 10);
-    double up = 0, down = 0;
+    Samples height = series(walk, [](const Instant& now) { return metres(place(now, hips).y); });
+    Samples smooth = low_pass(height, walk.rate, 10);
+    double up = 0, down = 0, jolt = 0;
     for (size_t t = begin + 1; t + 1 < end; ++t) {
-        double a = (height[t + 1] - 2 * height[t] + height[t - 1]) * walk.rate * walk.rate;
-        up = std::max(up, a), down = std::min(down, a);
+        auto acceleration = [&](const Samples& y) {
+            return (y[t + 1] - 2 * y[t] + y[t - 1]) * walk.rate * walk.rate;
+        };
+        up = std::max(up, acceleration(smooth)), down = std::min(down, acceleration(smooth));
+        jolt = std::max(jolt, std::fabs(acceleration(height)));
     }
     q.push_back({"pelvis_up.m_s2", up});
     q.push_back({"pelvis_down.m_s2", down});
+    // As it is, tick by tick: a knock that one frame shows.
+    q.push_back({"pelvis_jolt.m_s2", jolt});
 }
 
 }  // namespace

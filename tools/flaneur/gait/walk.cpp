@@ -99,8 +99,8 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     Vec3 position;
     if (auto hit = ground_at(ground, {0, 0, 0}, 100, 100)) position.y = hit->height;
     Motion motion;
-    Vec2 wished;
-    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &wished};
+
+    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &motion.aim};
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), k_seed, &person.manner);
     std::vector<PoseBlock> poses(1), before(1);
@@ -109,7 +109,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
-        wished = wish_on(under, wish(t / result.rate));
+        Vec2 wished = wish_on(under, wish(t / result.rate));
         motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
