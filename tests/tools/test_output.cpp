@@ -182,9 +182,7 @@ TEST_F(Outputs, TakeNamesAsTheyAre) {
 
 TEST_F(Outputs, AFilmIsNoDevice) {
     ASSERT_EQ(mkfifo((path / "a.mp4").c_str(), 0600), 0);
-    std::thread listener([&] { words_of(path / "a.mp4"); });
-    EXPECT_FALSE(open_output(path / "a.mp4", k_size, {0, 10, 1}));
-    listener.join();
+    EXPECT_FALSE(open_output(path / "a.mp4", k_size, {0, 10, 1}));  // nobody reads it, and nobody waits
 }
 
 TEST_F(Outputs, RefuseWhatTheyCouldNotFinish) {
