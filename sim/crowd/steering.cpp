@@ -113,9 +113,8 @@ static bool runs_into(Vec2 p, Vec2 velocity, Vec2 a, Vec2 ab) {
 static HalfPlane pass_end(Vec2 velocity, Vec2 away, float distance, Vec2 inward, float to_line, Vec2 beyond) {
     Vec2 aside{-away.z / distance, away.x / distance};
     if (dot(aside, beyond) < 0) aside = aside * -1;
-    float to_stop = -dot(velocity, inward) - border_speed(to_line);
-    return -dot(velocity, aside) < to_stop ? HalfPlane{aside, k_clear_of_end}
-                                           : HalfPlane{inward, -border_speed(to_line)};
+    float most = border_speed(to_line), to_stop = -dot(velocity, inward) - most;
+    return -dot(velocity, aside) < to_stop ? HalfPlane{aside, k_clear_of_end} : HalfPlane{inward, -most};
 }
 
 static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,

@@ -79,21 +79,21 @@ std::vector<Report> try_person(const GaitOptions& gait) {
 }
 
 // A body and what it did.
-struct Motion {
+struct Recording {
     Body body;
     std::vector<JointPoses> ticks;
 };
 
 // Of the one who walks as asked.
-Motion one_motion(const GaitOptions& gait) {
+Recording one_motion(const GaitOptions& gait) {
     Person person{standard_body(static_cast<float>(height_of(gait))), manner_of(gait)};
-    Motion motion{person.body, {}};
+    Recording motion{person.body, {}};
     Take take = make_take(gait, person, speed_of(gait), gait.seconds);
     for (const Instant& now : take.walk.ticks) motion.ticks.push_back(now.joints);
     return motion;
 }
 
-void add_tick(Motion& motion, const World& world, size_t walker) {
+void add_tick(Recording& motion, const World& world, size_t walker) {
     if (motion.ticks.empty()) {
         float scale = world.crowd.identity.scale[walker];
         motion.body = world.kinds[world.crowd.identity.body[walker]].body;
@@ -106,7 +106,7 @@ void add_tick(Motion& motion, const World& world, size_t walker) {
 }
 
 // The crowd of the built-in city, or of the one that the scene names. Keeps the motion of one of them.
-Result<Report> try_crowd(const Options& options, Motion& motion) {
+Result<Report> try_crowd(const Options& options, Recording& motion) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
@@ -149,7 +149,7 @@ Result<void> run_gait(const Options& options) {
     if (!gait.motion.empty() && !has_ending(gait.motion, ".bvh") && !is_stream(gait.motion))
         return Error{"--export writes a .bvh, which " + gait.motion + " is not called."};
     std::vector<Report> reports;
-    Motion motion;
+    Recording motion;
     Paper papers[] = {
         {gait.csv, [&] { return reports_csv(reports); }},
         {options.json, [&] { return reports_json(reports); }},

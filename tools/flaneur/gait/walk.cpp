@@ -99,7 +99,6 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     Vec3 position;
     if (auto hit = ground_at(ground, {0, 0, 0}, 100, 100)) position.y = hit->height;
     Motion motion;
-
     RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &motion.aim};
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), k_seed, &person.manner);
