@@ -59,7 +59,7 @@ void draw_triangle(const std::array<SideCorner, 3>& p, const Texture* texture, c
             const float a = a_left + a_step * float(column - left),
                         b = b_left + b_step * float(column - left);
             const float c = 1 - a - b;
-            if (a < 0 || b < 0 || c < 0) continue;
+            if (!(a >= 0 && b >= 0 && c >= 0)) continue;  // nor what is too thin for numbers
             const float near = p[0].near * a + p[1].near * b + p[2].near * c;
             if (near <= picture.nearness[at]) continue;
             std::array<float, 3> colour;
