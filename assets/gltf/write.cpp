@@ -20,14 +20,16 @@ std::string vrm_name(std::string_view joint) {
     return name;
 }
 
+using JointNames = std::array<std::string, k_joint_count>;
+
 // Nodes 0 .. 21 are the joints in the pose of the bind.
-void add_skeleton(tinygltf::Model& model, const Character& c) {
+void add_skeleton(tinygltf::Model& model, const Character& c, const JointNames& names) {
     std::array<std::array<float, 16>, k_joint_count> inverse_binds{};
     tinygltf::Skin skin;
     for (size_t j = 0; j < k_joint_count; ++j) {
         Vec3 place = c.bind_joints[j];
         tinygltf::Node node;
-        node.name = vrm_name(k_joint_names[j]);
+        node.name = names[j];
         int parent = k_joint_parents[j];
         node.translation = numbers(parent < 0 ? place : place - c.bind_joints[static_cast<size_t>(parent)]);
         model.nodes.push_back(node);
@@ -82,12 +84,12 @@ tinygltf::Primitive add_surface(tinygltf::Model& model, const Character& c,
     return surface;
 }
 
-}  // namespace
-
-std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints) {
+// In a scene of its own, at rest.
+tinygltf::Model model_of(const Character& c, const std::array<uint32_t, k_tint_count>& tints,
+                         const JointNames& names) {
     assert(c.textures.empty() && !c.vertices.empty());
     tinygltf::Model model = begin_glb();
-    add_skeleton(model, c);
+    add_skeleton(model, c, names);
 
     tinygltf::Material material;
     material.name = "person";
@@ -108,7 +110,53 @@ std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_
     scene.nodes = {hips, k_joint_count};
     model.scenes.push_back(scene);
     model.defaultScene = 0;
+    return model;
+}
 
+void add_animation(tinygltf::Model& model, const GlbMotion& motion) {
+    constexpr int k_floats = TINYGLTF_COMPONENT_TYPE_FLOAT;
+    assert(!motion.times.empty() && motion.hips.size() == motion.times.size());
+    int times = add_accessor(model, motion.times, TINYGLTF_TYPE_SCALAR, k_floats, 0);
+    model.accessors.back().minValues = {static_cast<double>(motion.times.front())};
+    model.accessors.back().maxValues = {static_cast<double>(motion.times.back())};
+    tinygltf::Animation animation;
+    animation.name = "motion";
+    auto add_channel = [&](size_t joint, const char* path, int values) {
+        tinygltf::AnimationSampler sampler;
+        sampler.input = times;
+        sampler.output = values;
+        sampler.interpolation = "LINEAR";
+        tinygltf::AnimationChannel channel;
+        channel.sampler = static_cast<int>(animation.samplers.size());
+        channel.target_node = static_cast<int>(joint);
+        channel.target_path = path;
+        animation.samplers.push_back(sampler);
+        animation.channels.push_back(channel);
+    };
+    add_channel(hips, "translation", add_accessor(model, motion.hips, TINYGLTF_TYPE_VEC3, k_floats, 0));
+    for (size_t j = 0; j < k_joint_count; ++j) {
+        assert(motion.turns[j].size() == motion.times.size());
+        add_channel(j, "rotation", add_accessor(model, motion.turns[j], TINYGLTF_TYPE_VEC4, k_floats, 0));
+    }
+    model.animations.push_back(animation);
+}
+
+}  // namespace
+
+std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints) {
+    JointNames names;
+    for (size_t j = 0; j < k_joint_count; ++j) names[j] = vrm_name(k_joint_names[j]);
+    tinygltf::Model model = model_of(c, tints, names);
+    return finish_glb(model);
+}
+
+std::string character_glb(const Character& c, const std::array<uint32_t, k_tint_count>& tints,
+                          const GlbMotion& motion) {
+    JointNames names;
+    for (size_t j = 0; j < k_joint_count; ++j) names[j] = k_joint_names[j];
+    tinygltf::Model model = model_of(c, tints, names);
+    model.nodes[hips].translation = numbers(motion.hips.front());
+    add_animation(model, motion);
     return finish_glb(model);
 }
 

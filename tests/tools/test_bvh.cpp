@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/gait/bvh.h"
 #include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/motion/bvh.h"
 
 namespace flaneur {
 namespace {

@@ -10,10 +10,11 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/flaneur/gait/bvh.h"
 #include "tools/flaneur/gait/crowd.h"
 #include "tools/flaneur/gait/report.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/motion/bvh.h"
+#include "tools/flaneur/motion/glb.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/strip.h"
 #include "tools/flaneur/sheets/take.h"
@@ -129,7 +130,7 @@ Result<Report> try_crowd(const Options& options, Recording& motion) {
     return judge_crowd(watches, world, city_name(options.scene));
 }
 
-// A file that is opened before anything is walked, and its text once all is.
+// A file that is opened before anything is walked, and its text, or bytes, once all is.
 struct Paper {
     const std::string& path;  // empty: not asked for
     std::function<std::string()> text;
@@ -146,15 +147,17 @@ Result<void> write(Paper& paper) {
 
 Result<void> run_gait(const Options& options) {
     const GaitOptions& gait = options.gait;
-    if (!gait.motion.empty() && !has_ending(gait.motion, ".bvh") && !is_stream(gait.motion))
-        return Error{"--export writes a .bvh, which " + gait.motion + " is not called."};
+    const bool is_glb = has_ending(gait.motion, ".glb");
+    if (!gait.motion.empty() && !is_glb && !has_ending(gait.motion, ".bvh") && !is_stream(gait.motion))
+        return Error{"--export writes a .bvh or a .glb, which " + gait.motion + " is not called."};
+    const auto as_file = is_glb ? motion_glb : bvh_text;
     std::vector<Report> reports;
     Recording motion;
     Paper papers[] = {
         {gait.csv, [&] { return reports_csv(reports); }},
         {options.json, [&] { return reports_json(reports); }},
         {gait.svg, [&] { return curves_svg(reports.front()); }},
-        {gait.motion, [&] { return bvh_text(motion.body, motion.ticks, 1 / static_cast<double>(k_tick)); }}};
+        {gait.motion, [&] { return as_file(motion.body, motion.ticks, 1 / static_cast<double>(k_tick)); }}};
     for (Paper& paper : papers) {
         if (paper.path.empty()) continue;
         Result<PartFilePtr> file = open_file(paper.path);

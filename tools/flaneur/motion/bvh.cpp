@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/bvh.h"
+#include "tools/flaneur/motion/bvh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,6 @@ void append_offset(std::string& text, const std::string& indent, Vec3 by) {
     text += "\n";
 }
 
-// Where a bone ends that no other joint follows.
-Vec3 end_of(const Body& body, size_t joint) {
-    if (joint == head) return {0, body.height - body.joints[head].y, 0};
-    if (joint == left_toes || joint == right_toes) return {0, -body.joints[joint].y, body.toe};  // the sole
-    return {0, 0.1f * (body.joints[left_foot].y - body.joints[left_upper_leg].y), 0};            // a hand
-}
-
 // The joints in the order in which they are nested.
 void append_joint(std::string& text, const Body& body, size_t joint, size_t depth,
                   std::vector<size_t>& order) {
@@ -50,7 +43,7 @@ void append_joint(std::string& text, const Body& body, size_t joint, size_t dept
     }
     if (is_end) {
         text += inner + "End Site\n" + inner + "{\n";
-        append_offset(text, inner + "\t", end_of(body, joint));
+        append_offset(text, inner + "\t", bone_end(body, joint));
         text += inner + "}\n";
     }
     text += outer + "}\n";
@@ -108,9 +101,8 @@ std::string bvh_text(const Body& body, const std::vector<JointPoses>& ticks, dou
             if (is_root)
                 append_numbers(
                     text, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
-            Quat up = is_root ? Quat{} : poses[static_cast<size_t>(k_joint_parents[joint])].rotation;
             Angles& its = angles[joint];
-            its = angles_of(conjugate(up) * poses[joint].rotation, its);
+            its = angles_of(own_turn(poses, joint), its);
             append_numbers(text, {its.z, its.x, its.y});
         }
         text.erase(begins, 1);

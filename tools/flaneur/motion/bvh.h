@@ -1,16 +1,12 @@
 // Motions as BVH files, which animation programs open.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
-#include "sim/body/body.h"
-#include "sim/pose/pose.h"
+#include "tools/flaneur/motion/motion.h"
 
 namespace flaneur {
-
-using JointPoses = std::array<JointPose, k_joint_count>;  // in the world
 
 // The skeleton of a body, joint by joint under its parent as it stands in the canonical pose, arms hanging,
 // feet on the ground, and a frame for each of `ticks`. Metres, y up, facing +z; toes end at the tip of the
