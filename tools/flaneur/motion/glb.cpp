@@ -49,7 +49,7 @@ struct Block {
     float wide, deep, next_wide, next_deep;
 };
 constexpr Block k_middle[] = {
-    {hips, spine, 0.080f, 0.050f, 0.075f, 0.048f},        {spine, chest, 0.072f, 0.046f, 0.070f, 0.046f},
+    {hips, spine, 0.092f, 0.052f, 0.078f, 0.048f},        {spine, chest, 0.072f, 0.046f, 0.070f, 0.046f},
     {chest, upper_chest, 0.072f, 0.048f, 0.082f, 0.054f}, {upper_chest, neck, 0.084f, 0.055f, 0.050f, 0.036f},
     {neck, head, 0.026f, 0.028f, 0.026f, 0.028f},         {head, head, 0.036f, 0.044f, 0.040f, 0.048f}};
 // Of a left limb; the right one's joints stand k_to_right further on.
