@@ -38,5 +38,13 @@ poses() { "$flaneur" gait "$@" | grep '^Poses '; }
 if [[ $(poses --kerb 0.12) == "$(poses --kerb 0.1)" ]]; then echo "FAILED: two kerbs, one word" && exit 1; fi
 "$flaneur" gait --help > help.txt
 grep --quiet -- '--seconds .*(12 to 600)$' help.txt
-"$flaneur" gait --crowd 20 --seconds 12 > crowd.txt
+# What is exported of a crowd is a character.
+"$flaneur" gait --crowd 20 --seconds 12 --walker 3 --export one.glb > crowd.txt
 grep --quiet 'joint_speed' crowd.txt
+"$flaneur" inspect one.glb --json one.json > inspected.txt
+python3 - << 'END'
+import json
+one = json.load(open("one.json"))
+assert one["kind"] == "character" and one["animations"] == ["motion"] and not one["notes"], one
+assert len(one["joints"]) == 22 and all(one["joints"].values()), one["joints"]
+END

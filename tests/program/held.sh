@@ -17,6 +17,11 @@ cmp a.bvh whole.bvh
 
 # Devices and pipes are called as they like.
 "$flaneur" gait --export /dev/stdout 2> /dev/null | cmp - whole.bvh
+mkfifo pipe.glb
+cat pipe.glb > piped &
+"$flaneur" gait --export pipe.glb > /dev/null
+wait $!
+[[ $(head -c 4 piped) == glTF ]] || failed "a pipe called .glb takes something else"
 if "$flaneur" gait --export a.txt 2> said; then failed "a .bvh called a.txt"; fi
 said "which a.txt is not called"
 

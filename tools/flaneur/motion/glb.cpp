@@ -1,5 +1,7 @@
 #include "tools/flaneur/motion/glb.h"
 
+#include <algorithm>
+
 #include "assets/gltf/write.h"
 
 namespace flaneur {
@@ -49,7 +51,7 @@ struct Block {
     float wide, deep, next_wide, next_deep;
 };
 constexpr Block k_middle[] = {
-    {hips, spine, 0.092f, 0.052f, 0.078f, 0.048f},        {spine, chest, 0.072f, 0.046f, 0.070f, 0.046f},
+    {hips, spine, 0.040f, 0.052f, 0.078f, 0.048f},        {spine, chest, 0.072f, 0.046f, 0.070f, 0.046f},
     {chest, upper_chest, 0.072f, 0.048f, 0.082f, 0.054f}, {upper_chest, neck, 0.084f, 0.055f, 0.050f, 0.036f},
     {neck, head, 0.026f, 0.028f, 0.026f, 0.028f},         {head, head, 0.036f, 0.044f, 0.040f, 0.048f}};
 // Of a left limb; the right one's joints stand k_to_right further on.
@@ -69,9 +71,13 @@ void add_upright(Character& doll, const Block& block, int shift, uint32_t colour
     Vec3 from = body.joints[joint];
     Vec3 to = block.next == block.joint ? from + bone_end(body, joint)
                                         : body.joints[static_cast<size_t>(block.next + shift)];
-    if (joint == hips) from.y = body.joints[left_upper_leg].y;
     const float h = body.height;
-    add_block(doll, joint, colour, {from, {block.wide * h, 0, 0}, {0, 0, block.deep * h}},
+    float wide = block.wide * h;
+    if (joint == hips) {  // down to the legs, and as wide as they stand
+        from.y = body.joints[left_upper_leg].y;
+        wide += body.joints[left_upper_leg].x;
+    }
+    add_block(doll, joint, colour, {from, {wide, 0, 0}, {0, 0, block.deep * h}},
               {to, {block.next_wide * h, 0, 0}, {0, 0, block.next_deep * h}});
 }
 
@@ -81,6 +87,7 @@ void add_foot(Character& doll, int shift, uint32_t colour) {
     auto foot = static_cast<Joint>(left_foot + shift), toes = static_cast<Joint>(left_toes + shift);
     Vec3 ankle = body.joints[foot], ball = body.joints[toes];
     auto across = [&](float x, float z, float wide, float high) -> Face {
+        high = std::max(high, 0.005f * body.height);  // where ankles are on the ground, too
         return {{x, high, z}, {wide * body.height, 0, 0}, {0, high, 0}};
     };
     Face heel = across(ankle.x, ankle.z - body.heel, 0.018f, 0.5f * ankle.y);

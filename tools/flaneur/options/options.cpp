@@ -130,7 +130,8 @@ Examples:
   flaneur gait --crowd 500 --city town.osm.pbf             the same in a city of yours
   flaneur gait --stairs up --export out/up.bvh             its motion, for animation programs: metres, +y up, ahead
                                                            along +z, at 60 frames a second
-  flaneur gait --crowd 500 --walker 12 --export out/12.bvh
+  flaneur gait --crowd 500 --walker 12 --export out/12.glb
+                                                           that of one of a crowd, as glTF with a doll to look at
   flaneur gait --strip out/strip.png --view front)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
@@ -310,7 +311,8 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
         ->needs(strip);
     wall->needs(strip);
     CLI::Option* motion =
-        command->add_option("--export", gait.motion, "Write the motion, for Blender and others, a .bvh")
+        command
+            ->add_option("--export", gait.motion, "Write the motion, for Blender and others, a .bvh or .glb")
             ->type_name("FILE");
     command->add_option("--walker", gait.walker, "Whose of a --crowd that is, from 0 on")
         ->type_name("ID")

@@ -41,7 +41,7 @@ struct GaitOptions {
     int crowd = 0;                      // walkers to watch, instead of one
     bool check = false;
     std::string csv, svg, strip;
-    std::string motion;  // a .bvh
+    std::string motion;  // a .bvh or a .glb
     int walker = 0;      // of a crowd, whose motion it is
     StripView view = StripView::side;
 };
