@@ -8,9 +8,9 @@ cd "$folder"
 "$flaneur" gait --speed 1.3 --csv a.csv --json a.json --svg a.svg > table.txt
 grep --quiet 'thigh.rmse .*<= 4 ' table.txt
 grep --quiet 'bars met' table.txt
-head -1 a.csv | grep --quiet '^trial,quantity,percent,value,norm,low,high,pass$'
-if awk -F, 'NF != 8' a.csv | grep .; then echo "FAILED: rows of another length" && exit 1; fi
-(($(grep --count '^level_1.30,knee,' a.csv) == 101))
+head -1 a.csv | grep --quiet '^person,trial,quantity,percent,value,norm,low,high,pass$'
+if awk -F, 'NF != 9' a.csv | grep .; then echo "FAILED: rows of another length" && exit 1; fi
+(($(grep --count '^man_30,level_1.30,knee,' a.csv) == 101))
 python3 - << 'END'
 import json, xml.dom.minidom
 report = json.load(open("a.json"))

@@ -75,6 +75,7 @@ XDG_CACHE_HOME=$folder/kept
 "$flaneur" sim "${scene[@]}" --seconds 0
 nothing_left sim "${scene[@]}" --seconds 100000 --hash-log log.txt
 nothing_left gait --crowd 20 --seconds 600 --csv a.csv --json a.json
+nothing_left gait --everyone --csv a.csv --json a.json
 nothing_left bench crowd "${scene[@]}" --frames 1000000 --json a.json
 nothing_left bench pose "${scene[@]}" --frames 100000 --json a.json
 nothing_left bench city "${scene[@]}" --frames 100000 --json a.json

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -6,11 +5,11 @@
 
 #include "assets/files/file.h"
 #include "sim/base/hash.h"
-#include "sim/crowd/pace.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/gait/crowd.h"
+#include "tools/flaneur/gait/people/table.h"
 #include "tools/flaneur/gait/report.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/motion/bvh.h"
@@ -23,29 +22,16 @@ namespace flaneur {
 
 namespace {
 
-// Middle heights, metres, of girls and boys at 4, 6 .. 18 years: WHO growth reference, 2007.
-constexpr double k_girls_grow[] = {1.03, 1.15, 1.27, 1.39, 1.51, 1.60, 1.625, 1.63};
-constexpr double k_boys_grow[] = {1.03, 1.16, 1.27, 1.38, 1.49, 1.63, 1.73, 1.765};
-
-double usual_height(const GaitOptions& gait) {
-    const double* grow = gait.sex == Sex::woman ? k_girls_grow : k_boys_grow;
-    double at = std::clamp((gait.age - 4.0) / 2, 0.0, 7.0);
-    auto i = static_cast<size_t>(std::min(at, 6.0));
-    return grow[i] + (grow[i + 1] - grow[i]) * (at - static_cast<double>(i));
+Who who_of(const GaitOptions& gait) { return {gait.sex, gait.age, gait.style}; }
+double height_of(const GaitOptions& gait) {
+    return gait.height > 0 ? gait.height : usual_height(who_of(gait));
 }
-
-double height_of(const GaitOptions& gait) { return gait.height > 0 ? gait.height : usual_height(gait); }
+Person person_of(const GaitOptions& gait) {
+    return {standard_body(static_cast<float>(height_of(gait))), manner_of(who_of(gait))};
+}
 double speed_of(const GaitOptions& gait) {
     if (gait.speed > 0) return gait.speed;
-    float leg = leg_length(standard_body(static_cast<float>(height_of(gait))));
-    return static_cast<double>(usual_speed(static_cast<float>(gait.age), gait.sex == Sex::woman, leg));
-}
-
-Manner manner_of(const GaitOptions& gait) {
-    Manner middle = manner_at_age(static_cast<float>(gait.age));
-    if (gait.style > 0) return draw_manner(middle, {gait.style, 0, 0, Purpose::style});
-    middle.unevenness = 0;  // the norms are means of many steps
-    return middle;
+    return liked_speed(who_of(gait), static_cast<double>(leg_length(person_of(gait).body)));
 }
 
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
@@ -71,12 +57,14 @@ std::vector<Report> chosen_trials(const Person& person, double speed, const Gait
 
 std::vector<Report> try_person(const GaitOptions& gait) {
     double height = height_of(gait), speed = speed_of(gait);
-    Person person{standard_body(static_cast<float>(height)), manner_of(gait)};
+    Person person = person_of(gait);
     std::printf("%s of %g years, %.2f m tall, leg %.2f m, %s manner\n",
                 gait.sex == Sex::woman ? "A woman" : "A man", gait.age, height,
                 static_cast<double>(leg_length(person.body)),
                 gait.style == 0 ? "the middle" : ("style " + std::to_string(gait.style) + " of").c_str());
-    return chosen_trials(person, speed, gait);
+    std::vector<Report> reports = chosen_trials(person, speed, gait);
+    for (Report& report : reports) report.person = word_of(who_of(gait));
+    return reports;
 }
 
 // A body and what it did.
@@ -87,7 +75,7 @@ struct Recording {
 
 // Of the one who walks as asked.
 Recording one_motion(const GaitOptions& gait) {
-    Person person{standard_body(static_cast<float>(height_of(gait))), manner_of(gait)};
+    Person person = person_of(gait);
     Recording motion{person.body, {}};
     Take take = make_take(gait, person, speed_of(gait), gait.seconds);
     for (const Instant& now : take.walk.ticks) motion.ticks.push_back(now.joints);
@@ -166,11 +154,18 @@ Result<void> run_gait(const Options& options) {
     }
 #ifdef FLANEUR_VULKAN
     if (!gait.strip.empty()) {
-        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), manner_of(gait));
+        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), manner_of(who_of(gait)));
         if (!drawn) return drawn;
     }
 #endif
-    if (gait.crowd > 0) {
+    if (gait.everyone) {
+        std::vector<Who> people = everyone();
+        Result<std::vector<Report>> all = try_everyone(people, *make_workers(options.threads));
+        if (!all) return all.error();
+        reports = std::move(*all);
+        print_table(people, reports);
+        print_misses(misses_of(people, reports));
+    } else if (gait.crowd > 0) {
         Result<Report> crowd = try_crowd(options, motion);
         if (!crowd) return crowd.error();
         reports.push_back(std::move(*crowd));
@@ -180,7 +175,7 @@ Result<void> run_gait(const Options& options) {
     }
     int failed = 0, bars = 0;
     for (const Report& r : reports) {
-        print_report(r, reports.size() == 1);
+        if (!gait.everyone) print_report(r, reports.size() == 1);
         failed += failed_count(r);
         bars += static_cast<int>(r.verdicts.size());
     }
@@ -194,8 +189,8 @@ Result<void> run_gait(const Options& options) {
         if (Result<void> done = write(paper); !done) return done;
     }
     if (!gait.check || failed == 0) return {};
-    return Error{std::to_string(failed) + " of " + std::to_string(bars) +
-                 " bars are not met; the lines above that say FAIL name them."};
+    return Error{std::to_string(failed) + " of " + std::to_string(bars) + " bars are not met; " +
+                 (gait.everyone ? "the list above names them." : "the lines above that say FAIL name them.")};
 }
 
 }  // namespace flaneur

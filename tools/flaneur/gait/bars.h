@@ -14,8 +14,9 @@ inline constexpr double k_run_froude = 0.5;  // beyond this Froude number people
 struct Bar {
     const char* quantity;
     double low, high;
-    double stretch;      // a stronger upper bound to strive for; 0: none
-    const char* source;  // of the numbers
+    double stretch;              // a stronger upper bound to strive for; 0: none
+    const char* source;          // of the numbers
+    const char* also = nullptr;  // of how they were carried over to others
 };
 
 // Bars of level walking at a speed, or of a run where it is one (beyond k_run_froude), for a leg's length

@@ -26,12 +26,6 @@ bool finite(const JointPose& p) {
                          p.rotation.z + p.rotation.w);
 }
 
-// Degrees between two rotations.
-float angle_between(Quat a, Quat b) {
-    Quat d = conjugate(a) * b;
-    return 2 * arctan2(length(Vec3{d.x, d.y, d.z}), std::fabs(d.w)) * k_degrees;
-}
-
 void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
     const PersonBlock& person = world.gait.people[i / k_block];
     size_t lane = i % k_block;

@@ -108,4 +108,40 @@ float beyond_limits(Joint joint, const JointAngles& a) {
     return std::max({outside(l.bend, a.bend), outside(l.side, a.side), outside(l.twist, a.twist)});
 }
 
+float angle_between(Quat a, Quat b) {
+    Quat d = conjugate(a) * b;
+    return 2 * arctan2(length(Vec3{d.x, d.y, d.z}), std::fabs(d.w)) / k_radians;
+}
+
+Quantities measure_body(const Walk& walk, size_t first) {
+    float spin = 0, beyond = 0;
+    double rise = 0, fall = 0;
+    auto against_parent = [](const Instant& now, size_t j) {
+        return conjugate(now.joints[static_cast<size_t>(k_joint_parents[j])].rotation) *
+               now.joints[j].rotation;
+    };
+    for (size_t t = std::max<size_t>(first, 2); t < walk.ticks.size(); ++t) {
+        const Instant &now = walk.ticks[t], &before = walk.ticks[t - 1];
+        for (size_t j = 0; j < k_joint_count; ++j) {
+            if (k_joint_parents[j] == k_no_parent) continue;
+            spin = std::max(spin, angle_between(against_parent(before, j), against_parent(now, j)));
+            auto joint = static_cast<Joint>(j);
+            Quat parent = now.joints[static_cast<size_t>(k_joint_parents[j])].rotation;
+            beyond =
+                std::max(beyond, beyond_limits(joint, joint_angles(joint, parent, now.joints[j].rotation)));
+        }
+        auto height = [&](size_t tick, Joint joint) {
+            return static_cast<double>(place(walk.ticks[tick], joint).y);
+        };
+        rise = std::max(rise, std::fabs(height(t, head) - height(t - 1, head)) * walk.rate);
+        double falls = 2 * height(t - 1, hips) - height(t - 2, hips) - height(t, hips);
+        if (!now.feet[k_left].swinging || !now.feet[k_right].swinging)
+            fall = std::max(fall, falls * walk.rate * walk.rate);
+    }
+    return {{"joint_speed.deg_s", static_cast<double>(spin) * walk.rate},
+            {"joint_outside.deg", static_cast<double>(beyond)},
+            {"head_rise.m_s", rise},
+            {"pelvis_fall.m_s2", fall}};
+}
+
 }  // namespace flaneur

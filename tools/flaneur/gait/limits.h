@@ -1,7 +1,8 @@
-// How far joints of people turn.
+// What no body does: joints beyond their limits or with a jerk, a pelvis that falls faster than freely.
 #pragma once
 
 #include "sim/pose/joint_limits.h"
+#include "tools/flaneur/gait/measure.h"
 
 namespace flaneur {
 
@@ -13,5 +14,13 @@ JointAngles joint_angles(Joint joint, Quat parent, Quat child);
 
 // Degrees by which the angles exceed what people reach, 0 within. The hips turn freely.
 float beyond_limits(Joint joint, const JointAngles& angles);
+
+// Degrees between two rotations.
+float angle_between(Quat a, Quat b);
+
+// The worst from tick `first` on, each from one tick to the next: the fastest turn of a joint against its
+// parent, the most that one is beyond its limits, how fast the head goes up or down, and with what
+// acceleration the pelvis falls while a foot stands.
+Quantities measure_body(const Walk& walk, size_t first);
 
 }  // namespace flaneur

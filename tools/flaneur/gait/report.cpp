@@ -49,6 +49,12 @@ std::string number(double v) {
 bool is_bound(double v) { return std::fabs(v) < k_open; }
 std::string bound(double v) { return is_bound(v) ? number(v) : ""; }
 
+std::string source_of(const Bar& bar) {
+    return bar.also ? std::string(bar.source) + "; " + bar.also : bar.source;
+}
+
+}  // namespace
+
 std::string bar_text(const Bar& bar) {
     char text[64];
     if (bar.low <= -k_open) {
@@ -69,8 +75,6 @@ std::string measured_text(const Verdict& v) {
     return text;
 }
 
-}  // namespace
-
 int failed_count(const Report& report) {
     return static_cast<int>(std::count_if(report.verdicts.begin(), report.verdicts.end(),
                                           [](const Verdict& v) { return !v.pass; }));
@@ -90,12 +94,12 @@ void print_report(const Report& report, bool all) {
 }
 
 std::string reports_csv(const std::vector<Report>& reports) {
-    std::string text = "trial,quantity,percent,value,norm,low,high,pass\n";
+    std::string text = "person,trial,quantity,percent,value,norm,low,high,pass\n";
     for (const Report& r : reports) {
         for (const Quantity& q : r.quantities) {
             auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
                                   [&](const Verdict& one) { return q.name == one.bar.quantity; });
-            text += r.name + "," + q.name + ",," + number(q.value) + ",,";
+            text += r.person + "," + r.name + "," + q.name + ",," + number(q.value) + ",,";
             if (v != r.verdicts.end())
                 text += bound(v->bar.low) + "," + bound(v->bar.high) + "," + (v->pass ? "1" : "0");
             else
@@ -105,7 +109,7 @@ std::string reports_csv(const std::vector<Report>& reports) {
         if (!has_curves(r)) continue;
         for (const NamedCurve& c : k_named_curves) {
             for (size_t p = 0; p < k_percents; ++p) {
-                text += r.name + "," + c.name + "," + std::to_string(p) + "," +
+                text += r.person + "," + r.name + "," + c.name + "," + std::to_string(p) + "," +
                         number((r.curves.*c.curve)[p]) + "," + (c.norm ? number((*c.norm)[p]) : "") + ",,,\n";
             }
         }
@@ -117,7 +121,10 @@ std::string reports_json(const std::vector<Report>& reports) {
     Json json;
     json["trials"] = Json::array();
     for (const Report& r : reports) {
-        Json trial = {{"name", r.name}, {"title", r.title}};
+        Json trial;
+        if (!r.person.empty()) trial["person"] = r.person;
+        trial["name"] = r.name;
+        trial["title"] = r.title;
         trial["quantities"] = Json::array();
         for (const Quantity& q : r.quantities) {
             auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
@@ -127,7 +134,7 @@ std::string reports_json(const std::vector<Report>& reports) {
                 if (is_bound(v->bar.low)) quantity["low"] = v->bar.low;
                 if (is_bound(v->bar.high)) quantity["high"] = v->bar.high;
                 if (v->bar.stretch > 0) quantity["stretch"] = v->bar.stretch;
-                quantity["source"] = v->bar.source;
+                quantity["source"] = source_of(v->bar);
                 quantity["pass"] = v->pass;
             }
             trial["quantities"].push_back(std::move(quantity));

@@ -1,5 +1,6 @@
 #include "tools/flaneur/gait/trials.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -8,6 +9,7 @@
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/contact.h"
+#include "tools/flaneur/gait/limits.h"
 #include "tools/flaneur/gait/transients.h"
 
 namespace flaneur {
@@ -50,6 +52,12 @@ Report steady(const Walk& w, size_t first, size_t last) {
     return {"", "", level.curves, level.quantities, {}, w.hash};
 }
 
+// The greater of each, of the same quantities in the same order, or of none yet.
+void keep_most(Quantities& most, const Quantities& more) {
+    if (most.empty()) most = more;
+    for (size_t q = 0; q < more.size(); ++q) most[q].value = std::max(most[q].value, more[q].value);
+}
+
 }  // namespace
 
 Report try_level(const Person& person, double speed, double seconds) {
@@ -59,6 +67,7 @@ Report try_level(const Person& person, double speed, double seconds) {
     Report r = steady(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
     append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
     append(r.quantities, measure_stop(w, tick_at(w, stop)));
+    append(r.quantities, measure_body(w, tick_at(w, k_stand)));
     r.name = text("level_%.2f", speed);
     r.title = text("Level ground, %.2f m/s", speed);
     return finished(std::move(r), level_bars(speed, static_cast<double>(leg_length(person.body))));
@@ -74,12 +83,14 @@ Report try_turn(const Person& person, double speed, double degrees) {
     r.poses = w.hash;
     r.quantities = measure_turn(w, tick_at(w, asked));
     append(r.quantities, measure_contact(w, strides(w, tick_at(w, asked - 1), tick_at(w, asked + 5))));
+    append(r.quantities, measure_body(w, tick_at(w, k_stand)));
     r.name = text("turn_%.0f", degrees);
     r.title = text("Turn by %.0f degrees at %.2f m/s", degrees, speed);
     return finished(std::move(r), turn_bars(degrees));
 }
 
 Report try_bends(const Person& person, double speed) {
+    Quantities body;
     // A line through (log curvature, log speed) by least squares.
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     constexpr double k_seconds = k_stand + 20;
@@ -102,10 +113,12 @@ Report try_bends(const Person& person, double speed) {
         }
         double v = way / (static_cast<double>(last - first) / w.rate);
         double a = std::log(rate / v), b = std::log(v);
+        keep_most(body, measure_body(w, tick_at(w, k_stand)));
         ++n, x += a, y += b, xx += a * a, xy += a * b;
     }
     Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}, poses};
     r.quantities.push_back({"bend_exponent", (n * xy - x * y) / (n * xx - x * x)});
+    append(r.quantities, body);
     return finished(std::move(r), bends_bars());
 }
 
@@ -130,6 +143,7 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     if (steps > 0) {
         append(r.quantities, {{"stairs_a_step", stairs / steps}, {"odd_steps.pct", 100 * odd / steps}});
     }
+    append(r.quantities, measure_body(w, tick_at(w, k_stand)));
     r.name = up ? "stairs_up" : "stairs_down";
     r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
                       : "Stairs down, risers of %.2f and treads of %.2f m",
@@ -142,6 +156,7 @@ Report try_slope(const Person& person, double speed, double percent) {
     Ground ground = ground_of(slope_course(k_begin, static_cast<float>(percent / 100)));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4), tick_past(w, k_begin + 40));
+    append(r.quantities, measure_body(w, tick_at(w, k_stand)));
     Report level = try_level(person, speed, 15);
     r.poses = mix(r.poses ^ level.poses);
     double here = value_of(r.quantities, "speed.m_s"), there = value_of(level.quantities, "speed.m_s");
@@ -163,9 +178,8 @@ Report try_kerb(const Person& person, double speed, double height) {
         Walk w = walk(ground, person, 14, [&](double t) { return onward(t < k_stand ? 0 : speed); });
         r.poses = mix(r.poses ^ w.hash);
         Quantities here = measure_contact(w, strides(w, tick_past(w, begin - 2), tick_past(w, begin + 7)));
-        if (i == 0) r.quantities = here;
-        for (size_t q = 0; q < here.size(); ++q)
-            r.quantities[q].value = std::max(r.quantities[q].value, here[q].value);
+        append(here, measure_body(w, tick_at(w, k_stand)));
+        keep_most(r.quantities, here);
     }
     r.name = "kerb";
     r.title = text("A kerb of %.2f m up and down, %.2f m/s", height, speed);

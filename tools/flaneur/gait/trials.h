@@ -14,7 +14,8 @@ struct Report {
     Curves curves;
     Quantities quantities;
     std::vector<Verdict> verdicts;
-    uint64_t poses = 0;  // the hash of its walks
+    uint64_t poses = 0;    // the hash of its walks
+    std::string person{};  // whose they are, a word, for files; empty: a crowd's
 };
 
 // Stands, walks straight on level ground at `speed` and stands again, in `seconds`. A run if that is the

@@ -121,6 +121,7 @@ constexpr const char* k_gait_footer =
 Examples:
   flaneur gait --speed 1.3                                 one person on level ground
   flaneur gait --speed 1.3 --check                         every walk that has bars: fails if one is missed
+  flaneur gait --everyone --check                          the same of women and men from 4 to 80 years
   flaneur gait --speed 1.3 --svg out/gait.svg --json out/gait.json
   flaneur gait --sex woman --age 75                        as fast as she likes
   flaneur gait --turn 180                                  a half turn on the way
@@ -281,6 +282,10 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
     number(k_who, "--age", gait.age, 4, 100, "YEARS", "How old", "30");
     add_parsed(*command, "--style", parse_seed, gait.style, "Seed of a manner of walking; 0: the middle one",
                "S", "0")
+        ->group(k_who);
+    command
+        ->add_flag("--everyone", gait.everyone,
+                   "Women and men from 4 to 80 years instead, with ten styles each, in every way of walking")
         ->group(k_who);
     number(k_where, "--seconds", gait.seconds, 12, 600, "T",
            "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");

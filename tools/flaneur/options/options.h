@@ -39,6 +39,7 @@ struct GaitOptions {
     double kerb = 0;                    // metres
     double wall = 0;                    // metres to the left of the way; only where a strip is drawn
     int crowd = 0;                      // walkers to watch, instead of one
+    bool everyone = false;              // women and men of all ages, each in every way
     bool check = false;
     std::string csv, svg, strip;
     std::string motion;  // a .bvh or a .glb

@@ -55,6 +55,15 @@ const UselessWhere k_useless[] = {
      [](const Options& o) { return o.load == BenchLoad::city; },
      "is not for bench city, which draws and poses nobody"},
     {Command::gait,
+     {"--speed", "--height", "--sex", "--age", "--style"},
+     [](const Options& o) { return o.gait.everyone; },
+     "is of one person: leave it or --everyone out"},
+    {Command::gait,
+     {"--turn", "--stairs", "--riser", "--tread", "--slope", "--kerb", "--wall", "--seconds", "--crowd",
+      "--svg", "--strip", "--view", "--export", "--walker"},
+     [](const Options& o) { return o.gait.everyone; },
+     "is not for --everyone, who walk in every way and are told in a table"},
+    {Command::gait,
      {"--riser", "--tread"},
      [](const Options& o) {
          return o.gait.stairs.empty() && (!o.gait.check || has_place(o.gait) || o.gait.crowd > 0);
