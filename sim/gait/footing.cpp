@@ -38,6 +38,18 @@ FootSize foot_size(const PersonBlock& p, int lane) {
 
 namespace {
 
+namespace kernel = HWY_NAMESPACE;
+
+kernel::SwingEnds<float> ends_between(const FootPlace& from, const FootPlace& to) {
+    Vec3 far = to.position - from.position;
+    return {{from.position.x, from.position.y, from.position.z},
+            {far.x, far.y, far.z},
+            from.normal.x,
+            from.normal.z,
+            to.normal.x - from.normal.x,
+            to.normal.z - from.normal.z};
+}
+
 Vec3 ahead_by(Vec3 from, Vec2 direction, float distance) {
     return {from.x + direction.x * distance, from.y, from.z + direction.z * distance};
 }
@@ -125,12 +137,19 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
     return {place, true, false, true};
 }
 
+float step_between(const FootPlace& from, const FootPlace& to) {
+    return kernel::step_between(ends_between(from, to));
+}
+
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size) {
     constexpr float k_room = 0.12f;
     float height = down.place.position.y;
+    Vec3 normal = down.place.normal;
+    float slope = -(normal.x * direction.x + normal.z * direction.z) / std::max(normal.y, 0.2f);
     auto above = [&](float behind) {
-        auto hit = under(around, ahead_by(down.place.position, direction, -size.heel - behind));
-        return hit && hit->height > height + k_level;
+        float along = -size.heel - behind;
+        auto hit = under(around, ahead_by(down.place.position, direction, along));
+        return hit && hit->height > height + slope * along + k_level;
     };
     if (!above(k_room)) return down;
     float low = 0, high = k_room;
@@ -148,15 +167,8 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
 float obstacle_between(const Surroundings& around, const FootPlace& from, const FootPlace& to,
                        const FootSize& size, float running) {
     constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
-    namespace kernel = HWY_NAMESPACE;
-    Vec3 far = to.position - from.position;
-    kernel::SwingEnds<float> ends{{from.position.x, from.position.y, from.position.z},
-                                  {far.x, far.y, far.z},
-                                  from.normal.x,
-                                  from.normal.z,
-                                  to.normal.x - from.normal.x,
-                                  to.normal.z - from.normal.z};
-    Vec2 direction = normalize_or(on_ground(far), {0, 1});
+    kernel::SwingEnds<float> ends = ends_between(from, to);
+    Vec2 direction = normalize_or(on_ground(to.position - from.position), {0, 1});
     float most = 0;
     for (float u : k_samples) {
         kernel::SwingTime<float> time = kernel::swing_time(u);

@@ -37,6 +37,9 @@ struct Footing {
 // toes hang over.
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size);
 
+// Metres by which a foot at `to` stands above the slope of the ground at `from`.
+float step_between(const FootPlace& from, const FootPlace& to);
+
 // `down`, a footing below the one before, moved along `direction` until its heel stands well clear of the
 // edge that it passes, if the ground there lets it.
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size);

@@ -28,9 +28,10 @@ static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind 
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
-static constexpr float k_drop = 0.07f;        // metres down, from which on a foot lands on its ball
-static constexpr float k_just_below = 1e-4f;  // of the phase
-static constexpr float k_leaning = 5;         // 1/s
+static constexpr float k_drop = 0.07f;  // metres down, from which on a foot lands on its ball
+static constexpr float k_steep_0 = 0.2f, k_steep_1 = 0.36f;            // rise of the ground, likewise
+static constexpr float k_just_below = 1e-4f;                           // of the phase
+static constexpr float k_leaning = 5;                                  // 1/s
 static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
 
 namespace {
@@ -108,7 +109,8 @@ bool may_leave(const GaitBlock& g, const Stepper& s, Side side) {
 void leave(GaitBlock& g, const Stepper& s, Side side, float rate) {
     float duty = g.duty[s.lane], f = g.frequency[s.lane];
     float& phase = g.feet[side].phase[s.lane];
-    phase = std::max(phase, duty);
+    // However quickly it was called, its swing begins at the beginning.
+    phase = clamp(phase, duty, duty + rate * s.dt);
     if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(g, s, side);
     g.feet[side].rate[s.lane] = rate;
     g.quicker[s.lane] = s.person.unevenness[s.lane] * random_normal(s.chance, 1) +
@@ -142,6 +144,12 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     leave(g, s, side, g.frequency[lane]);
 }
 
+// 1 where the ground rises so steeply along `ahead` that no heel comes down first; 0 where it does.
+float steepness(const FootPlaces& place, int lane, Vec2 ahead) {
+    Vec3 n = get_place(place, lane).normal;
+    return smoothstep(k_steep_0, k_steep_1, -(n.x * ahead.x + n.z * ahead.z) / std::max(n.y, 0.2f));
+}
+
 void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
                   float slack) {
     int lane = s.lane;
@@ -163,8 +171,10 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];
         if (foot.swinging[lane]) {
-            bool drops = foot.goal.y[lane] < foot.from.y[lane] - k_drop;
-            float forefoot = g.tread[lane] > 0 || drops ? 1.0f : 0.6f * g.running[lane];
+            bool drops = step_between(get_place(foot.from, lane), get_place(foot.goal, lane)) < -k_drop;
+            float forefoot = g.tread[lane] > 0 || drops
+                                 ? 1.0f
+                                 : std::max(0.6f * g.running[lane], steepness(foot.goal, lane, s.facing));
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             float& rate = foot.rate[lane];
             approach(rate, swing_rate(side, phase), k_quicken * s.dt);

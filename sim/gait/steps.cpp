@@ -159,9 +159,9 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     foot.wished_x[s.lane] = wished.position.x;
     foot.wished_z[s.lane] = wished.position.z;
     foot.wished_yaw[s.lane] = wished.yaw;
-    const FootPlaces& there = g.feet[other(side)].to;
+    FootPlace there = get_place(g.feet[other(side)].to, s.lane);
     Vec2 direction = normalize_or(s.velocity, s.facing);
-    Vec3 here{s.root.x, there.y[s.lane], s.root.z};
+    Vec3 here{s.root.x, there.position.y, s.root.z};
     if (g.flight[s.lane] > 0) {
         FarSide far = far_side(s.around, here, direction, k_longest_jump);
         float short_of = far.distance + size.heel + 0.05f - dot(on_ground(wished.position - here), direction);
@@ -171,11 +171,11 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     if (g.tread[s.lane] > 0) keep_to_treads(g, s, side, size, wished);
     Footing footing = find_footing(s.around, wished, size);
     if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
-        std::fabs(footing.place.position.y - there.y[s.lane]) > k_stair) {
+        std::fabs(step_between(there, footing.place)) > k_stair) {
         keep_to_treads(g, s, side, size, wished);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
     }
-    if (footing.found && g.tread[s.lane] <= 0 && footing.place.position.y < there.y[s.lane] - k_stair)
+    if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
         footing = down_or_before(s, footing, wished, direction, size);
     // A body cannot be let down, or lifted, in no time.
     bool committed = !leaves && seconds < k_committed && g.flight[s.lane] <= 0;

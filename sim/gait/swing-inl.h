@@ -45,13 +45,20 @@ struct SwingPath {
     T step;      // metres by which the landing lies above the slope at the place left
 };
 
+// Metres by which the landing lies above the slope at the place left, which rises by -(nx x + nz z) / ny over
+// the way (x, z); 1 / ny is 1 + (nx^2 + nz^2) / 2 to second order, with the mean of both normals.
+template <class T>
+HWY_INLINE T step_between(const SwingEnds<T>& ends) {
+    const V3<T>& far = ends.far;
+    T mean_nx = ends.from_nx + ends.far_nx * T(0.5f), mean_nz = ends.from_nz + ends.far_nz * T(0.5f);
+    return far.y + (mean_nx * far.x + mean_nz * far.z) *
+                       (T(1.0f) + T(0.5f) * (mean_nx * mean_nx + mean_nz * mean_nz));
+}
+
 // Over even ground the foot follows its slope, at the progress 3u^2 - 2u^3, less what the fits take off and
 // with what a run adds. What the slope does not explain is a step, with h metres to climb: a foot climbs
 // before it goes on, so that its toes pass the edges, and goes on before it comes down, so that its heel
 // does. Down is up played backwards.
-//
-// The slope rises by -(nx x + nz z) / ny over the way (x, z); 1 / ny is 1 + (nx^2 + nz^2) / 2 to second
-// order, with the mean of both normals.
 template <class T>
 HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>& time, T running) {
     T one = T(1.0f), u = time.u, rest = time.rest;
@@ -61,9 +68,7 @@ HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>&
     progress = progress + running * T(k_run_progress) * u * rest * rest * rest;
     T climbed = progress;
 
-    T mean_nx = ends.from_nx + ends.far_nx * T(0.5f), mean_nz = ends.from_nz + ends.far_nz * T(0.5f);
-    T step = far.y +
-             (mean_nx * far.x + mean_nz * far.z) * (one + T(0.5f) * (mean_nx * mean_nx + mean_nz * mean_nz));
+    T step = step_between(ends);
     T height = max(step, T(0.0f) - step), steep = smoothstep(T(k_step_0), T(k_step_1), height);
     auto steps = steep > T(0.0f);
     if (any(steps)) {

@@ -76,6 +76,7 @@ struct Foot {
     T leaving;                   // 0 while the body rests on it .. 1 at toe-off
     T slack;   // metres that the leg may fall short: none as it lands and stands, some as it leaves
     T give;    // metres before its reach from which on a swinging leg gives way
+    T rolls;   // 0 .. 1: how far a foot on the ground gives way over its ball to a shin that tilts
     T swings;  // 1 in the swing, 0 on the ground
 };
 
@@ -107,7 +108,7 @@ HWY_INLINE T landing_on_ball(const FootTime<T>& time, T forefoot) {
 }
 
 // The pitch of the foot against the flat one, toes up +, radians: the norm's, with what standing flat, steps
-// down (`drop` metres to the other foot), a run and landing on the ball make of it.
+// down (`drop` metres from the slope underfoot to the other foot), a run and landing on the ball make of it.
 template <class T>
 HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing) {
     T zero = T(0.0f), one = T(1.0f), norm = time.norm;
@@ -181,26 +182,29 @@ HWY_INLINE void pitch_foot(Foot<T>& out, const FootTime<T>& time, const FootSize
         lerp(from_ball, from_heel, select(time.planted, select(toes_up, one, zero), smoothstep(u)));
 }
 
-// The swing's ends, from `origin_ws`.
+// The ends of a way between two places, from `origin_ws`.
 template <class T>
-HWY_INLINE SwingEnds<T> swing_ends(const FootBlock& f, size_t lane, V3<T> origin_ws) {
-    V3<T> from_ws{at<T>(f.from.x + lane), at<T>(f.from.y + lane), at<T>(f.from.z + lane)};
-    V3<T> to_ws{at<T>(f.to.x + lane), at<T>(f.to.y + lane), at<T>(f.to.z + lane)};
-    T from_nx = at<T>(f.from.normal_x + lane), from_nz = at<T>(f.from.normal_z + lane);
+HWY_INLINE SwingEnds<T> swing_ends(const FootPlaces& from, const FootPlaces& to, size_t lane,
+                                   V3<T> origin_ws) {
+    V3<T> from_ws{at<T>(from.x + lane), at<T>(from.y + lane), at<T>(from.z + lane)};
+    V3<T> to_ws{at<T>(to.x + lane), at<T>(to.y + lane), at<T>(to.z + lane)};
+    T from_nx = at<T>(from.normal_x + lane), from_nz = at<T>(from.normal_z + lane);
     return {from_ws - origin_ws,
             to_ws - from_ws,
             from_nx,
             from_nz,
-            at<T>(f.to.normal_x + lane) - from_nx,
-            at<T>(f.to.normal_z + lane) - from_nz};
+            at<T>(to.normal_x + lane) - from_nx,
+            at<T>(to.normal_z + lane) - from_nz};
 }
 
 // How far the leg of this foot may be from what its place asks for; see Foot.
 template <class T>
-HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time) {
+HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot) {
     T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
     out.swings = select(time.planted, zero, one);
     out.leaving = select(time.planted, smoothstep(T(0.38f), T(0.55f), time.norm), zero);
+    T since_flat = smoothstep(T(0.11f), T(0.2f), time.norm);
+    out.rolls = select(time.planted & (out.half.sine > T(-1e-3f)), max(forefoot, since_flat), zero);
     out.give = select(time.planted, zero,
                       T(k_give) * smoothstep(zero, T(0.15f), u) * (one - smoothstep(T(0.7f), T(0.92f), u)));
     // Let go little by little, and bound again before it lands.
@@ -217,14 +221,14 @@ template <class T>
 HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t lane, const WalkNow<T>& walk,
                              const FootSizes<T>& size, V3<T> origin_ws) {
     FootTime<T> time = foot_time(at<T>(f.phase + lane), walk);
-    T landing = landing_on_ball(time, at<T>(f.forefoot + lane));
-    T drop = at<T>(f.from.y + lane) - at<T>(other.to.y + lane);
+    T forefoot = at<T>(f.forefoot + lane), landing = landing_on_ball(time, forefoot);
+    T drop = T(0.0f) - step_between(swing_ends(f.from, other.to, lane, origin_ws));
     T pitch = foot_pitch(time, walk, drop, landing);
     T clearance = swing_clearance(time.swing, walk);
 
     Foot<T> out;
     pitch_foot(out, time, size, pitch, landing, clearance);
-    SwingEnds<T> ends = swing_ends(f, lane, origin_ws);
+    SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
     SwingPath<T> path = swing_path(ends, time.swing, walk.running);
     // Up a step, knees rise high; down, the way itself is clear of the ground left.
     if (any(path.steep > T(0.0f)))
@@ -239,13 +243,13 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Axes<T> axes_ws = axes_of(out.flat_ws);
     out.up_ws = axes_ws.y;
     out.ahead_ws = axes_ws.z;
-    bind_leg(out, time);
+    bind_leg(out, time, forefoot);
     return out;
 }
 
 // Shins tilt over a foot only so far: beyond the first angle ever less, to the second at most (sines of 26
 // and 36 degrees). Half the turn, toes down, by which `shin_ws`, a unit vector up along it, is tilted
-// farther, in the lanes that become `tilted`.
+// farther, in the lanes that become `tilted`; a foot that has just come flat begins to give way gently.
 inline constexpr float k_tilt_free = 0.438f, k_tilt_gives = 0.15f;
 template <class T, class M>
 HWY_INLINE SinCosOf<T> over_tilt(const Foot<T>& foot, V3<T> shin_ws, M& tilted) {
@@ -260,7 +264,9 @@ HWY_INLINE SinCosOf<T> over_tilt(const Foot<T>& foot, V3<T> shin_ws, M& tilted) 
     T allowed = T(k_tilt_free) + excess - excess * excess * T(0.25f / k_tilt_gives);
     T rest = sqrt(max(sine * sine + cosine * cosine - allowed * allowed, T(0.0f)));
     T half = sqrt(max(T(0.5f) + T(0.5f) * over * (cosine * rest + sine * allowed), T(1e-6f)));
-    return {T(0.5f) * over * (sine * rest - cosine * allowed) / half, half};
+    T sine_half = T(0.5f) * over * (sine * rest - cosine * allowed) / half;
+    sine_half = sine_half * max(foot.rolls, foot.swings);
+    return {sine_half, sqrt(max(T(1.0f) - sine_half * sine_half, T(0.0f)))};
 }
 
 template <class T, class M>

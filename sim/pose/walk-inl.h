@@ -175,7 +175,7 @@ HWY_INLINE void pose_leg(PoseBlock& out, size_t lane, int side, const Pelvis<T>&
     V3<T> hip_os = pelvis.place_os + pelvis.to_hip_ws[side];
     V3<T> front_bs = bs_of_os(heading, pelvis.axes_ws.z + foot.ahead_ws);
     SinCosOf<T> half_front = plus(heading.half, half_yaw_to(front_bs.x, front_bs.z));
-    auto stands = (foot.swings <= zero) & (foot.half.sine >= zero);
+    auto stands = foot.rolls > zero;
     PosedLimb<T> limb;
     for (int pass = 0;; ++pass) {
         limb = two_bone(within_reach(ankle_of(foot) - hip_os, leg, foot.give), half_front, leg, 1.0f, 0.0f);
