@@ -144,12 +144,9 @@ float step_between(const FootPlace& from, const FootPlace& to) {
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size) {
     constexpr float k_room = 0.12f;
     float height = down.place.position.y;
-    Vec3 normal = down.place.normal;
-    float slope = -(normal.x * direction.x + normal.z * direction.z) / std::max(normal.y, 0.2f);
     auto above = [&](float behind) {
-        float along = -size.heel - behind;
-        auto hit = under(around, ahead_by(down.place.position, direction, along));
-        return hit && hit->height > height + slope * along + k_level;
+        auto hit = under(around, ahead_by(down.place.position, direction, -size.heel - behind));
+        return hit && hit->height > height + k_level;
     };
     if (!above(k_room)) return down;
     float low = 0, high = k_room;
