@@ -16,9 +16,10 @@ inline constexpr float k_pitch_pace = 0.04627f, k_clear_pace = 1.219f;
 inline constexpr float k_soft = 0.01195f, k_droop = -0.108f, k_toes = 0.4717f;
 
 // The foot in stance: share of the norm's pitch at heel strike, phases in which the heel comes off, radians
-// by which it rises further before toe-off; pitch of a foot that lands on its ball.
+// by which it rises further before toe-off, and by which it pushes off more for each pace over the natural
+// one; pitch of a foot that lands on its ball.
 inline constexpr float k_heel_strike = 0.9297f, k_heel_off_0 = 0.1896f, k_heel_off_1 = 0.521f;
-inline constexpr float k_heel_rise = 0.0731f, k_forefoot_pitch = -0.25f;
+inline constexpr float k_heel_rise = 0.0731f, k_push_pace = 0.45f, k_forefoot_pitch = -0.25f;
 
 // Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
 // metres.

@@ -36,6 +36,7 @@ FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float 
 struct Misfit {
     float distance = 0, twist = 0;  // metres, radians
     float behind = 0;               // metres, along the velocity or the wish
+    float unasked = 0;              // metres from the place for which the ground has offered this one to home
     // Over 1: a standing walker steps.
     float amount(float slack) const;
 };

@@ -120,6 +120,8 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
     T before_toe_off = one - smoothstep(T(0.5f), T(k_norm_toe_off), norm);
     T rises = smoothstep(T(0.36f), T(0.48f), norm) * before_toe_off;
     pitch = pitch - rises * T(k_heel_rise) * walk.ahead;
+    T pushes = smoothstep(T(0.48f), T(k_norm_toe_off), norm) * (one - smoothstep(T(0.63f), T(0.8f), norm));
+    pitch = pitch - pushes * T(k_push_pace) * max(walk.over, zero) * walk.ahead;
     // Who lets the body down onto a lower step stands on the ball meanwhile: shins tilt only so far.
     auto lets_down = time.planted & (drop > T(k_drop_0));
     if (any(lets_down)) {

@@ -218,8 +218,8 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
 inline constexpr AimJoint k_look[3] = {
     {0.08f, 0.30f, 0.2f, 0.2f}, {0.37f, 0.55f, 0.4f, 0.4f}, {0.55f, 0.80f, 0.5f, 0.5f}};
 
-// Each joint of the spine turns back a little more against the pelvis, so that the chest turns the other way
-// and the head keeps still.
+// Each joint of the spine turns back a little more against the pelvis, the loins least, so that the chest
+// turns the other way and the head keeps still.
 template <class T>
 HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
                            const Trunk<T>& trunk, const Harmonics<T, 3>& cycle, V3<T> origin_ws) {
@@ -242,8 +242,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
                    sin_cos_half(rolls), sin_cos_half(nods));
 
     const Q4<T> rotations_ws[] = {trunk.pelvis_ws,
-                                  nlerp_near(trunk.pelvis_ws, chest_ws, 1.0f / 3),
-                                  nlerp_near(trunk.pelvis_ws, chest_ws, 2.0f / 3),
+                                  nlerp_near(trunk.pelvis_ws, chest_ws, 0.15f),
+                                  nlerp_near(trunk.pelvis_ws, chest_ws, 0.4f),
                                   chest_ws,
                                   neck_ws,
                                   head_ws};

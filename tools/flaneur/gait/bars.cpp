@@ -56,6 +56,7 @@ constexpr Bar k_natural[] = {
     {"pelvis_low.pct", -2, 8, 0, "Orendurff 2004"},
     {"pelvis_high.pct", 25, 35, 0, "Orendurff 2004"},
     {"trunk_pelvis.deg", 120, 240, 0, k_pooled},
+    {"trunk_list.range", 2.2, 6.7, 0, k_mocap},
     {"head_yaw.deg", 0, 6, 0, k_pooled},
     {"head_pitch.deg", 0, 5, 0, k_pooled},
     {"upper_arm.range", 20, 40, 0, k_pooled},
