@@ -35,7 +35,9 @@ const std::vector<uint8_t> k_grey(5 * 3 * 4, 128);
 TEST_F(Files, AreNotWrittenOverWhatIsRead) {
     std::ofstream(path / "read.osm") << "a map";
     fs::create_symlink("read.osm", path / "link.osm");
-    protect_inputs({(path / "read.osm").string(), "", (path / "nowhere").string()});
+    protect_inputs([&] {
+        return std::vector<std::string>{(path / "read.osm").string(), "", (path / "nowhere").string()};
+    });
     for (const char* name : {"read.osm", "link.osm", "./read.osm"}) {
         Result<PartFilePtr> file = open_file((path / name).string());
         ASSERT_FALSE(file) << name;

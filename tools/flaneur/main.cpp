@@ -67,18 +67,23 @@ int fail(const Error& error) {
     return 1;
 }
 
+// What the command reads, and what that names in its turn.
+std::vector<std::string> inputs_of(const Options& options) {
+    std::vector<std::string> inputs = files_of(options.scene);
+    inputs.insert(inputs.end(), options.inputs.begin(), options.inputs.end());
+    for (size_t i = 0, given = inputs.size(); i < given; ++i) {
+        if (kind_of(inputs[i]) != FileKind::gltf) continue;
+        for (std::string& file : files_named_by(inputs[i])) inputs.push_back(std::move(file));
+    }
+    return inputs;
+}
+
 int run_program(int argc, char** argv) {
     auto parsed = parse_options(argc, argv);
     if (!parsed) return fail(parsed.error());
     if (const Options* options = std::get_if<Options>(&*parsed)) {
         if (auto limit = read_cache_limit(); !limit) return fail(limit.error());
-        std::vector<std::string> inputs = files_of(options->scene);
-        inputs.insert(inputs.end(), options->inputs.begin(), options->inputs.end());
-        for (size_t i = 0, named = inputs.size(); i < named; ++i) {
-            if (kind_of(inputs[i]) != FileKind::gltf) continue;
-            for (std::string& file : files_named_by(inputs[i])) inputs.push_back(std::move(file));
-        }
-        protect_inputs(std::move(inputs));
+        protect_inputs([options] { return inputs_of(*options); });
         Result<void> done = run(*options);
         if (!done) return fail(done.error());
     }

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -35,7 +36,7 @@ Error cannot_write(const std::string& path, const std::string& why) {
 struct OpenFiles {
     std::mutex mutex;
     std::vector<const PartFile*> files;
-    std::vector<std::string> inputs;
+    std::function<std::vector<std::string>()> inputs;
 };
 
 OpenFiles& open_files() {
@@ -85,7 +86,8 @@ bool is_taken(const std::string& target) {
 }
 
 bool is_read(const std::string& target) {
-    const std::vector<std::string>& inputs = open_files().inputs;
+    if (!open_files().inputs) return false;
+    const std::vector<std::string> inputs = open_files().inputs();
     return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
         std::error_code ignored;
         return fs::equivalent(input, target, ignored);
@@ -216,7 +218,9 @@ void abandon_outputs() {
     for (const PartFile* f : all.files) remove_traces(*f);
 }
 
-void protect_inputs(std::vector<std::string> paths) { open_files().inputs = std::move(paths); }
+void protect_inputs(std::function<std::vector<std::string>()> paths) {
+    open_files().inputs = std::move(paths);
+}
 
 Result<PartFilePtr> open_file(const std::string& path) {
     PartFilePtr f(new PartFile);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,8 +31,9 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
-// Files that this command reads, if they are there: nothing is written over them.
-void protect_inputs(std::vector<std::string> paths);
+// Files that this command reads, if they are there: nothing is written over them. `paths` is asked whenever
+// an output is there already.
+void protect_inputs(std::function<std::vector<std::string>()> paths);
 
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
 // that is protected from writing, one that the command reads, and where another file under way goes.
