@@ -14,10 +14,10 @@ namespace flaneur {
 namespace {
 
 constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
-constexpr size_t k_near_above = 2000;      // levels that keep glasses
-constexpr size_t k_welded_below = 300;     // levels this coarse may collapse across seams of colour
-constexpr size_t k_smoothed_below = 600;   // levels this coarse have vertices of their own
-constexpr size_t k_repainted_below = 200;  // and these across garments, whose colours are then laid on anew
+constexpr size_t k_near_above = 2000;     // levels that keep glasses
+constexpr size_t k_welded_below = 300;    // levels this coarse may collapse across seams of colour
+constexpr size_t k_mingled_below = 200;   // and these across borders of garments
+constexpr size_t k_smoothed_below = 600;  // levels this coarse have vertices of their own, painted anew
 
 // How much of a vertex goes with any of `joints`.
 float share_of(const CharacterVertex& v, std::initializer_list<uint8_t> joints) {
@@ -130,35 +130,103 @@ std::vector<uint32_t> unweld(const std::vector<uint32_t>& places, const Characte
     return out;
 }
 
-// Where a level has lost the borders of garments, each of its triangles takes vertices of its own in the
-// colour that the fine surface shows nearest to its middle.
-void repaint(std::vector<uint32_t>& level, Character& c, const std::vector<uint32_t>& shown) {
-    for (size_t t = 0; t + 2 < level.size(); t += 3) {
-        std::array<CharacterVertex, 3> corner;
-        for (size_t i = 0; i < 3; ++i) corner[i] = c.vertices[level[t + i]];
-        Vec3 middle = (corner[0].position + corner[1].position + corner[2].position) / 3;
-        Vec3 normal = cross(corner[1].position - corner[0].position, corner[2].position - corner[0].position);
-        uint32_t nearest = level[t];
-        float best = 1e30f;
-        for (uint32_t v : shown) {
-            float d = length_squared(c.vertices[v].position - middle);
-            if (d < best && dot(c.vertices[v].normal, normal) > 0) best = d, nearest = v;
+// How much of the fine surface shows each tint, and in what colour.
+struct Shown {
+    std::array<float, k_tint_count> areas{};
+    std::array<std::array<float, 3>, k_tint_count> colours{};  // times those areas
+};
+
+void add(Shown& to, const Shown& other) {
+    for (size_t tint = 0; tint < k_tint_count; ++tint) {
+        to.areas[tint] += other.areas[tint];
+        for (size_t i = 0; i < 3; ++i) to.colours[tint][i] += other.colours[tint][i];
+    }
+}
+
+struct Triangle {
+    std::array<Vec3, 3> corners;
+    Vec3 middle, normal;  // as long as twice its area
+    float reach;          // of the corners from the middle
+};
+
+std::vector<Triangle> triangles_of(const std::vector<uint32_t>& indices, const Character& c) {
+    std::vector<Triangle> out;
+    for (size_t i = 0; i + 2 < indices.size(); i += 3) {
+        std::array<Vec3, 3> p;
+        for (size_t k = 0; k < 3; ++k) p[k] = c.vertices[indices[i + k]].position;
+        Triangle& made =
+            out.emplace_back(Triangle{p, (p[0] + p[1] + p[2]) / 3, cross(p[1] - p[0], p[2] - p[0]), 0});
+        for (const Vec3& corner : p) made.reach = std::max(made.reach, length(corner - made.middle));
+    }
+    return out;
+}
+
+float distance_to(const Triangle& triangle, Vec3 place) {
+    const auto& [p, middle, normal, reach] = triangle;
+    const Vec3 away = place - p[0];
+    const float area = length_squared(normal);
+    const float s = dot(cross(away, p[2] - p[0]), normal), t = dot(cross(p[1] - p[0], away), normal);
+    if (s >= 0 && t >= 0 && s + t <= area && area > 0) return std::fabs(dot(away, normal)) / std::sqrt(area);
+    float nearest = 1e30f;
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3 from = place - p[i], edge = p[(i + 1) % 3] - p[i];
+        const float along = dot(from, edge) / std::max(length_squared(edge), 1e-12f);
+        nearest = std::min(nearest, length_squared(from - edge * clamp(along, 0.0f, 1.0f)));
+    }
+    return std::sqrt(nearest);
+}
+
+// What the fine surface shows of each triangle of a level: each fine triangle counts for the one nearest to
+// it that faces its way.
+std::vector<Shown> shown_by(const std::vector<uint32_t>& level, const Character& c,
+                            const std::vector<uint32_t>& fine) {
+    const std::vector<Triangle> few = triangles_of(level, c), many = triangles_of(fine, c);
+    std::vector<Shown> out(few.size());
+    for (size_t f = 0; f < many.size(); ++f) {
+        const Triangle& seen = many[f];
+        size_t nearest = few.size();
+        float best = 1e15f;
+        for (size_t t = 0; t < few.size(); ++t) {
+            const float beyond = best + few[t].reach;
+            if (length_squared(few[t].middle - seen.middle) > beyond * beyond ||
+                dot(few[t].normal, seen.normal) <= 0)
+                continue;
+            const float d = distance_to(few[t], seen.middle);
+            if (d < best) best = d, nearest = t;
         }
-        const CharacterVertex seen = c.vertices[nearest];
+        if (nearest == few.size()) continue;
+        const float area = length(seen.normal);
         for (size_t i = 0; i < 3; ++i) {
-            bool plain = corner[i].tint != Tint::none && seen.tint != Tint::none;
-            if (!plain || corner[i].tint == seen.tint) continue;
-            corner[i].tint = seen.tint;
-            corner[i].colour = seen.colour;
-            level[t + i] = uint32_t(c.vertices.size());
-            c.vertices.push_back(corner[i]);
+            const CharacterVertex& v = c.vertices[fine[3 * f + i]];
+            const auto tint = static_cast<size_t>(v.tint);
+            out[nearest].areas[tint] += area;
+            for (size_t k = 0; k < 3; ++k)
+                out[nearest].colours[tint][k] += area * float(v.colour >> (8 * k) & 0xffu);
+        }
+    }
+    return out;
+}
+
+// Where a level has lost the borders of garments, each of its triangles takes the tint that is most of it.
+void repaint(std::vector<uint32_t>& level, Character& c, const std::vector<Shown>& shown) {
+    for (size_t t = 0; t < shown.size(); ++t) {
+        const auto& areas = shown[t].areas;
+        const auto most = std::max_element(areas.begin(), areas.end());
+        if (!(*most > 0)) continue;
+        const Tint tint = static_cast<Tint>(most - areas.begin());
+        for (size_t i = 3 * t; i < 3 * t + 3; ++i) {
+            if (c.vertices[level[i]].tint == tint) continue;
+            CharacterVertex corner = c.vertices[level[i]];
+            corner.tint = tint;
+            level[i] = uint32_t(c.vertices.size());
+            c.vertices.push_back(corner);
         }
     }
 }
 
 // A coarse level takes vertices of its own: their normals are those of its few triangles, their colours the
 // means of what the fine surface shows about them, so that no single dark fold spreads over half a body.
-void smooth_out(std::vector<uint32_t>& level, Character& c, const std::vector<uint32_t>& shown) {
+void smooth_out(std::vector<uint32_t>& level, Character& c, const std::vector<Shown>& shown) {
     std::map<std::array<float, 3>, Vec3> normals;
     auto place = [&](uint32_t v) {
         Vec3 p = c.vertices[v].position;
@@ -170,42 +238,27 @@ void smooth_out(std::vector<uint32_t>& level, Character& c, const std::vector<ui
         for (size_t i = 0; i < 3; ++i) normals[place(level[t + i])] += n;
     }
     std::map<std::pair<std::array<float, 3>, Tint>, uint32_t> own;
-    auto first = static_cast<uint32_t>(c.vertices.size());
-    for (uint32_t& v : level) {
+    std::vector<Shown> about;  // by number among those
+    const size_t first = c.vertices.size();
+    for (size_t i = 0; i < level.size(); ++i) {
+        uint32_t& v = level[i];
         auto [known, fresh] = own.try_emplace({place(v), c.vertices[v].tint}, uint32_t(c.vertices.size()));
         if (fresh) {
             CharacterVertex vertex = c.vertices[v];
             vertex.normal = normalize_or(normals[place(v)] * 1e4f, vertex.normal);
             c.vertices.push_back(vertex);
+            about.emplace_back();
         }
         v = known->second;
+        add(about[v - first], shown[i / 3]);
     }
-    struct Mean {
-        std::array<float, 3> sum{};
-        float weight = 0;
-    };
-    std::vector<Mean> means(c.vertices.size() - first);
-    auto nearest_mean = [&](Vec3 at, Tint tint) -> Mean* {
-        Mean* nearest = nullptr;
-        float best = 1e29f;
-        for (uint32_t o = first; o < c.vertices.size(); ++o) {
-            if (c.vertices[o].tint != tint) continue;
-            float d = length_squared(c.vertices[o].position - at);
-            if (d < best) best = d, nearest = &means[o - first];
-        }
-        return nearest;
-    };
-    for (uint32_t v : shown) {
-        Mean* m = nearest_mean(c.vertices[v].position, c.vertices[v].tint);
-        if (!m) continue;
-        for (size_t i = 0; i < 3; ++i) m->sum[i] += float(c.vertices[v].colour >> (8 * i) & 0xffu);
-        ++m->weight;
-    }
-    for (size_t o = 0; o < means.size(); ++o) {
-        if (!(means[o].weight > 0)) continue;
-        uint32_t& colour = c.vertices[first + o].colour;
-        colour &= 0xff000000u;
-        for (size_t i = 0; i < 3; ++i) colour |= uint32_t(means[o].sum[i] / means[o].weight) << (8 * i);
+    for (size_t o = 0; o < about.size(); ++o) {
+        CharacterVertex& vertex = c.vertices[first + o];
+        const auto tint = static_cast<size_t>(vertex.tint);
+        if (!(about[o].areas[tint] > 0)) continue;
+        vertex.colour &= 0xff000000u;
+        for (size_t i = 0; i < 3; ++i)
+            vertex.colour |= uint32_t(about[o].colours[tint][i] / about[o].areas[tint]) << (8 * i);
     }
 }
 
@@ -244,7 +297,7 @@ std::vector<uint32_t> coarse(const Character& c, const Base& base, size_t triang
     }
     // Where seams stand in the way, fewer are kept, and in the end not even the shape of every part.
     const auto& welds = base.welds;
-    for (size_t w = triangles < k_repainted_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
+    for (size_t w = triangles < k_mingled_below ? 1 : 0; w < welds.size() && !fits(level); ++w) {
         std::vector<uint32_t> whole;
         for (uint32_t v : base.triangles) whole.push_back(welds[w].place[v]);
         level = simplify(whole, welds[w].places, triangles);
@@ -295,9 +348,12 @@ void build_person_lods(Character& c, const Unpainted& unpainted) {
         size_t wanted = is_painted ? triangles - triangles / 10 : triangles;
         if (is_near) wanted -= glasses.size() / 3;
         std::vector<uint32_t> level = coarse(c, base, wanted);
-        if (triangles < k_repainted_below) repaint(level, c, base.shown);
         if (level.empty() || level.size() * 10 > before * 9) continue;
-        if (triangles <= k_smoothed_below) smooth_out(level, c, base.shown);
+        if (triangles <= k_smoothed_below) {
+            const std::vector<Shown> shown = shown_by(level, c, base.triangles);
+            repaint(level, c, shown);
+            smooth_out(level, c, shown);
+        }
         // Where rims would be a sixth of a pixel, none are painted.
         const bool has_rims = !is_near && triangles > k_smoothed_below;
         if (is_painted) lay_on(has_rims ? unpainted.face_with_glasses : unpainted.face, level, c);

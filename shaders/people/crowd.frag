@@ -29,7 +29,7 @@ void main() {
     ray /= distance;
     float sun = wrapped(dot(normal, frame.sun_direction.xyz));
     sun *= sunlit_once(in_place, normal, 1.5);
-    vec3 light = light_from(albedo, normal, sun, k_light == k_light_plain ? 1.0 : -dot(ray, normal));
+    vec3 light = light_from(albedo, normal, sun, -dot(ray, normal));
     if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, vec3(0)), normal);
     out_picture = picture(through_air(light, ray, distance));
 }

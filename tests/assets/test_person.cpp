@@ -188,6 +188,26 @@ TEST(Person, LevelsOfDetailFall) {
     }
 }
 
+// The corner of a level that is highest; of several, what most of them are.
+Tint crown(const Character& c, const std::vector<uint32_t>& level) {
+    auto height = [&](uint32_t v) { return c.vertices[v].position.y; };
+    const float top = height(*std::ranges::max_element(level, {}, height));
+    std::array<int, k_tint_count> seen{};
+    for (uint32_t v : level)
+        if (height(v) > top - 0.01f) ++seen[size_t(c.vertices[v].tint)];
+    return static_cast<Tint>(std::ranges::max_element(seen) - seen.begin());
+}
+
+TEST(Person, HatsAndHairAreOnEachLevel) {
+    for (const PersonOptions& options : draw_population(k_crowd, k_seed)) {
+        if (options.headphones) continue;  // whose band may be lost
+        const Character c = generate_person(options);
+        for (const auto& level : c.lods)
+            EXPECT_EQ(crown(c, level), crown(c, c.lods[0]))
+                << "seed " << options.seed << ", " << level.size();
+    }
+}
+
 TEST(Person, SameOptionsSameBytes) {
     EXPECT_EQ(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, true})));
     EXPECT_NE(hash_of(generate_person({3, 1.7f, true})), hash_of(generate_person({3, 1.7f, false})));
