@@ -75,6 +75,7 @@ Result<void> check(const WorldOptions& o) {
                      leg_length(kind.body) > 0.1f && thigh_length(kind.body) > 0.05f &&
                      shank_length(kind.body) > 0.05f;
         for (Vec3 joint : kind.body.joints) sound = sound && is_finite(joint);
+        sound = sound && is_finite(kind.body.cane);
         for (float length : {kind.body.height, kind.body.heel, kind.body.toe, kind.body.carriage})
             sound = sound && std::isfinite(length);
         if (!sound)

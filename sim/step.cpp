@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "sim/gait/hands.h"
+#include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/world.h"
 
@@ -57,6 +58,8 @@ void step_bodies(World& w) {
             restrain_legs(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
         });
         add_idles(w);
+        parallel_for(*w.workers, w.gait.canes.size(), k_blocks_a_chunk * k_block,
+                     [&](size_t begin, size_t end, int) { hold_canes(w.gait, begin, end, w.poses); });
     });
     ++w.tick;
 }

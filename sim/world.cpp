@@ -7,6 +7,8 @@
 
 #include "sim/base/hash.h"
 #include "sim/crowd/pace.h"
+#include "sim/gait/hands.h"
+#include "sim/pose/cane.h"
 
 namespace flaneur {
 
@@ -29,6 +31,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
 // As it is now, and as if it had been before.
 static void pose_everybody(World& w) {
     pose_blocks(w.gait, 0, w.gait.blocks.size(), w.poses);
+    hold_canes(w.gait, 0, w.gait.canes.size(), w.poses);
     w.previous_poses = w.poses;
 }
 
@@ -109,6 +112,13 @@ static void pose_newcomer(World& w, uint32_t walker) {
     w.newcomer.blocks[0] = w.gait.blocks[block];
     w.newcomer.people[0] = w.gait.people[block];
     pose_blocks(w.newcomer, 0, 1, w.newcomer_pose);
+    w.newcomer.canes.clear();
+    CaneSpan own = canes_of(w.gait, walker, walker + 1);
+    for (size_t i = own.begin; i < own.end; ++i) {
+        w.newcomer.canes.push_back(w.gait.canes[i]);
+        w.newcomer.canes.back().walker = static_cast<uint32_t>(lane);
+    }
+    hold_canes(w.newcomer, 0, w.newcomer.canes.size(), w.newcomer_pose);
     const auto* from = reinterpret_cast<const unsigned char*>(&w.newcomer_pose[0]);
     for (auto* poses : {&w.poses, &w.previous_poses}) {
         auto* to = reinterpret_cast<unsigned char*>(&(*poses)[block]);
@@ -151,6 +161,7 @@ uint64_t hash_world(const World& world) {
     }
     static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
     add(world.gait.blocks, world.gait.people, world.poses);
+    if (!world.gait.canes.empty()) add(world.gait.canes);
     add(world.idles.wanted, world.idles.playing, world.idles.stood);
     for (const ClipPlay& play : world.idles.plays) {
         for (uint32_t word : {play.walker, uint32_t{play.clip}, std::bit_cast<uint32_t>(play.phase),

@@ -61,6 +61,28 @@ std::vector<Vec3> on_face(std::vector<Vec3> path) {
     return path;
 }
 
+// From a wrist in the canonical pose, the arms down, to the one of the bind pose; `side` 1 left, -1 right.
+struct HandTurn {
+    Vec3 hand, bound;
+    Quat turn;
+};
+HandTurn raised_hand(const Figure& figure, float side) {
+    Vec3 arm = bind_arm_direction(), shoulder = figure_shoulder(figure);
+    arm.x *= side, shoulder.x *= side;
+    constexpr float k_wrist = .327f;
+    return {shoulder + Vec3{0, -k_wrist, 0}, shoulder + arm * k_wrist, rotation_between({0, -1, 0}, arm)};
+}
+
+// Where a hand that hangs down holds things, x by side.
+Vec3 palm_of(const Figure& figure) { return figure_shoulder(figure) + Vec3{-.004f, -.392f, .002f}; }
+
+// Where the right hand holds a stick, and how long that is from there.
+Vec3 stick_grip(const Figure& figure) {
+    Vec3 palm = palm_of(figure);
+    return {-palm.x + .002f, palm.y + .016f, palm.z + .012f};
+}
+constexpr float k_stick = .445f;
+
 struct Rack {
     const Figure& figure;
     const Field& field;
@@ -75,17 +97,12 @@ struct Rack {
     }
     // In the canonical pose, the arms down, into the bind pose; `side` 1 left, -1 right.
     void add_to_hand(SolidMesh solid, Tint tint, uint32_t colour, float side) {
-        Vec3 arm = bind_arm_direction(), shoulder = figure_shoulder(figure);
-        arm.x *= side, shoulder.x *= side;
-        constexpr float k_wrist = .327f;
-        Quat turn = rotation_between({0, -1, 0}, arm);
-        Vec3 hand = shoulder + Vec3{0, -k_wrist, 0}, bound = shoulder + arm * k_wrist;
-        for (Vec3& p : solid.positions) p = bound + rotate(turn, p - hand);
-        for (Vec3& n : solid.normals) n = rotate(turn, n);
+        HandTurn raised = raised_hand(figure, side);
+        for (Vec3& p : solid.positions) p = raised.bound + rotate(raised.turn, p - raised.hand);
+        for (Vec3& n : solid.normals) n = rotate(raised.turn, n);
         add(std::move(solid), tint, colour, side > 0 ? left_hand : right_hand);
     }
-    // Where a hand that hangs down holds things, x by side.
-    Vec3 palm() const { return figure_shoulder(figure) + Vec3{-.004f, -.392f, .002f}; }
+    Vec3 palm() const { return palm_of(figure); }
 
     // A third colour where there is one to spare.
     Tint spare() const { return figure.over == Over::none ? Tint::accent : Tint::bottom; }
@@ -258,9 +275,8 @@ void add_phone(Rack& r) {
 }
 
 void add_stick(Rack& r) {
-    Vec3 palm = r.palm(), at{-palm.x + .002f, palm.y + .016f, palm.z + .012f};
-    Vec3 down = k_hanging, ahead{0, down.z, -down.y};
-    std::vector<Vec3> shaft = {at, at + down * .2f, at + down * .395f, at + down * .415f};
+    Vec3 at = stick_grip(r.figure), down = k_hanging, ahead{0, down.z, -down.y};
+    std::vector<Vec3> shaft = {at, at + down * .2f, at + down * (k_stick - .02f), at + down * k_stick};
     r.add_to_hand(make_band(shaft, {1, 0, 0}, .0052f, .0052f, 8), Tint::none, k_wood, -1);
     std::vector<Vec3> grip = {at + ahead * -.050f + down * .014f, at + ahead * -.036f + down * .002f,
                               at + ahead * -.012f, at + ahead * .012f - down * .001f,
@@ -269,6 +285,13 @@ void add_stick(Rack& r) {
 }
 
 }  // namespace
+
+bool has_stick(const Figure& figure) { return figure.stick && !figure.phone; }
+
+Vec3 stick_tip(const Figure& figure) {
+    HandTurn raised = raised_hand(figure, -1);
+    return raised.bound + rotate(raised.turn, stick_grip(figure) + k_hanging * k_stick - raised.hand);
+}
 
 uint32_t glasses_colour(const Figure& figure) { return figure.seed % 2 == 0 ? k_dark : 0xff26364a; }
 
@@ -297,7 +320,7 @@ std::vector<Accessory> make_accessories(const Figure& figure, const Field& field
     if (figure.bag == Bag::shoulder_bag) add_shoulder_bag(r);
     if (figure.bag == Bag::handbag) add_handbag(r);
     if (figure.phone) add_phone(r);
-    if (figure.stick && !figure.phone) add_stick(r);
+    if (has_stick(figure)) add_stick(r);
     const size_t others = r.worn.size();
     if (figure.glasses) add_glasses(r);
     for (size_t i = others; i < r.worn.size(); ++i) r.worn[i].painted_afar = true;

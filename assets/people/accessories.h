@@ -22,6 +22,10 @@ std::vector<Vec3> glasses_rim(const Figure& figure, int corners, float wider);
 inline constexpr float k_glasses_thick = .0098f;  // half of the rim's, head heights
 uint32_t glasses_colour(const Figure& figure);
 
+bool has_stick(const Figure& figure);
+// Where its tip is in the bind pose, body heights.
+Vec3 stick_tip(const Figure& figure);
+
 std::vector<Accessory> make_accessories(const Figure& figure, const Field& field);
 
 }  // namespace flaneur

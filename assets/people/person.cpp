@@ -131,6 +131,9 @@ void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Cha
             Vec3 way = normalize_or(bind[size_t(from + 1)] - bind[size_t(from)], {0, -1, 0});
             person.bind_to_canonical[size_t(j)] = rotation_between(way, {0, -1, 0});
         }
+    if (!has_stick(figure)) return;
+    Vec3 tip = warped(figure, stick_tip(figure)) * figure.height;
+    body.cane = rotate(person.bind_to_canonical[right_hand], tip - person.bind_joints[right_hand]);
 }
 
 }  // namespace

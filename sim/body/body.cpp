@@ -30,4 +30,6 @@ Body standard_body(float height) {
     return b;
 }
 
+Vec3 standard_cane(float height) { return Vec3{0.006f, -0.473f, -0.163f} * height; }
+
 }  // namespace flaneur

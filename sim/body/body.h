@@ -77,10 +77,14 @@ struct Body {
     float heel = 0.05f;                      // from the ankle back to where the heel touches, along -z
     float toe = 0.06f;                       // from the ball ahead to the tip of the toes, along +z
     float carriage = 0;  // radians, 0..0.7: arms hang out no less, for hands to clear hips and ground
+    Vec3 cane{};         // from the right wrist to the tip of a cane in that hand; zero: there is none
 };
 
 // A standing adult after Drillis & Contini's segment lengths (as fractions of height; Winter 2009, fig. 4.1).
 Body standard_body(float height);
+// Body::cane for a body of that height: held at the height of a hanging arm's wrist, as canes are fitted
+// (Sainsbury & Mulley, BMJ 284, 1982), and upright when the forearm is raised by 0.4 rad.
+Vec3 standard_cane(float height);
 
 // Lengths that the gait asks for.
 inline float thigh_length(const Body& b) {

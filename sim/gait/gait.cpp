@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/gait/hands.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
@@ -102,6 +103,7 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
             touch_down(g, stepper, side);
         }
     }
+    give_cane(gait, i, around ? body.cane * scale : Vec3{}, stepper);
 }
 
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
@@ -110,6 +112,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
     gait.count = count;
     gait.blocks.assign(block_count(count), {});
     gait.people.assign(block_count(count), {});
+    gait.canes.clear();
     for (size_t i = 0; i < gait.blocks.size() * k_block; ++i) {
         RandomKey key{seed, static_cast<uint32_t>(i), 0, Purpose::style};
         bool real = i < count;
@@ -140,6 +143,7 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed) {
 
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt) {
+    CaneSpan canes = canes_of(gait, begin, end);
     for (size_t i = begin; i < end; ++i) {
         // What a walker looks at changes every two seconds, not for all at once.
         uint32_t glance = (tick + static_cast<uint32_t>(i) * 37) / 120;
@@ -152,6 +156,8 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.chance = {seed, static_cast<uint32_t>(i), tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;
         advance_walker(gait.blocks[i / k_block], stepper, key);
+        if (canes.begin < canes.end && gait.canes[canes.begin].walker == i)
+            advance_cane(gait, gait.canes[canes.begin++], stepper);
     }
 }
 
@@ -184,6 +190,11 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
         foot.wished_yaw[lane] += yaw;
     }
     g.base[lane] += by.y;
+    CaneSpan own = canes_of(gait, walker, walker + 1);
+    for (size_t i = own.begin; i < own.end; ++i) {
+        Cane& cane = gait.canes[i];
+        for (Vec3* p : {&cane.from, &cane.to, &cane.goal}) *p = at_height(carried(p->x, p->z), p->y + by.y);
+    }
 }
 
 }  // namespace flaneur

@@ -15,10 +15,27 @@
 
 namespace flaneur {
 
+// The cane in a walker's right hand. Places are in the world.
+struct Cane {
+    uint32_t walker = 0;
+    Vec3 tip_hs{};              // from the wrist to the tip, in the hand's axes, metres
+    Vec3 from{}, to{};          // where the tip stood, and where it stands or will
+    Vec3 goal{};                // what `to` moves to, the ground's last word
+    float share = 1;            // of its way, 0 as it leaves .. 1: it stands
+    float left = 0;             // seconds until it stands
+    float rise = 0, clear = 0;  // metres that it rises above its way, and that it should
+    float held = 0;             // 0: hangs from the hand .. 1: the hand leads it
+    uint32_t steps = 0;         // 1: the left foot is in the air, with which it goes
+    uint32_t lost = 0;          // 1: there is no ground for it
+};
+// Where its tip is to be.
+Vec3 tip_of(const Cane& cane);
+
 struct Gait {
     size_t count = 0;
     std::vector<GaitBlock> blocks;
     std::vector<PersonBlock> people;
+    std::vector<Cane> canes;  // of the few who have one, by walker
 };
 
 // What the crowd tells the gait, one value a walker.

@@ -1,4 +1,5 @@
-// Hands on walls: a palm that trails along the wall beside a slow walk, and rests on it while one stands.
+// Hands on walls: a palm that trails along the wall beside a slow walk, and rests on it while one stands. And
+// hands on canes.
 #pragma once
 
 #include <cstddef>
@@ -19,5 +20,19 @@ namespace flaneur {
 // walked along too fast, and its place then goes along with the walker.
 void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                      uint64_t seed, uint32_t tick, float dt);
+
+// A tick for a walker's cane, after its feet. The cane goes with the foot of the other side, the left one: its
+// tip leaves the ground with it and comes down with it, a little ahead of it on its own side, on the ground
+// that is there. It also steps by itself, where the arm would reach it no longer, or beside one who stands.
+// Who runs or jumps carries it, and so does who finds no ground for it.
+struct Stepper;
+void advance_cane(const Gait& gait, Cane& cane, const Stepper& stepper);
+// Gives one who stands a cane (see Body::cane), or takes away what it had where that is zero.
+void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper);
+// The canes of walkers [begin, end), as indices of Gait::canes.
+struct CaneSpan {
+    size_t begin, end;
+};
+CaneSpan canes_of(const Gait& gait, size_t begin, size_t end);
 
 }  // namespace flaneur

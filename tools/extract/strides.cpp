@@ -6,6 +6,7 @@
 
 #include "sim/base/tick.h"
 #include "sim/crowd/locomotion.h"
+#include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "tools/extract/extract.h"
 
@@ -58,6 +59,7 @@ Walked walk_ahead(const Body& body) {
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
+        hold_canes(gait, 0, gait.canes.size(), poses);
         if (was_swinging && !swinging) walked.begin = walked.end, walked.end = t;
         Joints& joints = walked.ticks.emplace_back();
         for (size_t j = 0; j < k_joint_count; ++j) joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));

@@ -34,6 +34,13 @@ double speed_of(const GaitOptions& gait) {
     return liked_speed(who_of(gait), static_cast<double>(leg_length(person_of(gait).body)));
 }
 
+Person person_of(const GaitOptions& gait) {
+    auto height = static_cast<float>(height_of(gait));
+    Person person{standard_body(height), manner_of(gait)};
+    if (gait.cane) person.body.cane = standard_cane(height);
+    return person;
+}
+
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
     for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));

@@ -7,6 +7,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
+#include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 
 namespace flaneur {
@@ -25,6 +26,14 @@ FootInstant foot_instant(const Ground& ground, const Gait& gait, const std::vect
         foot.ground[i] = hit ? hit->height : points[i].y;
     }
     return foot;
+}
+
+static CaneInstant cane_instant(const Ground& ground, const Gait& gait, const std::vector<PoseBlock>& poses) {
+    if (gait.canes.empty()) return {};
+    const Cane& cane = gait.canes.front();
+    Vec3 tip = posed_tip(poses, cane);
+    auto hit = ground_at(ground, tip, 0.25f, 0.5f);
+    return {cane.share >= 1 && cane.held >= 1, tip, hit ? hit->height : tip.y};
 }
 
 static constexpr float k_near = -60, k_far = 600;  // metres, where courses end
@@ -117,6 +126,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
+        hold_canes(gait, 0, gait.canes.size(), poses);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
@@ -126,6 +136,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         for (size_t j = 0; j < k_joint_count; ++j)
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
         for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(ground, gait, poses, 0, side);
+        now.cane = cane_instant(ground, gait, poses);
         result.ticks.push_back(now);
     }
     return result;

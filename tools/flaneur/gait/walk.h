@@ -22,12 +22,20 @@ struct FootInstant {
 FootInstant foot_instant(const Ground& ground, const Gait& gait, const std::vector<PoseBlock>& poses,
                          size_t walker, Side side);
 
+// A cane's tip, and the ground below it; the tip's own height where there is none.
+struct CaneInstant {
+    bool stands = false;
+    Vec3 tip{};
+    float ground = 0;
+};
+
 struct Instant {
     Vec3 root;
     Vec2 velocity;
     float heading = 0;
     std::array<JointPose, k_joint_count> joints;
     FootInstant feet[2];
+    CaneInstant cane;  // of one who has one
 };
 
 inline Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }

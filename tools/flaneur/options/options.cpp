@@ -287,6 +287,7 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
         ->add_flag("--everyone", gait.everyone,
                    "Women and men from 4 to 80 years instead, with ten styles each, in every way of walking")
         ->group(k_who);
+    command->add_flag("--cane", gait.cane, "Who walks with a cane")->group(k_who);
     number(k_where, "--seconds", gait.seconds, 12, 600, "T",
            "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");
     number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");

@@ -30,6 +30,7 @@ struct GaitOptions {
     double height = 0;  // metres; 0: what people of that age and sex have
     Sex sex = Sex::man;
     double age = 30;
+    bool cane = false;
     uint64_t style = 0;  // draws what differs between people of one body; 0: the middle manner
     double seconds = 25;
     double turn = 0;                    // degrees to the left

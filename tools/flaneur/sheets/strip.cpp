@@ -64,7 +64,10 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     std::atomic<uint32_t> messages = 0;
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
-    Character character = generate_person({gait.style, static_cast<float>(height), gait.sex == Sex::woman});
+    PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
+    who.stick = gait.cane;
+    if (gait.cane) who.age = static_cast<float>(gait.age);
+    Character character = generate_person(who);
     Take take = make_moment(gait, {character.body, manner}, speed);
     City city;
     city.ground = take.ground;

@@ -1,0 +1,105 @@
+#include "sim/pose/cane.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_straightest = 0.985f;  // of the arm's length
+constexpr float k_most_bent = 0.5f;
+
+// The lane of one walker.
+struct Posed {
+    PoseBlock& block;
+    size_t lane;
+
+    Vec3 place_os(int j) const {
+        const auto& p = block.position[j];
+        return {p[0][lane], p[1][lane], p[2][lane]};
+    }
+    Quat rotation(int j) const {
+        const auto& q = block.rotation[j];
+        return {q[0][lane], q[1][lane], q[2][lane], q[3][lane]};
+    }
+    void set(int j, Vec3 p, Quat q) {
+        const float place[] = {p.x, p.y, p.z}, turn[] = {q.x, q.y, q.z, q.w};
+        for (size_t i = 0; i < 3; ++i) block.position[j][i][lane] = place[i];
+        for (size_t i = 0; i < 4; ++i) block.rotation[j][i][lane] = turn[i];
+    }
+    Vec3 origin() const { return {block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]}; }
+};
+
+// On the sphere of `cane` round the tip, as near to `wanted` as the shoulder's distance from it may be within
+// [least, most]: on the circle where both spheres meet. Where they do not, on the line to the shoulder.
+Vec3 wrist_on_cane(Vec3 tip, float cane, Vec3 wanted, Vec3 shoulder, float least, float most) {
+    Vec3 wrist = tip + normalize_or(wanted - tip, {0, 1, 0}) * cane;
+    float away = length(wrist - shoulder), distance = length(shoulder - tip);
+    float reach = clamp(away, least, most);
+    if (reach == away || distance < 1e-3f) return wrist;
+    Vec3 up = (shoulder - tip) / distance;
+    float along = clamp((cane * cane - reach * reach + distance * distance) / (2 * distance), -cane, cane);
+    Vec3 aside = normalize_or(wrist - tip - up * dot(wrist - tip, up), {0, 0, 0});
+    return tip + up * along + aside * std::sqrt(cane * cane - along * along);
+}
+
+// Moves the wrist: the elbow bends about its own axis, then the arm turns about the shoulder by the shortest
+// way. The hand is held against the forearm as it was.
+void move_wrist(Posed& pose, Vec3 to) {
+    Vec3 shoulder = pose.place_os(right_upper_arm), elbow = pose.place_os(right_lower_arm),
+         wrist = pose.place_os(right_hand);
+    Quat upper = pose.rotation(right_upper_arm), lower = pose.rotation(right_lower_arm),
+         hand = pose.rotation(right_hand);
+    float a = length(elbow - shoulder), b = length(wrist - elbow);
+    float reach = clamp(length(to - shoulder), std::fabs(a - b) + 1e-3f, a + b);
+    Vec3 along = (elbow - shoulder) / a, was = (wrist - elbow) / b;
+    Vec3 axis = rotate(lower, Vec3{1, 0, 0});
+    Vec3 front = normalize_or(cross(along, axis), {0, 0, 1});
+    float cosine = clamp((reach * reach - a * a - b * b) / (2 * a * b), -1, 1);
+    Vec3 forearm = along * cosine + front * std::sqrt(1 - cosine * cosine);
+    Quat bend = rotation_between(was, forearm);
+    Quat turn = rotation_between(normalize_or(along * a + forearm * b, {0, -1, 0}),
+                                 normalize_or(to - shoulder, {0, -1, 0}));
+    Quat new_lower = turn * bend * lower;
+    Vec3 new_elbow = shoulder + rotate(turn, along) * a;
+    pose.set(right_upper_arm, shoulder, normalize(turn * upper));
+    pose.set(right_lower_arm, new_elbow, normalize(new_lower));
+    pose.set(right_hand, new_elbow + rotate(turn, forearm) * b, normalize(turn * bend * hand));
+}
+
+void hold(const Cane& cane, Posed pose) {
+    float held = smoothstep(0, 1, cane.held);
+    if (held == 0) return;
+    Vec3 wrist = pose.place_os(right_hand), shoulder = pose.place_os(right_upper_arm),
+         elbow = pose.place_os(right_lower_arm);
+    Vec3 hangs = wrist + rotate(pose.rotation(right_hand), cane.tip_hs);
+    Vec3 tip = lerp(hangs, tip_of(cane) - pose.origin(), held);
+    float reach = length(elbow - shoulder) + length(wrist - elbow), long_way = length(cane.tip_hs);
+    float away = length(wrist - shoulder);
+    float least = std::min(k_most_bent * reach, away), most = std::max(k_straightest * reach, away);
+    move_wrist(pose, wrist_on_cane(tip, long_way, wrist, shoulder, lerp(least, k_most_bent * reach, held),
+                                   lerp(most, k_straightest * reach, held)));
+    Quat hand = pose.rotation(right_hand);
+    Vec3 end = pose.place_os(right_hand);
+    Quat turn = rotation_between(rotate(hand, cane.tip_hs) / long_way, normalize_or(tip - end, {0, -1, 0}));
+    pose.set(right_hand, end, normalize(turn * hand));
+}
+
+}  // namespace
+
+void hold_canes(const Gait& gait, size_t begin, size_t end, std::vector<PoseBlock>& poses) {
+    for (size_t i = begin; i < end; ++i) {
+        const Cane& cane = gait.canes[i];
+        hold(cane, {poses[cane.walker / k_block], cane.walker % k_block});
+    }
+}
+
+Vec3 posed_tip(const std::vector<PoseBlock>& poses, const Cane& cane) {
+    JointPose hand = joint_pose(poses, cane.walker, right_hand);
+    return hand.position + rotate(hand.rotation, cane.tip_hs);
+}
+
+}  // namespace flaneur

@@ -1,0 +1,17 @@
+// Hands that hold canes.
+#pragma once
+
+#include "sim/pose/pose.h"
+
+namespace flaneur {
+
+// Brings the right arms of canes [begin, end) of `gait` to where their tips are at their places: a cane turns
+// about its tip, so its hand goes to the point nearest to where the arm would swing that lies a cane's length
+// from there and within the arm's reach, and the hand turns with the cane. Comes after all else that moves
+// arms. The same bits on every instruction set.
+void hold_canes(const Gait& gait, size_t begin, size_t end, std::vector<PoseBlock>& poses);
+
+// Where the tip of a posed cane is in the world, for checks.
+Vec3 posed_tip(const std::vector<PoseBlock>& poses, const Cane& cane);
+
+}  // namespace flaneur

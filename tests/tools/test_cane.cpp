@@ -1,0 +1,147 @@
+// The old walk with canes, and what tips, hands and arms do is watched.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/walk.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_close = 0.005f;  // metres, to the ground and to where it was planted
+constexpr double k_together = 0.1;  // seconds, of the tip and the other side's foot
+
+// The worst of a walk.
+struct Watched {
+    float off_ground = 0, drift = 0;  // of a tip that stands, metres
+    float below = 0, above = 0;       // of one in the air
+    float beyond = 0, speed = 0;      // of the arm's joints, degrees and degrees a second
+    double late = 0;                  // seconds between the contact of foot and tip
+    float reach = 0;                  // from shoulder to tip, of arm and cane together
+    float least_tilt = 90;            // of the cane from the ground, degrees
+    int contacts = 0, stood = 0;
+    std::string where;
+};
+
+bool is_free(const Walk& w, size_t t) { return !w.ticks[t].cane.stands; }
+
+void watch_arm(const Walk& w, size_t t, Watched& seen) {
+    for (Joint joint : {right_upper_arm, right_lower_arm, right_hand}) {
+        auto parent = static_cast<size_t>(k_joint_parents[joint]);
+        auto against = [&](size_t tick) {
+            return conjugate(w.ticks[tick].joints[parent].rotation) * w.ticks[tick].joints[joint].rotation;
+        };
+        const auto& now = w.ticks[t].joints;
+        float beyond = beyond_limits(joint, joint_angles(joint, now[parent].rotation, now[joint].rotation));
+        float same = std::min(std::fabs(dot(against(t), against(t - 1))), 1.0f);
+        float speed = 2 * arccos(same) / k_radians * static_cast<float>(w.rate);
+        if (speed > seen.speed)
+            seen.where = std::string(k_joint_names[joint]) + " at " + std::to_string(t) + " of " +
+                         std::to_string(w.ticks.size());
+        seen.beyond = std::max(seen.beyond, beyond);
+        seen.speed = std::max(seen.speed, speed);
+    }
+}
+
+Watched watch(const Walk& w) {
+    Watched seen;
+    Vec3 planted = w.ticks[0].cane.tip;
+    for (size_t t = 1; t < w.ticks.size(); ++t) {
+        const CaneInstant &now = w.ticks[t].cane, &before = w.ticks[t - 1].cane;
+        float over = now.tip.y - now.ground;
+        if (now.stands) {
+            if (!before.stands) planted = now.tip;
+            seen.off_ground = std::max(seen.off_ground, std::fabs(over));
+            seen.drift = std::max(seen.drift, length(now.tip - planted));
+            ++seen.stood;
+        } else {
+            seen.below = std::max(seen.below, -over);
+            seen.above = std::max(seen.above, over);
+        }
+        Vec3 axis = normalize_or(place(w.ticks[t], right_hand) - now.tip, {0, 1, 0});
+        seen.least_tilt = std::min(seen.least_tilt, 90 - arccos(axis.y) / k_radians);
+        float arm = length(place(w.ticks[t], right_lower_arm) - place(w.ticks[t], right_upper_arm)) +
+                    length(place(w.ticks[t], right_hand) - place(w.ticks[t], right_lower_arm));
+        seen.reach = std::max(seen.reach, length(place(w.ticks[t], right_upper_arm) - now.tip) / (arm + length(w.body.cane)));
+        watch_arm(w, t, seen);
+        if (!w.ticks[t - 1].feet[k_left].swinging || w.ticks[t].feet[k_left].swinging) continue;
+        ++seen.contacts;
+        // The nearest moment at which the tip comes down.
+        double nearest = 1;
+        for (size_t other = t > 60 ? t - 60 : 1; other < std::min(t + 60, w.ticks.size()); ++other) {
+            if (!is_free(w, other - 1) || is_free(w, other)) continue;
+            nearest =
+                std::min(nearest, std::fabs(static_cast<double>(other) - static_cast<double>(t)) / w.rate);
+        }
+        seen.late = std::max(seen.late, nearest);
+    }
+    return seen;
+}
+
+Person old_person(float height, float age) {
+    Person person{standard_body(height), manner_at_age(age)};
+    person.body.cane = standard_cane(height);
+    return person;
+}
+
+// Stands a second, walks, and stands for the last three.
+Walk walk_on(const Course& course, const Person& person, float speed, float turn = 0, double seconds = 16) {
+    Ground ground = ground_of(course);
+    return walk(ground, person, seconds, [&](double t) {
+        if (t < 1 || t >= seconds - 3) return Vec2{};
+        return heading_direction(t < 6 ? 0 : turn) * speed;
+    });
+}
+
+void expect_planted(const Walk& w, const std::string& what) {
+    Watched seen = watch(w);
+    std::printf("%-28s ground %.1f drift %.1f below %.1f above %.0f mm, late %.3f s, beyond %.1f deg, %.0f deg/s "
+                "(%s), stood %.0f %% %d contacts, tilt %.0f reach %.3f\n",
+                what.c_str(), 1e3 * seen.off_ground, 1e3 * seen.drift, 1e3 * seen.below, 1e3 * seen.above,
+                seen.late, seen.beyond, seen.speed, seen.where.c_str(),
+                100.0 * seen.stood / static_cast<double>(w.ticks.size()), seen.contacts, seen.least_tilt, seen.reach);
+    EXPECT_LT(seen.off_ground, k_close) << what;
+    EXPECT_LT(seen.drift, k_close) << what;
+    EXPECT_LT(seen.below, k_close) << what;
+    EXPECT_LT(seen.late, k_together) << what;
+    EXPECT_EQ(seen.beyond, 0) << what;
+    EXPECT_LT(seen.speed, 900) << what;
+    EXPECT_GT(seen.contacts, 5) << what;
+    EXPECT_GT(seen.stood, static_cast<int>(w.ticks.size()) / 2) << what;
+}
+
+TEST(Cane, StandsWithTheOtherFootOnTheLevel) {
+    for (float height : {1.5f, 1.62f, 1.8f}) {
+        for (float age : {68.0f, 85.0f}) {
+            for (float speed : {0.5f, 0.8f, 1.1f})
+                expect_planted(walk_on(level_course(0), old_person(height, age), speed),
+                               std::to_string(height).substr(0, 4) + " m, " + std::to_string(speed).substr(0, 3));
+        }
+    }
+}
+
+TEST(Cane, StandsOnSlopes) {
+    for (float grade : {0.08f, -0.08f})
+        for (float speed : {0.6f, 1.0f})
+            expect_planted(walk_on(slope_course(2, grade), old_person(1.65f, 76), speed),
+                           "slope " + std::to_string(grade));
+}
+
+TEST(Cane, StandsUpAndDownAKerb) {
+    for (int i = 0; i < 8; ++i)
+        expect_planted(walk_on(kerb_course(2 + 0.15f * static_cast<float>(i), 0.12f), old_person(1.65f, 76), 0.8f),
+                       "kerb " + std::to_string(i));
+}
+
+TEST(Cane, StandsWhileTheBodyTurns) {
+    for (float turn : {-90.0f, 90.0f, 180.0f})
+        expect_planted(walk_on(level_course(30), old_person(1.65f, 76), 0.9f, turn * k_radians),
+                       "turn " + std::to_string(turn));
+}
+
+}  // namespace
+}  // namespace flaneur
