@@ -59,7 +59,9 @@ void step_bodies(World& w) {
         });
         add_idles(w);
         parallel_for(*w.workers, w.gait.canes.size(), k_blocks_a_chunk * k_block,
-                     [&](size_t begin, size_t end, int) { hold_canes(w.gait, begin, end, w.poses); });
+                     [&](size_t begin, size_t end, int) {
+                         hold_canes(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
+                     });
     });
     ++w.tick;
 }

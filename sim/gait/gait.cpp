@@ -193,7 +193,8 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
     CaneSpan own = canes_of(gait, walker, walker + 1);
     for (size_t i = own.begin; i < own.end; ++i) {
         Cane& cane = gait.canes[i];
-        for (Vec3* p : {&cane.from, &cane.to, &cane.goal}) *p = at_height(carried(p->x, p->z), p->y + by.y);
+        for (Vec3* p : {&cane.tip, &cane.from, &cane.to, &cane.goal})
+            *p = at_height(carried(p->x, p->z), p->y + by.y);
     }
 }
 

@@ -19,8 +19,10 @@ namespace flaneur {
 struct Cane {
     uint32_t walker = 0;
     Vec3 tip_hs{};              // from the wrist to the tip, in the hand's axes, metres
-    Vec3 from{}, to{};          // where the tip stood, and where it stands or will
+    Vec3 tip{};                 // where it is to be
+    Vec3 from{}, to{};          // where it stood, and where it stands or will
     Vec3 goal{};                // what `to` moves to, the ground's last word
+    Vec2 gone{};                // metres that the body has gone since the tip left the ground
     float share = 1;            // of its way, 0 as it leaves .. 1: it stands
     float left = 0;             // seconds until it stands
     float rise = 0, clear = 0;  // metres that it rises above its way, and that it should
@@ -28,8 +30,9 @@ struct Cane {
     uint32_t steps = 0;         // 1: the left foot is in the air, with which it goes
     uint32_t lost = 0;          // 1: there is no ground for it
 };
-// Where its tip is to be.
-Vec3 tip_of(const Cane& cane);
+
+// Whether it stands on the ground, and the hand on it.
+inline bool is_planted(const Cane& cane) { return cane.share >= 1 && cane.held >= 1 && cane.lost == 0; }
 
 struct Gait {
     size_t count = 0;

@@ -21,10 +21,10 @@ namespace flaneur {
 void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                      uint64_t seed, uint32_t tick, float dt);
 
-// A tick for a walker's cane, after its feet. The cane goes with the foot of the other side, the left one: its
-// tip leaves the ground with it and comes down with it, a little ahead of it on its own side, on the ground
-// that is there. It also steps by itself, where the arm would reach it no longer, or beside one who stands.
-// Who runs or jumps carries it, and so does who finds no ground for it.
+// A tick for a walker's cane, after its feet. The cane goes with the foot of the other side, the left one:
+// its tip leaves the ground with it and comes down with it, a little ahead of it on its own side, on the
+// ground that is there. It also steps by itself, where the arm would reach it no longer, or beside one who
+// stands. Who runs or jumps carries it, and so does who finds no ground for it.
 struct Stepper;
 void advance_cane(const Gait& gait, Cane& cane, const Stepper& stepper);
 // Gives one who stands a cane (see Body::cane), or takes away what it had where that is zero.

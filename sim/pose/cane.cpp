@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/pose/joint_limits.h"
 
 namespace flaneur {
 
@@ -13,8 +14,9 @@ constexpr float k_straightest = 0.985f;  // of the arm's length
 constexpr float k_most_bent = 0.5f;
 
 // The lane of one walker.
-struct Posed {
-    PoseBlock& block;
+template <class Block>
+struct PosedAt {
+    Block& block;
     size_t lane;
 
     Vec3 place_os(int j) const {
@@ -32,6 +34,9 @@ struct Posed {
     }
     Vec3 origin() const { return {block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]}; }
 };
+
+using Posed = PosedAt<PoseBlock>;
+using PosedBefore = PosedAt<const PoseBlock>;
 
 // On the sphere of `cane` round the tip, as near to `wanted` as the shoulder's distance from it may be within
 // [least, most]: on the circle where both spheres meet. Where they do not, on the line to the shoulder.
@@ -70,13 +75,49 @@ void move_wrist(Posed& pose, Vec3 to) {
     pose.set(right_hand, new_elbow + rotate(turn, forearm) * b, normalize(turn * bend * hand));
 }
 
+// `now`, or as far towards it from `before` as a turn by `most` radians goes.
+Quat turned_at_most(Quat before, Quat now, SinCos half_most) {
+    Quat turn = now * conjugate(before);
+    if (std::fabs(turn.w) >= half_most.cosine) return now;
+    float sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+    float scale = (turn.w < 0 ? -half_most.sine : half_most.sine) / sine;
+    return Quat{turn.x * scale, turn.y * scale, turn.z * scale, half_most.cosine} * before;
+}
+
+// Sets the joints of the arm anew, below the chest, none turned faster than it can.
+void slow_down(const PosedBefore& before, Posed& now, SinCos half_most) {
+    Quat was_above = now.rotation(right_shoulder), above = was_above;
+    Vec3 was_at = now.place_os(right_upper_arm), at = was_at;
+    for (int j = right_upper_arm; j <= right_hand; ++j) {
+        int parent = k_joint_parents[static_cast<size_t>(j)];
+        Quat was = now.rotation(j);
+        Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
+        if (j > right_upper_arm) at += rotate(above, bone);
+        was_at = now.place_os(j);
+        Quat before_ps = conjugate(before.rotation(parent)) * before.rotation(j);
+        above = normalize(above * turned_at_most(before_ps, conjugate(was_above) * was, half_most));
+        was_above = was;
+        now.set(j, at, above);
+    }
+}
+
+bool is_too_fast(const PosedBefore& before, const Posed& now, SinCos half_most) {
+    for (int j = right_upper_arm; j <= right_hand; ++j) {
+        int parent = k_joint_parents[static_cast<size_t>(j)];
+        float same = dot(conjugate(before.rotation(parent)) * before.rotation(j),
+                         conjugate(now.rotation(parent)) * now.rotation(j));
+        if (std::fabs(same) < half_most.cosine) return true;
+    }
+    return false;
+}
+
 void hold(const Cane& cane, Posed pose) {
     float held = smoothstep(0, 1, cane.held);
     if (held == 0) return;
     Vec3 wrist = pose.place_os(right_hand), shoulder = pose.place_os(right_upper_arm),
          elbow = pose.place_os(right_lower_arm);
     Vec3 hangs = wrist + rotate(pose.rotation(right_hand), cane.tip_hs);
-    Vec3 tip = lerp(hangs, tip_of(cane) - pose.origin(), held);
+    Vec3 tip = lerp(hangs, cane.tip - pose.origin(), held);
     float reach = length(elbow - shoulder) + length(wrist - elbow), long_way = length(cane.tip_hs);
     float away = length(wrist - shoulder);
     float least = std::min(k_most_bent * reach, away), most = std::max(k_straightest * reach, away);
@@ -94,6 +135,18 @@ void hold_canes(const Gait& gait, size_t begin, size_t end, std::vector<PoseBloc
     for (size_t i = begin; i < end; ++i) {
         const Cane& cane = gait.canes[i];
         hold(cane, {poses[cane.walker / k_block], cane.walker % k_block});
+    }
+}
+
+void hold_canes(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
+                std::vector<PoseBlock>& poses) {
+    hold_canes(gait, begin, end, poses);
+    SinCos half_most = sin_cos(0.5f * k_fastest_walking * dt);
+    for (size_t i = begin; i < end; ++i) {
+        size_t walker = gait.canes[i].walker;
+        Posed now{poses[walker / k_block], walker % k_block};
+        PosedBefore then{before[walker / k_block], walker % k_block};
+        if (is_too_fast(then, now, half_most)) slow_down(then, now, half_most);
     }
 }
 

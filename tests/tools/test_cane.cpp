@@ -12,7 +12,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_close = 0.005f;  // metres, to the ground and to where it was planted
+constexpr float k_close = 0.005f;   // metres, to the ground and to where it was planted
 constexpr double k_together = 0.1;  // seconds, of the tip and the other side's foot
 
 // The worst of a walk.
@@ -66,7 +66,8 @@ Watched watch(const Walk& w) {
         seen.least_tilt = std::min(seen.least_tilt, 90 - arccos(axis.y) / k_radians);
         float arm = length(place(w.ticks[t], right_lower_arm) - place(w.ticks[t], right_upper_arm)) +
                     length(place(w.ticks[t], right_hand) - place(w.ticks[t], right_lower_arm));
-        seen.reach = std::max(seen.reach, length(place(w.ticks[t], right_upper_arm) - now.tip) / (arm + length(w.body.cane)));
+        seen.reach = std::max(
+            seen.reach, length(place(w.ticks[t], right_upper_arm) - now.tip) / (arm + length(w.body.cane)));
         watch_arm(w, t, seen);
         if (!w.ticks[t - 1].feet[k_left].swinging || w.ticks[t].feet[k_left].swinging) continue;
         ++seen.contacts;
@@ -99,11 +100,12 @@ Walk walk_on(const Course& course, const Person& person, float speed, float turn
 
 void expect_planted(const Walk& w, const std::string& what) {
     Watched seen = watch(w);
-    std::printf("%-28s ground %.1f drift %.1f below %.1f above %.0f mm, late %.3f s, beyond %.1f deg, %.0f deg/s "
-                "(%s), stood %.0f %% %d contacts, tilt %.0f reach %.3f\n",
-                what.c_str(), 1e3 * seen.off_ground, 1e3 * seen.drift, 1e3 * seen.below, 1e3 * seen.above,
-                seen.late, seen.beyond, seen.speed, seen.where.c_str(),
-                100.0 * seen.stood / static_cast<double>(w.ticks.size()), seen.contacts, seen.least_tilt, seen.reach);
+    std::printf(
+        "%-28s ground %.1f drift %.1f below %.1f above %.0f mm, late %.3f s, beyond %.1f deg, %.0f deg/s "
+        "(%s), stood %.0f %% %d contacts, tilt %.0f reach %.3f\n",
+        what.c_str(), 1e3 * seen.off_ground, 1e3 * seen.drift, 1e3 * seen.below, 1e3 * seen.above, seen.late,
+        seen.beyond, seen.speed, seen.where.c_str(), 100.0 * seen.stood / static_cast<double>(w.ticks.size()),
+        seen.contacts, seen.least_tilt, seen.reach);
     EXPECT_LT(seen.off_ground, k_close) << what;
     EXPECT_LT(seen.drift, k_close) << what;
     EXPECT_LT(seen.below, k_close) << what;
@@ -118,8 +120,9 @@ TEST(Cane, StandsWithTheOtherFootOnTheLevel) {
     for (float height : {1.5f, 1.62f, 1.8f}) {
         for (float age : {68.0f, 85.0f}) {
             for (float speed : {0.5f, 0.8f, 1.1f})
-                expect_planted(walk_on(level_course(0), old_person(height, age), speed),
-                               std::to_string(height).substr(0, 4) + " m, " + std::to_string(speed).substr(0, 3));
+                expect_planted(
+                    walk_on(level_course(0), old_person(height, age), speed),
+                    std::to_string(height).substr(0, 4) + " m, " + std::to_string(speed).substr(0, 3));
         }
     }
 }
@@ -133,8 +136,9 @@ TEST(Cane, StandsOnSlopes) {
 
 TEST(Cane, StandsUpAndDownAKerb) {
     for (int i = 0; i < 8; ++i)
-        expect_planted(walk_on(kerb_course(2 + 0.15f * static_cast<float>(i), 0.12f), old_person(1.65f, 76), 0.8f),
-                       "kerb " + std::to_string(i));
+        expect_planted(
+            walk_on(kerb_course(2 + 0.15f * static_cast<float>(i), 0.12f), old_person(1.65f, 76), 0.8f),
+            "kerb " + std::to_string(i));
 }
 
 TEST(Cane, StandsWhileTheBodyTurns) {

@@ -48,6 +48,7 @@ Walked walk_ahead(const Body& body) {
     start_gait(gait, 1, {body}, &index, &scale, root, around, k_seed, &manner);
     std::vector<PoseBlock> poses(1), before(1);
     pose_blocks(gait, 0, 1, poses);
+    hold_canes(gait, 0, gait.canes.size(), poses);
     const int32_t& swinging = gait.blocks[0].feet[k_left].swinging[0];
     Walked walked;
     for (uint32_t t = 0; t < k_walks_to; ++t) {
@@ -59,7 +60,7 @@ Walked walk_ahead(const Body& body) {
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
-        hold_canes(gait, 0, gait.canes.size(), poses);
+        hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
         if (was_swinging && !swinging) walked.begin = walked.end, walked.end = t;
         Joints& joints = walked.ticks.emplace_back();
         for (size_t j = 0; j < k_joint_count; ++j) joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));

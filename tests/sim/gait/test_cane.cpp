@@ -47,7 +47,8 @@ TEST(CanesInACrowd, MoveNothingButTheArmThatHoldsOne) {
                                     joint_pose(without->poses, i, static_cast<Joint>(j)));
                 if (holds) moved += !is_same;
                 if (!holds) {
-                    ASSERT_TRUE(is_same) << k_joint_names[static_cast<size_t>(j)] << " of " << i << " at " << t;
+                    ASSERT_TRUE(is_same)
+                        << k_joint_names[static_cast<size_t>(j)] << " of " << i << " at " << t;
                 }
             }
         }
@@ -73,7 +74,7 @@ TEST(CanesInACrowd, StandOnTheGround) {
             step(*w);
             for (const Cane& cane : w->gait.canes) {
                 ++ticks;
-                if (cane.share < 1 || cane.held < 1) continue;
+                if (!is_planted(cane)) continue;
                 Vec3 tip = posed_tip(w->poses, cane);
                 auto hit = ground_at(*w->ground, tip, 0.1f, 1);
                 ASSERT_TRUE(hit);
@@ -102,8 +103,7 @@ TEST(CanesInACrowd, ComeAndGoWithTheirBearers) {
     ASSERT_TRUE(remove_walker(*w, *id));
     EXPECT_EQ(allocations(), used);
     EXPECT_EQ(w->gait.canes.size(), before);
-    for (size_t i = 1; i < before; ++i)
-        EXPECT_LT(w->gait.canes[i - 1].walker, w->gait.canes[i].walker);
+    for (size_t i = 1; i < before; ++i) EXPECT_LT(w->gait.canes[i - 1].walker, w->gait.canes[i].walker);
 }
 
 }  // namespace

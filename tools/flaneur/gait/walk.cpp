@@ -33,7 +33,7 @@ static CaneInstant cane_instant(const Ground& ground, const Gait& gait, const st
     const Cane& cane = gait.canes.front();
     Vec3 tip = posed_tip(poses, cane);
     auto hit = ground_at(ground, tip, 0.25f, 0.5f);
-    return {cane.share >= 1 && cane.held >= 1, tip, hit ? hit->height : tip.y};
+    return {is_planted(cane), tip, hit ? hit->height : tip.y};
 }
 
 static constexpr float k_near = -60, k_far = 600;  // metres, where courses end
@@ -113,6 +113,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), k_seed, &person.manner);
     std::vector<PoseBlock> poses(1), before(1);
     pose_blocks(gait, 0, 1, poses);
+    hold_canes(gait, 0, gait.canes.size(), poses);
 
     auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
@@ -126,7 +127,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
-        hold_canes(gait, 0, gait.canes.size(), poses);
+        hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
