@@ -17,17 +17,18 @@ constexpr float k_off = 0.16f;       // metres that the tip may be off beside on
 constexpr float k_own_step = 0.45f;  // seconds that a step of its own takes
 constexpr float k_reached = 0.985f;  // of cane and arm together
 constexpr float k_planned = 0.97f;   // the same as it comes down
-constexpr float k_nearest = 0.87f;   // and of that, for the arm not to fold
+constexpr float k_nearest = 0.90f;   // and of that, how high the shoulder is, for the arm not to fold
+constexpr float k_folded = 0.86f;    // the same while it stands
 constexpr float k_hop = 0.05f;       // metres above even ground
 constexpr float k_over = 0.02f;      // and above an edge
 constexpr float k_highest = 0.3f;
-constexpr float k_carried = 0.12f;       // metres up, where it finds no ground
-constexpr float k_off_edge = 0.06f;      // metres, of a tip that stands
-constexpr float k_edge = 0.02f;          // metres high
-constexpr float k_settled = 0.06f;       // seconds before it comes down in which its place is kept
-constexpr float k_following = 13;        // 1/s, of its place towards the goal
-constexpr float k_take = 2.5f;           // 1/s, of the hand's hold
-constexpr float k_drop = 0.015f;         // legs, of the shoulder below where it is in the canonical pose,
+constexpr float k_carried = 0.94f;   // of what is planned, how high the shoulder is over a tip without ground
+constexpr float k_off_edge = 0.06f;  // metres, of a tip that stands
+constexpr float k_edge = 0.02f;      // metres high
+constexpr float k_settled = 0.06f;   // seconds before it comes down in which its place is kept
+constexpr float k_following = 13;    // 1/s, of its place towards the goal
+constexpr float k_take = 2.5f;       // 1/s, of the hand's hold
+constexpr float k_drop = 0.015f;     // legs, of the shoulder below where it is in the canonical pose,
 constexpr float k_contact_drop = 0.03f;  // and more of one who walks, as a foot comes down
 constexpr float k_stance_drop = 0.015f;  // and while it stands
 constexpr float k_climb = 0.4f;          // of its way, in which it climbs at first, or comes down at last
@@ -138,7 +139,7 @@ std::optional<Vec3> find_ground(const Bearer& b, const Cane& c) {
                 ground = even_ground(b, within_reach(*ground, shoulder, reach), way);
             if (!ground) continue;
             float far = length(*ground - shoulder);
-            if (far < reach + 0.01f && far > k_nearest * reach) return ground;
+            if (far < reach + 0.01f && shoulder.y - ground->y > k_nearest * reach) return ground;
         }
     }
     return std::nullopt;
@@ -187,8 +188,10 @@ void plan(const Bearer& b, Cane& c) {
     if (ground) {
         c.goal = *ground;
     } else {
-        c.goal = within_reach(wished(b, c.left) + Vec3{0, k_carried, 0}, shoulder_at_contact(b, c),
-                              k_planned * reach_of(b, c));
+        Vec3 shoulder = shoulder_at_contact(b, c), wish = wished(b, c.left);
+        float reach = k_planned * reach_of(b, c);
+        wish.y = std::max(wish.y + k_over, shoulder.y - k_carried * reach);
+        c.goal = within_reach(wish, shoulder, reach);
     }
     c.clear = clearance(b, c);
 }
@@ -206,6 +209,7 @@ bool must_step(const Bearer& b, const Cane& c) {
     bool behind = dot(on_ground(c.to - shoulder_of(b, {}, 0)), b.s.velocity) <= 0;
     Vec3 shoulder = shoulder_of(b, {}, behind ? k_stance_drop : k_contact_drop);
     if (length(c.to - shoulder) > k_reached * reach_of(b, c)) return true;
+    if (c.lost == 0 && shoulder.y - c.to.y < k_folded * reach_of(b, c)) return true;
     return b.g.standing[b.s.lane] && length(on_ground(c.to) - at_rest(b, b.s.root, b.s.heading)) > k_off;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/math.h"
 #include "sim/pose/joint_limits.h"
@@ -12,6 +13,9 @@ namespace {
 
 constexpr float k_straightest = 0.985f;  // of the arm's length
 constexpr float k_most_bent = 0.5f;
+constexpr float k_most_outward = 0.8f;                         // radians that a bent arm turns its elbow out,
+constexpr float k_outward_from = -0.35f, k_outward_to = 0.4f;  // by the bend, less its cosine
+constexpr float k_farthest = 0.6f;                             // arms that the wrist is moved
 
 // The lane of one walker.
 template <class Block>
@@ -52,8 +56,8 @@ Vec3 wrist_on_cane(Vec3 tip, float cane, Vec3 wanted, Vec3 shoulder, float least
 }
 
 // Moves the wrist: the elbow bends about its own axis, then the arm turns about the shoulder by the shortest
-// way. The hand is held against the forearm as it was.
-void move_wrist(Posed& pose, Vec3 to) {
+// way; one much bent has its elbow outward, not behind. The hand is held against the forearm as it was.
+void move_wrist(Posed& pose, Vec3 to, float held) {
     Vec3 shoulder = pose.place_os(right_upper_arm), elbow = pose.place_os(right_lower_arm),
          wrist = pose.place_os(right_hand);
     Quat upper = pose.rotation(right_upper_arm), lower = pose.rotation(right_lower_arm),
@@ -68,6 +72,9 @@ void move_wrist(Posed& pose, Vec3 to) {
     Quat bend = rotation_between(was, forearm);
     Quat turn = rotation_between(normalize_or(along * a + forearm * b, {0, -1, 0}),
                                  normalize_or(to - shoulder, {0, -1, 0}));
+    SinCos out = sin_cos(-0.5f * k_most_outward * held * smoothstep(k_outward_from, k_outward_to, -cosine));
+    Vec3 axle = normalize_or(to - shoulder, {0, -1, 0}) * out.sine;
+    turn = Quat{axle.x, axle.y, axle.z, out.cosine} * turn;
     Quat new_lower = turn * bend * lower;
     Vec3 new_elbow = shoulder + rotate(turn, along) * a;
     pose.set(right_upper_arm, shoulder, normalize(turn * upper));
@@ -84,8 +91,21 @@ Quat turned_at_most(Quat before, Quat now, SinCos half_most) {
     return Quat{turn.x * scale, turn.y * scale, turn.z * scale, half_most.cosine} * before;
 }
 
+// A hand against its forearm, bent no farther than a wrist is.
+Quat within_wrist(Quat hand_ps) {
+    static const float k_side = sin_cos((joint_limits::k_wrist.side.high - 1) * k_radians).sine;
+    static const SinCos k_bend = sin_cos((joint_limits::k_wrist.bend.high - 1) * k_radians);
+    Vec3 along = rotate(hand_ps, Vec3{0, -1, 0});
+    float x = clamp(along.x, -k_side, k_side), rest = std::sqrt(1 - x * x);
+    float most = k_bend.sine * rest;
+    float z = along.y < -k_bend.cosine * rest ? clamp(along.z, -most, most) : (along.z < 0 ? -most : most);
+    Vec3 to{x, -std::sqrt(std::max(rest * rest - z * z, 0.0f)), z};
+    if (x == along.x && z == along.z) return hand_ps;
+    return rotation_between(along, normalize_or(to, {0, -1, 0})) * hand_ps;
+}
+
 // Sets the joints of the arm anew, below the chest, none turned faster than it can.
-void slow_down(const PosedBefore& before, Posed& now, SinCos half_most) {
+void slow_down(const PosedBefore& before, Posed& now, SinCos half_most, SinCos half_hand) {
     Quat was_above = now.rotation(right_shoulder), above = was_above;
     Vec3 was_at = now.place_os(right_upper_arm), at = was_at;
     for (int j = right_upper_arm; j <= right_hand; ++j) {
@@ -95,7 +115,9 @@ void slow_down(const PosedBefore& before, Posed& now, SinCos half_most) {
         if (j > right_upper_arm) at += rotate(above, bone);
         was_at = now.place_os(j);
         Quat before_ps = conjugate(before.rotation(parent)) * before.rotation(j);
-        above = normalize(above * turned_at_most(before_ps, conjugate(was_above) * was, half_most));
+        Quat turn_ps =
+            turned_at_most(before_ps, conjugate(was_above) * was, j == right_hand ? half_hand : half_most);
+        above = normalize(above * (j == right_hand ? within_wrist(turn_ps) : turn_ps));
         was_above = was;
         now.set(j, at, above);
     }
@@ -111,9 +133,8 @@ bool is_too_fast(const PosedBefore& before, const Posed& now, SinCos half_most) 
     return false;
 }
 
-void hold(const Cane& cane, Posed pose) {
-    float held = smoothstep(0, 1, cane.held);
-    if (held == 0) return;
+void hold(const Cane& cane, Posed pose, float part) {
+    float held = part * smoothstep(0, 1, cane.held);
     Vec3 wrist = pose.place_os(right_hand), shoulder = pose.place_os(right_upper_arm),
          elbow = pose.place_os(right_lower_arm);
     Vec3 hangs = wrist + rotate(pose.rotation(right_hand), cane.tip_hs);
@@ -121,12 +142,50 @@ void hold(const Cane& cane, Posed pose) {
     float reach = length(elbow - shoulder) + length(wrist - elbow), long_way = length(cane.tip_hs);
     float away = length(wrist - shoulder);
     float least = std::min(k_most_bent * reach, away), most = std::max(k_straightest * reach, away);
-    move_wrist(pose, wrist_on_cane(tip, long_way, wrist, shoulder, lerp(least, k_most_bent * reach, held),
-                                   lerp(most, k_straightest * reach, held)));
-    Quat hand = pose.rotation(right_hand);
+    Vec3 to = wrist_on_cane(tip, long_way, wrist, shoulder, lerp(least, k_most_bent * reach, held),
+                            lerp(most, k_straightest * reach, held));
+    Vec3 by = to - wrist;
+    float farthest = k_farthest * reach, far = length(by);
+    move_wrist(pose, far > farthest ? wrist + by * (farthest / far) : to, held);
+
+    Quat lower = pose.rotation(right_lower_arm), hand = pose.rotation(right_hand);
     Vec3 end = pose.place_os(right_hand);
     Quat turn = rotation_between(rotate(hand, cane.tip_hs) / long_way, normalize_or(tip - end, {0, -1, 0}));
-    pose.set(right_hand, end, normalize(turn * hand));
+    pose.set(right_hand, end, normalize(lower * within_wrist(conjugate(lower) * turn * hand)));
+}
+
+bool is_within(DegreeSpan span, float angle) {
+    return angle > (span.low + 0.5f) * k_radians && angle < (span.high - 0.5f) * k_radians;
+}
+
+// Whether the right arm is as arms go.
+bool is_sound(const Posed& pose) {
+    for (auto [j, limits] : {std::pair{right_upper_arm, joint_limits::k_shoulder},
+                             {right_lower_arm, joint_limits::k_elbow},
+                             {right_hand, joint_limits::k_wrist}}) {
+        Quat turn = conjugate(pose.rotation(k_joint_parents[j])) * pose.rotation(j);
+        Vec3 along = rotate(turn, Vec3{0, -1, 0});
+        if (!is_within(limits.twist, wrap_angle(2 * arctan2(turn.y, turn.w)))) return false;
+        if (!is_within(limits.bend, arctan2(along.z, -along.y))) return false;
+        if (!is_within(limits.side, arccos(along.x) - k_pi / 2)) return false;
+    }
+    return true;
+}
+
+// As far as the arm can.
+void hold(const Cane& cane, Posed pose) {
+    if (cane.held == 0) return;
+    Vec3 place[3];
+    Quat rotation[3];
+    for (int j = 0; j < 3; ++j) {
+        place[j] = pose.place_os(right_upper_arm + j);
+        rotation[j] = pose.rotation(right_upper_arm + j);
+    }
+    for (float part : {1.0f, 0.75f, 0.5f, 0.25f}) {
+        hold(cane, pose, part);
+        if (is_sound(pose)) return;
+        for (int j = 0; j < 3; ++j) pose.set(right_upper_arm + j, place[j], rotation[j]);
+    }
 }
 
 }  // namespace
@@ -141,12 +200,14 @@ void hold_canes(const Gait& gait, size_t begin, size_t end, std::vector<PoseBloc
 void hold_canes(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
                 std::vector<PoseBlock>& poses) {
     hold_canes(gait, begin, end, poses);
-    SinCos half_most = sin_cos(0.5f * k_fastest_walking * dt);
+    // A hand that is then held within its wrist's range turns a little farther.
+    SinCos half_most = sin_cos(0.5f * k_fastest_walking * dt),
+           half_hand = sin_cos(0.3f * k_fastest_walking * dt);
     for (size_t i = begin; i < end; ++i) {
         size_t walker = gait.canes[i].walker;
         Posed now{poses[walker / k_block], walker % k_block};
         PosedBefore then{before[walker / k_block], walker % k_block};
-        if (is_too_fast(then, now, half_most)) slow_down(then, now, half_most);
+        if (is_too_fast(then, now, half_most)) slow_down(then, now, half_most, half_hand);
     }
 }
 
