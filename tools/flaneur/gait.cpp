@@ -27,18 +27,14 @@ double height_of(const GaitOptions& gait) {
     return gait.height > 0 ? gait.height : usual_height(who_of(gait));
 }
 Person person_of(const GaitOptions& gait) {
-    return {standard_body(static_cast<float>(height_of(gait))), manner_of(who_of(gait))};
+    auto height = static_cast<float>(height_of(gait));
+    Person person{standard_body(height), manner_of(who_of(gait))};
+    if (gait.cane) person.body.cane = standard_cane(height);
+    return person;
 }
 double speed_of(const GaitOptions& gait) {
     if (gait.speed > 0) return gait.speed;
     return liked_speed(who_of(gait), static_cast<double>(leg_length(person_of(gait).body)));
-}
-
-Person person_of(const GaitOptions& gait) {
-    auto height = static_cast<float>(height_of(gait));
-    Person person{standard_body(height), manner_of(gait)};
-    if (gait.cane) person.body.cane = standard_cane(height);
-    return person;
 }
 
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {

@@ -20,7 +20,7 @@ struct Watched {
     float off_ground = 0, drift = 0;  // of a tip that stands, metres
     float below = 0;                  // of one in the air
     float beyond = 0, speed = 0;      // of the arm's joints, degrees and degrees a second
-    double late = 0;                  // seconds between the contact of foot and tip
+    int late = 0;                     // contacts of the foot without one of the tip
     int contacts = 0, stood = 0;
     std::string where;
 };
@@ -67,7 +67,7 @@ Watched watch(const Walk& w) {
             nearest =
                 std::min(nearest, std::fabs(static_cast<double>(other) - static_cast<double>(t)) / w.rate);
         }
-        seen.late = std::max(seen.late, nearest);
+        seen.late += nearest >= k_together;
     }
     return seen;
 }
@@ -87,12 +87,13 @@ Walk walk_on(const Course& course, const Person& person, float speed, float turn
     });
 }
 
-void expect_planted(const Walk& w, const std::string& what) {
+// `carried`: steps over which the cane may be carried.
+void expect_planted(const Walk& w, const std::string& what, int carried = 0) {
     Watched seen = watch(w);
     EXPECT_LT(seen.off_ground, k_close) << what;
     EXPECT_LT(seen.drift, k_close) << what;
     EXPECT_LT(seen.below, k_close) << what;
-    EXPECT_LT(seen.late, k_together) << what;
+    EXPECT_LE(seen.late, carried) << what;
     EXPECT_EQ(seen.beyond, 0) << what;
     EXPECT_LT(seen.speed, 900) << what << ", " << seen.where;
     EXPECT_GT(seen.contacts, 5) << what;
@@ -117,11 +118,12 @@ TEST(Cane, StandsOnSlopes) {
                            "slope " + std::to_string(grade));
 }
 
+// Down it, the foot may land where the tip cannot: the body is still above.
 TEST(Cane, StandsUpAndDownAKerb) {
     for (int i = 0; i < 8; ++i)
         expect_planted(
             walk_on(kerb_course(2 + 0.15f * static_cast<float>(i), 0.12f), old_person(1.65f, 76), 0.8f),
-            "kerb " + std::to_string(i));
+            "kerb " + std::to_string(i), 1);
 }
 
 TEST(Cane, StandsWhileTheBodyTurns) {
