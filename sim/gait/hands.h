@@ -10,6 +10,8 @@
 
 namespace flaneur {
 
+struct Stepper;
+
 // One tick of `dt` seconds for the hands of walkers [begin, end); comes after advance_gait. Some people touch
 // walls, by a style drawn from (seed, walker), and these now and then: a hand whose side has a facade or a
 // garden wall within the arm's length goes to its closest point, a little ahead, between hip and chest.
@@ -25,7 +27,6 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
 // its tip leaves the ground with it and comes down with it, a little ahead of it on its own side, on the
 // ground that is there. It also steps by itself, where the arm would reach it no longer, or beside one who
 // stands. Who runs or jumps carries it, and so does who finds no ground for it.
-struct Stepper;
 void advance_cane(const Gait& gait, Cane& cane, const Stepper& stepper);
 // Gives one who stands a cane (see Body::cane), or takes away what it had where that is zero.
 void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper);

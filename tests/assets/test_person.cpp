@@ -303,5 +303,25 @@ TEST(Outfit, HairGreysWithAge) {
     EXPECT_GT(grey_of(80), 190);
 }
 
+// The simulation is told where the tip of a stick is: the lowest of it that the hand carries.
+TEST(Person, TellsWhereTheTipOfItsStickIs) {
+    for (float height : {1.5f, 1.8f}) {
+        PersonOptions options{.seed = 5, .height = height, .age = 75};
+        EXPECT_EQ(generate_person(options).body.cane, Vec3{});
+        options.stick = true;
+        Character person = generate_person(options);
+        float nearest = 1, lowest = 0;
+        for (const CharacterVertex& v : person.vertices) {
+            if (v.joints[0] != right_hand || v.weights[0] != 255) continue;
+            Vec3 place =
+                rotate(person.bind_to_canonical[right_hand], v.position - person.bind_joints[right_hand]);
+            nearest = std::min(nearest, length(place - person.body.cane));
+            lowest = std::min(lowest, place.y);
+        }
+        EXPECT_LT(nearest, 0.012f) << "its radius";
+        EXPECT_NEAR(lowest, person.body.cane.y, 0.008f);
+    }
+}
+
 }  // namespace
 }  // namespace flaneur
