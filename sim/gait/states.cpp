@@ -144,10 +144,15 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     leave(g, s, side, g.frequency[lane]);
 }
 
-// 1 where the ground rises so steeply along `ahead` that no heel comes down first; 0 where it does.
-float steepness(const FootPlaces& place, int lane, Vec2 ahead) {
-    Vec3 n = get_place(place, lane).normal;
-    return smoothstep(k_steep_0, k_steep_1, -(n.x * ahead.x + n.z * ahead.z) / std::max(n.y, 0.2f));
+// How far a foot comes down on its ball: on stairs, off a kerb and up a steep slope.
+float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s) {
+    int lane = s.lane;
+    if (g.tread[lane] > 0) return 1;
+    FootPlace goal = get_place(foot.goal, lane);
+    if (step_between(get_place(foot.from, lane), goal) < -k_drop) return 1;
+    Vec3 n = goal.normal;
+    float grade = -(n.x * s.facing.x + n.z * s.facing.z) / std::max(n.y, 0.2f);
+    return std::max(0.6f * g.running[lane], smoothstep(k_steep_0, k_steep_1, grade));
 }
 
 void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
@@ -171,10 +176,7 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];
         if (foot.swinging[lane]) {
-            bool drops = step_between(get_place(foot.from, lane), get_place(foot.goal, lane)) < -k_drop;
-            float forefoot = g.tread[lane] > 0 || drops
-                                 ? 1.0f
-                                 : std::max(0.6f * g.running[lane], steepness(foot.goal, lane, s.facing));
+            float forefoot = lands_on_ball(g, foot, s);
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             float& rate = foot.rate[lane];
             approach(rate, swing_rate(side, phase), k_quicken * s.dt);

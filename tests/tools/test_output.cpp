@@ -45,7 +45,7 @@ TEST_F(Files, AreNotWrittenOverWhatIsRead) {
             << file.error().message;
     }
     EXPECT_TRUE(open_file((path / "other.osm").string()));
-    protect_inputs({});
+    protect_inputs([] { return std::vector<std::string>{}; });
     EXPECT_TRUE(open_file((path / "read.osm").string()));
 }
 

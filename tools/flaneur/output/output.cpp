@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -36,7 +37,7 @@ Error cannot_write(const std::string& path, const std::string& why) {
 struct OpenFiles {
     std::mutex mutex;
     std::vector<const PartFile*> files;
-    std::function<std::vector<std::string>()> inputs;
+    std::shared_future<std::vector<std::string>> inputs;
 };
 
 OpenFiles& open_files() {
@@ -86,12 +87,12 @@ bool is_taken(const std::string& target) {
 }
 
 bool is_read(const std::string& target) {
-    if (!open_files().inputs) return false;
-    const std::vector<std::string> inputs = open_files().inputs();
-    return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
-        std::error_code ignored;
-        return fs::equivalent(input, target, ignored);
-    });
+    const std::shared_future<std::vector<std::string>> inputs = open_files().inputs;
+    return inputs.valid() &&
+           std::any_of(inputs.get().begin(), inputs.get().end(), [&](const std::string& input) {
+               std::error_code ignored;
+               return fs::equivalent(input, target, ignored);
+           });
 }
 
 void forget(const PartFile* file) {
@@ -219,7 +220,7 @@ void abandon_outputs() {
 }
 
 void protect_inputs(std::function<std::vector<std::string>()> paths) {
-    open_files().inputs = std::move(paths);
+    open_files().inputs = std::async(std::launch::deferred, std::move(paths)).share();
 }
 
 Result<PartFilePtr> open_file(const std::string& path) {

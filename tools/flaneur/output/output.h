@@ -31,8 +31,8 @@ struct PartFileDelete {
 };
 using PartFilePtr = std::unique_ptr<PartFile, PartFileDelete>;
 
-// Files that this command reads, if they are there: nothing is written over them. `paths` is asked whenever
-// an output is there already.
+// Files that this command reads, if they are there: nothing is written over them. `paths` is asked once, when
+// the first output is there already.
 void protect_inputs(std::function<std::vector<std::string>()> paths);
 
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
