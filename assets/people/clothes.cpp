@@ -29,7 +29,7 @@ void add_chest(Tailor t, float grow) {
 
 void add_upper(Tailor t, const Cut& cut) {
     const Figure& f = t.figure;
-    Loft torso = trimmed(torso_loft(f), cut.hem, .825f, 0, .016f);
+    Loft torso = trimmed(torso_loft(f), cut.hem + cut.grow, .825f, 0, .016f);
     float long_hem = .004f * smoothstep(.56f, .50f, cut.hem);
     for (BodyRing& ring : torso.table) {
         // Cloth hangs from the chest to the hem; a quilt bulges between its seams.
@@ -46,7 +46,7 @@ void add_upper(Tailor t, const Cut& cut) {
     t.add(std::move(torso), cut.grow);
     // What hangs over a skirt goes round it down to the hem.
     if (t.layer == layer_top && f.has_skirt() && cut.hem < .57f)
-        t.add(trimmed(skirt_loft(f), cut.hem, .580f, 0, .030f), cut.grow, .004f);
+        t.add(trimmed(skirt_loft(f), cut.hem + cut.grow, .580f, 0, .030f), cut.grow, .004f);
     add_chest(t, cut.grow);
     if (cut.sleeve <= 0) return;
     Loft arm = arm_loft(f);
@@ -199,7 +199,7 @@ void add_top(Field& field, const Figure& figure) {
 
 void add_coat(Tailor t) {
     const Figure& f = t.figure;
-    float stout = 1 + .06f * f.build + (f.has_skirt() ? .09f : 0);
+    float stout = 1 + .06f * f.build + (f.has_skirt() ? .09f : f.bottom == Bottom::wide ? .08f : 0);
     add_upper(t, {.012f, .585f, .325f, .001f});
     BodyRing skirt[] = {
         {f.robe_hem, 0, .002f, .113f, .088f, .092f, .15f}, {.400f, 0, .001f, .107f, .079f, .087f, .15f},
@@ -214,6 +214,8 @@ void add_coat(Tailor t) {
         r.width -= .008f * waist, r.ahead -= .004f * waist, r.behind -= .004f * waist;
     }
     t.add(make_loft({}, {1, 0, 0}, {0, 1, 0}, skirt, 0, .02f), 0, .03f);
+    constexpr float k_over = .0115f;
+    if (f.has_skirt()) t.add(trimmed(skirt_loft(f), f.robe_hem + k_over, .580f, 0, .03f), k_over);
 }
 
 }  // namespace

@@ -81,7 +81,8 @@ void add_skirt(Tailor t) {
     const Figure& f = t.figure;
     float top = f.over == Over::coat ? .580f : std::min(top_hem(f) + .012f, .605f);
     Loft skirt = skirt_loft(f);
-    t.add(trimmed(skirt, skirt.begin, top, 0, 0), .006f);
+    constexpr float k_grow = .006f;
+    t.add(trimmed(skirt, skirt.begin + k_grow, top, 0, 0), k_grow);
 }
 
 void add_shoes(Tailor t) {

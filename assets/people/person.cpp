@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "assets/character.h"
 #include "assets/people/accessories.h"
 #include "assets/people/face.h"
@@ -17,8 +19,15 @@ void steps(std::vector<float>& out, float to, float step) {
     while (out.back() < to) out.push_back(out.back() + step);
 }
 
-// Finer at the head and the hands.
-FieldGrid person_grid() {
+// Samples close above and below `hem`, which is even then, instead of what was there.
+void add_hem(std::vector<float>& out, float hem) {
+    std::erase_if(out, [&](float y) { return y > hem - .0055f && y < hem + .0055f; });
+    for (float y : {-.0036f, -.0012f, .0012f, .0036f}) out.push_back(hem + y);
+    std::sort(out.begin(), out.end());
+}
+
+// Finer at the head, the hands and hems.
+FieldGrid person_grid(const Figure& figure) {
     FieldGrid g{{.0012f}, {-.008f}, {-.125f}};
     steps(g.half_x, .052f, .0027f);
     steps(g.half_x, .290f, .0068f);
@@ -28,6 +37,8 @@ FieldGrid person_grid() {
     steps(g.y, .560f, .0042f);
     steps(g.y, .800f, .0072f);
     steps(g.y, 1.030f, .0027f);
+    add_hem(g.y, top_hem(figure));
+    if (figure.robe_hem > 0) add_hem(g.y, figure.robe_hem);
     steps(g.z, -.042f, .0050f);
     steps(g.z, .030f, .0034f);
     steps(g.z, .140f, .0042f);
@@ -141,7 +152,7 @@ void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Cha
 Character generate_person(const PersonOptions& options) {
     Figure figure = choose_figure(options);
     Field field = figure_field(figure);
-    FieldMesh mesh = polygonise(field, person_grid());
+    FieldMesh mesh = polygonise(field, person_grid(figure));
     const auto looks = material_looks(figure);
     std::array<Layer, k_material_count> layer_of;
     for (size_t m = 0; m < layer_of.size(); ++m) layer_of[m] = looks[m].layer;

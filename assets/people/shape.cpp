@@ -171,9 +171,9 @@ void material_distances(const Figure& figure, const LayerDistances& layers, Vec3
     float x = p.x < 0 ? -p.x : p.x;
     if (figure.over == Over::jacket || figure.over == Over::vest || figure.over == Over::coat)
         if (p.z > 0) out[material_zip] = layers[layer_top] + x - .0035f;
-    // Up a skirt it is dark.
-    float inside = p.y - figure.robe_hem - .0020f;
-    if (figure.over == Over::coat) out[material_top_lining] = layers[layer_top] + inside;
+    // Up a skirt it is dark, and under the hem of a shirt, but not up sleeves.
+    float inside = p.y - figure.robe_hem - .0008f;
+    if (x < .150f) out[material_top_lining] = layers[layer_top] + p.y - top_hem(figure) - .0008f;
     if (figure.has_skirt()) out[material_bottom_lining] = layers[layer_bottom] + inside;
     float band = p.y - .583f;
     if (!figure.has_skirt()) out[material_belt] = layers[layer_bottom] + (band > 0 ? band : -band) - .011f;

@@ -44,7 +44,7 @@ TEST(Worn, WhatMeetsStaysTogether) {
 
 TEST(Worn, SkirtsEndUnderWhatIsWornOver) {
     for (Bottom bottom : {Bottom::skirt, Bottom::long_skirt, Bottom::dress})
-        for (Over over : {Over::jacket, Over::open_jacket, Over::vest})
+        for (Over over : {Over::jacket, Over::open_jacket, Over::vest, Over::coat})
             for (float build : {-1.0f, 0.0f, 1.0f}) {
                 PersonOptions options;
                 options.woman = true;
@@ -60,6 +60,37 @@ TEST(Worn, SkirtsEndUnderWhatIsWornOver) {
                 });
                 EXPECT_EQ(seen, 0u) << "above the hem: skirt " << int(bottom) << " under " << int(over)
                                     << ", build " << build;
+            }
+}
+
+// Seen from below a pale hem would be a patch on what is worn under it.
+TEST(Worn, HemsAreDarkBelow) {
+    for (Bottom bottom : {Bottom::straight, Bottom::skirt})
+        for (Over over : {Over::none, Over::jacket, Over::open_jacket, Over::coat})
+            for (bool woman : {false, true}) {
+                PersonOptions options;
+                options.seed = 2;  // who wears it over the belt
+                options.woman = woman;
+                options.bottom = woman ? bottom : Bottom::straight;
+                options.over = over;
+                if (options.bottom == Bottom::skirt && over != Over::coat)
+                    continue;  // no hem stands out from it
+                const Figure figure = choose_figure(options);
+                const float hem = warped(figure, {0, top_hem(figure), 0}).y * figure.height;
+                const Character c = generate_person(options);
+                float pale = 0, all = 0;
+                for (size_t t = 0; t < c.lods[0].size(); t += 3) {
+                    const CharacterVertex* v[3];
+                    for (size_t n = 0; n < 3; ++n) v[n] = &c.vertices[c.lods[0][t + n]];
+                    const Vec3 a = v[0]->position, b = v[1]->position, e = v[2]->position;
+                    const Vec3 way = cross(b - a, e - a) * .5f;
+                    const bool below = way.y < -.7f * length(way) && std::abs(a.y - hem) < .02f;
+                    if (!below || v[0]->tint != Tint::top) continue;
+                    all -= way.y;
+                    if ((v[0]->colour & 0xffu) > 0x40u) pale -= way.y;
+                }
+                // The edge is rounded, and no more of it is as pale as the rest.
+                EXPECT_LT(pale, .4f * all) << "bottom " << int(options.bottom) << " under " << int(over);
             }
 }
 
