@@ -33,6 +33,8 @@ static void pose_everybody(World& w) {
     pose_blocks(w.gait, 0, w.gait.blocks.size(), w.poses);
     hold_canes(w.gait, 0, w.gait.canes.size(), w.poses);
     w.previous_poses = w.poses;
+    w.trails.assign(w.poses.size(), {});
+    w.previous_trails = w.trails;
 }
 
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
@@ -127,6 +129,7 @@ static void pose_newcomer(World& w, uint32_t walker) {
             std::memcpy(to + at, from + at, 4);
         }
     }
+    for (auto* trails : {&w.trails, &w.previous_trails}) forget_trail(*trails, walker);
     forget_plays(w.idles, walker);
 }
 
@@ -147,6 +150,10 @@ JointPose joint_between(const World& w, size_t walker, Joint joint, float betwee
     return {lerp(before.position, last.position, between),
             normalize(Quat{lerp(a.x, sign * b.x, between), lerp(a.y, sign * b.y, between),
                            lerp(a.z, sign * b.z, between), lerp(a.w, sign * b.w, between)})};
+}
+
+Trail trail_between(const World& w, size_t walker, float between) {
+    return mixed_trail(trail_of(w.previous_trails, walker), trail_of(w.trails, walker), between);
 }
 
 uint64_t hash_world(const World& world) {

@@ -18,6 +18,7 @@
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
+#include "sim/pose/trail.h"
 #include "sim/roam.h"
 #include "sim/sim.h"
 
@@ -44,7 +45,8 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Gait gait;
     ClipLayer idles;
-    std::vector<PoseBlock> poses, previous_poses;  // after the last tick and the one before
+    std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
+    std::vector<TrailBlock> trails, previous_trails;  // the same
 
     // One block, in which who comes or goes is posed.
     Gait newcomer;
@@ -77,5 +79,7 @@ void end_body(World& world, uint32_t walker);
 
 // A joint `between` 0, the tick before the last, and 1, the last.
 JointPose joint_between(const World& world, size_t walker, Joint joint, float between);
+// How a walker has moved of late, the same way between ticks.
+Trail trail_between(const World& world, size_t walker, float between);
 
 }  // namespace flaneur

@@ -32,6 +32,7 @@ struct Work {
     Gait many;                        // `walking` k_larger times over
     Gait advancing;                   // scratch
     std::vector<PoseBlock> poses;     // scratch
+    std::vector<TrailBlock> trails;   // scratch
 };
 
 double pose_ns(Work& work, const Gait& gait) {
@@ -43,6 +44,14 @@ double limit_ns(Work& work) {
     work.poses = w.poses;
     return ns_each(w.gait.count, [&] {
         restrain_legs(w.gait, 0, w.gait.blocks.size(), k_tick, w.previous_poses, work.poses);
+    });
+}
+
+double trail_ns(Work& work) {
+    const World& w = *work.world;
+    work.trails.resize(w.trails.size());
+    return ns_each(w.gait.count, [&] {
+        advance_trails(w.previous_poses, w.poses, 0, w.poses.size(), k_tick, w.previous_trails, work.trails);
     });
 }
 
@@ -65,6 +74,7 @@ std::vector<Kernel> kernels_of(Work& work) {
         {"core, 16 x walkers", [&] { return pose_ns(work, work.many); }},
         {"full", [&] { return pose_ns(work, work.reaching); }, {250, 130, 100}},
         {"joint speeds", [&] { return limit_ns(work); }},
+        {"trails", [&] { return trail_ns(work); }},
         {"advance", [&] { return advance_ns(work); }},
         blend_kernel(walkers),
     };

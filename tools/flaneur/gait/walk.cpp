@@ -112,6 +112,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), k_seed, &person.manner);
     std::vector<PoseBlock> poses(1), before(1);
+    std::vector<TrailBlock> trails(1);
     pose_blocks(gait, 0, 1, poses);
     hold_canes(gait, 0, gait.canes.size(), poses);
 
@@ -128,6 +129,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
+        advance_trails(before, poses, 0, 1, k_tick, trails, trails);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
         Instant now;
@@ -138,6 +140,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
         for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(ground, gait, poses, 0, side);
         now.cane = cane_instant(ground, gait, poses);
+        now.trail = trail_of(trails, 0);
         result.ticks.push_back(now);
     }
     return result;

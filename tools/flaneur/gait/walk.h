@@ -9,6 +9,7 @@
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
 #include "sim/pose/pose.h"
+#include "sim/pose/trail.h"
 
 namespace flaneur {
 
@@ -36,6 +37,7 @@ struct Instant {
     std::array<JointPose, k_joint_count> joints;
     FootInstant feet[2];
     CaneInstant cane;  // of one who has one
+    Trail trail;
 };
 
 inline Vec3 place(const Instant& now, Joint joint) { return now.joints[joint].position; }
