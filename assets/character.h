@@ -51,6 +51,17 @@ void build_lods(Character& character);
 enum class Tint : uint8_t { none, skin, hair, top, bottom, shoes, accent };
 inline constexpr int k_tint_count = 7;
 
+// Joints of what hangs on people, after those of the body: each swings about a place that moves with one of
+// the body's.
+enum Follower : uint8_t {
+    skirt_front = k_joint_count,  // of a skirt or a coat
+    skirt_back,
+    carried_bag,
+    loose_hair,
+    scarf_end,
+};
+inline constexpr int k_follower_count = 5;
+
 struct CharacterVertex {
     Vec3 position, normal;            // bind pose, model space: metres, +y up, facing +z
     float u = 0, v = 0;               // glTF convention: (0, 0) is the upper left corner of the texture
@@ -59,7 +70,10 @@ struct CharacterVertex {
     Tint tint = Tint::none;
     uint8_t joints[4] = {0, 0, 0, 0};     // Joint
     uint8_t weights[4] = {255, 0, 0, 0};  // sum to 255, falling
-    uint8_t spare = 0;                    // so that all bytes are set
+    // The same where it hangs, with followers among the joints; weights of 0 where it does not.
+    uint8_t hung_joints[4] = {0, 0, 0, 0};
+    uint8_t hung_weights[4] = {0, 0, 0, 0};
+    uint8_t spare = 0;  // so that all bytes are set
     static constexpr uint16_t k_no_texture = 0xffff;
 };
 
@@ -92,6 +106,12 @@ struct Found {
     std::vector<MeasuredLevel> levels;  // after the finest; none where that is coarse enough
 };
 
+// A follower turns about this place of the bind pose, which moves with a joint.
+struct Hung {
+    Vec3 place;
+    uint32_t joint = hips;  // Joint
+};
+
 struct Character {
     std::string name;
     Body body;
@@ -100,6 +120,8 @@ struct Character {
     std::array<Vec3, k_joint_count> bind_joints;
     std::array<Quat, k_joint_count> bind_to_canonical;
     std::vector<CharacterVertex> vertices;
+    std::array<Hung, k_follower_count> followers;
+    float robe_hem = 0;  // metres above ground in the bind pose, of a skirt or coat; 0: without
     // Triangle lists over `vertices`, finest first, at least one. One that may not be coarser than the one
     // before is the same; see sim/base/levels.h for when they are drawn.
     std::vector<std::vector<uint32_t>> lods;

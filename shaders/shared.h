@@ -9,7 +9,7 @@
 #define FLANEUR_CONST const
 #endif
 
-FLANEUR_CONST int k_palette_joints = 22;  // joint transforms of one walker
+FLANEUR_CONST int k_palette_joints = 27;  // joint transforms of one walker: of its body, and of what hangs on it
 FLANEUR_CONST int k_tints = 7;            // none, skin, hair, top, bottom, shoes, accent
 
 // One joint: a point v of the mesh (bind pose, scaled) goes to rotate(rotation, v) + translation in the

@@ -26,7 +26,9 @@ bool take_mesh(std::span<const char>& bytes, size_t textures, Character& c) {
     return std::ranges::all_of(c.vertices, [&](const CharacterVertex& v) {
         return static_cast<int>(v.tint) < k_tint_count &&
                (v.texture == CharacterVertex::k_no_texture || v.texture < textures) &&
-               std::ranges::all_of(v.joints, [](uint8_t joint) { return joint < k_joint_count; });
+               std::ranges::all_of(v.joints, [](uint8_t joint) { return joint < k_joint_count; }) &&
+               std::ranges::all_of(v.hung_joints,
+                                   [](uint8_t joint) { return joint < k_joint_count + k_follower_count; });
     });
 }
 

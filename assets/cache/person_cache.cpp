@@ -1,5 +1,6 @@
 #include "assets/cache/person_cache.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
@@ -46,15 +47,21 @@ std::string written(const Character& c) {
     put(bytes, std::span(&c.body, 1));
     put(bytes, std::span<const Vec3>(c.bind_joints));
     put(bytes, std::span<const Quat>(c.bind_to_canonical));
+    put(bytes, std::span<const Hung>(c.followers));
+    put(bytes, std::span(&c.robe_hem, 1));
     put_mesh(bytes, c);
     return bytes;
 }
 
 bool read(std::span<const char> bytes, Character& c) {
     std::array<Body, 1> body;
+    std::array<float, 1> hem{};
     bool whole = take<char>(bytes, c.name) && take<Body>(bytes, body) && take<Vec3>(bytes, c.bind_joints) &&
-                 take<Quat>(bytes, c.bind_to_canonical) && take_mesh(bytes, 0, c) && bytes.empty();
+                 take<Quat>(bytes, c.bind_to_canonical) && take<Hung>(bytes, c.followers) &&
+                 take<float>(bytes, hem) && take_mesh(bytes, 0, c) && bytes.empty() &&
+                 std::ranges::all_of(c.followers, [](Hung hung) { return hung.joint < k_joint_count; });
     c.body = body[0];
+    c.robe_hem = hem[0];
     return whole;
 }
 

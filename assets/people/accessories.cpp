@@ -65,6 +65,7 @@ std::vector<Vec3> on_face(std::vector<Vec3> path) {
 struct HandTurn {
     Vec3 hand, bound;
     Quat turn;
+    Vec3 raised(Vec3 p) const { return bound + rotate(turn, p - hand); }
 };
 HandTurn raised_hand(const Figure& figure, float side) {
     Vec3 arm = bind_arm_direction(), shoulder = figure_shoulder(figure);
@@ -89,16 +90,21 @@ struct Rack {
     std::vector<Accessory> worn;
 
     void add(SolidMesh solid, Tint tint, uint32_t colour, int joint) {
-        worn.push_back({std::move(solid), tint, colour, joint, false});
+        worn.push_back({std::move(solid), tint, colour, joint});
     }
     // Lies on the coat or whatever is worn.
     void add_on_cloth(SolidMesh solid, Tint tint, uint32_t colour) {
-        worn.push_back({std::move(solid), tint, colour, -1, false});
+        worn.push_back({std::move(solid), tint, colour});
+    }
+    // What was put on last swings.
+    void hang(int follower, Vec3 pivot, float from = 0, float to = 0) {
+        Accessory& last = worn.back();
+        last.follower = follower, last.pivot = pivot, last.from = from, last.to = to;
     }
     // In the canonical pose, the arms down, into the bind pose; `side` 1 left, -1 right.
     void add_to_hand(SolidMesh solid, Tint tint, uint32_t colour, float side) {
         HandTurn raised = raised_hand(figure, side);
-        for (Vec3& p : solid.positions) p = raised.bound + rotate(raised.turn, p - raised.hand);
+        for (Vec3& p : solid.positions) p = raised.raised(p);
         for (Vec3& n : solid.normals) n = rotate(raised.turn, n);
         add(std::move(solid), tint, colour, side > 0 ? left_hand : right_hand);
     }
@@ -222,6 +228,7 @@ void add_scarf(Rack& r) {
     end = draped(r.field, rounded(end, false), .006f);
     end.insert(end.begin(), loop.front() + Vec3{.008f, -.004f, 0});  // it comes out of the loop
     r.add_on_cloth(make_band(end, {1, 0, 0}, .0190f, .0052f, 8), Tint::accent, 0xfff0f0f0);
+    r.hang(scarf_end, end[2], .015f, .090f);
 }
 
 void add_backpack(Rack& r) {
@@ -229,8 +236,11 @@ void add_backpack(Rack& r) {
     Tint tint = r.spare();
     Frame sack = make_frame({0, .690f, back - .030f}, {0, 1, .06f}, {0, 0, -1});
     r.add(make_pillow(sack, {.076f * g, .088f, .036f}, .55f, 20, 10), tint, 0xffe6e6e6, upper_chest);
+    const Vec3 top = sack.at({0, .080f, -.030f});
+    r.hang(carried_bag, top);
     Frame pocket = make_frame({0, .657f, back - .061f}, {0, 1, .06f}, {0, 0, -1});
     r.add(make_pillow(pocket, {.055f * g, .040f, .016f}, .55f, 16, 8), tint, 0xffcccccc, upper_chest);
+    r.hang(carried_bag, top);
     std::vector<Vec3> strap = {{.042f, .775f, back - .004f}, {.044f, .812f, -.050f}, {.046f, .834f, -.008f},
                                {.049f, .815f, .036f},        {.054f, .770f, .068f},  {.060f, .725f, .075f},
                                {.072f, .680f, .060f},        {.088f, .648f, .022f},  {.084f, .635f, -.030f},
@@ -251,10 +261,14 @@ void add_shoulder_bag(Rack& r) {
     strap = draped(r.field, rounded(strap, false), .0020f);
     strap.insert(strap.begin(), bag.at({.056f, .034f, 0}));
     strap.push_back(bag.at({-.056f, .034f, 0}));
+    const Vec3 top = bag.at({0, .040f, -.010f});
     r.add_on_cloth(make_band(strap, {.6f, .8f, 0}, .0075f, .0026f), Tint::shoes, 0xffe0e0e0);
+    r.hang(carried_bag, top, .095f, .062f);
     r.add(make_pillow(bag, {.062f, .046f, .021f}, .5f, 18, 8), Tint::shoes, 0xffe0e0e0, hips);
+    r.hang(carried_bag, top);
     Frame flap = make_frame(bag.at({0, .018f, .004f}), bag.up, bag.front);
     r.add(make_pillow(flap, {.0635f, .031f, .0205f}, .5f, 18, 8), Tint::shoes, 0xffffffff, hips);
+    r.hang(carried_bag, top);
 }
 
 void add_handbag(Rack& r) {
@@ -262,10 +276,13 @@ void add_handbag(Rack& r) {
     Vec3 at = palm + down * .108f + out * .012f, top = palm + down * .072f + out * .010f;
     r.add_to_hand(make_pillow(make_frame(at, -down, out), {.064f, .046f, .022f}, .55f, 18, 8), Tint::shoes,
                   0xffe8e8e8, 1);
+    const Vec3 held = raised_hand(r.figure, 1).raised(palm);
+    r.hang(carried_bag, held);
     std::vector<Vec3> handle = {
         top - ahead * .036f,  lerp(top, palm, .7f) - ahead * .030f, palm - ahead * .012f,
         palm + ahead * .012f, lerp(top, palm, .7f) + ahead * .030f, top + ahead * .036f};
     r.add_to_hand(make_band(rounded(handle, false), out, .0035f, .0028f), Tint::shoes, 0xffb0b0b0, 1);
+    r.hang(carried_bag, held);
 }
 
 void add_phone(Rack& r) {
@@ -290,7 +307,7 @@ bool has_stick(const Figure& figure) { return figure.stick && !figure.phone; }
 
 Vec3 stick_tip(const Figure& figure) {
     HandTurn raised = raised_hand(figure, -1);
-    return raised.bound + rotate(raised.turn, stick_grip(figure) + k_hanging * k_stick - raised.hand);
+    return raised.raised(stick_grip(figure) + k_hanging * k_stick);
 }
 
 uint32_t glasses_colour(const Figure& figure) { return figure.seed % 2 == 0 ? k_dark : 0xff26364a; }

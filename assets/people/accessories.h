@@ -15,6 +15,11 @@ struct Accessory {
     uint32_t colour = 0xffffffff;
     int joint = -1;
     bool painted_afar = false;  // coarse levels have it painted on instead
+    // What swings does so about a place of that joint; whole, or more and more between two distances from
+    // there.
+    int follower = -1;
+    Vec3 pivot{};
+    float from = 0, to = 0;
 };
 
 // The rim of the left glass, head heights, counter-clockwise from ahead; of glasses so much wider and taller.

@@ -13,7 +13,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr std::array<size_t, 4> k_level_triangles = {3000, 1500, 500, 180};
+constexpr std::array<size_t, 4> k_level_triangles = {3150, 1540, 500, 180};
 constexpr size_t k_near_above = 2000;     // levels that keep glasses
 constexpr size_t k_welded_below = 300;    // levels this coarse may collapse across seams of colour
 constexpr size_t k_mingled_below = 200;   // and these across borders of garments

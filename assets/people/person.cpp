@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <span>
 
 #include "assets/character.h"
 #include "assets/people/accessories.h"
@@ -106,8 +107,14 @@ void add_accessory(const Accessory& a, const Figure& figure, const Field& field,
         else
             weights = skin_weights(v.position, layer_top, figure, bind);
         pack_weights(weights, v);
+        if (a.follower >= 0) {
+            float share = a.from == a.to ? 1 : smoothstep(a.from, a.to, length(v.position - a.pivot));
+            pack_weights(hung_on(a.follower, share, weights), v.hung_joints, v.hung_weights);
+        }
         person.vertices.push_back(v);
     }
+    if (a.follower >= 0 && a.joint >= 0)
+        person.followers[size_t(a.follower - k_joint_count)] = {a.pivot, uint32_t(a.joint)};
     for (uint32_t i : a.solid.indices) person.lods[0].push_back(first + i);
 }
 
@@ -121,12 +128,56 @@ Vec3 warped_normal(const Figure& figure, Vec3 p, Vec3 n) {
                         n);
 }
 
+// Of places (see place_numbers) where something hangs; elsewhere nothing.
+std::vector<HungWeights> hung_weights(const FieldMesh& mesh, std::span<const MaterialLook> looks,
+                                      std::span<const uint32_t> place, const Figure& figure,
+                                      const std::array<Vec3, k_joint_count>& bind) {
+    enum Way : uint8_t { body, hair, robe, leg };  // of several at a place the last holds: legs stay legs
+    std::vector<uint8_t> ways(mesh.positions.size(), body);
+    auto way_of = [&](size_t v) -> Way {
+        const Layer layer = looks[mesh.materials[v]].layer;
+        if (layer == layer_hair) return hair;
+        if (figure.robe_hem == 0 || mesh.positions[v].y > .57f) return body;
+        if (is_robe(layer, figure)) return robe;
+        return mesh.positions[v].y < figure.robe_hem + .05f ? leg : body;
+    };
+    for (size_t v = 0; v < mesh.positions.size(); ++v)
+        ways[place[v]] = std::max<uint8_t>(ways[place[v]], way_of(v));
+    std::vector<HungWeights> out(mesh.positions.size());
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+        const Way way = way_of(v);
+        if (way == body || way != ways[place[v]]) continue;
+        const Vec3 p = mesh.positions[v];
+        const auto own = skin_weights(p, looks[mesh.materials[v]].layer, figure, bind, true);
+        HungWeights here = hung_on(skirt_front, 0, own);
+        if (way == robe) here = robe_weights(p, own);
+        if (way == hair) here = hair_weights(p, figure, own);
+        for (size_t j = 0; j < here.size(); ++j) out[place[v]][j] += here[j];
+    }
+    return out;
+}
+
+// But for what is carried.
+std::array<Hung, k_follower_count> followers_of(const Figure& figure) {
+    std::array<Hung, k_follower_count> out;
+    const Vec3 hip = bind_joints(figure)[left_upper_leg];
+    for (int skirt : {skirt_front, skirt_back})
+        out[size_t(skirt - k_joint_count)] = {{0, hip.y, hip.z}, hips};
+    const bool tied = figure.hair == Hair::ponytail;
+    out[loose_hair - k_joint_count] = {tied ? from_face({0, .76f, -.50f}) : from_face({0, -.02f, -.30f}),
+                                       head};
+    out[scarf_end - k_joint_count] = {{.019f, .795f, .065f}, upper_chest};
+    return out;
+}
+
 // From the adult of height 1 to the person, and the joints that go with it.
 void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Character& person) {
     for (CharacterVertex& v : person.vertices) {
         v.normal = warped_normal(figure, v.position, v.normal);
         v.position = warped(figure, v.position) * figure.height;
     }
+    for (Hung& hung : person.followers) hung.place = warped(figure, hung.place) * figure.height;
+    if (figure.robe_hem > 0) person.robe_hem = warped(figure, {0, figure.robe_hem, 0}).y * figure.height;
     for (Vec3& joint : bind) joint = warped(figure, joint);
     Body& body = person.body = figure_body(bind);
     for (size_t j = 0; j < k_joint_count; ++j) {
@@ -171,6 +222,7 @@ Character generate_person(const PersonOptions& options) {
 
     Character person;
     person.person = options;
+    person.followers = followers_of(figure);
     person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
     const auto bind = bind_joints(figure);
     const std::vector<Vec3> facing = facing_of(mesh);
@@ -181,6 +233,7 @@ Character generate_person(const PersonOptions& options) {
         const auto own = skin_weights(mesh.positions[v], looks[mesh.materials[v]].layer, figure, bind);
         for (size_t j = 0; j < own.size(); ++j) weights[place[v]][j] += own[j];
     }
+    const std::vector<HungWeights> hung = hung_weights(mesh, looks, place, figure, bind);
     std::vector<uint16_t> near;
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
         const MaterialLook& look = looks[mesh.materials[v]];
@@ -192,6 +245,8 @@ Character generate_person(const PersonOptions& options) {
         if (dot(vertex.normal, facing[v]) < .6f) vertex.normal = facing[v];
         vertex.tint = look.tint;
         pack_weights(weights[place[v]], vertex);
+        if (std::ranges::any_of(hung[place[v]], [](float w) { return w > 0; }))
+            pack_weights(hung[place[v]], vertex.hung_joints, vertex.hung_weights);
         float light = .55f + .45f * openness(field, p, vertex.normal, near);
         if (look.layer == layer_hair) light = strand(p) * (.3f + .7f * light);
         vertex.colour = scaled_colour(look.colour, light);

@@ -26,7 +26,8 @@ void along_chain(Weights& w, float share, const std::array<int, N>& joints, cons
 
 }  // namespace
 
-Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array<Vec3, k_joint_count>& bind) {
+Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array<Vec3, k_joint_count>& bind,
+                     bool hung) {
     Weights w{};
     bool right = p.x < 0;
     float x = right ? -p.x : p.x;
@@ -58,11 +59,11 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     // to the thighs on its way down, each side to its own and the middle to both; what comes out below its
     // hem moves with it there.
     bool outer = layer == layer_top || layer == layer_trim;
-    bool robe = (layer == layer_bottom && figure.has_skirt()) || (outer && figure.over == Over::coat);
-    robe = robe && p.y > .08f;
+    bool robe = is_robe(layer, figure) && p.y > .08f;
     float crease = p.y - (.505f + (p.z < 0 ? -.16f : .06f) * p.z + .25f * (x - .052f));
     float leg = smoothstep(.040f, -.042f, crease), robe_leg = smoothstep(.570f, .430f, p.y);
-    float hemmed = robe ? 1 : figure.robe_hem > 0 ? smoothstep(-.050f, -.004f, p.y - figure.robe_hem) : 0;
+    const bool bound = figure.robe_hem > 0 && !hung;
+    float hemmed = robe ? 1 : bound ? smoothstep(-.050f, -.004f, p.y - figure.robe_hem) : 0;
     leg = lerp(leg, robe_leg, hemmed);
     if (layer == layer_inner || layer == layer_hair || layer == layer_collar) leg = 0;
     // Cloth about the hips is held by them, and what comes out below its hem goes along there.
@@ -97,10 +98,49 @@ Weights skin_weights(Vec3 p, Layer layer, const Figure& figure, const std::array
     return w;
 }
 
-void pack_weights(const Weights& weights, CharacterVertex& vertex) {
-    std::array<int, k_joint_count> order;
-    for (int j = 0; j < k_joint_count; ++j) order[size_t(j)] = j;
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
+bool is_robe(Layer layer, const Figure& figure) {
+    const bool outer = layer == layer_top || layer == layer_trim;
+    return (layer == layer_bottom && figure.has_skirt()) || (outer && figure.over == Over::coat);
+}
+
+HungWeights hung_on(int follower, float share, const Weights& body) {
+    HungWeights out{};
+    for (size_t j = 0; j < body.size(); ++j) out[j] = body[j] * (1 - share);
+    out[size_t(follower)] = share;
+    return out;
+}
+
+HungWeights robe_weights(Vec3 p, const Weights& body) {
+    // Of what legs move, most goes to the panels: their edge is at the sides, where each hangs half-way
+    // between front and back. The rest keeps to the leg under it.
+    constexpr float k_own = .35f;
+    HungWeights out{};
+    float legs = 0;
+    for (size_t j = 0; j < body.size(); ++j) {
+        const bool leg = j >= left_upper_leg;
+        out[j] = body[j] * (leg ? k_own : 1);
+        legs += leg ? body[j] : 0;
+    }
+    const float ahead = smoothstep(-.060f, .060f, p.z);
+    out[skirt_front] = legs * (1 - k_own) * ahead;
+    out[skirt_back] = legs * (1 - k_own) * (1 - ahead);
+    return out;
+}
+
+HungWeights hair_weights(Vec3 p, const Figure& figure, const Weights& body) {
+    const Vec3 face = to_face(p);
+    float share = 0;
+    if (figure.hair == Hair::ponytail)
+        share = smoothstep(-.46f, -.58f, face.z) * smoothstep(.80f, .50f, face.y);
+    else if (figure.hair == Hair::long_hair || figure.hair == Hair::shoulder_length)
+        share = smoothstep(.10f, -.30f, face.y);
+    return hung_on(loose_hair, share, body);
+}
+
+void pack_weights(std::span<const float> weights, uint8_t (&joints)[4], uint8_t (&bytes)[4]) {
+    std::array<int, k_joint_count + k_follower_count> order;
+    for (size_t j = 0; j < weights.size(); ++j) order[j] = int(j);
+    std::sort(order.begin(), order.begin() + std::ptrdiff_t(weights.size()), [&](int a, int b) {
         float wa = weights[size_t(a)], wb = weights[size_t(b)];
         return wa != wb ? wa > wb : a < b;
     });
@@ -110,13 +150,13 @@ void pack_weights(const Weights& weights, CharacterVertex& vertex) {
     for (size_t n = 0; n < 4; ++n) {
         float share = sum > 0 ? weights[size_t(order[n])] / sum : (n == 0 ? 1.0f : 0.0f);
         int byte = std::min(left, int(share * 255 + 0.5f));
-        vertex.joints[n] = uint8_t(order[n]);
-        vertex.weights[n] = uint8_t(byte);
+        joints[n] = uint8_t(order[n]);
+        bytes[n] = uint8_t(byte);
         left -= byte;
     }
-    vertex.weights[0] = uint8_t(vertex.weights[0] + left);
+    bytes[0] = uint8_t(bytes[0] + left);
     for (size_t n = 0; n < 4; ++n)
-        if (vertex.weights[n] == 0) vertex.joints[n] = 0;
+        if (bytes[n] == 0) joints[n] = 0;
 }
 
 }  // namespace flaneur

@@ -23,6 +23,7 @@
 #include "assets/city.h"
 #include "renderer/scene.h"
 #include "renderer/view.h"
+#include "sim/pose/trail.h"
 #include "sim/sim.h"
 
 namespace flaneur {
@@ -63,8 +64,9 @@ void extract_people(const World& world, const std::vector<Character>& characters
 
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h
-// gives them.
-void pose_character(const Character& character, float scale, const JointPose* joints,
-                    JointTransform* palette);
+// gives them. What hangs on people swings if it is told how they have moved of late (sim/pose/trail.h); else
+// it hangs as if they kept still.
+void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
+                    const Trail* trail = nullptr);
 
 }  // namespace flaneur

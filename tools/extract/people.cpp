@@ -7,6 +7,7 @@
 #include "sim/world.h"
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
+#include "tools/extract/followers.h"
 #include "tools/extract/strides.h"
 
 namespace flaneur {
@@ -22,8 +23,9 @@ PersonVertex to_vertex(const CharacterVertex& v) {
     out.normal[1] = packed(v.normal.y);
     out.normal[2] = packed(v.normal.z);
     out.normal[3] = static_cast<int8_t>(v.tint);
-    std::copy(std::begin(v.joints), std::end(v.joints), std::begin(out.joints));
-    std::copy(std::begin(v.weights), std::end(v.weights), std::begin(out.weights));
+    const bool hangs = v.hung_weights[0] > 0;
+    std::ranges::copy(hangs ? v.hung_joints : v.joints, out.joints);
+    std::ranges::copy(hangs ? v.hung_weights : v.weights, out.weights);
     out.texture = v.texture == CharacterVertex::k_no_texture ? ~0u : v.texture;
     return out;
 }
@@ -70,12 +72,23 @@ PersonMesh extract_character(const Character& character) {
     return mesh;
 }
 
-void pose_character(const Character& character, float scale, const JointPose* joints,
-                    JointTransform* palette) {
-    for (size_t j = 0; j < k_joint_count; ++j) {
-        Quat turn = joints[j].rotation * character.bind_to_canonical[j];
-        Vec3 shift = joints[j].position - rotate(turn, character.bind_joints[j] * scale);
-        palette[j] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
+                    const Trail* trail) {
+    static_assert(k_palette_joints == k_joint_count + k_follower_count);
+    auto write = [&](size_t to, const JointPose& pose, size_t bound, Vec3 place) {
+        const Quat turn = pose.rotation * character.bind_to_canonical[bound];
+        const Vec3 shift = pose.position - rotate(turn, place * scale);
+        palette[to] = {{turn.x, turn.y, turn.z, turn.w}, {shift.x, shift.y, shift.z, 0}};
+    };
+    for (size_t j = 0; j < k_joint_count; ++j) write(j, joints[j], j, character.bind_joints[j]);
+    if (!has_followers(character)) {
+        std::fill_n(palette + k_joint_count, k_follower_count, palette[hips]);
+        return;
+    }
+    const auto hanging = followers(character, scale, joints, trail);
+    for (size_t f = 0; f < hanging.size(); ++f) {
+        const Hung& hung = character.followers[f];
+        write(k_joint_count + f, hanging[f], hung.joint, hung.place);
     }
 }
 
@@ -127,9 +140,11 @@ void extract_people(const World& world, const std::vector<Character>& characters
             JointPose joints[k_joint_count];
             for (int j = 0; j < k_joint_count; ++j)
                 joints[j] = joint_between(world, i, static_cast<Joint>(j), between);
+            const Trail trail = trail_between(world, i, between);
             if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
+            // Trails do not know how a surface moves under its stage.
             pose_character(characters[crowd.identity.body[i]], crowd.identity.scale[i], joints,
-                           &frame.palette[p * k_palette_joints]);
+                           &frame.palette[p * k_palette_joints], world.roam ? nullptr : &trail);
         }
     });
 }

@@ -22,6 +22,7 @@ using Joints = std::array<JointPose, k_joint_count>;
 
 struct Walked {
     std::vector<Joints> ticks;
+    std::vector<Trail> trails;
     size_t begin = 0, end = 0;  // of the last stride: when the left foot comes down
 };
 
@@ -47,6 +48,7 @@ Walked walk_ahead(const Body& body) {
     Gait gait;
     start_gait(gait, 1, {body}, &index, &scale, root, around, k_seed, &manner);
     std::vector<PoseBlock> poses(1), before(1);
+    std::vector<TrailBlock> trails(1);
     pose_blocks(gait, 0, 1, poses);
     hold_canes(gait, 0, gait.canes.size(), poses);
     const int32_t& swinging = gait.blocks[0].feet[k_left].swinging[0];
@@ -61,6 +63,8 @@ Walked walk_ahead(const Body& body) {
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
+        advance_trails(before, poses, 0, 1, k_tick, trails, trails);
+        walked.trails.push_back(trail_of(trails, 0));
         if (was_swinging && !swinging) walked.begin = walked.end, walked.end = t;
         Joints& joints = walked.ticks.emplace_back();
         for (size_t j = 0; j < k_joint_count; ++j) joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
@@ -68,11 +72,14 @@ Walked walk_ahead(const Body& body) {
     return walked;
 }
 
-void append_pose(const Character& character, Joints joints, std::vector<JointTransform>& out) {
+// After that tick, about the body's middle.
+void append_pose(const Character& character, const Walked& walked, size_t tick,
+                 std::vector<JointTransform>& out) {
+    Joints joints = walked.ticks[tick];
     const Vec3 middle = joints[hips].position;
     for (JointPose& joint : joints) joint.position -= middle;
     out.resize(out.size() + k_palette_joints);
-    pose_character(character, 1, joints.data(), &out[out.size() - k_palette_joints]);
+    pose_character(character, 1, joints.data(), &out[out.size() - k_palette_joints], &walked.trails[tick]);
 }
 
 }  // namespace
@@ -84,9 +91,9 @@ std::vector<JointTransform> extract_strides(const Character& character) {
         const double phase = static_cast<double>(i) / k_stride_phases;
         const double tick =
             static_cast<double>(walked.begin) + phase * static_cast<double>(walked.end - walked.begin);
-        append_pose(character, walked.ticks[static_cast<size_t>(std::lround(tick))], out);
+        append_pose(character, walked, static_cast<size_t>(std::lround(tick)), out);
     }
-    append_pose(character, walked.ticks[k_stands_until - 1], out);
+    append_pose(character, walked, k_stands_until - 1, out);
     return out;
 }
 

@@ -26,7 +26,7 @@ size_t places(const Character& c, Tint tint, Counts&& counts) {
 }
 
 TEST(Worn, WhatMeetsStaysTogether) {
-    using Bound = std::array<int, 8>;
+    using Bound = std::array<int, 16>;
     for (const PersonOptions& options : draw_population(8, 1)) {
         const Character c = generate_person(options);
         std::map<std::array<float, 3>, Bound> known;
@@ -34,7 +34,10 @@ TEST(Worn, WhatMeetsStaysTogether) {
         for (uint32_t index : c.lods[0]) {
             const CharacterVertex& v = c.vertices[index];
             Bound bound;
-            for (size_t n = 0; n < 4; ++n) bound[n] = v.joints[n], bound[n + 4] = v.weights[n];
+            for (size_t n = 0; n < 4; ++n) {
+                bound[n] = v.joints[n], bound[n + 4] = v.weights[n];
+                bound[n + 8] = v.hung_joints[n], bound[n + 12] = v.hung_weights[n];
+            }
             const Vec3 p = v.position;
             apart += known.try_emplace({p.x, p.y, p.z}, bound).first->second != bound;
         }

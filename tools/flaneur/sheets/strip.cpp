@@ -40,7 +40,7 @@ FrameInput frame_of(const Take& take, const Character& character, uint64_t style
     const Instant& now = take.walk.ticks[std::min(tick, take.walk.ticks.size() - 1)];
     people.walkers.resize(1);
     people.palette.resize(k_palette_joints);
-    pose_character(character, 1, now.joints.data(), people.palette.data());
+    pose_character(character, 1, now.joints.data(), people.palette.data(), &now.trail);
     WalkerDraw& draw = people.walkers[0];
     draw.centre = to_glm(place(now, hips));
     draw.radius = k_body_sphere * character.body.height;
