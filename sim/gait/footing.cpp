@@ -162,14 +162,14 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
 }
 
 float obstacle_between(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                       const FootSize& size, float running) {
+                       const FootSize& size, float running, float pace) {
     constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
     kernel::SwingEnds<float> ends = ends_between(from, to);
     Vec2 direction = normalize_or(on_ground(to.position - from.position), {0, 1});
     float most = 0;
     for (float u : k_samples) {
         kernel::SwingTime<float> time = kernel::swing_time(u);
-        kernel::V3<float> place = kernel::swing_path(ends, time, running).place;
+        kernel::V3<float> place = kernel::swing_path(ends, time, running, pace).place;
         // The heel is high after it has left, and when it steps down.
         for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
             auto hit = under(around, ahead_by({place.x, place.y, place.z}, direction, along));

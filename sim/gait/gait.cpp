@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/gait/fits.h"
 #include "sim/gait/hands.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
@@ -20,9 +21,16 @@ float stride_length(float v, float leg) {
 
 float duty_factor(float v) { return clamp(0.603f - 0.06f * (v - 1.24f), 0.57f, 0.66f); }
 
-float run_frequency(float v, float leg) { return (1.29f + 0.023f * v) * std::sqrt(0.9f / leg); }
+float run_frequency(float v, float leg) {
+    float scale = std::sqrt(0.9f / leg);
+    return (1.27f + 0.03f * v * scale) * scale;
+}
 
-float run_duty(float v) { return clamp(0.41f - 0.03f * (v - 3.1f), 0.33f, 0.43f); }
+float run_duty(float v, float leg) {
+    float over = v * std::sqrt(0.9f / leg) - 3.1f;
+    float reach = (k_run_reach - k_run_reach_slope * over) * leg;
+    return std::min(0.391f - 0.012f * over, reach * run_frequency(v, leg) / std::max(v, 1.0f));
+}
 
 // Every row of a block is of lanes of four bytes.
 static void clear_lane(GaitBlock& block, int lane) {

@@ -11,6 +11,7 @@
 #define FLANEUR_SIM_GAIT_RISE_INL_H
 #endif
 
+#include "sim/base/math.h"
 #include "sim/gait/curves-inl.h"
 #include "sim/gait/fits.h"
 
@@ -38,6 +39,21 @@ HWY_INLINE T pelvis_rise(T step, T over, T amplitude, T climb, SinCosOf<T> twice
     T drop = T(k_sink) + T(k_sink_step) * step * step;
     return (path * (T(2.0f) - amplitude) * (T(1.0f) - T(k_uphill) * climb) - drop) * amplitude -
            T(k_stand) * (T(1.0f) - amplitude);
+}
+
+// Metres by which the hips are below where they are at contact and at toe-off, `share` of a step after
+// contact, which takes `step` seconds and in which a foot stands `duty` of its cycle.
+//
+// In flight they fall freely. On the ground the path is -a q - b q^2 with q = 4s(1 - s), s the share of
+// stance: it goes on at the speed of the flight, and the push of the leg rises from contact to the middle of
+// stance and falls again as a parabola.
+template <class T>
+HWY_INLINE T run_drop(T share, T step, T duty) {
+    T stance = min(duty + duty, T(1.0f)), stands = stance * step, flies = step - stands;
+    T s = min(share / stance, T(1.0f)), q = T(4.0f) * s * (T(1.0f) - s);
+    T on_ground = q * stands * T(k_gravity) * (flies * T(0.125f) + T(k_run_give) * stands * q);
+    T t = max(share - stance, T(0.0f)) * step;
+    return on_ground - T(0.5f * k_gravity) * t * (flies - t);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

@@ -22,9 +22,12 @@ static constexpr float k_lost = 1.3f;           // legs; one farther than this i
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
+static constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
+static constexpr float k_turning = 3.2f;              // and shares of it a second
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
 static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
+static constexpr float k_least_swing = 0.7f;                  // likewise
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
@@ -42,16 +45,39 @@ float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
 
 void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
 
+// A walk becomes a run, and a run a walk, over a foot that has just come down: the body that would have
+// vaulted over it sinks and leaves the ground, or the other way round.
+void advance_running(GaitBlock& g, int lane, float froude, float dt) {
+    float& running = g.running[lane];
+    bool runs = froude > (running > 0.5f ? k_walk : k_run);
+    auto landed = [&](const FootBlock& foot) {
+        return !foot.swinging[lane] && foot.phase[lane] < k_turns_within;
+    };
+    bool under_way = running > 0 && running < 1;
+    if (under_way || landed(g.feet[k_left]) || landed(g.feet[k_right]))
+        approach(running, runs ? 1.0f : 0.0f, k_turning * dt);
+}
+
+// A foot in the air keeps its share of the swing as the duty changes from what it was.
+void keep_swings(GaitBlock& g, int lane, float was) {
+    float stretch = (1 - g.duty[lane]) / (1 - was);
+    for (FootBlock& foot : g.feet) {
+        if (foot.swinging[lane]) foot.phase[lane] = 1 - (1 - foot.phase[lane]) * stretch;
+    }
+}
+
 // Speed's slow followers: how much of a walk, of a run and which way; and what bodies lean into.
 void advance_manner(GaitBlock& g, const Stepper& s, float speed) {
     int lane = s.lane;
     approach(g.amplitude[lane], smoothstep(0.1f, 0.85f, speed), 2.6f * s.dt);
     float froude = speed * speed / (k_gravity * s.leg_length);
-    approach(g.running[lane], froude > (g.running[lane] > 0.5f ? k_walk : k_run) ? 1.0f : 0.0f, 2 * s.dt);
+    advance_running(g, lane, froude, s.dt);
     approach(g.pace[lane], std::sqrt(froude), 0.9f * s.dt);
-    approach(g.step[lane], speed / (2 * s.leg_length * g.frequency[lane]), 1.2f * s.dt);
-    float duty = lerp(duty_factor(speed), run_duty(speed), g.running[lane]);
+    approach(g.step[lane], speed / (2 * s.leg_length * g.frequency[lane]),
+             lerp(1.2f, 4.0f, g.running[lane]) * s.dt);
+    float duty = lerp(duty_factor(speed), run_duty(speed, s.leg_length), g.running[lane]), was = g.duty[lane];
     approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
+    if (g.running[lane] > 0) keep_swings(g, lane, was);
     float forward = dot(s.velocity, s.facing);
     float drive = clamp((forward - g.forward[lane]) / (k_gravity * s.dt), -0.3f, 0.3f);
     g.forward[lane] = forward;
@@ -152,7 +178,7 @@ float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s)
     if (step_between(get_place(foot.from, lane), goal) < -k_drop) return 1;
     Vec3 n = goal.normal;
     float grade = -(n.x * s.facing.x + n.z * s.facing.z) / std::max(n.y, 0.2f);
-    return std::max(0.6f * g.running[lane], smoothstep(k_steep_0, k_steep_1, grade));
+    return smoothstep(k_steep_0, k_steep_1, grade);
 }
 
 void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
@@ -165,13 +191,20 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
     float reach = std::min(k_out_of_reach * s.leg_length, 0.08f + 0.7f * duty * stride);
     // And this far when the other one lands, at most.
     float behind_at_contact = (0.5f - k_lead * k_norm_duty) * stride + k_late;
+    const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     // A swing hurries to be down by then.
     auto swing_rate = [&](Side side, float phase) {
-        if (g.running[lane] > 0 || g.feet[1 - side].swinging[lane]) return f;
+        if (g.running[lane] > 0) {
+            // Half a cycle from the other foot's contact, and just with a tick.
+            float behind = wrap_difference(phases[1 - side] + 0.5f - phases[side]), rest = 1.1f - phase;
+            float rate = f * clamp(rest / std::max(rest - behind, 0.02f), k_least_swing, k_hasty_swing);
+            float ticks = std::max(std::ceil((1 - phase) / (rate * s.dt) - 0.35f), 1.0f);
+            return 1.0001f * (1 - phase) / (ticks * s.dt);
+        }
+        if (g.feet[1 - side].swinging[lane]) return f;
         float left = std::max(behind_at_contact - off[1 - side].behind, 0.01f);
         return clamp((1 - phase) * speed / left, f, k_hasty_swing * f);
     };
-    const float phases[2] = {g.feet[k_left].phase[lane], g.feet[k_right].phase[lane]};
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];

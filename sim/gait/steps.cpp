@@ -11,10 +11,9 @@ namespace flaneur {
 static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
 static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
-static constexpr float k_run_lead = 0.34f;      // the same of a run
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
-static constexpr float k_apart = 0.75f;         // of the step width, at least, between the lines of both feet
-static constexpr float k_longest_step = 1.15f;  // legs, from the other foot
+static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
+static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
 static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
@@ -108,7 +107,8 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
     if (missing > 0) apart += outward * missing;
     float step = length(apart);
-    float longest = s.leg_length * lerp(k_longest_step, 1.6f, g.flight[s.lane] > 0 ? 1 : g.running[s.lane]);
+    float longest = g.flight[s.lane] > 0 ? 1.6f : lerp(k_longest_step, k_longest_run_step, g.running[s.lane]);
+    longest *= s.leg_length;
     if (alone && step > longest) apart = apart * (longest / step);
     place.position.x = there.x + apart.x;
     place.position.z = there.z + apart.z;
@@ -212,8 +212,9 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     set_place(foot.goal, s.lane, landing);
     if (leaves) foot.obstacle[s.lane] = 0;
     if (leaves || footing.stepped) {
-        foot.obstacle[s.lane] = std::max(foot.obstacle[s.lane],
-                                         obstacle_between(s.around, from, landing, size, g.running[s.lane]));
+        foot.obstacle[s.lane] =
+            std::max(foot.obstacle[s.lane],
+                     obstacle_between(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane]));
     }
     return true;
 }

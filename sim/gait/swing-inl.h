@@ -45,6 +45,50 @@ struct SwingPath {
     T step;      // metres by which the landing lies above the slope at the place left
 };
 
+// A run, whose swing folds the leg behind the body. Lengths grow with the leg; `pace` is as in GaitBlock.
+
+// A number at a pace of 1, and what a pace faster by 1 adds to it.
+template <class T>
+HWY_INLINE T at_pace(const RunFit& fit, T faster) {
+    return T(fit.value) + T(fit.faster) * faster;
+}
+
+// What a run adds to the progress of a swing, r = 1 - u.
+template <class T>
+HWY_INLINE T run_progress(T u, T r, T pace) {
+    T f = pace - T(1.0f), u2 = u * u;
+    return u2 * r *
+           (at_pace(k_run_progress[0], f) * r * r +
+            (at_pace(k_run_progress[1], f) + at_pace(k_run_progress[2], f) * u2) * u * r +
+            at_pace(k_run_progress[3], f) * u);
+}
+
+// Legs between the lowest point of a swinging foot and the ground.
+template <class T>
+HWY_INLINE T run_clearance(T u, T r, T pace) {
+    T f = pace - T(1.0f), r2 = r * r;
+    return u * r *
+           ((at_pace(k_run_clear[0], f) + at_pace(k_run_clear[1], f) * u +
+             at_pace(k_run_clear[2], f) * u * u) *
+                r2 +
+            at_pace(k_run_clear[3], f) * u + at_pace(k_run_clear[4], f) * u * u * u * r);
+}
+
+// The pitch of a foot, toes up +, radians: a share `stands` of its time on the ground has passed (1 in the
+// swing), and u of its swing.
+template <class T>
+HWY_INLINE T run_pitch(T stands, T u, T pace, T reach) {
+    T one = T(1.0f), r = one - u, f = pace - one, u2 = u * u;
+    T leaves = max(stands - T(k_run_heel_off), T(0.0f)) * T(1 / (1 - k_run_heel_off));
+    T lands = smoothstep(u);
+    T off = (T(k_run_push) + T(k_run_push_reach) * reach) * (one - lands);
+    T heel_first = T(k_run_contact) * (one - smoothstep(T(0.0f), T(k_run_flat), stands) + lands);
+    return heel_first - off * leaves * leaves * (T(1 + k_run_push_late) - T(k_run_push_late) * leaves) +
+           u * r * r *
+               (at_pace(k_run_swing_pitch[0], f) * r + at_pace(k_run_swing_pitch[1], f) * u +
+                at_pace(k_run_swing_pitch[2], f) * u2 + at_pace(k_run_swing_pitch[3], f) * u2 * u2);
+}
+
 // Metres by which the landing lies above the slope at the place left, which rises by -(nx x + nz z) / ny over
 // the way (x, z); 1 / ny is 1 + (nx^2 + nz^2) / 2 to second order, with the mean of both normals.
 template <class T>
@@ -56,16 +100,17 @@ HWY_INLINE T step_between(const SwingEnds<T>& ends) {
 }
 
 // Over even ground the foot follows its slope, at the progress 3u^2 - 2u^3, less what the fits take off and
-// with what a run adds. What the slope does not explain is a step, with h metres to climb: a foot climbs
-// before it goes on, so that its toes pass the edges, and goes on before it comes down, so that its heel
-// does. Down is up played backwards.
+// with what a run adds at this pace. What the slope does not explain is a step, with h metres to climb: a
+// foot climbs before it goes on, so that its toes pass the edges, and goes on before it comes down, so that
+// its heel does. Down is up played backwards.
 template <class T>
-HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>& time, T running) {
+HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>& time, T running, T pace) {
     T one = T(1.0f), u = time.u, rest = time.rest;
     const V3<T>& far = ends.far;
     T progress =
         smoothstep(u) - T(k_progress_late) * time.product2 * (u * u) * (u * u) - T(k_progress_hop) * time.hop;
-    progress = progress + running * T(k_run_progress) * u * rest * rest * rest;
+    if (any(running > T(0.0f)))
+        progress = select(running > T(0.0f), progress + running * run_progress(u, rest, pace), progress);
     T climbed = progress;
 
     T step = step_between(ends);

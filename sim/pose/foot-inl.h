@@ -45,7 +45,8 @@ template <class T>
 struct WalkNow {
     T duty, over_duty, over_swing;  // duty; its norm's share over it; the same of the swing
     T amplitude, ahead, running, lift;
-    T over;  // how much faster than a natural pace, see rise-inl.h
+    T over;              // how much faster than a natural pace, see rise-inl.h
+    T leg, pace, reach;  // of a run, see swing-inl.h
 };
 
 // Where a foot is in its cycle and in its swing.
@@ -130,10 +131,9 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
         pitch = select(lets_down, pitch - tiptoe * T(k_tiptoe), pitch);
     }
     if (any(walk.running > zero)) {
-        T more = walk.running * T(k_run_heel) *
-                 select(time.planted, smoothstep(T(0.26f), T(k_norm_toe_off), norm),
-                        one - smoothstep(zero, T(0.7f), time.swing.u));
-        pitch = select(walk.running > zero, pitch - more, pitch);
+        T stands = select(time.planted, norm * T(1 / k_norm_toe_off), one);
+        T run = run_pitch(stands, time.swing.u, walk.pace, walk.reach) * walk.ahead;
+        pitch = select(walk.running > zero, lerp(pitch, run, walk.running), pitch);
     }
     return lerp(pitch, T(k_forefoot_pitch), landing);
 }
@@ -142,15 +142,14 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
 template <class T>
 HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) {
     T u = swing.u, rest = swing.rest;
-    T clearance =
-        lerp(swing.hop * T(0.05f),
-             (T(k_clear_early) * (T(1.0f) + T(k_clear_pace) * walk.over) + T(k_heel_kick) * walk.running) *
-                     swing.product2 * rest * rest * rest +
-                 T(k_clear) * swing.hop,
-             walk.amplitude);
+    T clearance = lerp(
+        swing.hop * T(0.05f),
+        T(k_clear_early) * (T(1.0f) + T(k_clear_pace) * walk.over) * swing.product2 * rest * rest * rest +
+            T(k_clear) * swing.hop,
+        walk.amplitude);
     if (!any(walk.running > T(0.0f))) return clearance;
-    T rising = u * rest * rest * rest * rest * T(k_run_rise), falling = u * u * rest * T(k_run_fall);
-    return select(walk.running > T(0.0f), clearance + walk.running * (rising + falling), clearance);
+    T run = run_clearance(u, rest, walk.pace) * walk.leg;
+    return select(walk.running > T(0.0f), lerp(clearance, run, walk.running), clearance);
 }
 
 // Sets turns and ankle of a foot with this pitch whose lowest point, among heel, ball and tip of the toes, is
@@ -201,7 +200,7 @@ HWY_INLINE SwingEnds<T> swing_ends(const FootPlaces& from, const FootPlaces& to,
 
 // How far the leg of this foot may be from what its place asks for; see Foot.
 template <class T>
-HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot) {
+HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot, T running) {
     T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
     out.swings = select(time.planted, zero, one);
     out.leaving = select(time.planted, smoothstep(T(0.38f), T(0.55f), time.norm), zero);
@@ -209,11 +208,11 @@ HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot) {
     out.rolls = select(time.planted & (out.half.sine > T(-1e-3f)), max(forefoot, since_flat), zero);
     out.give = select(time.planted, zero,
                       T(k_give) * smoothstep(zero, T(0.15f), u) * (one - smoothstep(T(0.7f), T(0.92f), u)));
-    // Let go little by little, and bound again before it lands.
+    // Let go little by little, and bound again before it lands; in a run, as it lands.
     T free = T(k_landing_slack) * (one - smoothstep(T(k_landing), one, u)) +
              T(0.3f) * (one - smoothstep(T(0.5f), T(k_landing), u));
     out.slack = select(time.planted, out.leaving * T(k_leaving_slack),
-                       lerp(T(k_leaving_slack), free, smoothstep(zero, T(0.35f), u)));
+                       lerp(T(k_leaving_slack), free, smoothstep(zero, T(0.35f), u)) + running * T(0.3f));
 }
 
 // Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
@@ -231,7 +230,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Foot<T> out;
     pitch_foot(out, time, size, pitch, landing, clearance);
     SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
-    SwingPath<T> path = swing_path(ends, time.swing, walk.running);
+    SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
     // Up a step, knees rise high; down, the way itself is clear of the ground left.
     if (any(path.steep > T(0.0f)))
         out.ankle_up = out.ankle_up - select(path.step > T(0.0f), time.swing.hop * path.steep * T(-0.02f),
@@ -245,7 +244,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Axes<T> axes_ws = axes_of(out.flat_ws);
     out.up_ws = axes_ws.y;
     out.ahead_ws = axes_ws.z;
-    bind_leg(out, time, forefoot);
+    bind_leg(out, time, forefoot, walk.running);
     return out;
 }
 

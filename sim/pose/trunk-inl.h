@@ -172,13 +172,13 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     ArmSwing<T> swing{
         {trunk.amplitude * at<T>(p.arm_swing[k_left] + lane),
          trunk.amplitude * at<T>(p.arm_swing[k_right] + lane)},
-        max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)),
+        max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)) + trunk.running * T(k_run_arms),
         clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
         at<T>(p.elbow + lane) + lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude),
                                      T(k_run_elbow), trunk.running),
         at<T>(p.stoop + lane),
         smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
-        doubled(sin_cos_half(at<T>(p.carriage + lane)))};
+        doubled(sin_cos_half(at<T>(p.carriage + lane) + trunk.running * T(k_run_carriage)))};
     Axes<T> chest = axes_of(chest_ws);
     V3<T> to_clavicle_ws = chest.y * (clavicle_ms.y - chest_ms.y) + chest.z * (clavicle_ms.z - chest_ms.z);
     V3<T> to_shoulder_ws = chest.y * (shoulder_ms.y - chest_ms.y) + chest.z * (shoulder_ms.z - chest_ms.z);

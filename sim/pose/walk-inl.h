@@ -27,20 +27,29 @@ struct Pelvis {
 // How high the pelvis wants to be, metres.
 template <class T>
 struct Height {
-    T walk;    // of one who walks or stands
-    T bounce;  // of a run: up in flight, down in stance
+    T walk;  // of one who walks or stands
+    T drop;  // of a run, see swing-inl.h
     T crouch;
 };
 
-// The pelvis goes its own smooth way, as far as legs reach.
+// Metres of the hip over the ground as a runner's foot comes down on its heel ahead of it.
 //
 // With thigh u, shank l and a knee flexed by k, hip and ankle are d = sqrt(u^2 + l^2 + 2 u l cos k) apart,
 // and the hip stands sqrt(d^2 - flat^2) above the ankle, where flat is what lies between them along the
 // ground.
 template <class T>
+HWY_INLINE T contact_height(const FootSizes<T>& foot, const LimbSizes<T>& leg, const WalkNow<T>& walk) {
+    T flat = walk.reach * walk.leg * T(k_run_lead) - foot.ankle * T(k_run_contact_sine);
+    T knee = T(k_run_knee_cosine) - T(k_run_knee_pace) * abs(walk.pace - T(1.15f));
+    T d2 = leg.upper * leg.upper + leg.lower * leg.lower + T(2.0f) * leg.upper * leg.lower * knee;
+    return sqrt(max(d2 - flat * flat, d2 * T(0.5f))) + foot.ankle * T(k_run_contact_cosine) +
+           foot.heel * T(k_run_contact_sine);
+}
+
+// The pelvis goes its own smooth way, as far as legs reach.
+template <class T>
 HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSizes<T>& foot_size,
                              const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height) {
-    T squares = leg.upper * leg.upper + leg.lower * leg.lower, product = T(2.0f) * leg.upper * leg.lower;
     T least = leg.upper * leg.upper * T(0.8f);
     T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
     T wanted = height.walk, limits[2];
@@ -54,8 +63,8 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
         limits[side] = sqrt(max(full2 - flat2, least)) + ankle_os.y - hip_up;
     }
     if (any(walk.running > T(0.0f))) {
-        T run = sqrt(squares + product * T(k_run_knee_cosine)) - pelvis.to_hip_ws[k_left].y + foot_size.ankle;
-        wanted = lerp(wanted, run + height.bounce, walk.running);
+        T run = contact_height(foot_size, leg, walk) - pelvis.to_hip_ws[k_left].y - height.drop;
+        wanted = lerp(wanted, run, walk.running);
     }
     // Never so high that a planted leg would be stretched, rounded so that the knee does not snap straight;
     // but a leg about to leave may be: its heel gives.
@@ -85,7 +94,7 @@ HWY_INLINE V3<T> within_reach(V3<T> to_ankle, const LimbSizes<T>& leg, T give) {
 }
 
 template <class T>
-HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane) {
+HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane, T leg) {
     T one = T(1.0f);
     WalkNow<T> walk;
     walk.duty = at<T>(g.duty + lane);
@@ -96,6 +105,9 @@ HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane) {
     walk.running = at<T>(g.running + lane);
     walk.over = over_natural(at<T>(g.pace + lane)) * (one - walk.running);
     walk.lift = at<T>(g.lift + lane);
+    walk.pace = at<T>(g.pace + lane);
+    walk.reach = T(2.0f) * walk.duty * at<T>(g.step + lane);
+    walk.leg = leg;
     return walk;
 }
 
@@ -108,8 +120,9 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     T stands = (T(1.0f) - walk.amplitude) * (T(1.0f) - walk.amplitude);
     T idle = (at<T>(g.load + lane) - T(0.5f)) * stands;
     PelvisCurves<T> curves;
-    curves.list =
-        curve_at(k_norm_pelvic_list, cycle) * share * (T(1.0f) + T(1.2f) * walk.over) + idle * T(k_idle_list);
+    curves.list = curve_at(k_norm_pelvic_list, cycle) * share *
+                      (T(1.0f) + T(1.2f) * walk.over + T(0.25f) * walk.running) +
+                  idle * T(k_idle_list);
     T turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
     curves.turn = turn * clamp(T(0.97f) + T(2.6f) * walk.over, T(0.6f), T(1.35f));
     curves.twist = turn * T(k_chest_turn);
@@ -118,7 +131,8 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
         idle * T(k_idle_sway);
     curves.aside = at<T>(g.tilt_aside + lane) * stands;
-    curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude;
+    curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude *
+                   (T(1.0f) - walk.running);
     curves.nod = curves.surge * T(-k_nod);
     T tilt = at<T>(g.tilt_ahead + lane) * stands;
     curves.surge = curves.surge + tilt;
@@ -155,11 +169,13 @@ HWY_INLINE Height<T> pelvis_height(const GaitBlock& g, const PersonBlock& p, siz
     height.walk = upright + leg * pelvis_rise(at<T>(g.step + lane), walk.over, walk.amplitude,
                                               clamp(at<T>(g.rise + lane), T(0.0f), T(k_steepest)),
                                               SinCosOf<T>{cycle.sine[1], cycle.cosine[1]});
-    height.crouch = at<T>(g.crouch + lane) + at<T>(p.crouch + lane) + at<T>(g.sink + lane);
-    // -cos 2(a - pi duty), a = 2 pi phase: lowest when half the time on the ground is over.
-    SinCosOf<T> middle_of_stance = doubled(doubled(sin_cos_half(walk.duty * T(k_pi))));
-    height.bounce = (cycle.cosine[1] * middle_of_stance.cosine + cycle.sine[1] * middle_of_stance.sine) *
-                    T(0.0f - k_bounce);
+    height.crouch =
+        at<T>(g.crouch + lane) + at<T>(p.crouch + lane) + at<T>(g.sink + lane) * (T(1.0f) - walk.running);
+    height.drop = T(0.0f);
+    if (any(walk.running > T(0.0f))) {
+        T half = at<T>(g.phase + lane) * T(2.0f), step = T(0.5f) / at<T>(g.frequency + lane);
+        height.drop = run_drop(select(half < T(1.0f), half, half - T(1.0f)), step, walk.duty);
+    }
     return height;
 }
 
@@ -209,7 +225,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
                            at<T>(p.joints[left_toes][2] + lane) - at<T>(p.joints[left_foot][2] + lane),
                            at<T>(p.joints[left_toes][1] + lane), at<T>(p.heel + lane), at<T>(p.toe + lane)};
 
-    WalkNow<T> walk = walk_now<T>(g, lane);
+    WalkNow<T> walk = walk_now<T>(g, lane, hip_ms.y);
     // The ground on which the pelvis rides, below the root.
     V3<T> origin_ws{at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
     store_place(origin_ws, out.origin, lane);

@@ -39,8 +39,10 @@ double speed_of(const GaitOptions& gait) {
 
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
-    for (double other : {0.95, 1.5, 0.6, 3.1}) reports.push_back(try_level(person, other, gait.seconds));
+    for (double other : {0.95, 1.5, 0.6, 2.2, 2.6, 3.1, 4.0, 5.0})
+        reports.push_back(try_level(person, other, gait.seconds));
     reports.push_back(try_gaits(person));
+    reports.push_back(try_change(person, speed));
     reports.push_back(try_turn(person, speed, 180));
     reports.push_back(try_bends(person, speed));
     for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));

@@ -21,19 +21,21 @@ SwingEnds<float> ends_of(const FootPlace& from, const FootPlace& to) {
 }
 
 TEST(Swing, GoesFromPlaceToPlaceAndOnlyAhead) {
-    for (float running : {0.0f, 1.0f}) {
+    for (float pace : {0.0f, 0.7f, 1.0f, 1.7f}) {
+        float running = pace > 0 ? 1.0f : 0.0f;
         for (float rise : {-0.3f, 0.0f, 0.02f, 0.15f, 0.4f}) {
             SwingEnds<float> ends = ends_of({{1, 2, 3}}, {{1.4f, 2 + rise, 4}});
             float before = 0;
             for (int k = 0; k <= 100; ++k) {
-                SwingPath<float> path = swing_path(ends, swing_time(static_cast<float>(k) / 100), running);
-                ASSERT_GE(path.progress, before - 1e-5f) << rise << " " << k;
+                SwingPath<float> path =
+                    swing_path(ends, swing_time(static_cast<float>(k) / 100), running, pace);
+                ASSERT_GE(path.progress, before - 1e-5f) << rise << " " << k << " " << pace;
                 before = path.progress;
                 ASSERT_GE(path.place.y, 2 + std::min(rise, 0.0f) - 1e-5f);
                 ASSERT_LE(path.place.y, 2 + std::max(rise, 0.0f) + 1e-5f);
             }
-            SwingPath<float> first = swing_path(ends, swing_time(0.0f), running);
-            SwingPath<float> last = swing_path(ends, swing_time(1.0f), running);
+            SwingPath<float> first = swing_path(ends, swing_time(0.0f), running, pace);
+            SwingPath<float> last = swing_path(ends, swing_time(1.0f), running, pace);
             EXPECT_NEAR(first.place.z, 3, 1e-5f);
             EXPECT_NEAR(last.place.x, 1.4f, 1e-5f);
             EXPECT_NEAR(last.place.y, 2 + rise, 1e-5f);
@@ -44,9 +46,9 @@ TEST(Swing, GoesFromPlaceToPlaceAndOnlyAhead) {
 TEST(Swing, ClimbsBeforeItGoesOnAndGoesOnBeforeItComesDown) {
     SwingEnds<float> up = ends_of({{0, 0, 0}}, {{0, 0.3f, 0.6f}}),
                      down = ends_of({{0, 0.3f, 0}}, {{0, 0, 0.6f}});
-    SwingPath<float> early = swing_path(up, swing_time(0.4f), 0.0f);
+    SwingPath<float> early = swing_path(up, swing_time(0.4f), 0.0f, 1.0f);
     EXPECT_GT(early.place.y / 0.3f, early.progress + 0.3f);
-    SwingPath<float> late = swing_path(down, swing_time(0.6f), 0.0f);
+    SwingPath<float> late = swing_path(down, swing_time(0.6f), 0.0f, 1.0f);
     EXPECT_GT(late.place.y / 0.3f, 1 - late.progress + 0.3f);
 }
 
@@ -67,10 +69,11 @@ TEST(Swing, IsPlannedOnTheWayThatThePoseTakes) {
         float lifts[2];
         for (int runs = 0; runs < 2; ++runs) {
             float running = static_cast<float>(runs);
-            float lift = lifts[runs] = obstacle_between(surroundings_of(ground), from, to, size, running);
+            float lift = lifts[runs] =
+                obstacle_between(surroundings_of(ground), from, to, size, running, 1.0f);
             for (float u : {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f}) {
                 SwingTime<float> time = swing_time(u);
-                SwingPath<float> path = swing_path(ends_of(from, to), time, running);
+                SwingPath<float> path = swing_path(ends_of(from, to), time, running, 1.0f);
                 float tip = path.place.z + size.tip;
                 if (tip < z - 0.03f || tip > z + 0.03f) continue;
                 ASSERT_GE(path.place.y + lift * time.hop, k_height - 1e-4f) << beam << " " << u;

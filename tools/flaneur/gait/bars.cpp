@@ -117,14 +117,24 @@ constexpr Bar k_rough_contact[] = {
     {"float.mm", -k_open, 5, 0, k_rigid},
     {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
 };
-// At 3.1 m/s.
-constexpr Bar k_run[] = {
-    {"cadence.spm", 140, 170, 0, "155 at 3.1 m/s, CMU motion capture"},
-    {"stance.pct", 38, 48, 0, "43 at 3.1 m/s, CMU motion capture"},
-    {"knee_swing_peak.deg", 84, 104, 0, "94 at 3.1 m/s, CMU motion capture"},
-    {"elbow.mean", 91, 121, 0, "106 at 3.1 m/s, CMU motion capture"},
+// Of runs, for a leg of k_run_leg metres: 43 %, 94 degrees and 155 steps a minute at 3.1 m/s are of CMU
+// motion capture.
+constexpr double k_run_leg = 0.94;
+constexpr const char* k_runs = "CMU motion capture, Novacheck 1998, Fukuchi 2017";
+constexpr SpeedBar k_run_by_speed[] = {
+    {"cadence.spm", {2.2, 3.1, 5}, {152, 155, 170}, 0.097, true, k_runs},
+    {"stance.pct", {2.2, 3.1, 5}, {44, 43, 29}, 5, false, k_runs},
+    {"knee_swing_peak.deg", {2.2, 3.1, 5}, {80, 94, 115}, 10, false, k_runs},
 };
 constexpr Bar k_any_run[] = {
+    {"knee_contact.deg", 10, 30, 0, "20; Novacheck 1998"},
+    {"knee_loading_peak.deg", 36, 54, 0, "45; Novacheck 1998"},
+    {"knee_toe_off.deg", 10, 30, 0, "15 to 25; Novacheck 1998"},
+    {"pelvis_low.of_stance", 0.38, 0.62, 0, "a spring and a mass; McMahon & Cheng 1990"},
+    {"flight_fall.m_s2", 8.8, 10.8, 0, "free fall"},
+    {"stance_fall.m_s2", -k_open, 9.81, 0, "free fall, by the mean of three ticks"},
+    {"elbow.mean", 91, 121, 0, "106 at 3.1 m/s, CMU motion capture"},
+    {"trunk_lean.deg", 3, 12, 0, "5 to 8; Novacheck 1998"},
     {"double_support.pct", -k_open, 0, 0, "a run has flight"},
     {"stance_drift.mm", 0, 3, 0, k_rigid},
     {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
@@ -165,6 +175,16 @@ constexpr Bar k_crowd[] = {
     {"spread_ankle.deg", 2, 5.9, 0, "3.9; Winter 1991, Fukuchi 2018"},
     {"spread_speed.m_s", 0.1, 0.35, 0, "0.94 to 1.43 m/s by age and sex; Bohannon & Andrews 2011"},
 };
+// From a walk to a run and back.
+constexpr Bar k_change[] = {
+    {"both_knees.deg", 0, 60, 0, "nobody squats on the way"},
+    {"between.steps", 0, 2, 0, "one step each way; Segers 2007"},
+    {"stance_drift.mm", 0, 3, 0, k_rigid},
+    {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
+    {"penetration.mm", -k_open, 5, 0, k_rigid},
+    {"float.mm", -k_open, 5, 0, k_rigid},
+    {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
+};
 constexpr Bar k_gaits[] = {{"run_from.m_s", 1.9, 2.3, 0, "Froude number 0.5"}};
 
 Bar at_speed(const SpeedBar& b, double speed) {
@@ -185,7 +205,10 @@ void add(std::vector<Bar>& bars, const Bar (&more)[N]) {
 std::vector<Bar> level_bars(double speed, double leg) {
     std::vector<Bar> bars;
     if (speed * speed / (static_cast<double>(k_gravity) * leg) > k_run_froude) {
-        if (speed > 2.8 && speed < 3.4) add(bars, k_run);
+        double slower = std::sqrt(k_run_leg / leg);
+        for (const SpeedBar& b : k_run_by_speed) bars.push_back(at_speed(b, speed * slower));
+        bars[0].low *= slower, bars[0].high *= slower;  // the cadence
+        bars.push_back({"pelvis_vertical.mm", 64 * leg, 117 * leg, 0, "60 to 110; Novacheck 1998"});
         add(bars, k_any_run);
         return bars;
     }
@@ -243,6 +266,12 @@ std::vector<Bar> bends_bars() {
 std::vector<Bar> gaits_bars() {
     std::vector<Bar> bars;
     add(bars, k_gaits);
+    return bars;
+}
+
+std::vector<Bar> change_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_change);
     return bars;
 }
 

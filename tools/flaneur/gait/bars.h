@@ -28,6 +28,7 @@ std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
 std::vector<Bar> bends_bars();
 std::vector<Bar> gaits_bars();
+std::vector<Bar> change_bars();
 std::vector<Bar> crowd_bars();
 
 struct Verdict {

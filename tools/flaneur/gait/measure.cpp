@@ -171,6 +171,8 @@ void measure_timing(const Walk& walk, const std::vector<MeasuredStride>& all, co
     q.push_back({"step_width.m", width / n});
     q.push_back({"toe_out.deg", out / n});
 
+    q.push_back({"knee_toe_off.deg", c.knee[static_cast<size_t>(std::lround(100 * stance / n))]});
+
     // The toe's low point in mid-swing: lowest after the hump that follows toe-off.
     Peak hump = highest(c.toe_height, static_cast<int>(100 * stance / n), 84);
     Peak low = lowest(c.toe_height, static_cast<int>(hump.percent) + 1, 92);
@@ -193,6 +195,7 @@ void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, con
     for (size_t p = 0; p < half.size(); ++p)
         half[p] = (c.pelvis_height[p % 100] + c.pelvis_height[(p + 50) % 100]) / 2;
     q.push_back({"pelvis_low.pct", lowest(half, -20, 24).percent});
+    q.push_back({"pelvis_low.of_stance", lowest(half, -20, 24).percent / value_of(q, "stance.pct")});
     q.push_back({"pelvis_high.pct", highest(half, 10, 45).percent});
     q.push_back(
         {"trunk_pelvis.deg", phase_between(harmonic(c.pelvis_rotation, 1), harmonic(c.trunk_rotation, 1))});

@@ -10,6 +10,7 @@
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/contact.h"
 #include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/running.h"
 #include "tools/flaneur/gait/transients.h"
 
 namespace flaneur {
@@ -65,6 +66,7 @@ Report try_level(const Person& person, double speed, double seconds) {
     Walk w = walk(flat_ground(speed, seconds), person, seconds,
                   [&](double t) { return onward(t >= k_stand && t < stop ? speed : 0); });
     Report r = steady(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
+    append(r.quantities, measure_fall(w, tick_at(w, k_stand + k_settle), tick_at(w, stop)));
     append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
     append(r.quantities, measure_stop(w, tick_at(w, stop)));
     append(r.quantities, measure_body(w, tick_at(w, k_stand)));
@@ -184,6 +186,22 @@ Report try_kerb(const Person& person, double speed, double height) {
     r.name = "kerb";
     r.title = text("A kerb of %.2f m up and down, %.2f m/s", height, speed);
     return finished(std::move(r), kerb_bars());
+}
+
+Report try_change(const Person& person, double speed) {
+    constexpr double k_faster = k_stand + k_settle, k_slower = k_faster + 6, k_seconds = k_slower + 5;
+    double leg = static_cast<double>(leg_length(person.body)), run = 3.1 * std::sqrt(leg / 0.9);
+    Walk w = walk(flat_ground(run, k_seconds), person, k_seconds, [&](double t) {
+        return onward(t < k_stand ? 0 : t > k_faster && t < k_slower ? run : speed);
+    });
+    Report r;
+    r.poses = w.hash;
+    r.name = "change";
+    r.title = text("From a walk at %.2f m/s to a run at %.2f m/s and back", speed, run);
+    r.quantities = measure_change(w, tick_at(w, k_faster), w.ticks.size());
+    append(r.quantities, measure_contact(w, strides(w, tick_at(w, k_faster), w.ticks.size())));
+    append(r.quantities, measure_body(w, tick_at(w, k_faster)));
+    return finished(std::move(r), change_bars());
 }
 
 Report try_gaits(const Person& person) {

@@ -276,7 +276,7 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
             ->group(group);
     };
     constexpr const char *k_who = "Who", *k_where = "Where";
-    number(k_who, "--speed", gait.speed, 0.3, 4, "M/S", "How fast; without it, as fast as such people like");
+    number(k_who, "--speed", gait.speed, 0.3, 5, "M/S", "How fast; without it, as fast as such people like");
     number(k_who, "--height", gait.height, 0.8, 2.3, "M", "How tall; without it, as tall as such people are");
     add_parsed(*command, "--sex", parse_sex, gait.sex, "woman or man", "SEX", "man")->group(k_who);
     number(k_who, "--age", gait.age, 4, 100, "YEARS", "How old", "30");
