@@ -179,6 +179,8 @@ constexpr Bar k_crowd[] = {
 constexpr Bar k_change[] = {
     {"both_knees.deg", 0, 60, 0, "nobody squats on the way"},
     {"between.steps", 0, 2, 0, "one step each way; Segers 2007"},
+    {"pelvis_fall.m_s2", 0, 20, 0, "twice free fall in one tick: no knock"},
+    {"joint_speed.deg_s", 0, 1250, 0, "as fast as legs are let"},
     {"stance_drift.mm", 0, 3, 0, k_rigid},
     {"slip_speed_p99.m_s", 0, 0.05, 0, k_rigid},
     {"penetration.mm", -k_open, 5, 0, k_rigid},
