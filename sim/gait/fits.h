@@ -91,8 +91,9 @@ inline constexpr float k_run_contact = 0.157f, k_run_contact_sine = 0.1564f, k_r
 inline constexpr float k_run_flat = 0.2f, k_run_heel_off = 0.46f;
 inline constexpr float k_run_push = -0.8f, k_run_push_reach = 2.0f, k_run_push_late = 0.7f;
 // The hips: how much they give way in mid-stance, of gravity times the square of the time that a foot
-// stands; cosine of the knee at contact; share of that time before the hip passes the foot; how far the body
-// goes meanwhile at most, legs (Weyand et al. 2000).
+// stands; cosine of the knee at contact, at a pace of 1.15, and by how much it falls to either side; share of
+// that time before the hip passes the foot; how far the body goes meanwhile at most, legs, and how much less
+// for each m/s beyond 3.1 (about as far at every speed: Weyand et al. 2000).
 inline constexpr float k_run_give = 0.028f, k_run_knee_cosine = 0.988f, k_run_knee_pace = 0.055f;
 inline constexpr float k_run_lead = 0.347f;
 inline constexpr float k_run_reach = 1.0f, k_run_reach_slope = 0.045f;

@@ -85,8 +85,8 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by);
 float stride_length(float v, float leg);
 // Share of the cycle that a foot stands at walking speed `v`.
 float duty_factor(float v);
-// Strides a second and share of the cycle that a foot stands of a run: 157 to 167 steps a minute and 40 to 27
-// % at 2.2 to 5 m/s for a leg of 0.9 m (Novacheck 1998; Fukuchi, Fukuchi & Duarte 2017).
+// Strides a second and share of the cycle that a foot stands of a run: 160 to 170 steps a minute and 40 to 23
+// % at 2.2 to 5 m/s for a leg of 0.9 m (after Novacheck 1998 and Fukuchi, Fukuchi & Duarte 2017).
 float run_frequency(float v, float leg);
 float run_duty(float v, float leg);
 

@@ -54,7 +54,7 @@ void advance_running(GaitBlock& g, int lane, float froude, float dt) {
         return !foot.swinging[lane] && foot.phase[lane] < k_turns_within;
     };
     bool under_way = running > 0 && running < 1;
-    if (under_way || landed(g.feet[k_left]) || landed(g.feet[k_right]))
+    if (under_way || g.standing[lane] || landed(g.feet[k_left]) || landed(g.feet[k_right]))
         approach(running, runs ? 1.0f : 0.0f, k_turning * dt);
 }
 
