@@ -11,25 +11,37 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_beside = 0.2f;     // arms, of the tip from below the shoulder outward
+constexpr float k_beside = 0.12f;    // arms, of the tip from below the shoulder outward
 constexpr float k_ahead = 0.08f;     // legs, of the tip from the left ankle
 constexpr float k_off = 0.16f;       // metres that the tip may be off beside one who stands
 constexpr float k_own_step = 0.45f;  // seconds that a step of its own takes
-constexpr float k_reached = 0.985f;  // of cane and arm together
+constexpr float k_reached = 0.992f;  // of cane and arm together
 constexpr float k_planned = 0.97f;   // the same as it comes down
-constexpr float k_nearest = 0.90f;   // and of that, how high the shoulder is, for the arm not to fold
-constexpr float k_folded = 0.86f;    // the same while it stands
-constexpr float k_hop = 0.05f;       // metres above even ground
-constexpr float k_over = 0.02f;      // and above an edge
-constexpr float k_highest = 0.3f;
-constexpr float k_carried = 0.94f;   // of what is planned, how high the shoulder is over a tip without ground
-constexpr float k_off_edge = 0.06f;  // metres, of a tip that stands
-constexpr float k_edge = 0.02f;      // metres high
-constexpr float k_settled = 0.06f;   // seconds before it comes down in which its place is kept
-constexpr float k_following = 13;    // 1/s, of its place towards the goal
-constexpr float k_take = 2.5f;       // 1/s, of the hand's hold
-constexpr float k_drop = 0.015f;     // legs, of the shoulder below where it is in the canonical pose,
-constexpr float k_contact_drop = 0.03f;  // and more of one who walks, as a foot comes down
+constexpr float k_planned_standing = 0.99f;
+constexpr float k_nearest = 0.90f;  // and of that, how high the shoulder is, for the arm not to fold
+constexpr float k_folded = 0.86f;   // the same while it stands
+constexpr float k_hop = 0.05f;      // metres above even ground
+constexpr float k_over = 0.02f;     // and above an edge
+constexpr float k_highest = 0.15f;
+constexpr float k_fastest = 4;  // m/s, of the tip
+constexpr float k_touches =
+    0.018f;                       // metres from its goal, from where a tip that is late comes down at once,
+constexpr float k_slows = 0.4f;   // and before, the share of its way that it goes in a tick
+constexpr float k_skin = 0.002f;  // metres
+// Of a tip that is carried: metres above the ground, and ahead or behind where ground is looked for; of cane
+// and arm together, how high the shoulder is over it at least; 1/s, critically damped.
+constexpr float k_carried = 0.04f, k_aside = 0.2f, k_lifted = 0.9f, k_stiffness = 14;
+// Seconds in which it is set down beside a foot that stands, if that still stands so long, and the fewest in
+// which it comes down with one.
+constexpr float k_late = 0.25f, k_rests = 0.2f, k_soonest = 0.12f;
+constexpr float k_same_step = 0.03f;     // metres
+constexpr float k_room = 0.2f;           // legs from the middle of the body, for a cane to be clear of thighs
+constexpr float k_off_edge = 0.06f;      // metres, of a tip that stands
+constexpr float k_edge = 0.02f;          // metres high
+constexpr float k_settled = 0.06f;       // seconds before it comes down in which its place is kept
+constexpr float k_following = 13;        // 1/s, of its place towards the goal
+constexpr float k_take = 2.5f;           // 1/s, of the hand's hold
+constexpr float k_contact_drop = 0.03f;  // legs, of the shoulder of one who walks, as a foot comes down
 constexpr float k_stance_drop = 0.015f;  // and while it stands
 constexpr float k_climb = 0.4f;          // of its way, in which it climbs at first, or comes down at last
 
@@ -60,6 +72,8 @@ Vec2 beside(const Bearer& b, Vec2 foot, float heading) {
 Vec2 at_rest(const Bearer& b, Vec3 root, float heading) {
     return beside(b, on_ground(home(b.s.person, b.s.lane, k_left, root, heading).position), heading);
 }
+
+Vec3 at_rest_on(const Bearer& b) { return at_height(at_rest(b, b.s.root, b.s.heading), b.s.root.y); }
 
 // Where it should come down `seconds` from now, before the ground is asked.
 Vec3 wished(const Bearer& b, float seconds) {
@@ -93,13 +107,18 @@ Vec3 shoulder_of(const Bearer& b, Vec2 by, float walking_drop) {
     Vec3 s = joint(b.s, right_upper_arm), h = joint(b.s, hips);
     Vec2 ahead = b.s.facing, right{-ahead.z, ahead.x};
     float lean = b.s.person.lean[b.s.lane] * b.g.amplitude[b.s.lane] + b.s.person.stoop[b.s.lane];
-    float drop =
-        b.s.person.crouch[b.s.lane] + (k_drop + walking_drop * b.g.amplitude[b.s.lane]) * b.s.leg_length;
+    float drop = b.s.person.crouch[b.s.lane] + b.g.crouch[b.s.lane] + b.g.sink[b.s.lane] +
+                 walking_drop * b.g.amplitude[b.s.lane] * b.s.leg_length;
     Vec2 place = on_ground(b.s.root) + by - right * s.x + ahead * (s.z + lean * (s.y - h.y));
     return at_height(place, b.g.base[b.s.lane] + s.y - drop);
 }
 
 float reach_of(const Bearer& b, const Cane& c) { return b.arm + length(c.tip_hs); }
+
+// How far the tip may be as it comes down.
+float planned_reach(const Bearer& b, const Cane& c) {
+    return lerp(k_planned_standing, k_planned, b.g.amplitude[b.s.lane]) * reach_of(b, c);
+}
 
 // `at`, or as near to it as the shoulder and that reach allow at its height.
 Vec3 within_reach(Vec3 at, Vec3 shoulder, float reach) {
@@ -114,22 +133,41 @@ Vec2 coming(const Bearer& b, const Cane& c) {
     return (b.s.velocity + expected_velocity(b.s, c.left)) * (0.5f * c.left);
 }
 
-// The pelvis rides between both feet then.
+// The height, below `at`, of the plane on which a foot stands or will.
+float height_on(const FootPlaces& foot, int lane, Vec2 at) {
+    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
+    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
+    return foot.y[lane] - (nx * (at.x - foot.x[lane]) + nz * (at.z - foot.z[lane])) / ny;
+}
+
+// The pelvis rides on the lower foot as the other comes down.
 Vec3 shoulder_at_contact(const Bearer& b, const Cane& c) {
     Vec2 by = coming(b, c);
     Vec3 shoulder = shoulder_of(b, by, k_contact_drop);
     const FootBlock &l = b.g.feet[k_left], &r = b.g.feet[k_right];
-    float climbs = b.g.rise[b.s.lane] * length(by);
-    if (l.swinging[b.s.lane]) climbs = 0.5f * (l.goal.y[b.s.lane] + r.to.y[b.s.lane]) - b.g.base[b.s.lane];
-    shoulder.y += climbs;
+    if (l.swinging[b.s.lane]) {
+        Vec2 at = on_ground(b.s.root) + by;
+        shoulder.y +=
+            std::min(height_on(l.goal, b.s.lane, at), height_on(r.to, b.s.lane, at)) - b.g.base[b.s.lane];
+    } else {
+        shoulder.y += b.g.base_velocity[b.s.lane] * c.left;
+    }
     return shoulder;
+}
+
+// Whether that is on the step which the other foot leaves behind, not where the left one goes.
+bool is_behind(const Bearer& b, Vec3 ground) {
+    auto off = [&](Side side) {
+        return std::fabs(height_on(b.g.feet[side].goal, b.s.lane, on_ground(ground)) - ground.y);
+    };
+    return off(k_left) > off(k_right) + k_same_step;
 }
 
 // Ground for the tip, within the arm's reach as it comes down: where it is wished, or nearer to the feet, a
 // little before or after an edge.
 std::optional<Vec3> find_ground(const Bearer& b, const Cane& c) {
     Vec3 shoulder = shoulder_at_contact(b, c), wish = wished(b, c.left);
-    float reach = k_planned * reach_of(b, c);
+    float reach = planned_reach(b, c);
     Vec2 left{b.s.facing.z, -b.s.facing.x}, way = normalize_or(b.s.velocity, b.s.facing) * k_off_edge;
     for (float inward : {0.0f, 0.1f, 0.2f}) {
         for (float shift : {0.0f, -1.0f, 1.0f, -2.0f, -4.0f}) {
@@ -139,7 +177,8 @@ std::optional<Vec3> find_ground(const Bearer& b, const Cane& c) {
                 ground = even_ground(b, within_reach(*ground, shoulder, reach), way);
             if (!ground) continue;
             float far = length(*ground - shoulder);
-            if (far < reach + 0.01f && shoulder.y - ground->y > k_nearest * reach) return ground;
+            if (is_behind(b, *ground)) continue;
+            if (far < reach + k_skin && shoulder.y - ground->y > k_nearest * reach) return ground;
         }
     }
     return std::nullopt;
@@ -182,18 +221,54 @@ float clearance(const Bearer& b, const Cane& c) {
     return std::min(rise, k_highest);
 }
 
+// Where a tip without ground to stand on is carried: beside the body, a little above what is underfoot, ahead
+// of an edge down and behind one up for which the arm would have to fold.
+Vec3 carried(const Bearer& b, const Cane& c) {
+    constexpr int k_places = 6;
+    constexpr float k_shifts[k_places] = {2, 1, 0, -0.5f, -1, -1.5f};
+    Vec3 shoulder = shoulder_of(b, {}, k_stance_drop), middle = at_rest_on(b);
+    Vec2 way = normalize_or(b.s.velocity, b.s.facing) * k_aside;
+    Vec3 places[k_places];
+    std::optional<GroundHit> hits[k_places];
+    for (int i = 0; i < k_places; ++i) places[i] = middle + at_height(way * k_shifts[i], 0);
+    ground_at(b.s.around, places, k_step_up, k_step_down, hits);
+    float reach = reach_of(b, c), lowest = shoulder.y - k_planned * reach;
+    auto height = [&](int i) { return hits[i] ? hits[i]->height + k_carried : lowest; };
+    int best = height(0) < height(2) - k_same_step ? 0 : 2;
+    const float highest = shoulder.y - k_lifted * reach;
+    auto around = [&](int i) { return std::max(height(i), height(std::max(i - 1, 0))); };
+    while (best + 1 < k_places && around(best) > highest) ++best;
+    float ahead = around(std::max(best - 2, 0));
+    places[best].y = std::max({lowest, around(best), std::min(ahead, highest)});
+    return within_reach(places[best], shoulder, k_planned * reach);
+}
+
+// As far as it may in a tick; where ground is in its way, up first.
+void move_tip(const Bearer& b, Cane& c, Vec3 to) {
+    Vec3 by = to - c.tip;
+    float far = length(by), most = k_fastest * b.s.dt;
+    Vec3 next = far > most ? c.tip + by * (most / far) : to;
+    // And before and behind, since the arm may be late.
+    Vec3 onward = at_height(on_ground(next - c.tip), 0);
+    const Vec3 points[] = {next, next + onward, next - onward};
+    std::optional<GroundHit> hits[3];
+    ground_at(b.s.around, points, k_step_up, 0, hits);
+    float ground = next.y;
+    for (const auto& hit : hits)
+        if (hit && hit->height > next.y + k_skin) ground = std::max(ground, hit->height);
+    if (ground > next.y) {
+        float up = ground - c.tip.y;
+        next = up > most / 2 ? c.tip + Vec3{0, most / 2, 0} : at_height(on_ground(next), ground);
+    }
+    c.velocity = (next - c.tip) / b.s.dt;
+    c.tip = next;
+}
+
 void plan(const Bearer& b, Cane& c) {
     auto ground = find_ground(b, c);
     c.lost = !ground;
-    if (ground) {
-        c.goal = *ground;
-    } else {
-        Vec3 shoulder = shoulder_at_contact(b, c), wish = wished(b, c.left);
-        float reach = k_planned * reach_of(b, c);
-        wish.y = std::max(wish.y + k_over, shoulder.y - k_carried * reach);
-        c.goal = within_reach(wish, shoulder, reach);
-    }
-    c.clear = clearance(b, c);
+    c.goal = ground ? *ground : carried(b, c);
+    if (ground) c.clear = clearance(b, c);
 }
 
 // Sets it down where the body is.
@@ -203,18 +278,27 @@ void set_down(const Bearer& b, Cane& c) {
     c.goal = c.from = b.s.root;
     plan(b, c);
     c.tip = c.from = c.to = c.goal;
+    c.velocity = {};
+}
+
+Vec2 right_of(const Bearer& b) { return {-b.s.facing.z, b.s.facing.x}; }
+
+// Metres by which a tip is so near the middle of the body that the cane would meet a thigh.
+float too_near(const Bearer& b, Vec3 tip) {
+    return k_room * b.s.leg_length - dot(on_ground(tip - b.s.root), right_of(b));
 }
 
 bool must_step(const Bearer& b, const Cane& c) {
     bool behind = dot(on_ground(c.to - shoulder_of(b, {}, 0)), b.s.velocity) <= 0;
     Vec3 shoulder = shoulder_of(b, {}, behind ? k_stance_drop : k_contact_drop);
     if (length(c.to - shoulder) > k_reached * reach_of(b, c)) return true;
-    if (c.lost == 0 && shoulder.y - c.to.y < k_folded * reach_of(b, c)) return true;
+    if (shoulder.y - c.to.y < k_folded * reach_of(b, c)) return true;
+    if (too_near(b, c.to) > 0) return true;
     return b.g.standing[b.s.lane] && length(on_ground(c.to) - at_rest(b, b.s.root, b.s.heading)) > k_off;
 }
 
 void lift(const Bearer& b, Cane& c, float seconds) {
-    c.from = c.goal = c.to;
+    c.from = c.goal = c.tip;
     c.gone = {};
     c.share = 0;
     c.left = seconds;
@@ -236,20 +320,45 @@ void swing(const Bearer& b, Cane& c, bool lands) {
     c.left = c.steps != 0 ? until_contact(b) : c.left - dt;
     c.gone += b.s.velocity * dt;
     if (b.s.replans && c.left > k_settled && !lands) plan(b, c);
+    if (c.lost != 0) return;
     float follow = std::min(1.0f, dt * std::max(k_following, 2.5f / std::max(c.left, dt)));
     c.to += (c.goal - c.to) * follow;
     c.rise += (c.clear - c.rise) * follow;
     c.share += (1 - c.share) * std::min(1.0f, dt / std::max(c.left, dt));
     if (lands || c.left <= 0 || c.share >= 1) {
-        c.share = 1;
-        c.tip = c.to = c.goal;
+        c.to = c.goal;
+        // One that is late comes down as softly.
+        Vec3 by = c.goal - c.tip;
+        move_tip(b, c, length(by) < k_touches ? c.goal : c.tip + by * k_slows);
+        c.left = 0;
+        c.share = c.tip == c.goal ? 1 : 0.99f;
         return;
     }
     Way way = way_at(c.share, c.to.y > c.from.y);
-    c.tip = place_on(way, c.from, c.to, c.gone, coming(b, c));
-    c.tip.y += c.rise * way.hop;
-    auto below = ground_at(b.s.around, c.tip, k_highest, 0);
-    if (below) c.tip.y = std::max(c.tip.y, below->height);
+    Vec3 tip = place_on(way, c.from, c.to, c.gone, coming(b, c));
+    // No higher than the arm lifts it with ease: it comes down with a body that does.
+    tip.y =
+        std::min(tip.y + c.rise * way.hop, shoulder_of(b, {}, k_stance_drop).y - k_lifted * reach_of(b, c));
+    tip += at_height(right_of(b) * (std::max(too_near(b, tip), 0.0f) * std::min(4 * (1 - c.share), 1.0f)), 0);
+    move_tip(b, c, tip);
+}
+
+// A tick of being carried, until there is ground again, or the foot has come down to which it could go.
+void carry(const Bearer& b, Cane& c) {
+    const FootBlock& foot = b.g.feet[k_left];
+    const float dt = b.s.dt;
+    Vec3 by = carried(b, c) - c.tip, behind = c.velocity - at_height(b.s.velocity, 0);
+    c.velocity += (by * k_stiffness - behind * 2) * (k_stiffness * dt);
+    move_tip(b, c, c.tip + c.velocity * dt);
+    c.share = 1;
+    c.to = c.goal = c.tip;
+    if (!b.s.replans) return;
+    float stands = (b.g.duty[b.s.lane] - foot.phase[b.s.lane]) / std::max(b.g.frequency[b.s.lane], 0.1f);
+    if (c.steps != 0) {
+        if (until_contact(b) > k_soonest) lift(b, c, until_contact(b));
+    } else if (b.g.standing[b.s.lane] || stands > k_late + k_rests) {
+        lift(b, c, k_late);
+    }
 }
 
 void advance(const Bearer& b, Cane& c) {
@@ -258,6 +367,8 @@ void advance(const Bearer& b, Cane& c) {
     c.steps = steps;
     if (c.held == 0) {
         if (able) set_down(b, c);
+    } else if (c.lost != 0) {
+        carry(b, c);
     } else if (c.share < 1) {
         swing(b, c, stepped && !steps);
     } else if (steps && !stepped) {

@@ -19,7 +19,7 @@ namespace flaneur {
 struct Cane {
     uint32_t walker = 0;
     Vec3 tip_hs{};              // from the wrist to the tip, in the hand's axes, metres
-    Vec3 tip{};                 // where it is to be
+    Vec3 tip{}, velocity{};     // where it is to be, and how fast it goes there, m/s
     Vec3 from{}, to{};          // where it stood, and where it stands or will
     Vec3 goal{};                // what `to` moves to, the ground's last word
     Vec2 gone{};                // metres that the body has gone since the tip left the ground
@@ -28,7 +28,7 @@ struct Cane {
     float rise = 0, clear = 0;  // metres that it rises above its way, and that it should
     float held = 0;             // 0: hangs from the hand .. 1: the hand leads it
     uint32_t steps = 0;         // 1: the left foot is in the air, with which it goes
-    uint32_t lost = 0;          // 1: there is no ground for it
+    uint32_t lost = 0;          // 1: no ground for it is within reach, and it is carried
 };
 
 // Whether it stands on the ground, and the hand on it.

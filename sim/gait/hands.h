@@ -25,8 +25,10 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
 
 // A tick for a walker's cane, after its feet. The cane goes with the foot of the other side, the left one:
 // its tip leaves the ground with it and comes down with it, a little ahead of it on its own side, on the
-// ground that is there. It also steps by itself, where the arm would reach it no longer, or beside one who
-// stands. Who runs or jumps carries it, and so does who finds no ground for it.
+// ground that is there: on steps that of the left foot. It also steps by itself, where the arm would reach it
+// no longer, or beside one who stands. Where no ground is within reach it is carried, a little above what is
+// there, and set down as soon as the body has climbed or come down far enough. Who runs or jumps carries it
+// too.
 void advance_cane(const Gait& gait, Cane& cane, const Stepper& stepper);
 // Gives one who stands a cane (see Body::cane), or takes away what it had where that is zero.
 void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper);

@@ -11,10 +11,11 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_straightest = 0.985f;  // of the arm's length
-constexpr float k_most_bent = 0.5f;
+constexpr float k_straightest = 0.99f;  // of the arm's length
+constexpr float k_most_bent = 0.69f;
 constexpr float k_most_outward = 0.8f;                         // radians that a bent arm turns its elbow out,
 constexpr float k_outward_from = -0.35f, k_outward_to = 0.4f;  // by the bend, less its cosine
+constexpr float k_ahead = 0.25f, k_down = 0.4f;                // arms, of the wrist from the shoulder
 constexpr float k_farthest = 0.6f;                             // arms that the wrist is moved
 
 // The lane of one walker.
@@ -55,6 +56,16 @@ Vec3 wrist_on_cane(Vec3 tip, float cane, Vec3 wanted, Vec3 shoulder, float least
     return tip + up * along + aside * std::sqrt(cane * cane - along * along);
 }
 
+// Where the wrist of an arm that holds a cane would like to be: always ahead, on whichever side of the cane
+// it is, as far out as it is.
+Vec3 wrist_of(const Posed& pose, float reach) {
+    Vec3 ahead = rotate(pose.rotation(upper_chest), Vec3{0, 0, 1});
+    Vec3 way = normalize_or({ahead.x, 0, ahead.z}, {0, 0, 1}), right{-way.z, 0, way.x};
+    Vec3 shoulder = pose.place_os(right_upper_arm);
+    float out = dot(pose.place_os(right_hand) - shoulder, right);
+    return shoulder + way * (k_ahead * reach) + right * out - Vec3{0, k_down * reach, 0};
+}
+
 // Moves the wrist: the elbow bends about its own axis, then the arm turns about the shoulder by the shortest
 // way; one much bent has its elbow outward, not behind. The hand is held against the forearm as it was.
 void move_wrist(Posed& pose, Vec3 to, float held) {
@@ -82,13 +93,11 @@ void move_wrist(Posed& pose, Vec3 to, float held) {
     pose.set(right_hand, new_elbow + rotate(turn, forearm) * b, normalize(turn * bend * hand));
 }
 
-// `now`, or as far towards it from `before` as a turn by `most` radians goes.
-Quat turned_at_most(Quat before, Quat now, SinCos half_most) {
-    Quat turn = now * conjugate(before);
-    if (std::fabs(turn.w) >= half_most.cosine) return now;
-    float sine = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
-    float scale = (turn.w < 0 ? -half_most.sine : half_most.sine) / sine;
-    return Quat{turn.x * scale, turn.y * scale, turn.z * scale, half_most.cosine} * before;
+// So far from `before` to `now`, which lie near each other.
+Quat between(Quat before, Quat now, float part) {
+    float other = dot(before, now) < 0 ? -part : part, rest = 1 - part;
+    return normalize(Quat{before.x * rest + now.x * other, before.y * rest + now.y * other,
+                          before.z * rest + now.z * other, before.w * rest + now.w * other});
 }
 
 // A hand against its forearm, bent no farther than a wrist is.
@@ -104,33 +113,34 @@ Quat within_wrist(Quat hand_ps) {
     return rotation_between(along, normalize_or(to, {0, -1, 0})) * hand_ps;
 }
 
-// Sets the joints of the arm anew, below the chest, none turned faster than it can.
-void slow_down(const PosedBefore& before, Posed& now, SinCos half_most, SinCos half_hand) {
+Quat against_parent(const auto& pose, int j) {
+    return conjugate(pose.rotation(k_joint_parents[static_cast<size_t>(j)])) * pose.rotation(j);
+}
+
+// Sets the joints of the arm anew, below the chest, all a part of the way from where they were.
+void slow_down(const PosedBefore& before, Posed& now, float part) {
     Quat was_above = now.rotation(right_shoulder), above = was_above;
     Vec3 was_at = now.place_os(right_upper_arm), at = was_at;
     for (int j = right_upper_arm; j <= right_hand; ++j) {
-        int parent = k_joint_parents[static_cast<size_t>(j)];
         Quat was = now.rotation(j);
         Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
         if (j > right_upper_arm) at += rotate(above, bone);
         was_at = now.place_os(j);
-        Quat before_ps = conjugate(before.rotation(parent)) * before.rotation(j);
-        Quat turn_ps =
-            turned_at_most(before_ps, conjugate(was_above) * was, j == right_hand ? half_hand : half_most);
+        Quat turn_ps = between(against_parent(before, j), conjugate(was_above) * was, part);
         above = normalize(above * (j == right_hand ? within_wrist(turn_ps) : turn_ps));
         was_above = was;
         now.set(j, at, above);
     }
 }
 
-bool is_too_fast(const PosedBefore& before, const Posed& now, SinCos half_most) {
+// The part of their way that the joints of the arm go if the fastest turns by `most` radians.
+float part_within(const PosedBefore& before, const Posed& now, float most) {
+    float farthest = most;
     for (int j = right_upper_arm; j <= right_hand; ++j) {
-        int parent = k_joint_parents[static_cast<size_t>(j)];
-        float same = dot(conjugate(before.rotation(parent)) * before.rotation(j),
-                         conjugate(now.rotation(parent)) * now.rotation(j));
-        if (std::fabs(same) < half_most.cosine) return true;
+        float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
+        farthest = std::max(farthest, 2 * arccos(same));
     }
-    return false;
+    return most / farthest;
 }
 
 void hold(const Cane& cane, Posed pose, float part) {
@@ -142,8 +152,8 @@ void hold(const Cane& cane, Posed pose, float part) {
     float reach = length(elbow - shoulder) + length(wrist - elbow), long_way = length(cane.tip_hs);
     float away = length(wrist - shoulder);
     float least = std::min(k_most_bent * reach, away), most = std::max(k_straightest * reach, away);
-    Vec3 to = wrist_on_cane(tip, long_way, wrist, shoulder, lerp(least, k_most_bent * reach, held),
-                            lerp(most, k_straightest * reach, held));
+    Vec3 to = wrist_on_cane(tip, long_way, lerp(wrist, wrist_of(pose, reach), held), shoulder,
+                            lerp(least, k_most_bent * reach, held), lerp(most, k_straightest * reach, held));
     Vec3 by = to - wrist;
     float farthest = k_farthest * reach, far = length(by);
     move_wrist(pose, far > farthest ? wrist + by * (farthest / far) : to, held);
@@ -201,13 +211,13 @@ void hold_canes(const Gait& gait, size_t begin, size_t end, float dt, const std:
                 std::vector<PoseBlock>& poses) {
     hold_canes(gait, begin, end, poses);
     // A hand that is then held within its wrist's range turns a little farther.
-    SinCos half_most = sin_cos(0.5f * k_fastest_walking * dt),
-           half_hand = sin_cos(0.3f * k_fastest_walking * dt);
+    const float most = 0.9f * k_fastest_walking * dt;
     for (size_t i = begin; i < end; ++i) {
         size_t walker = gait.canes[i].walker;
         Posed now{poses[walker / k_block], walker % k_block};
         PosedBefore then{before[walker / k_block], walker % k_block};
-        if (is_too_fast(then, now, half_most)) slow_down(then, now, half_most, half_hand);
+        float part = part_within(then, now, most);
+        if (part < 1) slow_down(then, now, part);
     }
 }
 
