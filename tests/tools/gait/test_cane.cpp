@@ -6,7 +6,9 @@
 #include <string>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/gait/cane.h"
 #include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/trials.h"
 #include "tools/flaneur/gait/walk.h"
 
 namespace flaneur {
@@ -130,6 +132,48 @@ TEST(Cane, StandsWhileTheBodyTurns) {
     for (float turn : {-90.0f, 90.0f, 180.0f})
         expect_planted(walk_on(level_course(30), old_person(1.65f, 76), 0.9f, turn * k_radians),
                        "turn " + std::to_string(turn));
+}
+
+void expect_cane_bars(const Report& report, const std::string& who) {
+    int bars = 0;
+    for (const Verdict& v : report.verdicts) {
+        if (std::string(v.bar.quantity).rfind("cane_", 0) != 0) continue;
+        ++bars;
+        EXPECT_TRUE(v.pass) << report.title << ", " << who << ": " << v.bar.quantity << " " << v.value;
+    }
+    EXPECT_GT(bars, 5);
+}
+
+TEST(Cane, MeetsItsBarsOnStairsAndKerbs) {
+    for (float height : {1.55f, 1.75f}) {
+        Person person = old_person(height, 80);
+        std::string who = std::to_string(height).substr(0, 4) + " m";
+        for (bool up : {true, false}) {
+            expect_cane_bars(try_stairs(person, 1.1, up, 0.17, 0.29), who);
+            expect_cane_bars(try_stairs(person, 1.1, up, 0.12, 0.35), who);
+        }
+        expect_cane_bars(try_kerb(person, 1.1, 0.12), who);
+    }
+}
+
+TEST(Cane, MissesItsBarsWhereItHovers) {
+    const Walk sound = walk_on(level_course(0), old_person(1.7f, 76), 0.8f);
+    auto failing = [&](auto&& change) {
+        Walk w = sound;
+        for (size_t t = 0; t < w.ticks.size(); ++t) change(w.ticks[t].cane.tip, t);
+        std::string names;
+        for (const Verdict& v : judge(measure_cane(w, 60), cane_bars(true)))
+            if (!v.pass) names += std::string(v.bar.quantity) + " ";
+        return names;
+    };
+    EXPECT_EQ(failing([](Vec3&, size_t) {}), "");
+    EXPECT_EQ(failing([](Vec3& tip, size_t) { tip.y += 0.1f; }), "cane_float.mm cane_carried.pct ");
+    EXPECT_EQ(failing([](Vec3& tip, size_t) { tip.y -= 0.01f; }),
+              "cane_float.mm cane_below.mm cane_carried.pct ");
+    EXPECT_EQ(failing([](Vec3& tip, size_t t) { tip.x -= 0.0004f * static_cast<float>(t); }),
+              "cane_drift.mm ");
+    EXPECT_EQ(failing([](Vec3& tip, size_t t) { tip.x -= t == 400 ? 0.15f : 0; }), "cane_tip_speed.m_s ");
+    EXPECT_EQ(failing([](Vec3& tip, size_t) { tip.x += 0.2f; }), "cane_leg.mm ");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
+#include "tools/flaneur/gait/cane.h"
 #include "tools/flaneur/gait/contact.h"
 #include "tools/flaneur/gait/limits.h"
 #include "tools/flaneur/gait/running.h"
@@ -47,6 +48,13 @@ Report finished(Report report, const std::vector<Bar>& bars) {
     return report;
 }
 
+// Of one who has a cane, its bars too.
+Report finished(Report report, std::vector<Bar> bars, const Person& person, bool is_level) {
+    if (person.body.cane != Vec3{})
+        for (const Bar& bar : cane_bars(is_level)) bars.push_back(bar);
+    return finished(std::move(report), bars);
+}
+
 // Steady walking between two ticks, its curves and quantities.
 Report steady(const Walk& w, size_t first, size_t last) {
     Level level = measure_level(w, first, last);
@@ -70,9 +78,11 @@ Report try_level(const Person& person, double speed, double seconds) {
     append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
     append(r.quantities, measure_stop(w, tick_at(w, stop)));
     append(r.quantities, measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = text("level_%.2f", speed);
     r.title = text("Level ground, %.2f m/s", speed);
-    return finished(std::move(r), level_bars(speed, static_cast<double>(leg_length(person.body))));
+    return finished(std::move(r), level_bars(speed, static_cast<double>(leg_length(person.body))), person,
+                    true);
 }
 
 Report try_turn(const Person& person, double speed, double degrees) {
@@ -86,9 +96,10 @@ Report try_turn(const Person& person, double speed, double degrees) {
     r.quantities = measure_turn(w, tick_at(w, asked));
     append(r.quantities, measure_contact(w, strides(w, tick_at(w, asked - 1), tick_at(w, asked + 5))));
     append(r.quantities, measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = text("turn_%.0f", degrees);
     r.title = text("Turn by %.0f degrees at %.2f m/s", degrees, speed);
-    return finished(std::move(r), turn_bars(degrees));
+    return finished(std::move(r), turn_bars(degrees), person, true);
 }
 
 Report try_bends(const Person& person, double speed) {
@@ -146,11 +157,12 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
         append(r.quantities, {{"stairs_a_step", stairs / steps}, {"odd_steps.pct", 100 * odd / steps}});
     }
     append(r.quantities, measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = up ? "stairs_up" : "stairs_down";
     r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
                       : "Stairs down, risers of %.2f and treads of %.2f m",
                    riser, tread);
-    return finished(std::move(r), stairs_bars(up));
+    return finished(std::move(r), stairs_bars(up), person, false);
 }
 
 Report try_slope(const Person& person, double speed, double percent) {
@@ -159,6 +171,7 @@ Report try_slope(const Person& person, double speed, double percent) {
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4), tick_past(w, k_begin + 40));
     append(r.quantities, measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     Report level = try_level(person, speed, 15);
     r.poses = mix(r.poses ^ level.poses);
     double here = value_of(r.quantities, "speed.m_s"), there = value_of(level.quantities, "speed.m_s");
@@ -168,7 +181,7 @@ Report try_slope(const Person& person, double speed, double percent) {
          value_of(r.quantities, "knee_contact.deg") - value_of(level.quantities, "knee_contact.deg")});
     r.name = percent > 0 ? "slope_up" : "slope_down";
     r.title = text("Slope of %.0f %%, %.2f m/s", percent, speed);
-    return finished(std::move(r), slope_bars(percent));
+    return finished(std::move(r), slope_bars(percent), person, false);
 }
 
 Report try_kerb(const Person& person, double speed, double height) {
@@ -181,11 +194,12 @@ Report try_kerb(const Person& person, double speed, double height) {
         r.poses = mix(r.poses ^ w.hash);
         Quantities here = measure_contact(w, strides(w, tick_past(w, begin - 2), tick_past(w, begin + 7)));
         append(here, measure_body(w, tick_at(w, k_stand)));
+        append(here, measure_cane(w, tick_at(w, k_stand)));
         keep_most(r.quantities, here);
     }
     r.name = "kerb";
     r.title = text("A kerb of %.2f m up and down, %.2f m/s", height, speed);
-    return finished(std::move(r), kerb_bars());
+    return finished(std::move(r), kerb_bars(), person, false);
 }
 
 Report try_change(const Person& person, double speed) {
