@@ -56,7 +56,8 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
         float leg = leg_length(kind.body);
-        world->folk.push_back({kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg)});
+        world->folk.push_back(
+            {kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg), stair_pace(leg)});
     }
     auto crowd =
         populate(*world->ground, world->around, options.destinations, *world->navmesh, *world->workers,

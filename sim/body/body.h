@@ -93,4 +93,11 @@ inline float thigh_length(const Body& b) {
 inline float shank_length(const Body& b) { return length(b.joints[left_foot] - b.joints[left_lower_leg]); }
 inline float leg_length(const Body& b) { return b.joints[left_upper_leg].y; }
 
+// Whether one with legs of so many metres sets both feet on each tread of a flight of steps: children of less
+// than some five and a half years, who go by turns only where treads are made for them (Gesell, "The First
+// Five Years of Life", 1940).
+inline bool sets_both_feet(float leg) { return leg < 0.6f; }
+// The share of others' pace on stairs that this leaves.
+inline float stair_pace(float leg) { return sets_both_feet(leg) ? 0.5f : 1.0f; }
+
 }  // namespace flaneur

@@ -38,6 +38,7 @@ struct CrowdIdentity {
     std::vector<float> lateral;          // how far out corners are taken, metres
     std::vector<uint32_t> body;          // index into the bodies that the program has
     std::vector<float> scale;            // of that body
+    std::vector<float> stair_pace;       // share of others' pace on stairs
 };
 
 // Where they are and how they move, at the end of the last tick. Gait and pictures read it.
@@ -153,6 +154,7 @@ struct Walker {
     float lateral = 0.3f;
     uint32_t body = 0;
     float scale = 1;
+    float stair_pace = 1;  // see CrowdIdentity
     Errand errand = Errand::wander;
 };
 
@@ -178,9 +180,10 @@ bool has_arrived(const Crowd& crowd, uint32_t walker);
 
 // The walkers who share a body.
 struct Folk {
-    float share = 1;      // of all walkers, against the others' shares
-    float speed = 1.34f;  // the mean that they prefer, metres a second
-    float most = 1.9f;    // nobody prefers to go faster
+    float share = 1;       // of all walkers, against the others' shares
+    float speed = 1.34f;   // the mean that they prefer, metres a second
+    float most = 1.9f;     // nobody prefers to go faster
+    float stair_pace = 1;  // see CrowdIdentity
 };
 
 // One of them by chance: all but its place.

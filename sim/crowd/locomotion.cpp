@@ -21,7 +21,9 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_bend = 0.4f;           // 1/m; narrower bends are taken slower
 
-float stair_speed(float speed) { return std::min(speed, clamp(0.42f * speed, 0.5f, 0.6f)); }
+float stair_speed(float speed, float stair_pace) {
+    return std::min(speed, stair_pace * clamp(0.42f * speed, 0.5f, 0.6f));
+}
 
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
 static float next_turn_rate(float rate, float to_turn, float speed, float dt) {
@@ -38,10 +40,10 @@ static Vec2 turned_forward(Vec2 v, float speed, float heading, float off) {
     return heading_direction(heading + (off > 0 ? k_forward : -k_forward)) * speed;
 }
 
-Vec2 wish_on(const GroundHit& under, Vec2 wish) {
+Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
     float speed = length(wish);
     if (speed < 1e-4f) return wish;
-    if (under.kind == Surface::steps) return wish * (stair_speed(speed) / speed);
+    if (under.kind == Surface::steps) return wish * (stair_speed(speed, stair_pace) / speed);
     if (under.normal.y > 0.99999f || under.normal.y < 0.1f) return wish;
     float rise = -dot(wish, {under.normal.x, under.normal.z}) / (speed * under.normal.y);
     return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));

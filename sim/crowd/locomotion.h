@@ -17,8 +17,8 @@ struct Motion {
 
 // What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
 // speed falls as in Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), with s the rise along the way; on
-// steps to 0.42 of the wish, within 0.5-0.6 m/s (see stair_speed).
-Vec2 wish_on(const GroundHit& under, Vec2 wish);
+// steps to `stair_pace` times 0.42 of the wish, within 0.5-0.6 m/s (see stair_speed).
+Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 
 // The motion `dt` seconds later of one who would like to go at `wish` (m/s).
 //
@@ -33,6 +33,6 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish);
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0});
 
 // Speed over the ground plane, m/s, that one who walks at `speed` on the level has on stairs.
-float stair_speed(float speed);
+float stair_speed(float speed, float stair_pace = 1);
 
 }  // namespace flaneur

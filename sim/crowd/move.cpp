@@ -80,7 +80,7 @@ static float share_within(const Contacts& near, Vec2 v) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
     uint32_t i = me.id;
     CrowdMotion& m = c.motion;
-    Vec2 wish = wish_on(m.under[i], c.decision.chosen[i]);
+    Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     Contacts near = contacts_of(c, me, wish);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);

@@ -85,6 +85,7 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
                               k_least_speed, folk[w.body].most);
     w.radius = k_body_radius;
     w.scale = random_between(key, 0.95f, 1.05f, 2);
+    w.stair_pace = folk[w.body].stair_pace;
     key.purpose = Purpose::lateral;
     w.lateral = random_between(key, 0.15f, 2.2f);
     return w;

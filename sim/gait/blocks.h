@@ -88,6 +88,9 @@ struct alignas(64) PersonBlock {
     float lead[k_block];                      // factor on how far ahead of the body a foot lands
     float arm_swing[2][k_block];              // factor, left and right
     float sway[k_block];                      // factor on pelvic movements
+    float strike[k_block];                    // see Manner
+    float clearance[k_block];                 // metres that its feet swing higher
+    float linger[k_block];                    // see Manner
     float toe_out[k_block];                   // radians
     float step_width[k_block];                // metres between the lines of both feet
     float lean[k_block];                      // of the trunk, forward +, radians

@@ -7,42 +7,49 @@ namespace flaneur {
 
 // The swing of a foot from one place to the next, u = 0 at toe-off .. 1 at contact, r = 1 - u, h = 16 u^2
 // r^2. Its progress is 3u^2 - 2u^3 - progress_late u^6 r^2 - progress_hop h; its lowest point, found among
-// heel, ball and tip with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h metres
-// above the ground; its toes hang droop h radians lower than in the norm and have a share of its pitch, so
-// that they stay bent up.
-inline constexpr float k_progress_late = 4.256f, k_progress_hop = -0.03045f;
-inline constexpr float k_clear_early = 1.532f, k_clear = 0.0006344f;
+// heel, ball and tip with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h +
+// clear_late u^3 r metres above the ground; its toes hang droop h radians lower than in the norm and have a
+// share of its pitch, so that they stay bent up.
+inline constexpr float k_progress_late = 3.064f, k_progress_hop = -0.0318f;
+inline constexpr float k_clear_early = 1.46f, k_clear = 0.001033f, k_clear_late = 0.03f;
 inline constexpr float k_pitch_pace = 0.04627f, k_clear_pace = 1.219f;
-inline constexpr float k_soft = 0.01195f, k_droop = -0.108f, k_toes = 0.4717f;
+inline constexpr float k_soft = 0.01195f, k_droop = -0.101f, k_toes = 0.4717f;
 
 // The foot in stance: share of the norm's pitch at heel strike, phases in which the heel comes off, radians
 // by which it rises further before toe-off, and by which it pushes off more for each pace over the natural
 // one; pitch of a foot that lands on its ball.
-inline constexpr float k_heel_strike = 0.9297f, k_heel_off_0 = 0.1896f, k_heel_off_1 = 0.521f;
-inline constexpr float k_heel_rise = 0.0731f, k_push_pace = 0.45f, k_forefoot_pitch = -0.25f;
+inline constexpr float k_heel_strike = 0.8393f, k_heel_off_0 = 0.05908f, k_heel_off_1 = 0.5633f;
+inline constexpr float k_heel_rise = 0.1185f, k_push_pace = 0.3158f, k_forefoot_pitch = -0.25f;
 
 // Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
 // metres.
-inline constexpr float k_tiptoe = 0.5197f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
+inline constexpr float k_tiptoe = 0.52f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
 
 // Height of the pelvis, see rise-inl.h: speed over sqrt(g leg) at a natural speed, harmonics there and by how
 // much they grow with the pace, the mean below upright; of one who stands.
 inline constexpr float k_natural_pace = 0.43f, k_fastest_over = 0.27f, k_slowest_over = -0.07f;
-inline constexpr float k_rise_c2 = -0.01366f, k_rise_c2_pace = -0.04774f, k_rise_s2 = -0.01151f,
-                       k_rise_s2_pace = -0.006663f;
-inline constexpr float k_rise_c4 = 0.001879f, k_rise_s4 = 0.002108f, k_rise_c6 = -0.001058f,
-                       k_rise_s6 = 0.001212f;
-inline constexpr float k_sink = 0.009311f, k_sink_step = -0.005907f, k_stand = 0.001f, k_steepest = 0.12f;
-inline constexpr float k_uphill = 9.648f, k_downhill = 0.2405f, k_spare = -0.0075f, k_spare_slow = 0.05887f;
+inline constexpr float k_rise_c2 = -0.01225f, k_rise_c2_pace = -0.03913f, k_rise_s2 = -0.008584f,
+                       k_rise_s2_pace = 0.01997f;
+inline constexpr float k_rise_c4 = 0.0006924f, k_rise_s4 = -0.0004007f, k_rise_c6 = -0.001759f,
+                       k_rise_s6 = -0.000178f;
+inline constexpr float k_sink = -0.0008523f, k_sink_step = 0.04754f, k_stand = 0.001f, k_steepest = 0.12f;
+inline constexpr float k_uphill = 12.28f, k_downstep = 0.1942f, k_spare_slow = 0.07006f;
+// The pelvis comes down for a landing once that asks for some such acceleration, m/s2, and goes up again at
+// this rate, 1/s, critically damped.
+inline constexpr float k_sink_effort = 4.929f, k_sink_release = 9.636f;
 
 // The straightest leg, as a share of its length, rounded over so many metres; metres that a leg may fall
 // short as it leaves, and before `landing`, a share of the swing, and by which a foot in mid-swing gives way.
-inline constexpr float k_straightest = 0.9994f, k_straight = 0.004f;
-inline constexpr float k_leaving_slack = 0.04369f, k_landing = 0.8227f, k_landing_slack = 0.137f,
-                       k_give = 0.0147f;
+inline constexpr float k_straightest = 0.9994f, k_straight = 0.002287f;
+inline constexpr float k_leaving_slack = 0.03624f, k_landing = 0.9291f, k_landing_slack = 0.1563f,
+                       k_give = 0.01714f;
+// Legs behind the body in which it may fall short by so much more; and metres for each metre climbed.
+inline constexpr float k_behind_0 = 0.45f, k_behind_1 = 0.6f, k_behind_slack = 0.15f, k_climb_slack = 0.4f;
+// Share of the swing in which a foot that had rolled over its ball comes off it.
+inline constexpr float k_let_go = 0.6f;
 
 // Share of a foot's time on the ground before the hip passes it.
-inline constexpr float k_lead = 0.3945f;
+inline constexpr float k_lead = 0.3959f;
 
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;
@@ -51,7 +58,7 @@ inline constexpr float k_shift_width = 0.9136f;
 // adds to it: 70 mm from side to side at 0.7 m/s .. 39 at 1.6 (Orendurff et al. 2004). Its way ahead of an
 // even speed, legs, goes with surge_cosine cos 2a + surge_sine sin 2a, a = 2 pi phase.
 inline constexpr float k_sway = 0.0257f, k_sway_slow = 0.287f;
-inline constexpr float k_surge_cosine = -0.0009355f, k_surge_sine = -0.01764f;
+inline constexpr float k_surge_cosine = 0.006715f, k_surge_sine = -0.01728f;
 
 // Trunk: radians by which it nods for each leg that the pelvis goes ahead, its turn over the pelvis's; head:
 // radians that it nods, rolls over the pelvis's list, its turn over the chest's.
@@ -94,7 +101,7 @@ inline constexpr float k_run_push = -0.8f, k_run_push_reach = 2.0f, k_run_push_l
 // stands; cosine of the knee at contact, at a pace of 1.15, and by how much it falls to either side; share of
 // that time before the hip passes the foot; how far the body goes meanwhile at most, legs, and how much less
 // for each m/s beyond 3.1 (about as far at every speed: Weyand et al. 2000).
-inline constexpr float k_run_give = 0.028f, k_run_knee_cosine = 0.988f, k_run_knee_pace = 0.055f;
+inline constexpr float k_run_give = 0.028f, k_run_knee_cosine = 0.985f, k_run_knee_pace = 0.055f;
 inline constexpr float k_run_lead = 0.347f;
 inline constexpr float k_run_reach = 1.0f, k_run_reach_slope = 0.045f;
 // Elbow, radians; how much wider the arms swing than in a walk, and radians farther out; of the trunk's lean.

@@ -165,14 +165,14 @@ float obstacle_between(const Surroundings& around, const FootPlace& from, const 
                        const FootSize& size, float running, float pace) {
     constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
     kernel::SwingEnds<float> ends = ends_between(from, to);
-    Vec2 direction = normalize_or(on_ground(to.position - from.position), {0, 1});
+    Vec2 ahead = heading_direction(from.yaw + 0.5f * wrap_angle(to.yaw - from.yaw));
     float most = 0;
     for (float u : k_samples) {
         kernel::SwingTime<float> time = kernel::swing_time(u);
         kernel::V3<float> place = kernel::swing_path(ends, time, running, pace).place;
         // The heel is high after it has left, and when it steps down.
         for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
-            auto hit = under(around, ahead_by({place.x, place.y, place.z}, direction, along));
+            auto hit = under(around, ahead_by({place.x, place.y, place.z}, ahead, along));
             float lift = along < 0 && to.position.y < from.position.y - 0.07f ? 0.04f : 0;
             if (hit) most = std::max(most, (hit->height - place.y - lift) / time.hop);
         }

@@ -65,6 +65,9 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.arm_swing[k_left][lane] = m.arm_swing[0];
     person.arm_swing[k_right][lane] = m.arm_swing[1];
     person.sway[lane] = m.sway;
+    person.strike[lane] = m.strike;
+    person.clearance[lane] = m.clearance * leg_length(b) * scale;
+    person.linger[lane] = m.linger;
     person.toe_out[lane] = m.toe_out;
     // Never so near that the thighs would meet.
     person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * scale;

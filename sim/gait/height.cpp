@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/body/body.h"
 #include "sim/gait/rise-inl.h"
 
 namespace flaneur {
 
 static constexpr float k_base_stiffness = 12;      // 1/s, critically damped
-static constexpr float k_sink_release = 3;         // 1/s, critically damped, of letting go
 static constexpr float k_step_down_least = 0.03f;  // metres
 static constexpr float k_stairs_wait = 0.4f;       // of the swing
 static constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 static constexpr float k_soonest = 0.08f;          // seconds
 static constexpr float k_most_effort = 9;          // m/s2
+static constexpr float k_step_most = 0.2f;         // metres
 static constexpr float k_most_sink = 0.2f;         // legs
 static constexpr float k_just_landed = 0.1f;       // of the cycle
 static constexpr float k_bears = 0.36f;  // of a foot's phase on the ground, until its heel begins to give
@@ -32,12 +33,14 @@ float height_here(const FootPlaces& foot, int lane, Vec3 root) {
 
 // The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
 // down, by the time that foot lands; and it rises only as the higher foot takes the load.
-float carrying_height(const GaitBlock& g, int lane, Vec3 root) {
+float carrying_height(const GaitBlock& g, int lane, Vec3 root, float leg) {
     const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
     if (!l.swinging[lane] && !r.swinging[lane]) {
         float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
         // Whoever has stepped down stays down.
         bool last_is_left = l.phase[lane] < r.phase[lane];
+        // Small children stay below until the other foot comes after.
+        if (std::fabs(left - right) > k_step_down_least && sets_both_feet(leg)) return std::min(left, right);
         bool left_is_high = left > right;
         if (!g.standing[lane] && last_is_left != left_is_high) return std::min(left, right);
         float high = left_is_high ? g.load[lane] : 1 - g.load[lane];
@@ -82,7 +85,8 @@ float let_down(const GaitBlock& g, const Stepper& s) {
 
 void advance_base(GaitBlock& g, const Stepper& s, float speed) {
     int lane = s.lane;
-    float w = k_base_stiffness, target = carrying_height(g, lane, s.root) + 1.2f / w * g.rise[lane] * speed;
+    float w = k_base_stiffness,
+          target = carrying_height(g, lane, s.root, s.leg_length) + 1.2f / w * g.rise[lane] * speed;
     float& velocity = g.base_velocity[lane];
     float down = let_down(g, s);
     velocity += (down != 0 ? down : w * w * (target - g.base[lane]) - 2 * w * velocity) * s.dt;
@@ -106,16 +110,19 @@ float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces
         float ahead = g.amplitude[lane] * std::max(g.course[lane], 0.0f),
               forefoot = g.feet[side].forefoot[lane];
         float ball = joints[left_toes][2][lane] - joints[left_foot][2][lane];
-        float heel_up = s.person.heel[lane] * k_contact_pitch_sine * ahead,
-              back = ankle * k_contact_pitch_sine * ahead;
+        float pitch = k_contact_pitch_sine * s.person.strike[lane] * ahead;
+        float heel_up = s.person.heel[lane] * pitch, back = ankle * pitch;
         up += lerp(heel_up, ball * k_tiptoe_sine, forefoot);
         foot -= heading_direction(place.yaw[lane]) * lerp(back, -ankle * k_tiptoe_sine, forefoot);
     }
     float flat2 = length_squared(foot - hip), reach2 = reach * reach;
     float hip_height = base + s.leg_length * (1 + rise) - g.crouch[lane] - s.person.crouch[lane];
-    float downhill = clamp(-g.rise[lane], 0, k_steepest) * s.leg_length * k_downhill;
     float slow = std::max(k_natural_pace - g.pace[lane], 0.0f) * g.amplitude[lane];
-    float above = hip_height + k_spare + k_spare_slow * slow + (lands ? downhill : 0) - place.y[lane] - up;
+    float above = hip_height + k_spare_slow * slow - place.y[lane] - up;
+    if (lands && g.tread[lane] <= 0)
+        above +=
+            k_downstep * clamp(step_between(get_place(place, lane), get_place(g.feet[1 - side].from, lane)),
+                               0, k_step_most);
     if (above <= 0 || above * above + flat2 <= reach2) return 0;
     return above - std::sqrt(std::max(reach2 - flat2, 0.25f * reach2));
 }
@@ -125,11 +132,8 @@ float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces
 void advance_sink(GaitBlock& g, const Stepper& s) {
     namespace kernel = HWY_NAMESPACE;
     int lane = s.lane;
-    float needed = 0;
-    float until = k_soonest, over = kernel::over_natural(g.pace[lane]);
-    auto need = [&](float amount, float seconds) {
-        if (amount > needed) needed = amount, until = std::max(seconds, k_soonest);
-    };
+    // What the legs that carry need now, and what the next landing does in so many seconds.
+    float now = 0, coming = 0, until = k_soonest, over = kernel::over_natural(g.pace[lane]);
     auto rise_at = [&](SinCosOf<float> twice) {
         return kernel::pelvis_rise(g.step[lane], over, g.amplitude[lane], clamp(g.rise[lane], 0, k_steepest),
                                    twice);
@@ -144,19 +148,27 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
             const FootPlaces& stands = g.feet[1 - side].from;
             float base = std::min(height_here(foot.goal, lane, there), height_here(stands, lane, there));
             base += std::max(g.base[lane] - std::max(height_here(stands, lane, s.root), base), 0.0f);
-            need(too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), true), seconds);
-        } else if (walks && foot.phase[lane] < k_bears) {
+            float amount = too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), true);
+            if (amount > coming) coming = amount, until = std::max(seconds, k_soonest);
+        } else if (walks && foot.phase[lane] < k_bears &&
+                   dot(on_ground(s.root) - Vec2{foot.from.x[lane], foot.from.z[lane]}, s.facing) <
+                       k_behind_0 * s.leg_length) {
             auto wave = kernel::harmonics<2>(g.phase[lane]);
             bool lands = foot.phase[lane] < k_just_landed && !g.standing[lane];
-            need(too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane],
-                          rise_at({wave.sine[1], wave.cosine[1]}), lands),
-                 0);
+            now = std::max(now, too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane],
+                                         rise_at({wave.sine[1], wave.cosine[1]}), lands));
         }
     }
-    needed = std::min(needed, k_most_sink * s.leg_length);
+    float most = k_most_sink * s.leg_length;
+    now = std::min(now, most), coming = std::min(coming, most);
     float &sink = g.sink[lane], &velocity = g.sink_velocity[lane], w = k_sink_release;
-    float a = needed > sink ? least_effort(needed - sink, velocity, until)
-                            : w * w * (needed - sink) - 2 * w * velocity;
+    float a =
+        now > sink ? least_effort(now - sink, velocity, k_soonest) : w * w * (now - sink) - 2 * w * velocity;
+    // As late as may be, so that knees do not bend for a landing that is far.
+    if (coming > sink) {
+        float effort = least_effort(coming - sink, velocity, until);
+        a = lerp(a, std::max(a, effort), smoothstep(0.5f * k_sink_effort, k_sink_effort, effort));
+    }
     velocity += a * s.dt;
     sink += velocity * s.dt;
 }

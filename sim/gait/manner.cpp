@@ -7,12 +7,12 @@
 namespace flaneur {
 
 static constexpr struct {
-    float years, stride, step_width, arm_swing, unevenness, stoop;  // stoop in degrees
+    float years, stride, step_width, arm_swing, unevenness, stoop, linger;  // stoop in degrees
 } k_ages[] = {
-    {5, 1.10f, 0.073f, 1, 0.02f, 0},       {13, 1.10f, 0.057f, 1, 0.013f, 0},
-    {17, 1, 0.055f, 1, 0.011f, 0},         {30, 1, 0.055f, 1, 0.011f, 0},
-    {55, 1, 0.053f, 0.9f, 0.011f, 0},      {72, 1, 0.052f, 0.8f, 0.013f, 4},
-    {87, 0.95f, 0.058f, 0.8f, 0.017f, 10},
+    {5, 1.10f, 0.073f, 1, 0.02f, 0, -0.03f},      {13, 1.10f, 0.057f, 1, 0.013f, 0, -0.022f},
+    {17, 1, 0.055f, 1, 0.011f, 0, -0.01f},        {30, 1, 0.055f, 1, 0.011f, 0, 0},
+    {55, 1, 0.053f, 0.9f, 0.011f, 0, 0.005f},     {72, 1, 0.052f, 0.8f, 0.013f, 4, 0.022f},
+    {87, 0.95f, 0.058f, 0.8f, 0.017f, 10, 0.03f},
 };
 
 Manner manner_at_age(float years) {
@@ -27,6 +27,7 @@ Manner manner_at_age(float years) {
     m.arm_swing[0] = m.arm_swing[1] = lerp(a.arm_swing, b.arm_swing, t);
     m.unevenness = lerp(a.unevenness, b.unevenness, t);
     m.stoop = lerp(a.stoop, b.stoop, t) * k_radians;
+    m.linger = lerp(a.linger, b.linger, t);
     return m;
 }
 
@@ -47,6 +48,8 @@ Manner draw_manner(const Manner& middle, RandomKey key) {
     m.elbow = clamp(3.2f * k_radians * random_normal(key, 10), -7 * k_radians, 9 * k_radians);
     m.stoop = std::max(m.stoop + (2 * k_radians + 0.35f * m.stoop) * random_normal(key, 11), -3 * k_radians);
     m.unevenness *= clamp(1 + 0.3f * random_normal(key, 12), 0.4f, 2.0f);
+    m.strike *= clamp(1 + 0.2f * random_normal(key, 14), 0.55f, 1.4f);
+    m.clearance += clamp(0.005f * random_normal(key, 15), -0.005f, 0.012f);
     m.limp = clamp(0.008f * random_normal(key, 13), -0.02f, 0.02f);
     m.crouch = clamp(m.crouch + 0.009f * random_normal(key, 7), -0.002f, 0.018f);
     return m;

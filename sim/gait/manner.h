@@ -11,7 +11,10 @@ struct Manner {
     float stride = 1;             // factors on the length of steps,
     float lead = 1;               // on how far ahead of the body a foot lands,
     float arm_swing[2] = {1, 1};  // on how far arms swing, left and right,
-    float sway = 1;               // and on what the pelvis does
+    float sway = 1;               // on what the pelvis does,
+    float strike = 1;             // and on how far toes point up as a heel comes down,
+    float clearance = 0;          // legs by which feet swing higher over the ground
+    float linger = 0;             // share of the cycle that feet stand longer
     float toe_out = 6 * k_radians;
     float step_width = 0.055f;          // between the lines of both feet, of the person's height
     float lean = 6 * k_radians;         // of the trunk, forward +
@@ -30,13 +33,15 @@ struct Manner {
 // Children take longer steps for their legs, farther apart for their height, than grown people (Lythgo et
 // al., Gait & Posture 33, 2011), those beyond eighty shorter and wider ones than at seventy (Hollman et al.,
 // Gait & Posture 34, 2011; statures of 1.72 and 1.58 m), and their arms swing less (Mirelman et al., PLoS ONE
-// 10, 2015, which says that, not how much: a fifth less here); the old stoop. No two steps are alike: grown
+// 10, 2015, which says that, not how much: a fifth less here); the old stoop. Feet of children stand for less
+// of the cycle, those of the old for more (Lythgo, Hollman). No two steps are alike: grown
 // people's times differ by a hundredth, widths by 20 mm (CMU motion capture), children's and the old's by
 // more.
 Manner manner_at_age(float years);
 
 // One person's, as people spread around a middle manner. One arm swings farther than the other, by a third
-// most often (CMU motion capture).
+// most often (CMU motion capture); feet come down with toes up by 4 degrees more or less (Fukuchi 2018), and
+// swing some 4 mm higher or lower (Winter 1991).
 Manner draw_manner(const Manner& middle, RandomKey key);
 
 }  // namespace flaneur

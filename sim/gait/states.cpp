@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/body/body.h"
 #include "sim/gait/fits.h"
 #include "sim/gait/height.h"
 #include "sim/gait/jump.h"
@@ -26,6 +27,7 @@ static constexpr float k_turns_within = 0.05f;        // of the cycle after a co
 static constexpr float k_turning = 3.2f;              // and shares of it a second
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
+static constexpr float k_aside = 0.5f;  // of the metres aside, that a foot counts as farther from home
 static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
 static constexpr float k_least_swing = 0.7f;                  // likewise
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
@@ -75,7 +77,8 @@ void advance_manner(GaitBlock& g, const Stepper& s, float speed) {
     approach(g.pace[lane], std::sqrt(froude), 0.9f * s.dt);
     approach(g.step[lane], speed / (2 * s.leg_length * g.frequency[lane]),
              lerp(1.2f, 4.0f, g.running[lane]) * s.dt);
-    float duty = lerp(duty_factor(speed), run_duty(speed, s.leg_length), g.running[lane]), was = g.duty[lane];
+    float walks = duty_factor(speed) + s.person.linger[lane], was = g.duty[lane];
+    float duty = lerp(walks, run_duty(speed, s.leg_length), g.running[lane]);
     approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
     if (g.running[lane] > 0) keep_swings(g, lane, was);
     float forward = dot(s.velocity, s.facing);
@@ -92,7 +95,7 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     float stride = stride_length(std::max(speed, 0.05f), s.leg_length) * s.person.stride[lane];
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
     if (g.tread[lane] > 0) {
-        stride = 2 * g.tread[lane];
+        stride = sets_both_feet(s.leg_length) ? g.tread[lane] : 2 * g.tread[lane];
         if (speed > 1.3f * stride) stride *= 2;
         // A tread that lies farther than the foot would go is reached later.
         Vec2 direction = normalize_or(s.velocity, s.facing);
@@ -164,8 +167,9 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     Side side = static_cast<Side>(g.first[lane]);
     float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
     if ((carried > 0.15f && !in_haste) || g.feet[side].phase[lane] < g.duty[lane] - 1e-3f) return;
-    g.standing[lane] = 0;
     g.first[lane] = -1;
+    if (length(s.velocity) < k_standing_speed && stays(g, s, side)) return;
+    g.standing[lane] = 0;
     g.frequency[lane] = wanted_frequency(g, s, length(s.velocity), off);
     leave(g, s, side, g.frequency[lane]);
 }
@@ -227,7 +231,8 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         float ahead = wrap_difference(phases[1 - side] + 0.5f - phase);
         float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
         if (worse && may_leave(g, s, side)) {
-            rate += std::max(off[side].distance - reach, 0.0f) * (k_hurry / s.leg_length);
+            rate += std::max(off[side].distance + k_aside * off[side].aside() - reach, 0.0f) *
+                    (k_hurry / s.leg_length);
             if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);
         }
         if (wants_step) {
@@ -236,7 +241,7 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             approach(phase, k_rest, 1.5f * s.dt);
         }
         bool due = phase >= duty && (!slow || off[side].amount(slack) > 0.5f);
-        if (wants_step && due && may_leave(g, s, side)) {
+        if (wants_step && due && may_leave(g, s, side) && !(slow && stays(g, s, side))) {
             leave(g, s, side, swing_rate(side, duty));
         } else {
             phase = std::min(phase, duty - k_just_below);

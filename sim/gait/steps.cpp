@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/body/body.h"
 #include "sim/gait/fits.h"
 
 namespace flaneur {
@@ -16,6 +17,7 @@ static constexpr float k_apart = 0.75f;  // of the step width, at least, between
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
+static constexpr float k_worth_it = 0.05f;     // metres, of a step of one who stands
 static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
 static constexpr float k_about_there = 0.25f;  // metres between a landing that is kept and what is wished
 static constexpr float k_committed = 0.3f;     // seconds before contact in which it stays on its level
@@ -119,10 +121,17 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     return place;
 }
 
-// On stairs one tread is a step: the foot lands on the next one after the other foot's.
+// On stairs one tread is a step: the foot lands on the next one after the other foot's; of small children,
+// beside the other foot where that has gone ahead.
 void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& size, FootPlace& wished) {
-    FootPlace there = get_place(g.feet[other(side)].to, s.lane);
+    FootPlace from = get_place(g.feet[side].from, s.lane), there = get_place(g.feet[other(side)].to, s.lane);
     Vec2 direction = normalize_or(s.velocity, s.facing);
+    bool both = sets_both_feet(s.leg_length);
+    if (both && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
+        float ahead = dot(on_ground(there.position - wished.position), direction);
+        wished.position += at_height(direction * ahead, 0);
+        return;
+    }
     Tread next = next_tread(s.around, there.position, direction, k_reach_treads);
     float& tread = g.tread[s.lane];
     if (next.end <= next.begin) {
@@ -220,6 +229,19 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 }
 
 }  // namespace
+
+bool stays(GaitBlock& g, const Stepper& s, Side side) {
+    FootBlock& foot = g.feet[side];
+    FootPlace is = get_place(foot.from, s.lane), wished = home(s.person, s.lane, side, s.root, s.heading);
+    wished.position.y = is.position.y;
+    Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane));
+    bool moves = footing.found && length(footing.place.position - is.position) > k_worth_it;
+    if (moves || std::fabs(wrap_angle(wished.yaw - is.yaw)) > k_home_twist) return false;
+    foot.wished_x[s.lane] = wished.position.x;
+    foot.wished_z[s.lane] = wished.position.z;
+    foot.wished_yaw[s.lane] = wished.yaw;
+    return true;
+}
 
 bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
     FootBlock& foot = g.feet[side];

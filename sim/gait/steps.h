@@ -36,12 +36,17 @@ FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float 
 struct Misfit {
     float distance = 0, twist = 0;  // metres, radians
     float behind = 0;               // metres, along the velocity or the wish
-    float unasked = 0;              // metres from the place for which the ground has offered this one to home
+    // Metres across the velocity or the wish.
+    float aside() const { return std::sqrt(std::max(distance * distance - behind * behind, 0.0f)); }
+    float unasked = 0;  // metres from the place for which the ground has offered this one to home
     // Over 1: a standing walker steps.
     float amount(float slack) const;
 };
 Misfit misfit(const GaitBlock& gait, const Stepper& s, Side side);
 
+// Whether the ground has no better place for a foot of one who stands than where it is: then it is not asked
+// to step any more.
+bool stays(GaitBlock& gait, const Stepper& s, Side side);
 // Toe-off. `frequency` is of the cycle, 1/s; the swing takes `seconds`. False if there is nothing to land on
 // but a jump would reach ground.
 bool lift_off(GaitBlock& gait, const Stepper& s, Side side, float seconds, float frequency);

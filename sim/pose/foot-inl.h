@@ -45,8 +45,10 @@ template <class T>
 struct WalkNow {
     T duty, over_duty, over_swing;  // duty; its norm's share over it; the same of the swing
     T amplitude, ahead, running, lift;
-    T over;              // how much faster than a natural pace, see rise-inl.h
-    T leg, pace, reach;  // of a run, see swing-inl.h
+    T over;               // how much faster than a natural pace, see rise-inl.h
+    T leg, pace, reach;   // of a run, see swing-inl.h
+    T strike, clearance;  // see PersonBlock
+    T climb;              // metres for each metre walked
 };
 
 // Where a foot is in its cycle and in its swing.
@@ -77,7 +79,8 @@ struct Foot {
     T leaving;                   // 0 while the body rests on it .. 1 at toe-off
     T slack;   // metres that the leg may fall short: none as it lands and stands, some as it leaves
     T give;    // metres before its reach from which on a swinging leg gives way
-    T rolls;   // 0 .. 1: how far a foot on the ground gives way over its ball to a shin that tilts
+    T rolls;   // 0 .. 1: how far a foot gives way over its ball, on the ground or leaving it, to a shin that
+               // tilts
     T swings;  // 1 in the swing, 0 on the ground
 };
 
@@ -114,10 +117,10 @@ template <class T>
 HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing) {
     T zero = T(0.0f), one = T(1.0f), norm = time.norm;
     T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead * (one + T(k_pitch_pace) * walk.over);
-    T rolling = one - smoothstep(T(0.06f), T(0.12f), norm) *
-                          (one - smoothstep(T(k_heel_off_0), T(k_heel_off_1), norm));
+    T rolling = select(pitch > zero, one - smoothstep(T(0.06f), T(0.12f), norm),
+                       smoothstep(T(k_heel_off_0), T(k_heel_off_1), norm));
     pitch = select(time.planted, pitch * rolling, pitch - T(k_droop) * time.swing.hop * walk.ahead);
-    pitch = select(pitch > zero, pitch * T(k_heel_strike), pitch);
+    pitch = select(pitch > zero, pitch * T(k_heel_strike) * walk.strike, pitch);
     T before_toe_off = one - smoothstep(T(0.5f), T(k_norm_toe_off), norm);
     T rises = smoothstep(T(0.36f), T(0.48f), norm) * before_toe_off;
     pitch = pitch - rises * T(k_heel_rise) * walk.ahead;
@@ -145,7 +148,7 @@ HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) 
     T clearance = lerp(
         swing.hop * T(0.05f),
         T(k_clear_early) * (T(1.0f) + T(k_clear_pace) * walk.over) * swing.product2 * rest * rest * rest +
-            T(k_clear) * swing.hop,
+            (T(k_clear) + walk.clearance) * swing.hop + T(k_clear_late) * u * u * u * rest,
         walk.amplitude);
     if (!any(walk.running > T(0.0f))) return clearance;
     T run = run_clearance(u, rest, walk.pace) * walk.leg;
@@ -157,7 +160,7 @@ HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) 
 // toes point up, else the ball. In the swing the pivot wanders from ball back to heel.
 //
 // The ankle is `ankle` above the sole: turned by `pitch` about the heel it comes to stand ankle cos + heel
-// sin above the ground, about the ball ankle cos - ball sin.
+// sin above the ground. Over the ball the foot turns about the toe joint, below which the toes stay flat.
 template <class T>
 HWY_INLINE void pitch_foot(Foot<T>& out, const FootTime<T>& time, const FootSizes<T>& size, T pitch,
                            T landing, T clearance) {
@@ -169,16 +172,16 @@ HWY_INLINE void pitch_foot(Foot<T>& out, const FootTime<T>& time, const FootSize
     SinCosOf<T> tilt = doubled(out.half);
     T cosine = tilt.cosine, sine = zero - tilt.sine;
 
-    T level = size.ankle * cosine;
-    T over_heel = level + size.heel * sine;
-    T over_ball = level - size.ball * sine;
-    T over_tip = over_ball + size.toe * doubled(out.toe_half).sine;
+    SinCosOf<T> toe_tilt = doubled(out.toe_half);
+    T instep = size.ankle - size.ball_height;  // of the ankle over the toe joint
+    T over_heel = size.ankle * cosine + size.heel * sine;
+    T over_ball = instep * cosine - size.ball * sine + size.ball_height * toe_tilt.cosine;
+    T over_tip = over_ball + size.toe * toe_tilt.sine;
     T soft = T(k_soft) * time.swing.hop;
     out.ankle_up = soft_max(over_heel, soft_max(over_ball, over_tip, soft), soft) + clearance;
 
-    T back = size.ankle * sine;
-    T from_heel = size.heel * cosine - back - size.heel;
-    T from_ball = size.ball - size.ball * cosine - back;
+    T from_heel = size.heel * cosine - size.ankle * sine - size.heel;
+    T from_ball = size.ball - size.ball * cosine - instep * sine;
     out.ankle_ahead =
         lerp(from_ball, from_heel, select(time.planted, select(toes_up, one, zero), smoothstep(u)));
 }
@@ -200,19 +203,24 @@ HWY_INLINE SwingEnds<T> swing_ends(const FootPlaces& from, const FootPlaces& to,
 
 // How far the leg of this foot may be from what its place asks for; see Foot.
 template <class T>
-HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot, T running) {
+HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot, const WalkNow<T>& walk) {
     T zero = T(0.0f), one = T(1.0f), u = time.swing.u;
     out.swings = select(time.planted, zero, one);
-    out.leaving = select(time.planted, smoothstep(T(0.38f), T(0.55f), time.norm), zero);
+    // A body that has left a foot far behind lifts its heel earlier, and more.
+    T behind = smoothstep(T(k_behind_0), T(k_behind_1), (zero - dot(out.place_os, out.ahead_ws)) / walk.leg);
+    T leaves = max(smoothstep(T(0.38f), T(0.55f), time.norm), behind);
+    out.leaving = select(time.planted, leaves, zero);
+    T gives = T(k_leaving_slack) + behind * T(k_behind_slack) + max(walk.climb, zero) * T(k_climb_slack);
     T since_flat = smoothstep(T(0.11f), T(0.2f), time.norm);
-    out.rolls = select(time.planted & (out.half.sine > T(-1e-3f)), max(forefoot, since_flat), zero);
+    T rolls = select(out.half.sine > T(-1e-3f), max(forefoot, since_flat), zero);
+    out.rolls = select(time.planted, rolls, one - smoothstep(zero, T(k_let_go), u));
     out.give = select(time.planted, zero,
                       T(k_give) * smoothstep(zero, T(0.15f), u) * (one - smoothstep(T(0.7f), T(0.92f), u)));
     // Let go little by little, and bound again before it lands; in a run, as it lands.
     T free = T(k_landing_slack) * (one - smoothstep(T(k_landing), one, u)) +
              T(0.3f) * (one - smoothstep(T(0.5f), T(k_landing), u));
-    out.slack = select(time.planted, out.leaving * T(k_leaving_slack),
-                       lerp(T(k_leaving_slack), free, smoothstep(zero, T(0.35f), u)) + running * T(0.3f));
+    out.slack = select(time.planted, out.leaving * gives,
+                       lerp(gives, free, smoothstep(zero, T(0.35f), u)) + walk.running * T(0.3f));
 }
 
 // Heel, flat foot, ball: a planted foot rolls over the heel while its toes point up and over the ball when
@@ -244,7 +252,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Axes<T> axes_ws = axes_of(out.flat_ws);
     out.up_ws = axes_ws.y;
     out.ahead_ws = axes_ws.z;
-    bind_leg(out, time, forefoot, walk.running);
+    bind_leg(out, time, forefoot, walk);
     return out;
 }
 
@@ -281,9 +289,12 @@ template <class T, class M>
 HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SinCosOf<T> half) {
     turn_if(turns, foot.half, half);
     SinCosOf<T> tilt = doubled(foot.half);
-    foot.ankle_up = select(turns, size.ankle * tilt.cosine + size.ball * tilt.sine, foot.ankle_up);
-    foot.ankle_ahead =
-        select(turns, size.ball - size.ball * tilt.cosine + size.ankle * tilt.sine, foot.ankle_ahead);
+    T instep = size.ankle - size.ball_height;
+    T up = instep * tilt.cosine + size.ball * tilt.sine + size.ball_height;
+    T ahead = size.ball - size.ball * tilt.cosine + instep * tilt.sine;
+    T share = select(foot.swings > T(0.0f), foot.rolls, T(1.0f));
+    foot.ankle_up = select(turns, lerp(foot.ankle_up, up, share), foot.ankle_up);
+    foot.ankle_ahead = select(turns, lerp(foot.ankle_ahead, ahead, share), foot.ankle_ahead);
 }
 
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
@@ -298,7 +309,8 @@ HWY_INLINE void raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os
     // How fast the ankle nears the hip as the heel rises: d/dpitch of its place in the foot's plane.
     SinCosOf<T> tilt = doubled(foot.half);
     T cosine = tilt.cosine, sine = T(0.0f) - tilt.sine;
-    T move_up = size.ankle * sine + size.ball * cosine, move_ahead = size.ankle * cosine - size.ball * sine;
+    T instep = size.ankle - size.ball_height;
+    T move_up = instep * sine + size.ball * cosine, move_ahead = instep * cosine - size.ball * sine;
     T gain = (dot(foot.up_ws, to_hip) * move_up + dot(foot.ahead_ws, to_hip) * move_ahead) / distance;
     T angle = min((distance - reach) / max(gain, T(0.03f)), T(0.3f));
     turn_over_ball(short_leg, foot, size, sin_cos_half(angle));

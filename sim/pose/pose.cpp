@@ -45,7 +45,7 @@ Sole sole(const std::vector<PoseBlock>& poses, const Gait& gait, size_t walker, 
     Joint toes_joint = side == k_left ? left_toes : right_toes;
     JointPose foot = joint_pose(poses, walker, foot_joint), toes = joint_pose(poses, walker, toes_joint);
     float ankle_height = person.joints[foot_joint][1][lane], ball_height = person.joints[toes_joint][1][lane];
-    Vec3 ball = toes.position + rotate(foot.rotation, Vec3{0, -ball_height, 0});
+    Vec3 ball = toes.position + rotate(toes.rotation, Vec3{0, -ball_height, 0});
     return {foot.position + rotate(foot.rotation, Vec3{0, -ankle_height, -person.heel[lane]}), ball,
             ball + rotate(toes.rotation, Vec3{0, 0, person.toe[lane]})};
 }

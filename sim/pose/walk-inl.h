@@ -94,7 +94,7 @@ HWY_INLINE V3<T> within_reach(V3<T> to_ankle, const LimbSizes<T>& leg, T give) {
 }
 
 template <class T>
-HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane, T leg) {
+HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, const PersonBlock& p, size_t lane, T leg) {
     T one = T(1.0f);
     WalkNow<T> walk;
     walk.duty = at<T>(g.duty + lane);
@@ -108,6 +108,9 @@ HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, size_t lane, T leg) {
     walk.pace = at<T>(g.pace + lane);
     walk.reach = T(2.0f) * walk.duty * at<T>(g.step + lane);
     walk.leg = leg;
+    walk.climb = at<T>(g.rise + lane);
+    walk.strike = at<T>(p.strike + lane);
+    walk.clearance = at<T>(p.clearance + lane);
     return walk;
 }
 
@@ -225,7 +228,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
                            at<T>(p.joints[left_toes][2] + lane) - at<T>(p.joints[left_foot][2] + lane),
                            at<T>(p.joints[left_toes][1] + lane), at<T>(p.heel + lane), at<T>(p.toe + lane)};
 
-    WalkNow<T> walk = walk_now<T>(g, lane, hip_ms.y);
+    WalkNow<T> walk = walk_now<T>(g, p, lane, hip_ms.y);
     // The ground on which the pelvis rides, below the root.
     V3<T> origin_ws{at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
     store_place(origin_ws, out.origin, lane);

@@ -409,7 +409,7 @@ TEST(Draw, BrokenMeshesAreRefusedAndTheOldSceneStays) {
     };
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.lods[1][4] = 1u << 30; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.lods[0].pop_back(); }));
-    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].joints[2] = 22; }));
+    EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].joints[2] = k_palette_joints; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].texture = 0; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.vertices[7].normal[3] = 7; }));
     EXPECT_TRUE(refused([](PersonMesh& mesh) { mesh.strides.pop_back(); }));

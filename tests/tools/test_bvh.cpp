@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/walk.h"
 #include "tools/flaneur/motion/bvh.h"
 
 namespace flaneur {

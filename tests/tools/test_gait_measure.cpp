@@ -7,11 +7,11 @@
 
 #include "sim/base/math.h"
 #include "tools/flaneur/gait/bars.h"
-#include "tools/flaneur/gait/contact.h"
 #include "tools/flaneur/gait/crowd.h"
-#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/measure/contact.h"
+#include "tools/flaneur/gait/measure/limits.h"
+#include "tools/flaneur/gait/measure/transients.h"
 #include "tools/flaneur/gait/report.h"
-#include "tools/flaneur/gait/transients.h"
 
 namespace flaneur {
 namespace {

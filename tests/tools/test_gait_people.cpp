@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/measure/limits.h"
 #include "tools/flaneur/gait/people/ages.h"
 #include "tools/flaneur/gait/people/table.h"
 

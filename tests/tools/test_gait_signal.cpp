@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/signal.h"
 
 namespace flaneur {
 namespace {

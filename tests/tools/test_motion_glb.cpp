@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/walk.h"
 #include "tools/flaneur/motion/glb.h"
 
 namespace flaneur {

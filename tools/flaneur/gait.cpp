@@ -154,6 +154,8 @@ Result<void> run_gait(const Options& options) {
         return Error{"--cane is for walks, and at that --speed this person runs: say " + std::string(most) +
                      " at most."};
     }
+    if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !is_stream(gait.strip))
+        return Error{"--strip draws a .png, which " + gait.strip + " is not called."};
     const auto as_file = is_glb ? motion_glb : bvh_text;
     std::vector<Report> reports;
     Recording motion;

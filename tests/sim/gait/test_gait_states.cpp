@@ -94,7 +94,7 @@ void observe(Tried& t) {
 void advance(Tried& t, Vec2 wish) {
     GroundHit under;
     if (auto hit = ground_at(t.ground, t.position)) under = *hit;
-    t.wish = wish_on(under, wish);
+    t.wish = wish_on(under, wish, stair_pace(k_leg_share * t.height));
     t.motion = next_motion(t.motion, t.wish, k_tick);
     t.position += at_height(t.motion.velocity * k_tick, 0);
     if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
@@ -310,16 +310,21 @@ TEST(GaitStates, StandsAndWalksOnRoughGround) {
     EXPECT_LT(sunk, planted / 100);
 }
 
+// From z = 3 on, risers of 0.16 and treads of 0.32 m: up, or down where `sign` is -1.
+Ground flight_of_14(float sign) {
+    Ground ground;
+    add_floor(ground, {-5, -10}, {5, 3}, 0, Surface::plaza);
+    for (int i = 0; i < 14; ++i) {
+        float z = 3 + static_cast<float>(i) * 0.32f, y = sign * 0.16f * static_cast<float>(i + 1);
+        add_floor(ground, {-5, z}, {5, i < 13 ? z + 0.32f : 30}, y, Surface::steps);
+    }
+    index_ground(ground);
+    return ground;
+}
+
 TEST(GaitStates, ClimbsOneTreadAStep) {
     for (float sign : {1.0f, -1.0f}) {
-        Ground ground;
-        add_floor(ground, {-5, -10}, {5, 3}, 0, Surface::plaza);
-        for (int i = 0; i < 14; ++i) {
-            float z = 3 + static_cast<float>(i) * 0.32f, y = sign * 0.16f * static_cast<float>(i + 1);
-            add_floor(ground, {-5, z}, {5, i < 13 ? z + 0.32f : 30}, y, Surface::steps);
-        }
-        index_ground(ground);
-        Tried t = make_tried(ground);
+        Tried t = make_tried(flight_of_14(sign));
         int on_treads = 0;
         for_seconds(t, 13, {0, 1.3f}, [&] {
             EXPECT_LT(t.drift, 5e-4f) << t.tick;
@@ -337,6 +342,21 @@ TEST(GaitStates, ClimbsOneTreadAStep) {
         EXPECT_GE(on_treads, 8);
         EXPECT_LE(on_treads, 14);
         EXPECT_GT(t.position.z, 7);
+    }
+}
+
+TEST(GaitStates, SmallChildrenSetBothFeetOnEachTread) {
+    for (float sign : {1.0f, -1.0f}) {
+        Tried t = make_tried(flight_of_14(sign), 1.03f);
+        int landings[14] = {};
+        for_seconds(t, 25, {0, 0.9f}, [&] {
+            EXPECT_LT(t.drift, 5e-4f) << t.tick;
+            for (int side : {0, 1}) {
+                auto tread = static_cast<int>(std::lround(sign * t.foot(side).to.y[0] / 0.16f)) - 1;
+                if (t.landed[side] && tread >= 0 && tread < 14) ++landings[tread];
+            }
+        });
+        for (int tread = 1; tread < 13; ++tread) EXPECT_EQ(landings[tread], 2) << sign << " " << tread;
     }
 }
 

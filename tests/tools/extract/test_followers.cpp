@@ -159,7 +159,7 @@ TEST(Followers, SwingSmoothlyAndHangStillWithWhoStands) {
             }
             for (size_t f = 0; f < most.size(); ++f) {
                 EXPECT_LT(standing[f], 0.035f) << k_names[f] << " of who stands";
-                EXPECT_GT(most[f], 0.007f) << k_names[f] << " does not swing, " << way.name;
+                EXPECT_GT(most[f], 0.004f) << k_names[f] << " does not swing, " << way.name;
                 EXPECT_LT(step[f], 0.2f) << "radians in a tick: " << k_names[f] << ", " << way.name;
             }
         }

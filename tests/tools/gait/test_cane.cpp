@@ -7,9 +7,9 @@
 
 #include "sim/base/math.h"
 #include "tools/flaneur/gait/cane.h"
-#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/measure/limits.h"
+#include "tools/flaneur/gait/measure/walk.h"
 #include "tools/flaneur/gait/trials.h"
-#include "tools/flaneur/gait/walk.h"
 
 namespace flaneur {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/body/body.h"
 #include "sim/gait/norms.h"
 
 namespace flaneur {
@@ -89,6 +90,7 @@ constexpr Bar k_any_speed[] = {
     {"walk_ratio.m_spm", 0.0052, 0.0073, 0, "Murakami & Otaka 2017"},
     {"pelvis_up.m_s2", 0, 8, 0, k_mocap},
     {"pelvis_down.m_s2", -6, 0, 0, k_mocap},
+    {"pelvis_jolt.m_s2", 0, 14, 0, "no knock as a heel comes down"},
     {"trunk_lean.deg", 2.2, 8, 0, k_mocap},
     {"trunk_lean.range", 1.9, 5.1, 0, k_mocap},
 };
@@ -151,11 +153,17 @@ constexpr Bar k_half_turn[] = {
 };
 constexpr Bar k_turn[] = {{"head_lead.ms", 150, 350, 0, "Grasso 1996"}};
 constexpr Bar k_stairs[] = {
-    {"speed.m_s", 0.45, 0.65, 0, "0.5 to 0.6; Riener 2002"},
     {"foot_pitch_contact.deg", -k_open, 0, 0, "forefoot first; Riener 2002"},
+    {"ball_over_ground.mm", -k_open, 5, 0, "the ball of the foot carries"},
+};
+constexpr Bar k_stairs_by_turns[] = {
+    {"speed.m_s", 0.45, 0.65, 0, "0.5 to 0.6; Riener 2002"},
     {"stairs_a_step", 0.95, 1.05, 0, "one stair a step"},
     {"odd_steps.pct", 0, 0, 0, "one stair a step"},
-    {"ball_over_ground.mm", -k_open, 5, 0, "the ball of the foot carries"},
+};
+constexpr Bar k_stairs_twice[] = {
+    {"stairs_a_step", 0.45, 0.55, 0, "both feet on each stair; Gesell 1940"},
+    {"odd_steps.pct", 0, 0, 0, "both feet on each stair; Gesell 1940"},
 };
 constexpr Bar k_stairs_up[] = {{"knee_swing_peak.deg", 85, 105, 0, "90 to 100; Riener 2002"}};
 constexpr Bar k_stairs_down[] = {{"knee_swing_peak.deg", 80, 95, 0, "85 to 90; Riener 2002"}};
@@ -170,6 +178,8 @@ constexpr Bar k_crowd[] = {
     {"not_finite", 0, 0, 0, ""},
     {"bone_error.m", 0, 1e-5, 0, "bones are rigid"},
     {"joint_speed.deg_s", 0, 900, 0, "faster is a jump"},
+};
+constexpr Bar k_crowd_spread[] = {
     {"spread_thigh.deg", 3, 9, 0, "6; Winter 1991, Fukuchi 2018"},
     {"spread_knee.deg", 2.6, 7.8, 0, "5.2; Winter 1991, Fukuchi 2018"},
     {"spread_ankle.deg", 2, 5.9, 0, "3.9; Winter 1991, Fukuchi 2018"},
@@ -232,13 +242,18 @@ std::vector<Bar> turn_bars(double degrees) {
     return bars;
 }
 
-std::vector<Bar> stairs_bars(bool up) {
+std::vector<Bar> stairs_bars(bool up, double leg) {
     std::vector<Bar> bars;
     add(bars, k_stairs);
-    if (up) {
-        add(bars, k_stairs_up);
+    if (sets_both_feet(static_cast<float>(leg))) {
+        add(bars, k_stairs_twice);
     } else {
-        add(bars, k_stairs_down);
+        add(bars, k_stairs_by_turns);
+        if (up) {
+            add(bars, k_stairs_up);
+        } else {
+            add(bars, k_stairs_down);
+        }
     }
     add(bars, k_rough_contact);
     return bars;
@@ -277,9 +292,10 @@ std::vector<Bar> change_bars() {
     return bars;
 }
 
-std::vector<Bar> crowd_bars() {
+std::vector<Bar> crowd_bars(size_t steady_walkers) {
     std::vector<Bar> bars;
     add(bars, k_crowd);
+    if (steady_walkers >= 10) add(bars, k_crowd_spread);
     return bars;
 }
 

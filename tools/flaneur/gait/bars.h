@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 
@@ -23,13 +23,14 @@ struct Bar {
 // in metres. Bars that hold at natural speed only are among them from 1.2 to 1.4 m/s.
 std::vector<Bar> level_bars(double speed, double leg);
 std::vector<Bar> turn_bars(double degrees);
-std::vector<Bar> stairs_bars(bool up);
+std::vector<Bar> stairs_bars(bool up, double leg);
 std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
 std::vector<Bar> bends_bars();
 std::vector<Bar> gaits_bars();
 std::vector<Bar> change_bars();
-std::vector<Bar> crowd_bars();
+// How people spread is asked of ten steady walkers or more.
+std::vector<Bar> crowd_bars(size_t steady_walkers);
 
 struct Verdict {
     Bar bar;

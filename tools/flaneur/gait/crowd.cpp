@@ -7,8 +7,8 @@
 
 #include "sim/base/math.h"
 #include "tools/flaneur/console/console.h"
-#include "tools/flaneur/gait/limits.h"
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/limits.h"
+#include "tools/flaneur/gait/measure/signal.h"
 #include "tools/flaneur/output/figures.h"
 
 namespace flaneur {
@@ -275,7 +275,7 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, 
     r.name = "crowd";
     r.title = std::to_string(watches.size()) + " walkers in " + printable(city) + " for " +
               std::to_string(std::lround(world.tick * static_cast<double>(k_tick))) + " s";
-    r.verdicts = judge(r.quantities, crowd_bars());
+    r.verdicts = judge(r.quantities, crowd_bars(people.size()));
     return r;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sim/world.h"
-#include "tools/flaneur/gait/contact.h"
+#include "tools/flaneur/gait/measure/contact.h"
 #include "tools/flaneur/gait/trials.h"
 
 namespace flaneur {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/signal.h"
 
 namespace flaneur {
 

@@ -9,10 +9,10 @@
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/cane.h"
-#include "tools/flaneur/gait/contact.h"
-#include "tools/flaneur/gait/limits.h"
-#include "tools/flaneur/gait/running.h"
-#include "tools/flaneur/gait/transients.h"
+#include "tools/flaneur/gait/measure/contact.h"
+#include "tools/flaneur/gait/measure/limits.h"
+#include "tools/flaneur/gait/measure/running.h"
+#include "tools/flaneur/gait/measure/transients.h"
 
 namespace flaneur {
 
@@ -86,7 +86,7 @@ Report try_level(const Person& person, double speed, double seconds) {
 }
 
 Report try_turn(const Person& person, double speed, double degrees) {
-    Vec2 after = heading_direction(static_cast<float>(degrees) * k_radians) * static_cast<float>(speed);
+    Vec2 after = turned_by(degrees, speed);
     double asked = k_stand + k_settle, seconds = asked + 6;
     Walk w = walk(flat_ground(speed, seconds), person, seconds, [&](double t) {
         return t < k_stand ? Vec2{} : t < asked ? onward(speed) : after;
@@ -141,7 +141,8 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     Ground ground = ground_of(stairs_course(k_begin, rise, run));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_flight_steps - 4) * run));
-    double stairs = 0, odd = 0, steps = 0;
+    double stairs = 0, odd = 0, steps = 0, leg = static_cast<double>(leg_length(person.body));
+    bool both = sets_both_feet(leg_length(person.body));
     for (const MeasuredStride& s :
          strides(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + 30 * run))) {
         const Instant& a = w.ticks[static_cast<size_t>(s.begin + 0.2 * (s.end - s.begin))];
@@ -150,7 +151,7 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
         double ascent = static_cast<double>(b.feet[other].sole.ball.y - a.feet[s.side].sole.ball.y);
         double climbed = std::fabs(ascent) / riser;
         stairs += climbed;
-        odd += std::fabs(climbed - 1) > 0.1;
+        odd += std::fabs(climbed - 1) > 0.1 && !(both && std::fabs(climbed) < 0.1);
         ++steps;
     }
     if (steps > 0) {
@@ -162,7 +163,7 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
                       : "Stairs down, risers of %.2f and treads of %.2f m",
                    riser, tread);
-    return finished(std::move(r), stairs_bars(up), person, false);
+    return finished(std::move(r), stairs_bars(up, leg), person, false);
 }
 
 Report try_slope(const Person& person, double speed, double percent) {

@@ -10,7 +10,7 @@
 #include "tools/extract/convert.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/caption.h"
 #include "tools/flaneur/view/show.h"

@@ -66,7 +66,7 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     if (!renderer) return renderer.error();
     PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
     who.stick = gait.cane;
-    if (gait.cane) who.age = static_cast<float>(gait.age);
+    who.age = static_cast<float>(gait.age);
     Character character = generate_person(who);
     Take take = make_moment(gait, {character.body, manner}, speed);
     City city;

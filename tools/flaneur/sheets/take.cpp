@@ -5,7 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/crowd/locomotion.h"
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 
@@ -42,7 +42,7 @@ Ground ground_of(const GaitOptions& gait, float way) {
 
 Take take_on(Ground ground, const GaitOptions& gait, const Person& person, double speed, double seconds) {
     Vec2 onward{0, static_cast<float>(speed)};
-    Vec2 turned = heading_direction(static_cast<float>(gait.turn) * k_radians) * onward.z;
+    Vec2 turned = turned_by(gait.turn, speed);
     Take take;
     take.ground = std::move(ground);
     take.walk = walk(take.ground, person, seconds, [&](double t) {
@@ -61,8 +61,10 @@ Take make_take(const GaitOptions& gait, const Person& person, double speed, doub
 
 Take make_moment(const GaitOptions& gait, const Person& person, double speed) {
     float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
-    double walked =
-        k_steady + k_turn + static_cast<double>(from / stair_speed(static_cast<float>(speed))) + 3;
+    double walked = k_steady + k_turn +
+                    static_cast<double>(
+                        from / stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body)))) +
+                    3;
     // What is shown lies near the beginning.
     Take take = take_on(ground_of(gait, 0), gait, person, speed, walked + k_stop);
     const std::vector<Instant>& ticks = take.walk.ticks;

@@ -2,7 +2,7 @@
 // strip shows a part and which is exported.
 #pragma once
 
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/walk.h"
 #include "tools/flaneur/options/options.h"
 
 namespace flaneur {

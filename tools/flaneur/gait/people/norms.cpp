@@ -80,6 +80,12 @@ const Rule k_rules[] = {
      k_captured,
      {1, 1, 1, 1, 1.63},
      "by Froude number beyond 1.63 m/s"},
+    {"pelvis_jolt.m_s2",
+     0,
+     Moved::by_ratio,
+     k_captured,
+     {1, 1, 1, 1, 1.63},
+     "by Froude number beyond 1.63 m/s"},
     {"walk_ratio.m_spm", 1.5, Moved::not_at_all, nullptr, {}, k_hof},
     {"step_width.m", 1, Moved::not_at_all, nullptr, {}, k_hof},
     {"toe_clearance.mm", 1, Moved::not_at_all, nullptr, {}, k_hof},
@@ -101,9 +107,9 @@ const Rule k_rules[] = {
 
 // Physics, which a style does not change: how the names begin.
 constexpr std::string_view k_physics[] = {
-    "planted_",  "stance_drift",     "slip_speed", "skate_zhang",   "penetration", "float",
-    "swing_",    "ball_over_ground", "jerk_",      "pelvis_up",     "pelvis_down", "pelvis_fall",
-    "head_rise", "joint_",           "odd_steps",  "stairs_a_step",
+    "planted_",    "stance_drift",     "slip_speed", "skate_zhang", "penetration",   "float",
+    "swing_",      "ball_over_ground", "jerk_",      "pelvis_up",   "pelvis_down",   "pelvis_jolt",
+    "pelvis_fall", "head_rise",        "joint_",     "odd_steps",   "stairs_a_step",
 };
 
 constexpr Bar k_body[] = {
@@ -179,9 +185,9 @@ bool is_asked_on_stairs(const Who& who, std::string_view quantity) {
     return quantity != "knee_swing_peak.deg" || who.age >= 14;
 }
 
-std::vector<Bar> bars_on_stairs(const Who& who, bool up) {
+std::vector<Bar> bars_on_stairs(const Who& who, bool up, double leg) {
     std::vector<Bar> bars;
-    for (const Bar& bar : stairs_bars(up))
+    for (const Bar& bar : stairs_bars(up, leg))
         if (is_asked_on_stairs(who, bar.quantity)) bars.push_back(bar);
     return bars;
 }
@@ -204,7 +210,7 @@ std::vector<Bar> bars_of_trial(const Who& who, double leg, Trial trial, double s
             return bends_bars();
         case Trial::stairs_up:
         case Trial::stairs_down:
-            return bars_on_stairs(who, trial == Trial::stairs_up);
+            return bars_on_stairs(who, trial == Trial::stairs_up, leg);
         case Trial::slope_up:
             return slope_bars(k_slope);
         case Trial::slope_down:

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/walk.h"
 #include "tools/flaneur/options/options.h"
 
 namespace flaneur {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "tools/flaneur/gait/reference.h"
+#include "tools/flaneur/gait/measure/reference.h"
 
 namespace flaneur {
 

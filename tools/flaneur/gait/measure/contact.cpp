@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/contact.h"
+#include "tools/flaneur/gait/measure/contact.h"
 
 #include <algorithm>
 #include <cmath>

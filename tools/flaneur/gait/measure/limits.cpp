@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/limits.h"
+#include "tools/flaneur/gait/measure/limits.h"
 
 #include <algorithm>
 #include <cmath>

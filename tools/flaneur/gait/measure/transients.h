@@ -1,7 +1,7 @@
 // Starting, stopping and turning, out of a recorded walk.
 #pragma once
 
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 

@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/reference.h"
+#include "tools/flaneur/gait/measure/reference.h"
 
 namespace flaneur {
 

@@ -1,9 +1,10 @@
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/walk.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "sim/base/hash.h"
+#include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
@@ -100,6 +101,11 @@ void add_risers(Ground& ground, const Course& course) {
     }
 }
 
+Vec2 turned_by(double degrees, double speed) {
+    float angle = clamp(static_cast<float>(degrees), -179.5f, 179.5f);
+    return heading_direction(angle * k_radians) * static_cast<float>(speed);
+}
+
 Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish) {
     Walk result{person.body, 1 / static_cast<double>(k_tick), {}, 0};
     std::vector<Body> bodies{person.body};
@@ -119,7 +125,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
-        Vec2 wished = wish_on(under, wish(t / result.rate));
+        Vec2 wished = wish_on(under, wish(t / result.rate), stair_pace(leg_length(person.body)));
         motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/flaneur/gait/reference.h"
-#include "tools/flaneur/gait/walk.h"
+#include "tools/flaneur/gait/measure/reference.h"
+#include "tools/flaneur/gait/measure/walk.h"
 
 namespace flaneur {
 

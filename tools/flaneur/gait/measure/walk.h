@@ -93,6 +93,9 @@ struct Person {
 // can (next_motion).
 using Wish = std::function<Vec2(double time)>;
 
+// At `speed` m/s, turned by so many degrees from +z to the left; a half turn goes to its own side too.
+Vec2 turned_by(double degrees, double speed);
+
 // Walks for `seconds` from (0, 0), facing +z.
 Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish);
 

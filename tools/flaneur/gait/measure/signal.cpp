@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/signal.h"
 
 #include <algorithm>
 #include <cmath>

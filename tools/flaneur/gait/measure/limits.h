@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/pose/joint_limits.h"
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 

@@ -1,7 +1,7 @@
 // What tells a run from a walk, out of a recorded one, between two ticks.
 #pragma once
 
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 

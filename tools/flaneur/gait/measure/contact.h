@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
 

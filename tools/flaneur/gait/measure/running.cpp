@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/running.h"
+#include "tools/flaneur/gait/measure/running.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "tools/flaneur/gait/transients.h"
+#include "tools/flaneur/gait/measure/transients.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/signal.h"
 
 namespace flaneur {
 

@@ -1,4 +1,4 @@
-#include "tools/flaneur/gait/measure.h"
+#include "tools/flaneur/gait/measure/measure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "sim/base/math.h"
 #include "sim/gait/norms.h"
-#include "tools/flaneur/gait/contact.h"
-#include "tools/flaneur/gait/signal.h"
+#include "tools/flaneur/gait/measure/contact.h"
+#include "tools/flaneur/gait/measure/signal.h"
 
 namespace flaneur {
 
