@@ -52,16 +52,14 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
                              const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height) {
     T least = leg.upper * leg.upper * T(0.8f);
     T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
-    T wanted = height.walk, limits[2];
-    for (int side = 0; side < 2; ++side) {
-        const Foot<T>& foot = feet[side];
-        T hip_up = pelvis.to_hip_ws[side].y;
-        V3<T> ankle_os = ankle_of(foot);
+    auto limit_of = [&](int side) {
+        V3<T> ankle_os = ankle_of(feet[side]);
         T x = pelvis.place_os.x + pelvis.to_hip_ws[side].x - ankle_os.x,
           z = pelvis.place_os.z + pelvis.to_hip_ws[side].z - ankle_os.z;
-        T flat2 = x * x + z * z;
-        limits[side] = sqrt(max(full2 - flat2, least)) + ankle_os.y - hip_up;
-    }
+        return sqrt(max(full2 - (x * x + z * z), least)) + ankle_os.y - pelvis.to_hip_ws[side].y;
+    };
+    T wanted = height.walk;
+    const T limits[2] = {limit_of(k_left), limit_of(k_right)};
     if (any(walk.running > T(0.0f))) {
         T run = contact_height(foot_size, leg, walk) - pelvis.to_hip_ws[k_left].y - height.drop;
         wanted = lerp(wanted, run, walk.running);
@@ -74,8 +72,11 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     pelvis.place_os.y = y + walk.lift;
     for (int side = 0; side < 2; ++side) {
         V3<T> hip_os = pelvis.place_os + pelvis.to_hip_ws[side];
+        if (!raise_heel(feet[side], foot_size, hip_os, full)) continue;
         raise_heel(feet[side], foot_size, hip_os, full);
-        raise_heel(feet[side], foot_size, hip_os, full);
+        // What a heel cannot give the pelvis does.
+        T lowered = min(pelvis.place_os.y, limit_of(side));
+        pelvis.place_os.y = select(feet[side].leaving > T(0.0f), lowered, pelvis.place_os.y);
     }
 }
 

@@ -65,12 +65,13 @@ TEST(CanesInACrowd, AreTheSameOnAnyNumberOfThreads) {
     }
 }
 
-// Over kerbs and flights of steps, round others. On stairs an arm may be too slow for its plan now and then.
+// Over kerbs and flights of steps, round others. On stairs an arm may be too slow for its plan now and then,
+// and on a steep bridge as the body leaves a foot behind.
 TEST(CanesInACrowd, StandOnTheGround) {
     const struct {
         Ground ground;
         int late;  // ticks in a hundred thousand
-    } places[] = {{street(), 0}, {bridge(), 0}, {square(20), 0}, {steps(), 20}};
+    } places[] = {{street(), 0}, {bridge(), 20}, {square(20), 0}, {steps(), 20}};
     for (const auto& place : places) {
         auto w = people_on(place.ground, true);
         int stands = 0, ticks = 0, off = 0;
