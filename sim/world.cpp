@@ -146,11 +146,7 @@ void end_body(World& w, uint32_t walker) {
 
 JointPose joint_between(const World& w, size_t walker, Joint joint, float between) {
     JointPose last = joint_pose(w.poses, walker, joint), before = joint_pose(w.previous_poses, walker, joint);
-    const Quat &a = before.rotation, &b = last.rotation;
-    float sign = dot(a, b) < 0 ? -1.0f : 1.0f;
-    return {lerp(before.position, last.position, between),
-            normalize(Quat{lerp(a.x, sign * b.x, between), lerp(a.y, sign * b.y, between),
-                           lerp(a.z, sign * b.z, between), lerp(a.w, sign * b.w, between)})};
+    return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
 }
 
 Trail trail_between(const World& w, size_t walker, float between) {

@@ -90,6 +90,12 @@ inline Quat normalize(Quat q) {
     float s = 1 / std::sqrt(dot(q, q));
     return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
+// The share `t` of the shorter way from one to the other, about evenly where they lie near each other.
+inline Quat nlerp(Quat from, Quat to, float t) {
+    float there = dot(from, to) < 0 ? -t : t, here = 1 - t;
+    return normalize({from.x * here + to.x * there, from.y * here + to.y * there,
+                      from.z * here + to.z * there, from.w * here + to.w * there});
+}
 // The shortest rotation that takes unit vector `from` to unit vector `to`; for opposite vectors, half a turn
 // about some axis square to `from`.
 Quat rotation_between(Vec3 from, Vec3 to);

@@ -133,13 +133,6 @@ Vec2 coming(const Bearer& b, const Cane& c) {
     return (b.s.velocity + expected_velocity(b.s, c.left)) * (0.5f * c.left);
 }
 
-// The height, below `at`, of the plane on which a foot stands or will.
-float height_on(const FootPlaces& foot, int lane, Vec2 at) {
-    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
-    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
-    return foot.y[lane] - (nx * (at.x - foot.x[lane]) + nz * (at.z - foot.z[lane])) / ny;
-}
-
 // The pelvis rides on the lower foot as the other comes down.
 Vec3 shoulder_at_contact(const Bearer& b, const Cane& c) {
     Vec2 by = coming(b, c);

@@ -31,6 +31,12 @@ void set_place(FootPlaces& to, int lane, const FootPlace& p) {
     to.normal_z[lane] = p.normal.z;
 }
 
+float height_on(const FootPlaces& foot, int lane, Vec2 at) {
+    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
+    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
+    return foot.y[lane] - (nx * (at.x - foot.x[lane]) + nz * (at.z - foot.z[lane])) / ny;
+}
+
 FootSize foot_size(const PersonBlock& p, int lane) {
     float ball = p.joints[left_toes][2][lane] - p.joints[left_foot][2][lane];
     return {p.heel[lane], ball, ball + p.toe[lane]};

@@ -17,6 +17,9 @@ struct FootPlace {
 FootPlace get_place(const FootPlaces& from, int lane);
 void set_place(FootPlaces& to, int lane, const FootPlace& p);
 
+// The height at `at` of the plane on which a foot stands there.
+float height_on(const FootPlaces& foot, int lane, Vec2 at);
+
 // Along the foot from the ground point below the ankle: heel behind it, ball and tip of the toes ahead.
 struct FootSize {
     float heel, ball, tip;

@@ -24,19 +24,13 @@ static constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down 
 
 namespace {
 
-// The height at the walker's place of the plane that a foot stands on.
-float height_here(const FootPlaces& foot, int lane, Vec3 root) {
-    float nx = foot.normal_x[lane], nz = foot.normal_z[lane];
-    float ny = std::sqrt(std::max(1 - nx * nx - nz * nz, 0.01f));
-    return foot.y[lane] - (nx * (root.x - foot.x[lane]) + nz * (root.z - foot.z[lane])) / ny;
-}
-
 // The height of the ground for the pelvis: that of the foot which carries it; of the lower foot when it steps
 // down, by the time that foot lands; and it rises only as the higher foot takes the load.
 float carrying_height(const GaitBlock& g, int lane, Vec3 root, float leg) {
     const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
     if (!l.swinging[lane] && !r.swinging[lane]) {
-        float left = height_here(l.from, lane, root), right = height_here(r.from, lane, root);
+        float left = height_on(l.from, lane, on_ground(root)),
+              right = height_on(r.from, lane, on_ground(root));
         // Whoever has stepped down stays down.
         bool last_is_left = l.phase[lane] < r.phase[lane];
         // Small children stay below until the other foot comes after.
@@ -48,10 +42,12 @@ float carrying_height(const GaitBlock& g, int lane, Vec3 root, float leg) {
     }
     bool both = l.swinging[lane] && r.swinging[lane];
     const FootBlock &swings = l.swinging[lane] ? l : r, &stands = l.swinging[lane] ? r : l;
-    float from = both ? lerp(height_here(l.from, lane, root), height_here(r.from, lane, root), 0.5f)
-                      : height_here(stands.from, lane, root);
-    float to = both ? lerp(height_here(l.to, lane, root), height_here(r.to, lane, root), 0.5f)
-                    : height_here(swings.to, lane, root);
+    float from =
+        both ? lerp(height_on(l.from, lane, on_ground(root)), height_on(r.from, lane, on_ground(root)), 0.5f)
+             : height_on(stands.from, lane, on_ground(root));
+    float to =
+        both ? lerp(height_on(l.to, lane, on_ground(root)), height_on(r.to, lane, on_ground(root)), 0.5f)
+             : height_on(swings.to, lane, on_ground(root));
     float duty = g.duty[lane];
     float u = smoothstep(duty, lerp(duty, 1, 0.6f), swings.phase[lane]);
     return both || to < from ? lerp(from, to, u) : from;
@@ -75,10 +71,10 @@ float let_down(const GaitBlock& g, const Stepper& s) {
     bool left = g.feet[k_left].swinging[lane] != 0;
     if (left == (g.feet[k_right].swinging[lane] != 0)) return 0;
     const FootBlock &swings = g.feet[left ? k_left : k_right], &stands = g.feet[left ? k_right : k_left];
-    float to = height_here(swings.goal, lane, s.root);
+    float to = height_on(swings.goal, lane, on_ground(s.root));
     float begins = g.tread[lane] > 0 ? lerp(g.duty[lane], 1, k_stairs_wait) : 0;
     if (swings.phase[lane] < begins) return 0;
-    float from = height_here(stands.from, lane, s.root), by = to - g.base[lane];
+    float from = height_on(stands.from, lane, on_ground(s.root)), by = to - g.base[lane];
     if (to > from - k_step_down_least || by > 0) return 0;
     return least_effort(by, g.base_velocity[lane], std::max(until_contact(g, swings, lane), k_soonest));
 }
@@ -144,10 +140,9 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
         if (walks && foot.swinging[lane]) {
             float seconds = std::min(until_contact(g, foot, lane), k_farthest_ahead);
             Vec2 root = on_ground(s.root) + (s.velocity + expected_velocity(s, seconds)) * (0.5f * seconds);
-            Vec3 there = at_height(root, 0);
             const FootPlaces& stands = g.feet[1 - side].from;
-            float base = std::min(height_here(foot.goal, lane, there), height_here(stands, lane, there));
-            base += std::max(g.base[lane] - std::max(height_here(stands, lane, s.root), base), 0.0f);
+            float base = std::min(height_on(foot.goal, lane, root), height_on(stands, lane, root));
+            base += std::max(g.base[lane] - std::max(height_on(stands, lane, on_ground(s.root)), base), 0.0f);
             float amount = too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), true);
             if (amount > coming) coming = amount, until = std::max(seconds, k_soonest);
         } else if (walks && foot.phase[lane] < k_bears &&

@@ -93,13 +93,6 @@ void move_wrist(Posed& pose, Vec3 to, float held) {
     pose.set(right_hand, new_elbow + rotate(turn, forearm) * b, normalize(turn * bend * hand));
 }
 
-// So far from `before` to `now`, which lie near each other.
-Quat between(Quat before, Quat now, float part) {
-    float other = dot(before, now) < 0 ? -part : part, rest = 1 - part;
-    return normalize(Quat{before.x * rest + now.x * other, before.y * rest + now.y * other,
-                          before.z * rest + now.z * other, before.w * rest + now.w * other});
-}
-
 // A hand against its forearm, bent no farther than a wrist is.
 Quat within_wrist(Quat hand_ps) {
     static const float k_side = sin_cos((joint_limits::k_wrist.side.high - 1) * k_radians).sine;
@@ -126,7 +119,7 @@ void slow_down(const PosedBefore& before, Posed& now, float part) {
         Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
         if (j > right_upper_arm) at += rotate(above, bone);
         was_at = now.place_os(j);
-        Quat turn_ps = between(against_parent(before, j), conjugate(was_above) * was, part);
+        Quat turn_ps = nlerp(against_parent(before, j), conjugate(was_above) * was, part);
         above = normalize(above * (j == right_hand ? within_wrist(turn_ps) : turn_ps));
         was_above = was;
         now.set(j, at, above);

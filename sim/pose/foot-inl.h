@@ -298,13 +298,13 @@ HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size,
 }
 
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
-// the angle. False if every one of them is.
+// the angle. Which legs were too short.
 template <class T>
-HWY_INLINE bool raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os, T reach) {
+HWY_INLINE auto raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os, T reach) {
     V3<T> to_hip = hip_os - ankle_of(foot);
     T distance2 = dot(to_hip, to_hip);
     auto short_leg = (foot.leaving > T(0.0f)) & (foot.half.sine >= T(0.0f)) & (distance2 > reach * reach);
-    if (!any(short_leg)) return false;
+    if (!any(short_leg)) return short_leg;
     T distance = sqrt(distance2);
     // How fast the ankle nears the hip as the heel rises: d/dpitch of its place in the foot's plane.
     SinCosOf<T> tilt = doubled(foot.half);
@@ -314,7 +314,7 @@ HWY_INLINE bool raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os
     T gain = (dot(foot.up_ws, to_hip) * move_up + dot(foot.ahead_ws, to_hip) * move_ahead) / distance;
     T angle = min((distance - reach) / max(gain, T(0.03f)), T(0.3f));
     turn_over_ball(short_leg, foot, size, sin_cos_half(angle));
-    return true;
+    return short_leg;
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

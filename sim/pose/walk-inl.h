@@ -72,11 +72,12 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     pelvis.place_os.y = y + walk.lift;
     for (int side = 0; side < 2; ++side) {
         V3<T> hip_os = pelvis.place_os + pelvis.to_hip_ws[side];
-        if (!raise_heel(feet[side], foot_size, hip_os, full)) continue;
+        auto gave = raise_heel(feet[side], foot_size, hip_os, full);
+        if (!any(gave)) continue;
         raise_heel(feet[side], foot_size, hip_os, full);
         // What a heel cannot give the pelvis does.
         T lowered = min(pelvis.place_os.y, limit_of(side));
-        pelvis.place_os.y = select(feet[side].leaving > T(0.0f), lowered, pelvis.place_os.y);
+        pelvis.place_os.y = select(gave, lowered, pelvis.place_os.y);
     }
 }
 

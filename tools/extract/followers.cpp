@@ -35,12 +35,6 @@ Quat hanging(float yaw, float aside, float ahead) {
     return rotation_y(yaw) * rotation_z(aside) * rotation_x(-ahead);
 }
 
-Quat mixed(Quat a, Quat b, float t) {
-    const float sign = dot(a, b) < 0 ? -1.0f : 1.0f;
-    return normalize({lerp(a.x, sign * b.x, t), lerp(a.y, sign * b.y, t), lerp(a.z, sign * b.z, t),
-                      lerp(a.w, sign * b.w, t)});
-}
-
 // The larger of both, rounded where they are within `round` of each other.
 float soft_max(float a, float b, float round) {
     const float near = std::max(round - std::abs(a - b), 0.0f);
@@ -154,7 +148,7 @@ std::array<JointPose, k_follower_count> followers(const Character& c, float scal
         turn(loose_hair) = joints[head].rotation * hanging(0, sway, -lift - 0.04f);
     } else {
         // It lies on the back, which keeps it in and holds it when the head turns.
-        const Quat nape = mixed(joints[upper_chest].rotation, joints[head].rotation, 0.4f);
+        const Quat nape = nlerp(joints[upper_chest].rotation, joints[head].rotation, 0.4f);
         const float yaw = clamp(-skull.turning * 0.06f, -0.2f, 0.2f);
         turn(loose_hair) = nape * hanging(yaw, 0.4f * sway, -0.6f * std::max(lift, 0.0f));
     }
