@@ -16,6 +16,15 @@ expect "$(echo many/*)" "many/0000.png many/0002.png many/0004.png"
 expect "$(probe width,height,r_frame_rate,nb_read_frames city.mp4)" 66,48,30/1,11
 "$1" gait --stairs up --strip strip.png --view side > /dev/null
 expect "$(probe width,height strip.png)" 2880,420
+"$1" gait --stairs up --strip later.png --moments 12:14 > /dev/null
+"$1" gait --strip abreast.png --abreast > /dev/null
+"$1" gait --strip change.png --change 3 --moments 6:7 > /dev/null
+"$1" gait --strip same.png --moments 6:7 > /dev/null
+expect "$(probe width,height abreast.png)" 2880,420
+for pair in "strip later" "change same" "abreast same"; do
+    read -r a b <<< "$pair"
+    if cmp -s "$a.png" "$b.png"; then echo "FAILED: $a.png and $b.png are one picture." && exit 1; fi
+done
 "$1" people --count 2 --sheet sheet.png --size 130x120 > /dev/null
 "$1" people --count 2 --sheet faces.png --size 130x120 --close > /dev/null
 "$1" people --count 2 --sheet backs.png --size 130x120 --turn 180 > /dev/null
@@ -25,4 +34,4 @@ expect "$(probe width,height faces.png)" 260,120
 if cmp -s sheet.png faces.png; then echo "FAILED: --close changes nothing." && exit 1; fi
 if cmp -s sheet.png backs.png; then echo "FAILED: --turn changes nothing." && exit 1; fi
 cmp sheet.png again.png
-expect "$(echo *)" "again.png backs.png city.mp4 faces.png many one sheet.png strip.png"
+expect "$(echo *)" "abreast.png again.png backs.png change.png city.mp4 faces.png later.png many one same.png sheet.png strip.png"

@@ -133,7 +133,10 @@ Examples:
                                                            along +z, at 60 frames a second
   flaneur gait --crowd 500 --walker 12 --export out/12.glb
                                                            that of one of a crowd, as glTF with a doll to look at
-  flaneur gait --strip out/strip.png --view front)";
+  flaneur gait --strip out/strip.png --view front
+  flaneur gait --strip out/stop.png --moments 21.8:24      one who stands for a second, walks, and stops after 22
+  flaneur gait --speed 1.4 --change 3.1 --strip out/run.png --moments 4.8:6.8
+  flaneur gait --abreast --strip out/people.png            twelve people, each with a walk of their own)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
@@ -288,9 +291,11 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
                    "Women and men from 4 to 80 years instead, with ten styles each, in every way of walking")
         ->group(k_who);
     command->add_flag("--cane", gait.cane, "Who walks with a cane")->group(k_who);
-    number(k_where, "--seconds", gait.seconds, 12, 600, "T",
+    number(k_where, "--seconds", gait.seconds, 12, k_longest_walk, "T",
            "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");
     number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");
+    number(k_where, "--change", gait.change, 0.3, 5, "M/S",
+           "So fast from the fifth to the tenth second, in a strip or an export");
     add_parsed(*command, "--stairs", parse_stairs, gait.stairs, "A flight up or down", "up|down", "")
         ->group(k_where);
     number(k_where, "--riser", gait.riser, 0.05, 0.25, "M", "Height of a stair", "0.17");
@@ -314,6 +319,14 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
         command->add_option("--strip", gait.strip, "Draw twelve moments of it, a .png")->type_name("FILE");
     add_parsed(*command, "--view", parse_view, gait.view, "What a strip shows it from: side or front", "VIEW",
                "side")
+        ->needs(strip);
+    add_parsed(*command, "--moments", parse_moments, gait.moments,
+               "From which to which second of the walk a strip is; without it, of one stride or the turn",
+               "FROM:TO", "")
+        ->needs(strip);
+    command
+        ->add_flag("--abreast", gait.abreast,
+                   "Twelve different people in a strip, at one moment; others by --style")
         ->needs(strip);
     wall->needs(strip);
     CLI::Option* motion =

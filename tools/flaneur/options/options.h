@@ -24,6 +24,12 @@ constexpr uint32_t count(const TickRange& t) { return (t.last - t.first) / t.ste
 enum class Sex { woman, man };
 enum class StripView { side, front };
 
+// Seconds of a walk that are looked at.
+struct Moments {
+    double first = 0, last = 0;  // equal: what tells most of it
+};
+inline constexpr double k_longest_walk = 600;
+
 // Who walks where; zeros and empty words ask for nothing.
 struct GaitOptions {
     double speed = 0;   // m/s; 0: what people of that age and sex prefer
@@ -34,6 +40,7 @@ struct GaitOptions {
     uint64_t style = 0;  // draws what differs between people of one body; 0: the middle manner
     double seconds = 25;
     double turn = 0;                    // degrees to the left
+    double change = 0;                  // m/s on the way; 0: as before. Not where bars are held
     std::string stairs;                 // up, down
     double riser = 0.17, tread = 0.29;  // metres
     double slope = 0;                   // metres up in a hundred
@@ -46,6 +53,8 @@ struct GaitOptions {
     std::string motion;  // a .bvh or a .glb
     int walker = 0;      // of a crowd, whose motion it is
     StripView view = StripView::side;
+    Moments moments;       // that a strip shows,
+    bool abreast = false;  // or twelve people at one moment
 };
 
 // Empty words ask for nothing.
@@ -113,6 +122,8 @@ struct Options {
 Result<PeopleShare> parse_people(const std::string& text);
 // 0 .. 2^64 - 1.
 Result<uint64_t> parse_seed(const std::string& text);
+// "21.5:24"
+Result<Moments> parse_moments(const std::string& text);
 // "600", "0:600" or "0:600:2".
 Result<TickRange> parse_ticks(const std::string& text);
 

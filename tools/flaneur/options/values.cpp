@@ -1,4 +1,5 @@
 // How values on the command line are read.
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <string_view>
@@ -30,6 +31,17 @@ Result<PeopleShare> parse_people(const std::string& text) {
     if (people.character.empty()) return Error{excerpt(text) + " names no file"};
     if (people.character == "builtin") people.character.clear();
     return people;
+}
+
+Result<Moments> parse_moments(const std::string& text) {
+    size_t colon = std::min(text.find(':'), text.size());
+    std::string_view from = std::string_view(text).substr(0, colon),
+                     to = std::string_view(text).substr(std::min(colon + 1, text.size()));
+    Moments moments;
+    if (is_number(from, moments.first) && is_number(to, moments.last) && moments.first >= 0 &&
+        moments.last > moments.first && moments.last <= k_longest_walk)
+        return moments;
+    return Error{excerpt(text) + " is not seconds as FROM:TO, such as 0.5:3, of a walk of 600 at most"};
 }
 
 Result<uint64_t> parse_seed(const std::string& text) {

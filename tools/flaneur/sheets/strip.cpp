@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "assets/outfit.h"
+#include "assets/population.h"
 #include "sim/base/levels.h"
 #include "tools/extract/convert.h"
+#include "tools/flaneur/gait/people/who.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/take.h"
 #include "tools/flaneur/view/show.h"
@@ -14,28 +16,66 @@ namespace flaneur {
 
 namespace {
 
-constexpr uint32_t k_moments = 12;
+constexpr uint32_t k_pictures = 12;
 constexpr uint32_t k_width = 240, k_height = 420;  // pixels of one
+constexpr double k_abreast_at = 6;                 // seconds, of people at one moment
+constexpr uint64_t k_abreast_seed = 3;
+
+// Somebody who is drawn, and the walk.
+struct Shown {
+    Character character;
+    Take take;
+};
+
+Shown show(const GaitOptions& gait, const PersonOptions& who, const Manner& manner, double speed) {
+    Shown shown{generate_person(who), {}};
+    Person person{shown.character.body, manner};
+    const Moments& moments = gait.moments;
+    if (moments.last > 0 || gait.abreast) {
+        shown.take = make_take(gait, person, speed, std::max(gait.seconds, moments.last));
+        double first = gait.abreast && moments.last == 0 ? k_abreast_at : moments.first;
+        shown.take.first = first * shown.take.walk.rate;
+        shown.take.last = moments.last * shown.take.walk.rate;
+    } else {
+        shown.take = make_moment(gait, person, speed);
+    }
+    return shown;
+}
+
+// Twelve people as the built-in ones are dealt, each at the pace they like.
+std::vector<Shown> twelve_people(const GaitOptions& gait) {
+    std::vector<Shown> all;
+    for (const PersonOptions& who : draw_population(k_pictures, k_abreast_seed + gait.style)) {
+        Who like{who.woman ? Sex::woman : Sex::man, static_cast<double>(who.age), all.size() + 1};
+        double leg = static_cast<double>(leg_length(standard_body(who.height)));
+        all.push_back(show(gait, who, manner_of(like), gait.speed > 0 ? gait.speed : liked_speed(like, leg)));
+    }
+    return all;
+}
 
 // Keeps at the person's middle, as tall as the ground on the whole is; far away, so that nothing is much
-// nearer.
-Camera camera_on(const Take& take, const Instant& now, double moment, StripView view) {
+// nearer, and not below stairs that lie ahead.
+Camera camera_on(const Take& take, const Instant& now, double moment, float tall, StripView view) {
     const std::vector<Instant>& ticks = take.walk.ticks;
-    float climbed = lerp(ticks[static_cast<size_t>(take.first)].root.y,
-                         ticks[static_cast<size_t>(take.last)].root.y, static_cast<float>(moment));
-    constexpr float k_away = 12;
-    float tall = take.walk.body.height;
+    auto height_at = [&](double tick) {
+        return ticks[std::min(static_cast<size_t>(tick), ticks.size() - 1)].root.y;
+    };
+    float climbed = lerp(height_at(take.first), height_at(take.last), static_cast<float>(moment));
+    constexpr float k_away = 12, k_above = 0.6f, k_any = 50;
     Vec3 target{now.root.x, climbed + 0.47f * tall, now.root.z};
-    Vec3 away = view == StripView::side ? Vec3{-k_away, 0.6f, 0} : Vec3{0, 0.6f, k_away};
+    Vec3 eye = target + (view == StripView::side ? Vec3{-k_away, k_above, 0} : Vec3{0, k_above, k_away});
+    if (auto hit = ground_at(take.ground, eye, k_any, k_any)) eye.y = std::max(eye.y, hit->height + k_above);
     Camera camera;
-    camera.eye = to_glm(target + away);
+    camera.eye = to_glm(eye);
     camera.target = to_glm(target);
-    camera.vertical_fov = 2 * std::atan(0.64f * tall / k_away);
+    camera.vertical_fov = 2 * std::atan(0.64f * tall / length(eye - target));
     return camera;
 }
 
-FrameInput frame_of(const Take& take, const Character& character, uint64_t style, double moment,
-                    StripView view, PeopleFrame& people) {
+// At a moment of the take, 0..1, of the person that is the `mesh`th.
+FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall, StripView view,
+                    PeopleFrame& people) {
+    const auto& [character, take] = shown;
     auto tick = static_cast<size_t>(std::lround(take.first + moment * (take.last - take.first)));
     const Instant& now = take.walk.ticks[std::min(tick, take.walk.ticks.size() - 1)];
     people.walkers.resize(1);
@@ -44,11 +84,12 @@ FrameInput frame_of(const Take& take, const Character& character, uint64_t style
     WalkerDraw& draw = people.walkers[0];
     draw.centre = to_glm(place(now, hips));
     draw.radius = k_body_sphere * character.body.height;
+    draw.mesh = mesh;
     draw.instance.scale = 1;
-    auto tints = outfit(character.person, style, 0);
+    auto tints = outfit(character.person, character.person.seed, mesh);
     std::copy(tints.begin(), tints.end(), std::begin(draw.instance.tints));
     FrameInput frame;
-    frame.camera = camera_on(take, now, moment, view);
+    frame.camera = camera_on(take, now, moment, tall, view);
     frame.sun.direction = glm::normalize(glm::vec3(-0.5f, 0.7f, 0.55f));
     frame.walkers = people.walkers;
     frame.palette = people.palette;
@@ -67,27 +108,34 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
     who.stick = gait.cane;
     who.age = static_cast<float>(gait.age);
-    Character character = generate_person(who);
-    Take take = make_moment(gait, {character.body, manner}, speed);
+    std::vector<Shown> shown =
+        gait.abreast ? twelve_people(gait) : std::vector<Shown>{show(gait, who, manner, speed)};
+    std::vector<Character> characters;
+    float tallest = 0;
+    for (const Shown& s : shown) {
+        characters.push_back(s.character);
+        tallest = std::max(tallest, s.character.body.height);
+    }
     City city;
-    city.ground = take.ground;
+    city.ground = shown.front().take.ground;
     city.ground_axes.assign(city.ground.kinds.size(), {0, 1});
-    Result<void> uploaded = upload_scene(**renderer, extract_scene(city, {character}));
+    Result<void> uploaded = upload_scene(**renderer, extract_scene(city, characters));
     if (!uploaded) return uploaded;
 
-    std::vector<uint8_t> rgba(size_t{4} * k_moments * k_width * k_height);
+    std::vector<uint8_t> rgba(size_t{4} * k_pictures * k_width * k_height);
     PeopleFrame people;
-    for (uint32_t i = 0; i < k_moments; ++i) {
-        FrameInput frame =
-            frame_of(take, character, gait.style, static_cast<double>(i) / k_moments, gait.view, people);
+    for (uint32_t i = 0; i < k_pictures; ++i) {
+        uint32_t mesh = gait.abreast ? i : 0;
+        double moment = gait.abreast ? 0 : static_cast<double>(i) / k_pictures;
+        FrameInput frame = frame_of(shown[mesh], mesh, moment, tallest, gait.view, people);
         Result<Image> image = draw_image(**renderer, frame, k_width, k_height);
         if (!image) return image.error();
         for (uint32_t y = 0; y < k_height; ++y) {
             std::copy_n(image->rgba.begin() + size_t{4} * y * k_width, size_t{4} * k_width,
-                        rgba.begin() + size_t{4} * (y * k_moments + i) * k_width);
+                        rgba.begin() + size_t{4} * (y * k_pictures + i) * k_width);
         }
     }
-    return write_png(std::move(*file), rgba, {k_moments * k_width, k_height});
+    return write_png(std::move(*file), rgba, {k_pictures * k_width, k_height});
 }
 
 }  // namespace flaneur

@@ -7,9 +7,11 @@
 
 namespace flaneur {
 
-// Draws twelve equidistant moments of one stride, or of a turn, of the walk that `options.gait` asks for,
-// side by side, into options.gait.strip. One of the built-in people, `height` metres tall, walks at `speed`
-// m/s in that manner; the camera keeps beside it, or ahead of it. Only in builds with Vulkan.
+// Draws twelve equidistant moments of the walk that `options.gait` asks for, side by side, into
+// options.gait.strip: of what tells most of it, or from the first to the last that are asked for. One of the
+// built-in people, `height` metres tall, walks at `speed` m/s in that manner; or twelve of them, each in
+// their own, are seen at the first moment. The camera keeps beside them, or ahead. Only in builds with
+// Vulkan.
 Result<void> draw_strip(const Options& options, double height, double speed, const Manner& manner);
 
 }  // namespace flaneur

@@ -11,8 +11,8 @@ namespace flaneur {
 
 namespace {
 
-// Seconds: stands; then turns; shown of a turn; stands at the end.
-constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_stop = 3;
+// Seconds: stands; then turns or changes; shown of a turn; of a change; stands at the end.
+constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_change = 5, k_stop = 3;
 constexpr float k_begin = 9;  // metres: where stairs, slopes and kerbs begin
 
 Course course_of(const GaitOptions& gait) {
@@ -42,12 +42,14 @@ Ground ground_of(const GaitOptions& gait, float way) {
 
 Take take_on(Ground ground, const GaitOptions& gait, const Person& person, double speed, double seconds) {
     Vec2 onward{0, static_cast<float>(speed)};
-    Vec2 turned = turned_by(gait.turn, speed);
+    Vec2 turned = turned_by(gait.turn, speed), changed{0, static_cast<float>(gait.change)};
     Take take;
     take.ground = std::move(ground);
     take.walk = walk(take.ground, person, seconds, [&](double t) {
         if (t < k_stand || t >= seconds - k_stop) return Vec2{};
-        return gait.turn != 0 && t >= k_steady ? turned : onward;
+        if (t < k_steady) return onward;
+        if (gait.turn != 0) return turned;
+        return gait.change != 0 && t < k_steady + k_change ? changed : onward;
     });
     take.last = static_cast<double>(take.walk.ticks.size());
     return take;
@@ -56,7 +58,8 @@ Take take_on(Ground ground, const GaitOptions& gait, const Person& person, doubl
 }  // namespace
 
 Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds) {
-    return take_on(ground_of(gait, static_cast<float>(speed * seconds)), gait, person, speed, seconds);
+    return take_on(ground_of(gait, static_cast<float>(std::max(speed, gait.change) * seconds)), gait, person,
+                   speed, seconds);
 }
 
 Take make_moment(const GaitOptions& gait, const Person& person, double speed) {

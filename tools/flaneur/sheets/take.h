@@ -15,7 +15,7 @@ struct Take {
 };
 
 // All of `seconds` in which the person stands for a second, walks at `speed` m/s as `gait` says, and stands
-// again for the last three. A turn comes after five.
+// again for the last three. A turn comes after five, or another speed for as long.
 Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds);
 // What tells most of such a walk: a stride, or the turn.
 Take make_moment(const GaitOptions& gait, const Person& person, double speed);
