@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "sim/body/wear.h"
+
 namespace flaneur {
 
 // Hair, and what is worn and carried.
@@ -27,7 +29,6 @@ enum class Over : uint8_t { none, jacket, open_jacket, coat, vest };
 enum class Bottom : uint8_t { slim, straight, wide, shorts, skirt, long_skirt, dress };
 enum class Shoes : uint8_t { sneakers, leather, boots, pumps };
 enum class Hat : uint8_t { none, cap, beanie, brimmed };
-enum class Bag : uint8_t { none, backpack, shoulder_bag, handbag };
 
 struct PersonOptions {
     uint64_t seed = 1;     // draws the face

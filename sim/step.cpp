@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "sim/gait/hands.h"
+#include "sim/gait/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/world.h"
@@ -48,6 +49,7 @@ void step_bodies(World& w) {
                          for_those_there(w.crowd, begin, end, [&](size_t first, size_t last) {
                              advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
                              reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
+                             advance_holds(w.gait, first, last, root, w.seed, w.tick, k_tick);
                          });
                      });
     });

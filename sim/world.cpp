@@ -14,7 +14,9 @@ namespace flaneur {
 
 static Manner manner_of(const World& world, uint32_t walker) {
     const Crowd& c = world.crowd;
-    Manner middle = manner_at_age(world.kinds[c.identity.body[walker]].age);
+    const Kind& kind = world.kinds[c.identity.body[walker]];
+    Manner middle = manner_at_age(kind.age);
+    middle.postures = postures_at_age(kind.age, kind.woman);
     return draw_manner(middle, {world.seed, walker, c.slots.generation[walker], Purpose::style});
 }
 

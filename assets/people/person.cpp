@@ -2,6 +2,7 @@
 #include <span>
 
 #include "assets/character.h"
+#include "assets/girth.h"
 #include "assets/people/accessories.h"
 #include "assets/people/face.h"
 #include "assets/people/lods.h"
@@ -193,9 +194,16 @@ void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Cha
             Vec3 way = normalize_or(bind[size_t(from + 1)] - bind[size_t(from)], {0, -1, 0});
             person.bind_to_canonical[size_t(j)] = rotation_between(way, {0, -1, 0});
         }
+    person.body.girth = measure_girth(person);
     if (!has_stick(figure)) return;
     Vec3 tip = warped(figure, stick_tip(figure)) * figure.height;
     body.cane = rotate(person.bind_to_canonical[right_hand], tip - person.bind_joints[right_hand]);
+}
+
+// Skirts and dresses have pockets only under a coat or a jacket.
+Wear wear_of(const PersonOptions& p) {
+    bool skirted = p.bottom == Bottom::skirt || p.bottom == Bottom::long_skirt || p.bottom == Bottom::dress;
+    return {p.bag, !skirted || p.over != Over::none, p.phone};
 }
 
 }  // namespace
@@ -263,6 +271,7 @@ Character generate_person(const PersonOptions& options) {
     }
 
     warp_person(figure, bind, person);
+    person.body.wear = wear_of(options);
     build_person_lods(person, unpainted);
     return person;
 }

@@ -130,7 +130,9 @@ void want_idles(ClipLayer& layer, const Gait& gait) {
     for (size_t i = 0; i < layer.wanted.size(); ++i) {
         const GaitBlock& g = gait.blocks[i / k_block];
         size_t lane = i % k_block;
-        bool free = g.standing[lane] && g.hands[k_left].reach[lane] <= 0 && g.hands[k_right].reach[lane] <= 0;
+        bool free = g.standing[lane] != 0;
+        for (Side side : {k_left, k_right})
+            free = free && g.hands[side].reach[lane] <= 0 && g.holds[side].share[lane] <= 0;
         layer.stood[i] = free ? std::min<uint16_t>(uint16_t(layer.stood[i] + 1), k_patience) : uint16_t{0};
         bool idle = layer.stood[i] == k_patience;
         layer.wanted[i] = idle ? uint16_t(i % layer.clips.size()) : k_no_clip;

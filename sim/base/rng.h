@@ -22,7 +22,8 @@ enum class Purpose : uint32_t {
     touch,
     errand,
     first_step,
-    step
+    step,
+    hold
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

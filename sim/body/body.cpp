@@ -32,4 +32,9 @@ Body standard_body(float height) {
 
 Vec3 standard_cane(float height) { return Vec3{0.006f, -0.473f, -0.163f} * height; }
 
+Girth girth_of(const Body& b) {
+    if (b.girth.hip > 0) return b.girth;
+    return {0.100f * b.height, 0.076f * b.height, 0.078f * b.height, 0.095f * b.height};
+}
+
 }  // namespace flaneur

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/base/vec.h"
+#include "sim/body/wear.h"
 
 namespace flaneur {
 
@@ -78,6 +79,8 @@ struct Body {
     float toe = 0.06f;                       // from the ball ahead to the tip of the toes, along +z
     float carriage = 0;  // radians, 0..0.7: arms hang out no less, for hands to clear hips and ground
     Vec3 cane{};         // from the right wrist to the tip of a cane in that hand; zero: there is none
+    Girth girth{};       // all zero: as usual for the height
+    Wear wear{};
 };
 
 // A standing adult after Drillis & Contini's segment lengths (as fractions of height; Winter 2009, fig. 4.1).
@@ -85,6 +88,9 @@ Body standard_body(float height);
 // Body::cane for a body of that height: held at the height of a hanging arm's wrist, as canes are fitted
 // (Sainsbury & Mulley, BMJ 284, 1982), and upright when the forearm is raised by 0.4 rad.
 Vec3 standard_cane(float height);
+
+// The body's girth, or what is usual for its height.
+Girth girth_of(const Body& b);
 
 // Lengths that the gait asks for.
 inline float thigh_length(const Body& b) {

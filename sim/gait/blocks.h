@@ -7,6 +7,7 @@
 
 #include "sim/base/block.h"
 #include "sim/body/body.h"
+#include "sim/gait/manner.h"
 
 namespace flaneur {
 
@@ -38,6 +39,26 @@ struct HandBlock {
     float x[k_block], y[k_block], z[k_block];    // where the palm rests, in the world
     float normal_x[k_block], normal_z[k_block];  // out of the wall, horizontal, unit
     float reach[k_block];                        // 0: hangs and swings .. 1: rests there
+};
+
+// What a place that a hand has on its own body moves with.
+enum class HoldAnchor { chest, pelvis, ground };
+
+// A hand on its own body, or on something that goes along with it; see holds.h.
+struct HoldBlock {
+    // Of the wrist, in the axes of what it moves with: from the shoulder joint in those of the chest, from
+    // the hips in those of the pelvis, from the root on GaitBlock::base in those of the heading.
+    float x[k_block], y[k_block], z[k_block];
+    float anchor[k_block];  // HoldAnchor
+    float elbow[k_block];   // tangent of half the yaw that the elbow's plane has while the arm hangs
+    // The forearm's turn about its length and the same turn again of the hand against it, the sine of half of
+    // it; then the hand's bend, x and z of a quaternion without y. By as much as it holds.
+    float twist[k_block], bend[k_block], side[k_block];
+    float weight[k_block];  // 0: hangs and swings .. 1: rests there
+    // The gait's own.
+    float share[k_block];     // of the time from one to the other
+    int32_t kind[k_block];    // Hold that it has or lets go of,
+    int32_t wanted[k_block];  // and that it is to have
 };
 
 // State of the gait, and what the pose reads.
@@ -78,6 +99,10 @@ struct alignas(64) GaitBlock {
     float flight[k_block];   // seconds that it is in the air, 0 until the feet leave
     FootBlock feet[2];
     HandBlock hands[2];
+    HoldBlock holds[2];
+    int32_t posture[k_block];       // Posture of both hands
+    int32_t next_posture[k_block];  // tick from which on another one may be chosen
+    int32_t doing[k_block];         // 0: stood as one was chosen last .. 1: walked
 };
 
 // What makes one walker's body and manner, constant over its life. Sizes are the body's joints, scaled.
@@ -96,11 +121,16 @@ struct alignas(64) PersonBlock {
     float lean[k_block];                      // of the trunk, forward +, radians
     float stoop[k_block];                     // of the chest over the pelvis, forward +, radians
     float carriage[k_block];                  // arms away from the body, radians
-    float elbow[k_block];                     // radians that elbows are bent beyond the middle
+    float elbow[2][k_block];                  // radians that each elbow is bent beyond the middle
     float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
     float unevenness[k_block];                // see Manner: share of a step's time,
     float stray[k_block];                     // and metres beside its line
     float limp[k_block];                      // see Manner
+    float height[k_block];
+    float girth[4][k_block];                   // see Girth, in its order
+    float postures[k_posture_count][k_block];  // see Manner; those that wear and bags leave
+    int32_t free_hands[k_block];               // 1: the left one, 2: the right one, 3: both
+    int32_t bag[k_block];                      // Bag
 };
 
 }  // namespace flaneur

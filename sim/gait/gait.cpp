@@ -7,6 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/gait/fits.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/holds.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
@@ -62,8 +63,6 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.toe[lane] = b.toe * scale;
     person.stride[lane] = m.stride;
     person.lead[lane] = m.lead;
-    person.arm_swing[k_left][lane] = m.arm_swing[0];
-    person.arm_swing[k_right][lane] = m.arm_swing[1];
     person.sway[lane] = m.sway;
     person.strike[lane] = m.strike;
     person.clearance[lane] = m.clearance * leg_length(b) * scale;
@@ -75,10 +74,10 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.carriage[lane] = std::max(m.carriage, b.carriage);
     person.crouch[lane] = m.crouch * leg_length(b) * scale;
     person.stoop[lane] = m.stoop;
-    person.elbow[lane] = m.elbow;
     person.unevenness[lane] = m.unevenness;
     person.stray[lane] = m.unevenness * b.height * scale;
     person.limp[lane] = m.limp;
+    set_arms(person, lane, b, scale, m);
 }
 
 // Without `around`, nobody: a lane that holds a body all the same, so that kernels meet only sound numbers.

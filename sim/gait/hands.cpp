@@ -149,6 +149,7 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
             side = *nearer;
             CaneSpan canes = canes_of(gait, i, i + 1);
             if (side == k_right && canes.begin < canes.end) continue;
+            if (g.holds[side].share[lane] > 0) continue;
         }
         HandBlock& hand = g.hands[side];
         std::optional<Touch> touch;

@@ -31,6 +31,28 @@ Manner manner_at_age(float years) {
     return m;
 }
 
+std::array<float, k_posture_count> postures_at_age(float years, bool woman) {
+    // In the order of Posture.
+    static constexpr std::array<float, k_posture_count> k_child = {60, 6, 7, 5, 3, 4, 7, 3, 4, 25},
+                                                        k_woman = {46, 7, 6, 6, 4, 11, 4, 11, 10, 40},
+                                                        k_man = {46, 9, 17, 4, 6, 7, 6, 10, 3, 40},
+                                                        k_old_woman = {44, 4, 3, 4, 5, 17, 8, 9, 6, 40},
+                                                        k_old_man = {44, 6, 8, 3, 5, 10, 18, 7, 2, 40};
+    const auto &grown = woman ? k_woman : k_man, &old = woman ? k_old_woman : k_old_man;
+    float grows = smoothstep(11, 18, years), ages = smoothstep(58, 72, years);
+    std::array<float, k_posture_count> postures;
+    for (size_t i = 0; i < postures.size(); ++i)
+        postures[i] = lerp(lerp(k_child[i], grown[i], grows), old[i], ages);
+    return postures;
+}
+
+void vary_postures(Manner& m, RandomKey key) {
+    for (uint32_t i = 0; i < m.postures.size(); ++i) {
+        float likes = random_unit(key, 200 + i);
+        m.postures[i] *= i == 0 ? 0.6f + 0.8f * likes : 0.15f + 2.5f * likes * likes;
+    }
+}
+
 Manner draw_manner(const Manner& middle, RandomKey key) {
     Manner m = middle;
     m.stride *= 1 + 0.05f * clamp(random_normal(key, 0), -2.0f, 2.0f);
@@ -51,6 +73,7 @@ Manner draw_manner(const Manner& middle, RandomKey key) {
     m.strike *= clamp(1 + 0.2f * random_normal(key, 14), 0.55f, 1.4f);
     m.clearance += clamp(0.005f * random_normal(key, 15), -0.005f, 0.012f);
     m.limp = clamp(0.008f * random_normal(key, 13), -0.02f, 0.02f);
+    vary_postures(m, key);
     m.crouch = clamp(m.crouch + 0.009f * random_normal(key, 7), -0.002f, 0.018f);
     return m;
 }

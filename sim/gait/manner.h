@@ -1,10 +1,31 @@
 // How one person's walk differs from another's of the same body.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 
 namespace flaneur {
+
+// What the hands of one who stands do.
+enum class Posture : int32_t {
+    hang,
+    pocket,   // one in it
+    pockets,  // both
+    hip,      // one on it
+    hips,     // both
+    clasp,    // one in the other, before the body
+    behind,   // the same behind it
+    fold,     // arms folded
+    across,   // one holds the other arm, which hangs
+    strap,    // of a bag
+};
+inline constexpr int k_posture_count = 10;
+inline constexpr std::string_view k_posture_names[k_posture_count] = {
+    "hang", "pocket", "pockets", "hip", "hips", "clasp", "behind", "fold", "across", "strap"};
 
 // As it is, the neutral manner of a grown person.
 struct Manner {
@@ -26,6 +47,8 @@ struct Manner {
     // that a foot lands beside its line, in the person's height.
     float unevenness = 0;
     float limp = 0;  // share by which a step of the left foot is quicker, one of the right foot slower
+    // How often each posture is taken, against the others. All 0: hands hang.
+    std::array<float, k_posture_count> postures{};
 };
 
 // The middle manner at an age in years. What follows from size and speed alone is not in it.
@@ -39,9 +62,15 @@ struct Manner {
 // more.
 Manner manner_at_age(float years);
 
+// Manner::postures of the middle one of that age: half the time and more hands hang, least of those who stand
+// with folded arms are children, and the old have theirs behind the back. Chosen, not measured.
+std::array<float, k_posture_count> postures_at_age(float years, bool woman);
+
 // One person's, as people spread around a middle manner. One arm swings farther than the other, by a third
 // most often (CMU motion capture); feet come down with toes up by 4 degrees more or less (Fukuchi 2018), and
 // swing some 4 mm higher or lower (Winter 1991).
 Manner draw_manner(const Manner& middle, RandomKey key);
+// Only of Manner::postures: everybody has favourites.
+void vary_postures(Manner& manner, RandomKey key);
 
 }  // namespace flaneur

@@ -59,6 +59,7 @@ template <class T>
 struct Trunk {
     V3<T> pelvis_os, pelvis_ms;
     Q4<T> pelvis_ws;
+    Axes<T> pelvis_axes_ws;
     Heading<T> heading;
     PelvisCurves<T> curves;
     T amplitude, running, over;  // over: the pace less a natural one
@@ -113,7 +114,7 @@ template <class T>
 struct ArmSwing {
     T swings[2];      // of each arm, 0 standing
     T amount, bends;  // factors on that, of the upper arm and the elbow
-    T elbow;          // radians that it is bent, in the middle of the swing
+    T elbows[2];      // radians that each is bent, in the middle of the swing
     T ahead;          // radians that it hangs ahead of the chest's axis
     T twice;          // 0: in time with the legs .. 1: twice a stride
     SinCosOf<T> out;  // of the carriage
@@ -134,7 +135,7 @@ HWY_INLINE V3<T> swung_wrist(const ArmSwing<T>& swing, const Harmonics<T, 3>& cy
     T stroke = lerp(cycle.cosine[0] * T(mirror), cycle.cosine[1] * T(0.5f), swing.twice);
     T late = lerp(cycle.sine[0] * T(mirror), cycle.sine[1] * T(0.5f), swing.twice);
     T back = T(0.02f) + swings * swing.amount * (T(0.12f) + T(0.29f) * stroke) - swing.ahead;
-    T elbow = swing.elbow - swings * swing.bends * T(0.22f) * (stroke - late * T(0.25f));
+    T elbow = swing.elbows[side] - swings * swing.bends * T(0.22f) * (stroke - late * T(0.25f));
     SinCosOf<T> raised = doubled(sin_cos_half(back)), bent = doubled(sin_cos_half(elbow));
     T inward = bent.sine * T(0.2955f), forward = bent.sine * T(0.9553f);  // of 0.30 rad
     V3<T> upper{zero, zero - raised.cosine, zero - raised.sine};
@@ -158,8 +159,48 @@ HWY_INLINE void lay_hand(T reach, Q4<T> on_wall_ws, Q4<T>& lower_ws, Q4<T>& hand
     hand_ws = select(lies, laid_ws, hand_ws);
 }
 
+// The wrist of a hand that has a place on its own body, in the chest's axes from the shoulder.
+template <class T>
+HWY_INLINE V3<T> held_wrist(const HoldBlock& hold, size_t lane, const Trunk<T>& trunk,
+                            const Axes<T>& chest_ws, V3<T> shoulder_os) {
+    const Axes<T>& pelvis_ws = trunk.pelvis_axes_ws;
+    V3<T> place{at<T>(hold.x + lane), at<T>(hold.y + lane), at<T>(hold.z + lane)};
+    T anchor = at<T>(hold.anchor + lane);
+    auto on_chest = anchor<T(0.5f), on_ground = anchor> T(1.5f);
+    V3<T> from_shoulder_ws =
+        trunk.pelvis_os - shoulder_os + pelvis_ws.x * place.x + pelvis_ws.y * place.y + pelvis_ws.z * place.z;
+    if (any(on_ground))
+        from_shoulder_ws = select(on_ground, os_of_bs(trunk.heading, place) - shoulder_os, from_shoulder_ws);
+    return select(on_chest, place,
+                  V3<T>{dot(from_shoulder_ws, chest_ws.x), dot(from_shoulder_ws, chest_ws.y),
+                        dot(from_shoulder_ws, chest_ws.z)});
+}
+
+// The cosine, of at most a quarter turn, that goes with a sine.
+template <class T>
+HWY_INLINE SinCosOf<T> with_cosine(T sine) {
+    return {sine, sqrt(max(T(1.0f) - sine * sine, T(0.0f)))};
+}
+
+// Turns the forearm and the hand of an arm that holds; others keep their bits.
+template <class T>
+HWY_INLINE void turn_held_hand(const HoldBlock& hold, size_t lane, T weight, Q4<T>& lower_ws,
+                               Q4<T>& hand_ws) {
+    auto holds = weight > T(0.0f);
+    SinCosOf<T> twist = with_cosine(at<T>(hold.twist + lane));
+    T x = at<T>(hold.bend + lane), z = at<T>(hold.side + lane);
+    T w = sqrt(max(T(1.0f) - x * x - z * z, T(0.0f)));
+    Q4<T> turned_ws = turned_y(lower_ws, twist), palm_ws = turned_y(turned_ws, twist);
+    Q4<T> bent_ws{
+        palm_ws.w * x + palm_ws.x * w + palm_ws.y * z, palm_ws.y * w - palm_ws.x * z + palm_ws.z * x,
+        palm_ws.w * z - palm_ws.y * x + palm_ws.z * w, palm_ws.w * w - palm_ws.x * x - palm_ws.z * z};
+    lower_ws = select(holds, turned_ws, lower_ws);
+    hand_ws = select(holds, bent_ws, hand_ws);
+}
+
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
-// where the curves of shoulder and elbow would have it, or a place on a wall; two-bone IK brings it there.
+// where the curves of shoulder and elbow would have it, a place on the body, or one on a wall; two-bone IK
+// brings it there.
 template <class T>
 HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane,
                           V3<T> chest_os, Q4<T> chest_ws, V3<T> chest_ms, const Trunk<T>& trunk,
@@ -169,16 +210,16 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     T elbow_height = at<T>(p.joints[left_lower_arm][1] + lane);
     T wrist_height = at<T>(p.joints[left_hand][1] + lane);
     LimbSizes<T> size = limb_sizes(shoulder_ms.y - elbow_height, elbow_height - wrist_height);
-    ArmSwing<T> swing{
-        {trunk.amplitude * at<T>(p.arm_swing[k_left] + lane),
-         trunk.amplitude * at<T>(p.arm_swing[k_right] + lane)},
-        max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)) + trunk.running * T(k_run_arms),
-        clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
-        at<T>(p.elbow + lane) + lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude),
-                                     T(k_run_elbow), trunk.running),
-        at<T>(p.stoop + lane),
-        smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
-        doubled(sin_cos_half(at<T>(p.carriage + lane) + trunk.running * T(k_run_carriage)))};
+    T elbow =
+        lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude), T(k_run_elbow), trunk.running);
+    ArmSwing<T> swing{{trunk.amplitude * at<T>(p.arm_swing[k_left] + lane),
+                       trunk.amplitude * at<T>(p.arm_swing[k_right] + lane)},
+                      max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)) + trunk.running * T(k_run_arms),
+                      clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
+                      {at<T>(p.elbow[k_left] + lane) + elbow, at<T>(p.elbow[k_right] + lane) + elbow},
+                      at<T>(p.stoop + lane),
+                      smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
+                      doubled(sin_cos_half(at<T>(p.carriage + lane) + trunk.running * T(k_run_carriage)))};
     Axes<T> chest = axes_of(chest_ws);
     V3<T> to_clavicle_ws = chest.y * (clavicle_ms.y - chest_ms.y) + chest.z * (clavicle_ms.z - chest_ms.z);
     V3<T> to_shoulder_ws = chest.y * (shoulder_ms.y - chest_ms.y) + chest.z * (shoulder_ms.z - chest_ms.z);
@@ -193,6 +234,14 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         V3<T> wrist_cs = swung_wrist(swing, cycle, side, size);
         // The elbow points back and a little out, away from a wall.
         SinCosOf<T> front{T(k_elbow_out_sine * -mirror), T(k_elbow_out_cosine)};
+        T weight = at<T>(g.holds[side].weight + lane);
+        bool holding = any(weight > T(0.0f));
+        if (holding) {
+            V3<T> held_cs = held_wrist(g.holds[side], lane, trunk, chest, shoulder_os);
+            wrist_cs = lerp(wrist_cs, held_cs, weight);
+            T elbow_sine = at<T>(g.holds[side].elbow + lane) * T(k_elbow_out_cosine);
+            front.sine = lerp(front.sine, elbow_sine, weight);
+        }
         T reach = at<T>(g.hands[side].reach + lane);
         bool reaching = any(reach > T(0.0f));
         Q4<T> on_wall_ws;
@@ -207,6 +256,7 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         PosedLimb<T> limb = two_bone(wrist_cs, front, size, -1.0f, k_arm_soft);
         auto os_of_cs = [&](V3<T> v) { return shoulder_os + chest.x * v.x + chest.y * v.y + chest.z * v.z; };
         Q4<T> lower_ws = chest_ws * limb.lower_rot, hand_ws = lower_ws;
+        if (holding) turn_held_hand(g.holds[side], lane, weight, lower_ws, hand_ws);
         if (reaching) lay_hand(reach, on_wall_ws, lower_ws, hand_ws);
         set_joint(out, joint + 1, lane, shoulder_os, chest_ws * limb.upper_rot);
         set_joint(out, joint + 2, lane, os_of_cs(limb.middle), lower_ws);

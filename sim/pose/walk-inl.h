@@ -248,7 +248,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     for (int side = 0; side < 2; ++side)
         pose_leg(out, lane, side, pelvis, heading, leg, foot_size, feet[side]);
 
-    Trunk<T> trunk{pelvis.place_os, hips_ms,        pelvis.rotation_ws, heading,
+    Trunk<T> trunk{pelvis.place_os, hips_ms,        pelvis.rotation_ws, pelvis.axes_ws, heading,
                    curves,          walk.amplitude, walk.running,       walk.over};
     pose_trunk(g, p, out, lane, trunk, cycle, origin_ws);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -31,6 +32,9 @@ Person person_of(const GaitOptions& gait) {
     auto height = static_cast<float>(height_of(gait));
     Person person{standard_body(height), manner_of(who_of(gait))};
     if (gait.cane) person.body.cane = standard_cane(height);
+    person.body.wear = {gait.bag, true};
+    free_hands(person.manner, who_of(gait), gait);
+    person.hands = gait.style;
     return person;
 }
 double speed_of(const GaitOptions& gait) {
@@ -56,6 +60,7 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
 }
 
 std::vector<Report> chosen_trials(const Person& person, double speed, const GaitOptions& gait) {
+    if (gait.stand > 0) return {try_stand(person, gait.stand)};
     if (gait.turn != 0) return {try_turn(person, speed, gait.turn)};
     if (!gait.stairs.empty()) return {try_stairs(person, speed, gait.stairs == "up", gait.riser, gait.tread)};
     if (gait.slope != 0) return {try_slope(person, speed, gait.slope)};
@@ -147,6 +152,9 @@ Result<void> run_gait(const Options& options) {
     const bool is_glb = has_ending(gait.motion, ".glb");
     if (!gait.motion.empty() && !is_glb && !has_ending(gait.motion, ".bvh") && !is_stream(gait.motion))
         return Error{"--export writes a .bvh or a .glb, which " + gait.motion + " is not called."};
+    if (!gait.posture.empty() &&
+        std::ranges::find(k_posture_names, gait.posture) == std::end(k_posture_names))
+        return Error{"--posture knows no '" + gait.posture + "': see --help."};
     const double fastest = fastest_with_cane(person_of(gait).body);
     if (gait.cane && speed_of(gait) > fastest) {
         char most[16];
@@ -172,7 +180,7 @@ Result<void> run_gait(const Options& options) {
     }
 #ifdef FLANEUR_VULKAN
     if (!gait.strip.empty()) {
-        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), manner_of(who_of(gait)));
+        Result<void> drawn = draw_strip(options, height_of(gait), speed_of(gait), person_of(gait).manner);
         if (!drawn) return drawn;
     }
 #endif

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/girth.h"
 #include "assets/people/skin.h"
 #include "sim/base/math.h"
 
@@ -222,6 +223,7 @@ void set_body(Character& c, const std::vector<uint8_t>& held, bool has_clavicles
     set_rotations(c, held, has_clavicles);
     set_joints(c);
     c.body.carriage = clear_carriage(c, held);
+    c.body.girth = measure_girth(c);
 }
 
 // The lowest that a leg's vertex, and the highest that any but a hand's, stands in the canonical pose.

@@ -197,6 +197,10 @@ constexpr Bar k_change[] = {
     {"float.mm", -k_open, 5, 0, k_rigid},
     {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
 };
+constexpr Bar k_stand[] = {
+    {"joint_speed.deg_s", 0, 900, 0, "faster is a jump"},
+    {"joint_outside.deg", 0, 0, 0, "AAOS 1965, Kapandji"},
+};
 constexpr Bar k_gaits[] = {{"run_from.m_s", 1.9, 2.3, 0, "Froude number 0.5"}};
 
 Bar at_speed(const SpeedBar& b, double speed) {
@@ -277,6 +281,12 @@ std::vector<Bar> kerb_bars() {
 std::vector<Bar> bends_bars() {
     std::vector<Bar> bars;
     add(bars, k_bends);
+    return bars;
+}
+
+std::vector<Bar> stand_bars() {
+    std::vector<Bar> bars;
+    add(bars, k_stand);
     return bars;
 }
 

@@ -22,6 +22,7 @@ struct Bar {
 // Bars of level walking at a speed, or of a run where it is one (beyond k_run_froude), for a leg's length
 // in metres. Bars that hold at natural speed only are among them from 1.2 to 1.4 m/s.
 std::vector<Bar> level_bars(double speed, double leg);
+std::vector<Bar> stand_bars();
 std::vector<Bar> turn_bars(double degrees);
 std::vector<Bar> stairs_bars(bool up, double leg);
 std::vector<Bar> slope_bars(double percent);

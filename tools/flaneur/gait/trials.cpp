@@ -85,6 +85,16 @@ Report try_level(const Person& person, double speed, double seconds) {
                     true);
 }
 
+Report try_stand(const Person& person, double seconds) {
+    Walk w = walk(flat_ground(0, seconds), person, seconds, [](double) { return Vec2{}; });
+    Report r;
+    r.name = "stand";
+    r.title = text("Standing, %.0f s", seconds);
+    r.quantities = measure_body(w, tick_at(w, k_stand));
+    r.poses = w.hash;
+    return finished(std::move(r), stand_bars());
+}
+
 Report try_turn(const Person& person, double speed, double degrees) {
     Vec2 after = turned_by(degrees, speed);
     double asked = k_stand + k_settle, seconds = asked + 6;

@@ -21,6 +21,8 @@ struct Report {
 // Stands, walks straight on level ground at `speed` and stands again, in `seconds`. A run if that is the
 // speed of one.
 Report try_level(const Person& person, double speed, double seconds);
+// Stands for so many seconds.
+Report try_stand(const Person& person, double seconds);
 // Walks at `speed` and turns by `degrees`.
 Report try_turn(const Person& person, double speed, double degrees);
 // Round circles that ask for ever sharper bends: the exponent of the speed against the curvature, where it

@@ -136,7 +136,9 @@ Examples:
   flaneur gait --strip out/strip.png --view front
   flaneur gait --strip out/stop.png --moments 21.8:24      one who stands for a second, walks, and stops after 22
   flaneur gait --speed 1.4 --change 3.1 --strip out/run.png --moments 4.8:6.8
-  flaneur gait --abreast --strip out/people.png            twelve people, each with a walk of their own)";
+  flaneur gait --abreast --strip out/people.png            twelve people, each with a walk of their own
+  flaneur gait --stand 60 --style 3 --strip out/stand.png --view front
+                                                           what the hands of one who waits do)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
@@ -260,6 +262,13 @@ Result<Sex> parse_sex(const std::string& text) {
     return Error{excerpt(text) + " is neither woman nor man"};
 }
 
+Result<Bag> parse_bag(const std::string& text) {
+    if (text == "backpack") return Bag::backpack;
+    if (text == "shoulder_bag") return Bag::shoulder_bag;
+    if (text == "handbag") return Bag::handbag;
+    return Error{excerpt(text) + " is neither backpack, shoulder_bag nor handbag"};
+}
+
 Result<std::string> parse_stairs(const std::string& text) {
     if (text == "up" || text == "down") return text;
     return Error{excerpt(text) + " is neither up nor down"};
@@ -291,6 +300,18 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
                    "Women and men from 4 to 80 years instead, with ten styles each, in every way of walking")
         ->group(k_who);
     command->add_flag("--cane", gait.cane, "Who walks with a cane")->group(k_who);
+    add_parsed(*command, "--bag", parse_bag, gait.bag, "Who carries a backpack, shoulder_bag or handbag",
+               "BAG", "")
+        ->group(k_who);
+    command
+        ->add_option(
+            "--posture", gait.posture,
+            "What hands do as soon as they may: pocket, pockets, hip, hips, clasp, behind, fold, across "
+            "or strap")
+        ->type_name("WORD")
+        ->group(k_who);
+    number(k_where, "--stand", gait.stand, 10, 600, "T",
+           "Stands for so long instead of walking, and does with its hands what people do");
     number(k_where, "--seconds", gait.seconds, 12, k_longest_walk, "T",
            "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");
     number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");

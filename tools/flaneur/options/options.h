@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "assets/person.h"
 #include "assets/scene.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
@@ -37,7 +38,10 @@ struct GaitOptions {
     Sex sex = Sex::man;
     double age = 30;
     bool cane = false;
-    uint64_t style = 0;  // draws what differs between people of one body; 0: the middle manner
+    Bag bag = Bag::none;
+    std::string posture;  // of the hands, that one alone: one of k_posture_names
+    double stand = 0;     // seconds that the person stands instead of walking
+    uint64_t style = 0;   // draws what differs between people of one body; 0: the middle manner
     double seconds = 25;
     double turn = 0;                    // degrees to the left
     double change = 0;                  // m/s on the way; 0: as before. Not where bars are held

@@ -29,7 +29,7 @@ struct Shown {
 
 Shown show(const GaitOptions& gait, const PersonOptions& who, const Manner& manner, double speed) {
     Shown shown{generate_person(who), {}};
-    Person person{shown.character.body, manner};
+    Person person{shown.character.body, manner, who.seed};
     const Moments& moments = gait.moments;
     if (moments.last > 0 || gait.abreast) {
         shown.take = make_take(gait, person, speed, std::max(gait.seconds, moments.last));
@@ -48,7 +48,9 @@ std::vector<Shown> twelve_people(const GaitOptions& gait) {
     for (const PersonOptions& who : draw_population(k_pictures, k_abreast_seed + gait.style)) {
         Who like{who.woman ? Sex::woman : Sex::man, static_cast<double>(who.age), all.size() + 1};
         double leg = static_cast<double>(leg_length(standard_body(who.height)));
-        all.push_back(show(gait, who, manner_of(like), gait.speed > 0 ? gait.speed : liked_speed(like, leg)));
+        Manner manner = manner_of(like);
+        free_hands(manner, like, gait);
+        all.push_back(show(gait, who, manner, gait.speed > 0 ? gait.speed : liked_speed(like, leg)));
     }
     return all;
 }
@@ -107,6 +109,7 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     if (!renderer) return renderer.error();
     PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
     who.stick = gait.cane;
+    who.bag = gait.bag;
     who.age = static_cast<float>(gait.age);
     std::vector<Shown> shown =
         gait.abreast ? twelve_people(gait) : std::vector<Shown>{show(gait, who, manner, speed)};

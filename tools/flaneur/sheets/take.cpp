@@ -58,11 +58,13 @@ Take take_on(Ground ground, const GaitOptions& gait, const Person& person, doubl
 }  // namespace
 
 Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds) {
+    if (gait.stand > 0) return take_on(ground_of(gait, 0), gait, person, 0, gait.stand);
     return take_on(ground_of(gait, static_cast<float>(std::max(speed, gait.change) * seconds)), gait, person,
                    speed, seconds);
 }
 
 Take make_moment(const GaitOptions& gait, const Person& person, double speed) {
+    if (gait.stand > 0) return make_take(gait, person, speed, gait.stand);
     float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
     double walked = k_steady + k_turn +
                     static_cast<double>(

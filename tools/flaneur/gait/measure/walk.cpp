@@ -8,6 +8,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 
@@ -131,6 +132,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
         reach_for_walls(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
+        advance_holds(gait, 0, 1, root, k_seed + person.hands, t, k_tick);
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);

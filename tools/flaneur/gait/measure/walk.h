@@ -87,6 +87,7 @@ void add_risers(Ground& ground, const Course& course);
 struct Person {
     Body body;
     Manner manner;
+    uint64_t hands = 0;  // draws when they do what
 };
 
 // The velocity, m/s on the ground plane, that the person would like at a time. Legs follow it as fast as they

@@ -67,4 +67,12 @@ Manner manner_of(const Who& who) {
     return middle;
 }
 
+void free_hands(Manner& manner, const Who& who, const GaitOptions& gait) {
+    if (gait.stand == 0 && gait.bag == Bag::none && gait.posture.empty()) return;
+    manner.postures = postures_at_age(static_cast<float>(who.age), who.sex == Sex::woman);
+    if (who.style > 0) vary_postures(manner, {who.style, 0, 0, Purpose::style});
+    for (size_t i = 1; i < k_posture_count && !gait.posture.empty(); ++i)
+        manner.postures[i] = k_posture_names[i] == gait.posture ? 1e6f : 0;
+}
+
 }  // namespace flaneur

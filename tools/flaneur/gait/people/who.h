@@ -27,6 +27,10 @@ double usual_height(const Who& who);
 double liked_speed(const Who& who, double leg);
 double fastest_speed(const Who& who, double leg);
 
+// Lets hands do what those of such people do, or the one posture that was asked for. Nothing where neither
+// that, a bag nor standing was.
+void free_hands(Manner& manner, const Who& who, const GaitOptions& gait);
+
 // The middle manner is even from step to step: the norms are means of many steps.
 Manner manner_of(const Who& who);
 
