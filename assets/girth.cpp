@@ -25,7 +25,7 @@ Girth measure_girth(const Character& c) {
         const Vec3 p = body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]);
         const float up = (p.y - hip.y) / trunk, x = std::fabs(p.x), z = p.z - hip.z;
         if (up > -0.12f && up < 0.04f && std::fabs(z) < 0.2f * trunk) girth.hip = std::max(girth.hip, x);
-        if (up > -0.06f && up < 0.16f && x < 0.2f * trunk) {
+        if (up > -0.06f && up < 0.16f && x < 0.25f * trunk) {
             girth.belly = std::max(girth.belly, z);
             girth.back = std::max(girth.back, -z);
         }

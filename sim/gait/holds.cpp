@@ -29,8 +29,8 @@ constexpr HoldShape k_shapes[k_hold_count] = {
     {HoldAnchor::pelvis, 1.2f, 0.204f, 0, 0, -0.707f, 0.08f, -0.124f, 0.338f, 0.05f, -0.02f},
     {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.032f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
     {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.018f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
-    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, 0, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
-    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, -0.014f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, 0.014f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, 0.002f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
     {HoldAnchor::chest, -0.09f, 0.5f, 1, 0.032f, -0.795f, 0.13f, 0.059f, -0.279f, 0.02f, 0.05f},
     {HoldAnchor::chest, -0.05f, 0.41f, 1, 0.022f, -0.795f, 0.1f, -0.04f, -0.314f, 0.02f, 0.05f},
     {HoldAnchor::chest, -0.42f, 0.204f, 1, 0.017f, -0.643f, 0.009f, -0.073f, -0.33f, 0.02f, 0.05f},
@@ -53,7 +53,7 @@ struct Pair {
     float walking;  // factor on how often, of one who walks
 };
 constexpr Pair k_pairs[k_posture_count] = {
-    {Hold::none, Hold::none, 2.5f},
+    {Hold::none, Hold::none, 1.8f},
     {Hold::pocket, Hold::none, 1},
     {Hold::pocket, Hold::pocket, 0.7f},
     {Hold::hip, Hold::none, 0},
@@ -148,6 +148,10 @@ Posture choose_posture(const Stroller& s, Doing doing, RandomKey chance) {
     return Posture::hang;
 }
 
+bool is_settled(const HoldBlock& hold, int lane) {
+    return hold.kind[lane] == hold.wanted[lane] && (hold.kind[lane] == 0 || hold.share[lane] == 1);
+}
+
 // The side of a posture of one hand.
 Side own_side(const PersonBlock& p, int lane, Posture posture, RandomKey chance) {
     if (posture == Posture::strap && p.bag[lane] == static_cast<int32_t>(Bag::shoulder_bag)) return k_left;
@@ -219,7 +223,7 @@ void set_arms(PersonBlock& p, int lane, const Body& b, float scale, const Manner
     if (b.cane.x != 0 || b.cane.y != 0 || b.cane.z != 0) likes = {};
     if (!wear.pockets) never(Posture::pocket), never(Posture::pockets);
     if (wear.bag == Bag::none || wear.bag == Bag::handbag) never(Posture::strap);
-    if (wear.bag == Bag::backpack) never(Posture::behind);
+    if (wear.bag != Bag::none) never(Posture::behind);
     if (wear.phone || wear.bag == Bag::handbag) {
         for (Posture both : {Posture::pockets, Posture::hips, Posture::behind, Posture::fold}) never(both);
     }
@@ -251,10 +255,12 @@ void advance_holds(Gait& gait, size_t begin, size_t end, const RootMotion& root,
         int lane = static_cast<int>(i % k_block);
         if (p.postures[0][lane] == 0) continue;
         auto walker = static_cast<uint32_t>(i);
+        bool asks = tick % k_ask_ticks == walker % k_ask_ticks;
+        if (!asks && is_settled(g.holds[k_left], lane) && is_settled(g.holds[k_right], lane)) continue;
         Vec2 wish = root.wish ? root.wish[i] : root.velocity[i];
         Stroller s{g, p, lane, length(root.velocity[i]), length(wish)};
         RandomKey chance{seed, walker, 0, Purpose::hold};
-        if (tick % k_ask_ticks == walker % k_ask_ticks) ask(g, s, chance, tick);
+        if (asks) ask(g, s, chance, tick);
         bool leaves = s.wish > k_sets_off && g.posture[lane] == 0;
         float time = (leaves ? k_hurry : 1) * k_time * random_between(chance, 0.8f, 1.4f, 1);
         for (Side side : {k_left, k_right})
