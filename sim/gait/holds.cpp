@@ -25,7 +25,7 @@ struct HoldShape {
 
 constexpr HoldShape k_shapes[k_hold_count] = {
     {},
-    {HoldAnchor::pelvis, 0.83f, -0.115f, 0.22f, 0, -0.335f, 0.11f, 0.23f, 0.07f, 0.04f, 0.01f},
+    {HoldAnchor::pelvis, 0.83f, -0.115f, 0.12f, 0, -0.335f, 0.11f, 0.23f, 0.07f, 0.04f, 0.01f},
     {HoldAnchor::pelvis, 1.2f, 0.204f, 0, 0, -0.707f, 0.08f, -0.124f, 0.338f, 0.05f, -0.02f},
     {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.032f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
     {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.018f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
