@@ -11,9 +11,9 @@ namespace flaneur {
 namespace {
 
 // Of a left hand; a right one mirrors it. Heights are from the hips' joint, in those of the shoulder over it.
-// `out` is in the girth of the hip (of the pelvis) or in the shoulder's (of the chest), `ahead` in the girth
-// ahead, or behind where it is negative, and `clear` is added to that, in the body's height. On the ground
-// all are in the body's height, and of what is in the world.
+// `ahead` is in the girth ahead, or behind where it is negative, and `clear` is added to that, in the body's
+// height. `out` is in half the width of the shoulders, and in the girth of the hip where a hand is at its
+// side. On the ground all are in the body's height.
 //
 // On its way the hand goes round the body by `round_out` and `round_ahead`, of the body's height.
 struct HoldShape {
@@ -27,10 +27,10 @@ constexpr HoldShape k_shapes[k_hold_count] = {
     {},
     {HoldAnchor::pelvis, 0.83f, -0.115f, 0.12f, 0, -0.335f, 0.11f, 0.23f, 0.07f, 0.04f, 0.01f},
     {HoldAnchor::pelvis, 1.2f, 0.204f, 0, 0, -0.707f, 0.08f, -0.124f, 0.338f, 0.05f, -0.02f},
-    {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.032f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
-    {HoldAnchor::pelvis, 0.46f, -0.02f, 1, 0.018f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
-    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, 0.014f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
-    {HoldAnchor::pelvis, 0.45f, 0.05f, -1, 0.002f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    {HoldAnchor::pelvis, 0.43f, -0.02f, 1, 0.032f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
+    {HoldAnchor::pelvis, 0.43f, -0.02f, 1, 0.018f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
+    {HoldAnchor::pelvis, 0.42f, 0.05f, -1, 0.014f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    {HoldAnchor::pelvis, 0.42f, 0.05f, -1, 0.002f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
     {HoldAnchor::chest, -0.09f, 0.5f, 1, 0.032f, -0.795f, 0.13f, 0.059f, -0.279f, 0.02f, 0.05f},
     {HoldAnchor::chest, -0.05f, 0.41f, 1, 0.022f, -0.795f, 0.1f, -0.04f, -0.314f, 0.02f, 0.05f},
     {HoldAnchor::chest, -0.42f, 0.204f, 1, 0.017f, -0.643f, 0.009f, -0.073f, -0.33f, 0.02f, 0.05f},
@@ -79,7 +79,8 @@ Vec3 place_of(const HoldShape& shape, const PersonBlock& p, int lane, Side side)
     if (shape.anchor == HoldAnchor::pelvis) {
         float depth = shape.ahead < 0 ? p.girth[2][lane] : p.girth[1][lane];
         float clear = (shape.ahead < 0 ? -shape.clear : shape.clear) * height;
-        return {shape.out * p.girth[0][lane] * mirror, up, shape.ahead * depth + clear};
+        float width = std::fabs(shape.ahead) == 1 ? shoulder.x : p.girth[0][lane];
+        return {shape.out * width * mirror, up, shape.ahead * depth + clear};
     }
     Vec3 middle = joint(p, upper_chest, lane);
     return {(shape.out - 1) * shoulder.x * mirror, hip.y + up - shoulder.y,

@@ -157,6 +157,45 @@ TEST(Holds, EveryHandGetsToItsPlaceAndBackWithinWhatArmsCan) {
         }
 }
 
+TEST(Holds, PlacesLieOnTheBodyWhateverItsGirth) {
+    struct Case {
+        Hold left, right;
+        float Girth::*size;     // by which the wrist goes
+        int joint;              // from which
+        Vec3 way;               // along this axis,
+        float nearest, beyond;  // so far beyond its surface, of the body's height
+    };
+    const Case cases[] = {
+        {Hold::pocket, Hold::pocket, &Girth::hip, hips, {1, 0, 0}, -0.03f, 0.01f},
+        {Hold::hip, Hold::hip, &Girth::hip, hips, {1, 0, 0}, 0.005f, 0.04f},
+        {Hold::clasp_over, Hold::clasp_under, &Girth::belly, hips, {0, 0, 1}, 0.005f, 0.04f},
+        {Hold::behind_over, Hold::behind_under, &Girth::back, hips, {0, 0, -1}, -0.005f, 0.03f},
+        {Hold::fold_over, Hold::fold_under, &Girth::chest, upper_chest, {0, 0, 1}, 0.005f, 0.04f},
+        {Hold::bag_strap, Hold::pack_strap, &Girth::chest, upper_chest, {0, 0, 1}, 0.005f, 0.04f},
+    };
+    for (const Case& c : cases) {
+        Group people;
+        for (int t = 0; t < k_steps + 1; ++t) people.hold(c.left, k_left), people.hold(c.right, k_right);
+        people.pose();
+        for (size_t i = 0; i < k_block; ++i) {
+            const Body& body = people.bodies[i];
+            Quat turn = conjugate(people.joint(i, c.joint).rotation);
+            auto local = [&](int j) {
+                return rotate(turn, people.joint(i, j).position - people.joint(i, c.joint).position);
+            };
+            Vec3 left = local(left_hand), right = local(right_hand);
+            for (Vec3 wrist : {left, Vec3{-right.x, right.y, right.z}}) {
+                float out = (dot(wrist, c.way) - body.girth.*c.size) / body.height;
+                EXPECT_GT(out, c.nearest) << static_cast<int>(c.left) << " of " << i;
+                EXPECT_LT(out, c.beyond) << static_cast<int>(c.left) << " of " << i;
+            }
+            // Hands that meet have their wrists less than a hand apart.
+            bool meet = c.left == Hold::clasp_over || c.left == Hold::behind_over;
+            EXPECT_TRUE(!meet || std::fabs(left.x - right.x) < 0.11f * body.height) << i;
+        }
+    }
+}
+
 TEST(Holds, HandsGoSlowlyAtBothEnds) {
     Group people;
     float last = 0, most = 0, first = 0, end = 0;
