@@ -295,6 +295,48 @@ TEST(Holds, WhoStandsTakesSomePosturesAndLetsGoBeforeWalkingOff) {
         for (Side side : {k_left, k_right}) EXPECT_EQ(people.weight(i, side), 0);
 }
 
+TEST(Holds, PocketsBagsAndFullHandsSayWhichPosturesThereAre) {
+    auto likes = [](Wear wear, Posture posture) {
+        return Group(wear, true).gait.people[0].postures[static_cast<int>(posture)][8];
+    };
+    EXPECT_EQ(likes({}, Posture::pockets), 0);
+    EXPECT_GT(likes({.pockets = true}, Posture::pockets), 0);
+    EXPECT_EQ(likes({.pockets = true, .phone = true}, Posture::pockets), 0);
+    EXPECT_GT(likes({.pockets = true, .phone = true}, Posture::pocket), 0);
+    EXPECT_EQ(likes({}, Posture::strap), 0);
+    EXPECT_GT(likes({.bag = Bag::backpack}, Posture::strap), 0);
+    EXPECT_EQ(likes({.bag = Bag::backpack}, Posture::behind), 0);
+    EXPECT_EQ(likes({.bag = Bag::handbag}, Posture::fold), 0);
+    EXPECT_GT(likes({.bag = Bag::handbag}, Posture::clasp), 0);
+    Body with_cane = standard_body(1.7f);
+    with_cane.cane = standard_cane(1.7f);
+    Manner manner;
+    manner.postures.fill(1);
+    Group people;
+    set_arms(people.gait.people[0], 3, with_cane, 1, manner);
+    for (const auto& posture : people.gait.people[0].postures) EXPECT_EQ(posture[3], 0);
+}
+
+TEST(Holds, FullHandsTakeNothing) {
+    for (Wear wear : {Wear{.pockets = true, .phone = true}, Wear{Bag::handbag, true}}) {
+        Group people(wear, true);
+        Side full = wear.phone ? k_right : k_left;
+        int taken = 0;
+        for (int t = 0; t < 200 * 60; ++t) {
+            people.advance(0);
+            advance_holds(people.gait, 0, k_block, people.root, k_seed, people.tick++, k_tick);
+            for (size_t i = 0; i < k_block; ++i) {
+                int32_t kind = people.gait.blocks[0].holds[full].kind[i];
+                bool clasps = kind == static_cast<int32_t>(Hold::clasp_over) ||
+                              kind == static_cast<int32_t>(Hold::clasp_under);
+                ASSERT_TRUE(kind == 0 || (wear.bag == Bag::handbag && clasps)) << kind;
+                taken += people.weight(i, full == k_left ? k_right : k_left) > 0;
+            }
+        }
+        EXPECT_GT(taken, 1000);
+    }
+}
+
 // Between the foremost and the hindmost direction of an upper arm, degrees.
 float swing_of(Group& people, size_t i, Side side) {
     float low = 1e9f, high = -1e9f;
