@@ -196,6 +196,27 @@ TEST(Holds, PlacesLieOnTheBodyWhateverItsGirth) {
     }
 }
 
+TEST(Holds, HandsGoRoundTheBodyNotThroughIt) {
+    for (Hold kind : {Hold::hip, Hold::clasp_over, Hold::clasp_under, Hold::behind_over, Hold::behind_under,
+                      Hold::fold_over, Hold::fold_under, Hold::across, Hold::bag_strap, Hold::pack_strap}) {
+        Group people;
+        for (int t = 0; t < k_steps; ++t) {
+            people.hold(kind, k_left);
+            people.pose();
+            for (size_t i = 0; i < k_block; ++i) {
+                JointPose hip = people.joint(i, hips);
+                Vec3 wrist =
+                    rotate(conjugate(hip.rotation), people.joint(i, left_hand).position - hip.position);
+                Girth girth = people.bodies[i].girth;
+                // The trunk as an ellipse, a little thinner than it is.
+                float depth = wrist.z < 0 ? girth.back : girth.belly;
+                float x = wrist.x / (0.95f * girth.hip), z = wrist.z / (0.95f * depth);
+                EXPECT_GT(x * x + z * z, 1) << static_cast<int>(kind) << " of " << i << " at " << t;
+            }
+        }
+    }
+}
+
 TEST(Holds, HandsGoSlowlyAtBothEnds) {
     Group people;
     float last = 0, most = 0, first = 0, end = 0;
