@@ -1,7 +1,7 @@
 #include <chrono>
 
 #include "sim/gait/hands.h"
-#include "sim/gait/holds.h"
+#include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/world.h"

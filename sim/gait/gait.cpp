@@ -7,7 +7,6 @@
 #include "sim/base/rng.h"
 #include "sim/gait/fits.h"
 #include "sim/gait/hands.h"
-#include "sim/gait/holds.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
@@ -51,6 +50,42 @@ static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around
             .heading = heading,
             .facing = heading_direction(heading),
             .leg_length = person.joints[left_upper_leg][1][lane]};
+}
+
+// How far arms swing and bend with what the person carries, and the postures that pockets, bags and full
+// hands leave it.
+static void set_arms(PersonBlock& p, int lane, const Body& b, float scale, const Manner& m) {
+    const Wear& wear = b.wear;
+    for (int side = 0; side < 2; ++side) {
+        p.arm_swing[side][lane] = m.arm_swing[side];
+        p.elbow[side][lane] = m.elbow;
+        bool loaded = wear.bag == (side == k_left ? Bag::handbag : Bag::shoulder_bag);
+        if (loaded) {
+            p.arm_swing[side][lane] *= 0.33f;
+            p.elbow[side][lane] += 0.12f;
+        } else if (wear.bag == Bag::backpack) {
+            p.arm_swing[side][lane] *= 0.8f;
+            p.elbow[side][lane] += 0.06f;
+        }
+    }
+    Girth girth = girth_of(b);
+    const float sizes[] = {girth.hip, girth.belly, girth.back, girth.chest};
+    for (int i = 0; i < 4; ++i) p.girth[i][lane] = sizes[i] * scale;
+    p.height[lane] = b.height * scale;
+
+    auto likes = m.postures;
+    auto never = [&](Posture posture) { likes[static_cast<size_t>(posture)] = 0; };
+    if (b.cane.x != 0 || b.cane.y != 0 || b.cane.z != 0) likes = {};
+    if (!wear.pockets) never(Posture::pocket), never(Posture::pockets);
+    if (wear.bag == Bag::none || wear.bag == Bag::handbag) never(Posture::strap);
+    if (wear.bag != Bag::none) never(Posture::behind);
+    if (wear.phone || wear.bag == Bag::handbag) {
+        for (Posture both : {Posture::pockets, Posture::hips, Posture::behind, Posture::fold}) never(both);
+    }
+    if (wear.phone) never(Posture::clasp);
+    for (int i = 0; i < k_posture_count; ++i) p.postures[i][lane] = likes[static_cast<size_t>(i)];
+    p.free_hands[lane] = wear.phone ? 1 : wear.bag == Bag::handbag ? 2 : 3;
+    p.bag[lane] = static_cast<int32_t>(wear.bag);
 }
 
 static void set_person(PersonBlock& person, int lane, const Body& b, float scale, const Manner& m) {

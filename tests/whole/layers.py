@@ -16,11 +16,12 @@ sim/ik: sim/base
 sim/ground: sim/base
 sim/navigation: sim/base, sim/ground
 sim/gait: sim/base, sim/body, sim/ground
+sim/hands: sim/base, sim/gait
 sim/pose: sim/base, sim/gait, sim/ik
 sim/animation: sim/base, sim/pose
 sim/crowd: sim/base, sim/ground, sim/navigation
 sim/surface: sim/base
-sim: sim/animation, sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/hands, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -66,7 +67,7 @@ tools/flaneur/console: sim/base
 tools/flaneur/options: assets, assets/files, sim/base
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
-tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/pose, tools/flaneur/output
+tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/crowd, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose

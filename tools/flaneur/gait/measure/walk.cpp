@@ -8,7 +8,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/hands.h"
-#include "sim/gait/holds.h"
+#include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 

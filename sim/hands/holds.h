@@ -31,10 +31,6 @@ enum class Hold : int32_t {
 };
 inline constexpr int k_hold_count = 13;
 
-// The rows of a person that say what its arms do: how far they swing and bend with what it carries, and the
-// postures that its pockets, bags and full hands leave it.
-void set_arms(PersonBlock& person, int lane, const Body& body, float scale, const Manner& manner);
-
 // One tick of `dt` seconds of one hand's way to `wanted`, or away from what it has where that is another:
 // some `time` seconds, slowly at both ends, round the body. `moved` metres are added to its place, in the
 // axes that it is in (see HoldBlock).

@@ -6,7 +6,7 @@
 
 #include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
-#include "sim/gait/holds.h"
+#include "sim/hands/holds.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/pose/pose.h"
 #include "sim/world.h"
@@ -329,12 +329,12 @@ TEST(Holds, PocketsBagsAndFullHandsSayWhichPosturesThereAre) {
     EXPECT_EQ(likes({.bag = Bag::backpack}, Posture::behind), 0);
     EXPECT_EQ(likes({.bag = Bag::handbag}, Posture::fold), 0);
     EXPECT_GT(likes({.bag = Bag::handbag}, Posture::clasp), 0);
+    Group people({}, true);
     Body with_cane = standard_body(1.7f);
     with_cane.cane = standard_cane(1.7f);
     Manner manner;
     manner.postures.fill(1);
-    Group people;
-    set_arms(people.gait.people[0], 3, with_cane, 1, manner);
+    start_walker(people.gait, 3, with_cane, 1, {}, 0, surroundings_of(people.ground), k_seed, manner);
     for (const auto& posture : people.gait.people[0].postures) EXPECT_EQ(posture[3], 0);
 }
 
