@@ -76,7 +76,9 @@ Result<void> check(const WorldOptions& o) {
                      shank_length(kind.body) > 0.05f;
         for (Vec3 joint : kind.body.joints) sound = sound && is_finite(joint);
         sound = sound && is_finite(kind.body.cane);
-        for (float length : {kind.body.height, kind.body.heel, kind.body.toe, kind.body.carriage})
+        const Girth& girth = kind.body.girth;
+        for (float length : {kind.body.height, kind.body.heel, kind.body.toe, kind.body.carriage, girth.hip,
+                             girth.belly, girth.back, girth.chest})
             sound = sound && std::isfinite(length);
         if (!sound)
             return Error{

@@ -24,18 +24,31 @@ struct HoldShape {
 };
 
 constexpr HoldShape k_shapes[k_hold_count] = {
+    // none
     {},
+    // pocket
     {HoldAnchor::pelvis, 0.83f, -0.115f, 0.12f, 0, -0.335f, 0.11f, 0.23f, 0.07f, 0.04f, 0.01f},
+    // hip
     {HoldAnchor::pelvis, 1.2f, 0.204f, 0, 0, -0.707f, 0.08f, -0.124f, 0.338f, 0.05f, -0.02f},
+    // clasp_over
     {HoldAnchor::pelvis, 0.43f, -0.02f, 1, 0.032f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
+    // clasp_under
     {HoldAnchor::pelvis, 0.43f, -0.02f, 1, 0.018f, -0.583f, -0.083f, -0.116f, -0.212f, 0.02f, 0.05f},
+    // behind_over
     {HoldAnchor::pelvis, 0.42f, 0.05f, -1, 0.014f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    // behind_under
     {HoldAnchor::pelvis, 0.42f, 0.05f, -1, 0.002f, -0.549f, -0.165f, -0.079f, -0.051f, 0.03f, -0.05f},
+    // fold_over
     {HoldAnchor::chest, -0.09f, 0.5f, 1, 0.032f, -0.795f, 0.13f, 0.059f, -0.279f, 0.02f, 0.05f},
+    // fold_under
     {HoldAnchor::chest, -0.05f, 0.41f, 1, 0.022f, -0.795f, 0.1f, -0.04f, -0.314f, 0.02f, 0.05f},
+    // across
     {HoldAnchor::chest, -0.42f, 0.204f, 1, 0.017f, -0.643f, 0.009f, -0.073f, -0.33f, 0.02f, 0.05f},
+    // bag_strap
     {HoldAnchor::chest, 0.46f, 0.52f, 1, 0.022f, -0.499f, 0.13f, -0.405f, -0.265f, 0.02f, 0.02f},
+    // pack_strap
     {HoldAnchor::chest, 0.65f, 0.574f, 1, 0.027f, -0.374f, 0.083f, -0.551f, -0.172f, 0.02f, 0.02f},
+    // handle
     {HoldAnchor::ground, 0.1f, 0.56f, 0.2f, 0, -0.394f, -0.22f, -0.011f, 0.348f, 0.02f, 0.02f},
 };
 
