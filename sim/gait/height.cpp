@@ -19,6 +19,7 @@ static constexpr float k_step_most = 0.2f;         // metres
 static constexpr float k_most_sink = 0.2f;         // legs
 static constexpr float k_just_landed = 0.1f;       // of the cycle
 static constexpr float k_bears = 0.36f;  // of a foot's phase on the ground, until its heel begins to give
+static constexpr float k_heel_gives_0 = 0.45f, k_heel_gives_1 = 1.05f;  // radians, then and as it leaves
 static constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
 static constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
 
@@ -91,10 +92,13 @@ void advance_base(GaitBlock& g, const Stepper& s, float speed) {
     g.rise[lane] += (rise - g.rise[lane]) * std::min(1.0f, 3 * s.dt);
 }
 
+// What a foot does while the pelvis is over it.
+enum class Bears { lands, stands, leaves };
+
 // Metres by which the pelvis at `root`, on ground at `base`, would be higher than the leg of `side` lets it,
 // its foot at `place`, with `rise` as in rise-inl.h.
 float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces& place, Vec2 root,
-               float base, float rise, bool lands) {
+               float base, float rise, Bears bears) {
     int lane = s.lane;
     const auto& joints = s.person.joints;
     float hip_x = joints[left_upper_leg][0][lane] * (side == k_left ? 1.0f : -1.0f);
@@ -102,6 +106,19 @@ float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces
     Vec2 hip = root + Vec2{s.facing.z, -s.facing.x} * hip_x;
     Vec2 foot{place.x[lane], place.z[lane]};
     float up = ankle;
+    const bool lands = bears == Bears::lands;
+    if (bears == Bears::leaves) {
+        // The heel may rise as high as it is when the foot leaves.
+        float ball = joints[left_toes][2][lane] - joints[left_foot][2][lane],
+              ball_height = joints[left_toes][1][lane], instep = ankle - ball_height;
+        float gives = smoothstep(k_bears, 1, g.feet[side].phase[lane] / g.duty[lane]);
+        SinCos tilt = sin_cos(lerp(k_heel_gives_0, k_heel_gives_1, gives));
+        float forward = ball - ball * tilt.cosine + instep * tilt.sine;
+        Vec2 ahead = heading_direction(place.yaw[lane]);
+        up = instep * tilt.cosine + ball * tilt.sine + ball_height;
+        up += height_on(place, lane, foot + ahead * forward) - place.y[lane];
+        foot += ahead * forward;
+    }
     if (lands) {
         float ahead = g.amplitude[lane] * std::max(g.course[lane], 0.0f),
               forefoot = g.feet[side].forefoot[lane];
@@ -143,15 +160,17 @@ void advance_sink(GaitBlock& g, const Stepper& s) {
             const FootPlaces& stands = g.feet[1 - side].from;
             float base = std::min(height_on(foot.goal, lane, root), height_on(stands, lane, root));
             base += std::max(g.base[lane] - std::max(height_on(stands, lane, on_ground(s.root)), base), 0.0f);
-            float amount = too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), true);
+            float amount = too_high(g, s, side, foot.goal, root, base, rise_at({0, 1}), Bears::lands);
             if (amount > coming) coming = amount, until = std::max(seconds, k_soonest);
-        } else if (walks && foot.phase[lane] < k_bears &&
-                   dot(on_ground(s.root) - Vec2{foot.from.x[lane], foot.from.z[lane]}, s.facing) <
-                       k_behind_0 * s.leg_length) {
+        } else if (walks) {
             auto wave = kernel::harmonics<2>(g.phase[lane]);
             bool lands = foot.phase[lane] < k_just_landed && !g.standing[lane];
+            bool stands = foot.phase[lane] < k_bears &&
+                          dot(on_ground(s.root) - Vec2{foot.from.x[lane], foot.from.z[lane]}, s.facing) <
+                              k_behind_0 * s.leg_length;
+            Bears bears = lands ? Bears::lands : stands ? Bears::stands : Bears::leaves;
             now = std::max(now, too_high(g, s, side, foot.from, on_ground(s.root), g.base[lane],
-                                         rise_at({wave.sine[1], wave.cosine[1]}), lands));
+                                         rise_at({wave.sine[1], wave.cosine[1]}), bears));
         }
     }
     float most = k_most_sink * s.leg_length;
