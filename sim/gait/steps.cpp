@@ -25,6 +25,7 @@ static constexpr float k_following = 13;       // 1/s, of the landing place towa
 static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
 static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
+static constexpr float k_deepest = 0.22f;  // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;                              // metres
 static constexpr float k_off_riser = 0.02f;                              // metres
 static constexpr float k_reach_treads = 1.0f;                            // metres
@@ -190,6 +191,15 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         std::fabs(step_between(there, footing.place)) > k_stair) {
         keep_to_treads(g, s, side, size, wished);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
+    }
+    // Nobody reaches far down a steep slope.
+    float down = there.position.y - footing.place.position.y, deepest = k_deepest * s.leg_length;
+    if (leaves && footing.found && down > deepest && g.flight[s.lane] <= 0 &&
+        std::fabs(step_between(there, footing.place)) < k_stair) {
+        FootPlace nearer = wished;
+        nearer.position = lerp(there.position, wished.position, deepest / down);
+        Footing shorter = find_footing(s.around, nearer, size);
+        if (shorter.found) footing = shorter, wished = nearer;
     }
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
         footing = down_or_before(s, footing, wished, direction, size);
