@@ -40,6 +40,9 @@ struct Footing {
 // toes hang over.
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size);
 
+// Whether a step or kerb rises where the heel or the toes of a foot at `place` are.
+bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size);
+
 // Metres by which a foot at `to` stands above the slope of the ground at `from`.
 float step_between(const FootPlace& from, const FootPlace& to);
 

@@ -307,11 +307,13 @@ void pivot(GaitBlock& g, const Stepper& s, Side side) {
     float excess = off > 0 ? std::max(off - k_most_twist, 0.0f) : std::min(off + k_most_twist, 0.0f);
     if (excess == 0) return;
     excess = clamp(excess, -4 * s.dt, 4 * s.dt);
-    float ball = foot_size(s.person, s.lane).ball;
+    FootSize size = foot_size(s.person, s.lane);
+    float ball = size.ball;
     Vec2 before = heading_direction(is.yaw) * ball, after = heading_direction(is.yaw + excess) * ball;
     Vec2 by = before - after;
     is.position += Vec3{by.x, -(is.normal.x * by.x + is.normal.z * by.z) / std::max(is.normal.y, 0.2f), by.z};
     is.yaw = wrap_angle(is.yaw + excess);
+    if (meets_edge(s.around, is, size)) return;
     set_place(foot.from, s.lane, is);
     set_place(foot.to, s.lane, is);
     set_place(foot.goal, s.lane, is);
