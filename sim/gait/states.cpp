@@ -17,6 +17,7 @@ static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float k_steep_steps = 0.8f, k_steep_from = 0.14f;  // and by so many more for each metre climbed or come down in one walked beyond
+static constexpr float k_quickest_on_stairs = 2.4f;  // cycles/s
 static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
 static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
@@ -97,7 +98,7 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
     if (g.tread[lane] > 0) {
         stride = sets_both_feet(s.leg_length) ? g.tread[lane] : 2 * g.tread[lane];
-        if (speed > 1.3f * stride) stride *= 2;
+        if (speed > k_quickest_on_stairs * stride) stride *= 2;
         // A tread that lies farther than the foot would go is reached later.
         Vec2 direction = normalize_or(s.velocity, s.facing);
         for (const FootBlock& foot : g.feet) {

@@ -54,6 +54,8 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
     reports.push_back(try_turn(person, speed, 180));
     reports.push_back(try_bends(person, speed));
     for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));
+    if (!gait.cane)
+        for (bool up : {true, false}) reports.push_back(try_stairs(person, 3, up, gait.riser, gait.tread));
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));
     return reports;

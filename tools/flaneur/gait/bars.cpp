@@ -165,6 +165,19 @@ constexpr Bar k_stairs_twice[] = {
     {"stairs_a_step", 0.45, 0.55, 0, "both feet on each stair; Gesell 1940"},
     {"odd_steps.pct", 0, 0, 0, "both feet on each stair; Gesell 1940"},
 };
+// Of one who takes them at a run. Rhythm, knees and trunk have no source: about twice the rhythm of the walk, knees
+// that bend some more.
+constexpr Bar k_stairs_run[] = {
+    {"speed.m_s", 1, 1.6, 0, "no source: asked for"},
+    {"cadence.spm", 190, 290, 0, "no source: twice that of the walk"},
+    {"stairs_a_step", 0.95, 1.05, 0, "one stair a step"},
+    {"odd_steps.pct", 0, 0, 0, "one stair a step"},
+    {"knee_swing_peak.deg", 85, 115, 0, "no source: 90 to 100 of a walk"},
+    {"joint_speed.deg_s", -k_open, 1250, 0, "a runner's legs"},
+    {"joint_outside.deg", -k_open, 0, 0, "AAOS 1965, Kapandji"},
+    {"head_rise.m_s", -k_open, 1.6, 0, "nobody drops"},
+};
+constexpr Bar k_stairs_run_up[] = {{"trunk_lean.deg", 6, 25, 0, "no source: ahead"}};
 constexpr Bar k_stairs_up[] = {{"knee_swing_peak.deg", 85, 105, 0, "90 to 100; Riener 2002"}};
 constexpr Bar k_stairs_down[] = {{"knee_swing_peak.deg", 80, 95, 0, "85 to 90; Riener 2002"}};
 // Self-chosen speed: Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), 15 % either way. Knees meet an
@@ -259,6 +272,15 @@ std::vector<Bar> stairs_bars(bool up, double leg) {
             add(bars, k_stairs_down);
         }
     }
+    add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> stairs_run_bars(bool up) {
+    std::vector<Bar> bars;
+    add(bars, k_stairs);
+    add(bars, k_stairs_run);
+    if (up) add(bars, k_stairs_run_up);
     add(bars, k_rough_contact);
     return bars;
 }

@@ -25,6 +25,7 @@ std::vector<Bar> level_bars(double speed, double leg);
 std::vector<Bar> stand_bars();
 std::vector<Bar> turn_bars(double degrees);
 std::vector<Bar> stairs_bars(bool up, double leg);
+std::vector<Bar> stairs_run_bars(bool up);
 std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
 std::vector<Bar> bends_bars();

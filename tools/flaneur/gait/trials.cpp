@@ -7,6 +7,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
+#include "sim/crowd/locomotion.h"
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/cane.h"
 #include "tools/flaneur/gait/measure/contact.h"
@@ -19,6 +20,7 @@ namespace flaneur {
 namespace {
 
 constexpr double k_stand = 1;   // seconds before walking
+constexpr float k_fastest_stairs = 0.61f;  // m/s, of a walk
 constexpr double k_settle = 4;  // seconds from standing to a steady walk
 
 std::string text(const char* format, double a, double b = 0) {
@@ -146,7 +148,9 @@ Report try_bends(const Person& person, double speed) {
 }
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
-    constexpr float k_begin = 3;
+    // Who runs has room to.
+    const bool runs = stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body))) > k_fastest_stairs;
+    const float k_begin = runs ? 9 : 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
     Ground ground = ground_of(stairs_course(k_begin, rise, run));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
@@ -167,13 +171,17 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     if (steps > 0) {
         append(r.quantities, {{"stairs_a_step", stairs / steps}, {"odd_steps.pct", 100 * odd / steps}});
     }
-    append(r.quantities, measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities, runs ? measure_body(w, tick_past(w, k_begin - 0.6f),
+                                             tick_past(w, k_begin + k_flight_steps * run))
+                              : measure_body(w, tick_at(w, k_stand)));
     append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = up ? "stairs_up" : "stairs_down";
+    if (runs) r.name += "_run";
     r.title = text(up ? "Stairs up, risers of %.2f and treads of %.2f m"
                       : "Stairs down, risers of %.2f and treads of %.2f m",
                    riser, tread);
-    return finished(std::move(r), stairs_bars(up, leg), person, false);
+    if (runs) r.title += text(", at a run of %.1f m/s", speed);
+    return finished(std::move(r), runs ? stairs_run_bars(up) : stairs_bars(up, leg), person, false);
 }
 
 Report try_slope(const Person& person, double speed, double percent) {

@@ -113,14 +113,14 @@ float angle_between(Quat a, Quat b) {
     return 2 * arctan2(length(Vec3{d.x, d.y, d.z}), std::fabs(d.w)) / k_radians;
 }
 
-Quantities measure_body(const Walk& walk, size_t first) {
+Quantities measure_body(const Walk& walk, size_t first, size_t last) {
     float spin = 0, beyond = 0;
     double rise = 0, fall = 0;
     auto against_parent = [](const Instant& now, size_t j) {
         return conjugate(now.joints[static_cast<size_t>(k_joint_parents[j])].rotation) *
                now.joints[j].rotation;
     };
-    for (size_t t = std::max<size_t>(first, 2); t < walk.ticks.size(); ++t) {
+    for (size_t t = std::max<size_t>(first, 2); t < std::min(last, walk.ticks.size()); ++t) {
         const Instant &now = walk.ticks[t], &before = walk.ticks[t - 1];
         for (size_t j = 0; j < k_joint_count; ++j) {
             if (k_joint_parents[j] == k_no_parent) continue;

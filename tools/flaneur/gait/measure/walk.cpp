@@ -83,7 +83,8 @@ Ground ground_of(const Course& course) {
         for (Vec3 v : {Vec3{-x, ya, a}, Vec3{-x, yb, b}, Vec3{x, yb, b}, Vec3{x, ya, a}})
             ground.vertices.push_back(v);
         for (uint32_t k : {0, 1, 2, 0, 2, 3}) ground.indices.push_back(n + k);
-        ground.kinds.insert(ground.kinds.end(), 2, course.kind);
+        bool is_end = i == 0 || i + 2 == course.edges.size();
+        ground.kinds.insert(ground.kinds.end(), 2, is_end ? Surface::sidewalk : course.kind);
     }
     index_ground(ground);
     return ground;
@@ -126,7 +127,13 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
-        Vec2 wished = wish_on(under, wish(t / result.rate), stair_pace(leg_length(person.body)));
+        Vec2 wished = wish(t / result.rate);
+        if (float way = braking_way(length(wished)); way > 0) {
+            Vec2 ahead = normalize_or(motion.velocity, {0, 0}) * way;
+            auto hit = ground_at(ground, position + at_height(ahead, 0), 3, 3);
+            if (hit && hit->kind == Surface::steps) under = *hit;
+        }
+        wished = wish_on(under, wished, stair_pace(leg_length(person.body)));
         motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
