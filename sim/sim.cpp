@@ -223,6 +223,12 @@ bool let_wander(World& w, WalkerId id) {
     return true;
 }
 
+bool let_jump(World& w, WalkerId id) {
+    if (!is_alive(w, id)) return false;
+    jump(w.gait, id.index);
+    return true;
+}
+
 bool has_arrived(const World& w, WalkerId id) {
     return is_alive(w, id) && w.crowd.journeys[id.index].errand == Errand::arrive &&
            has_arrived(w.crowd, id.index);

@@ -19,8 +19,9 @@ static constexpr float k_any_way = 0.3f;                         // m/s; so slow
 static constexpr float k_pivot_speed = 0.15f;                    // m/s, at least, of one who turns under way
 static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
-static constexpr float k_runs = 2, k_stair_run = 0.9f;   // m/s from which on one runs; and on stairs, of what is beyond
-static constexpr float k_bend = 0.4f;           // 1/m; narrower bends are taken slower
+static constexpr float k_runs = 2,
+                       k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
+static constexpr float k_bend = 0.4f;       // 1/m; narrower bends are taken slower
 
 float stair_speed(float speed, float stair_pace) {
     float walk = clamp(0.42f * speed, 0.5f, 0.6f), run = clamp(k_stair_run * (speed - k_runs), 0.0f, 0.5f);

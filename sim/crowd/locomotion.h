@@ -32,12 +32,12 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0});
 
-// Speed over the ground plane, m/s, that one who goes at `speed` on the level has on stairs: 0.5-0.6 of one who
-// walks; of one who runs up to 1.1.
+// Speed over the ground plane, m/s, that one who goes at `speed` on the level has on stairs: 0.5-0.6 of one
+// who walks; of one who runs up to 1.1.
 float stair_speed(float speed, float stair_pace = 1);
 
-// Metres before steps from which on one who would like to run at `wished` slows down to that speed; 0 of one who
-// walks, who slows down on the first.
+// Metres before steps from which on one who would like to run at `wished` slows down to that speed; 0 of one
+// who walks, who slows down on the first.
 float braking_way(float wished);
 
 }  // namespace flaneur

@@ -145,8 +145,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
 
 bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size) {
     Vec2 ahead = heading_direction(place.yaw);
-    float slope =
-        -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
+    float slope = -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
     for (float along : {-size.heel, size.tip}) {
         auto hit = under(around, ahead_by(place.position, ahead, along));
         if (hit && hit->height - place.position.y - slope * along > k_riser) return true;

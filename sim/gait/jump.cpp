@@ -9,10 +9,13 @@
 namespace flaneur {
 
 static constexpr float k_push_off = 0.6f;  // of the leading foot's swing, when the other foot leaves
-static constexpr float k_follows = 0.2f;   // of the other foot's swing, when the leading foot lands
-static constexpr float k_absorb = 0.45f;   // seconds of crouch after a jump
-static constexpr float k_bent = 0.06f;     // metres of crouch in which one lands
-static constexpr float k_usual = 0.36f;    // seconds of flight
+static constexpr float k_follows = 0.2f,   // of the other foot's swing, when the leading foot lands,
+    k_run_follows = 0.45f;                 // of one who runs
+static constexpr float k_absorb = 0.45f;   // seconds of crouch after a jump,
+static constexpr float k_runs_on = 0.2f;   // of one who runs on
+static constexpr float k_bent = 0.04f;     // metres of crouch in which one lands
+static constexpr float k_usual = 0.36f;    // seconds of flight,
+static constexpr float k_runs = 0.3f;      // of a leap from a run
 static constexpr float k_longest = 0.62f;
 static constexpr float k_hop_steps = 1.5f;      // cycles/s, as which a hop plans its landing
 static constexpr float k_forward_reach = 0.4f;  // metres, of the leading foot before the root
@@ -24,6 +27,8 @@ void begin_jump(GaitBlock& g, int lane) {
     g.flight[lane] = 0;
 }
 
+static float follows(const GaitBlock& g, int lane) { return lerp(k_follows, k_run_follows, g.running[lane]); }
+
 // Seconds from the leading foot's toe-off until the other one's.
 static float push_seconds(const GaitBlock& g, int lane) {
     return k_push_off * (1 - g.duty[lane]) / g.frequency[lane];
@@ -33,7 +38,7 @@ static float flight_seconds(const GaitBlock& g, const Stepper& s) {
     float speed = std::max(length(s.velocity), k_standing), y = g.base[s.lane];
     Vec2 direction = normalize_or(s.velocity, s.facing);
     FarSide far = far_side(s.around, {s.root.x, y, s.root.z}, direction, k_longest_jump);
-    if (far.distance <= 0) return k_usual;
+    if (far.distance <= 0) return lerp(k_usual, k_runs, g.running[s.lane]);
     float over = (far.distance + 0.15f - k_forward_reach) / speed - push_seconds(g, s.lane);
     return clamp(std::max(over, k_usual + 0.3f * std::max(far.height - y, 0.0f)), k_usual, k_longest);
 }
@@ -92,7 +97,7 @@ static void advance_push(GaitBlock& g, const Stepper& s, Side lead) {
     if (share < 1) return;
     g.jump[lane] = k_jump_crouch;
     other = duty;
-    lift_off(g, s, lead == k_left ? k_right : k_left, flight + (1 - k_follows) * swings / f, f);
+    lift_off(g, s, lead == k_left ? k_right : k_left, flight + (1 - follows(g, lane)) * swings / f, f);
 }
 
 static void fly(GaitBlock& g, const Stepper& s, float up) {
@@ -103,10 +108,10 @@ static void fly(GaitBlock& g, const Stepper& s, float up) {
     float share = up / flight, moves = s.dt / (flight - up + s.dt);
     for (Side side : {k_left, k_right}) {
         bool hops = g.first[lane] < 0, leads = hops || side == g.first[lane];
-        float &phase = g.feet[side].phase[lane], end = duty + (1 - duty) * (leads ? 1 : k_follows);
+        float &phase = g.feet[side].phase[lane], end = duty + (1 - duty) * (leads ? 1 : follows(g, lane));
         phase += (end - phase) * moves;
         g.feet[side].forefoot[lane] = std::max(g.feet[side].forefoot[lane], share);  // its ball comes first
-        float after = leads ? 0 : (1 - k_follows) * (1 - duty) / g.frequency[lane];
+        float after = leads ? 0 : (1 - follows(g, lane)) * (1 - duty) / g.frequency[lane];
         swing(g, s, side, flight - up + after, hops ? k_hop_steps : g.frequency[lane]);
     }
 }
@@ -145,8 +150,9 @@ bool advance_jump(GaitBlock& g, const Stepper& s) {
         return true;
     }
     if (up - s.dt < flight) land(g, s);
-    float share = std::min((up - flight) / k_absorb, 1.0f);
-    g.crouch[lane] = crouch_after(flight, k_absorb, share) + k_bent * (1 - smoothstep(0, 1, share));
+    float absorb = lerp(k_absorb, k_runs_on, g.running[lane]);
+    float share = std::min((up - flight) / absorb, 1.0f);
+    g.crouch[lane] = crouch_after(flight, absorb, share) + k_bent * (1 - smoothstep(0, 1, share));
     if (share >= 1) t = flight = 0;
     return g.standing[lane] && share > 0 && share < 0.2f;
 }

@@ -16,12 +16,14 @@ namespace flaneur {
 static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
-static constexpr float k_steep_steps = 0.8f, k_steep_from = 0.14f;  // and by so many more for each metre climbed or come down in one walked beyond
+static constexpr float
+    k_steep_steps = 0.8f,
+    k_steep_from = 0.14f;  // and by so many more for each metre climbed or come down in one walked beyond
 static constexpr float k_quickest_on_stairs = 2.4f;  // cycles/s
-static constexpr float k_shuffle = 0.95f;       // cycles/s of stepping on the spot, aside and back
-static constexpr float k_hasty = 1.5f;          // cycles/s of catching a push
-static constexpr float k_out_of_reach = 0.74f;  // legs; a foot farther from home leaves at once
-static constexpr float k_lost = 1.3f;           // legs; one farther than this is set down anew
+static constexpr float k_shuffle = 0.95f;            // cycles/s of stepping on the spot, aside and back
+static constexpr float k_hasty = 1.5f;               // cycles/s of catching a push
+static constexpr float k_out_of_reach = 0.74f;       // legs; a foot farther from home leaves at once
+static constexpr float k_lost = 1.3f;                // legs; one farther than this is set down anew
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
@@ -113,8 +115,8 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     // Steep ways are taken in short steps.
     float steep = 0;
     for (const FootBlock& foot : g.feet)
-        steep = std::max(steep, std::fabs(foot.to.normal_x[lane] * s.facing.x +
-                                          foot.to.normal_z[lane] * s.facing.z));
+        steep = std::max(
+            steep, std::fabs(foot.to.normal_x[lane] * s.facing.x + foot.to.normal_z[lane] * s.facing.z));
     float slowest = k_slowest + k_steep_steps * std::max(steep - k_steep_from, 0.0f);
     f = std::max(f, twist > 0.5f || speed < 0.12f || g.course[lane] < 0.5f ? k_shuffle : slowest);
     // A foot left behind, by a push say, is fetched sooner.

@@ -12,6 +12,7 @@ namespace flaneur {
 static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
 static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
+static constexpr float k_leap_lead = 0.43f;     // likewise, where it lands from a leap
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
@@ -25,10 +26,10 @@ static constexpr float k_following = 13;       // 1/s, of the landing place towa
 static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
 static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
-static constexpr float k_deepest = 0.22f;  // legs from foot to foot, down a slope
-static constexpr float k_over_edge = 0.06f;                              // metres
-static constexpr float k_off_riser = 0.02f;                              // metres
-static constexpr float k_reach_treads = 1.0f;                            // metres
+static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a slope
+static constexpr float k_over_edge = 0.06f;    // metres
+static constexpr float k_off_riser = 0.02f;    // metres
+static constexpr float k_reach_treads = 1.0f;  // metres
 
 Vec2 expected_velocity(const Stepper& s, float seconds) {
     Vec2 change = s.wish - s.velocity;
@@ -97,6 +98,9 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     bool alone = !g.feet[other(side)].swinging[s.lane] && g.flight[s.lane] <= 0;
     most_lead = std::min(most_lead, lerp(k_longest_lead, 1.0f, g.running[s.lane]) * s.leg_length);
     if (alone && leads > most_lead) lead = lead * (most_lead / leads);
+    // A leap ends on a foot well ahead.
+    if (!alone && g.flight[s.lane] > 0 && g.running[s.lane] <= 0 && leads > 1e-4f)
+        lead = lead * (std::max(leads, k_leap_lead * s.leg_length) / leads);
     ahead += lead;
     SinCos half = sin_cos(turn * 0.5f);
     ahead = {ahead.x * half.cosine + ahead.z * half.sine, ahead.z * half.cosine - ahead.x * half.sine};

@@ -58,6 +58,9 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
         for (bool up : {true, false}) reports.push_back(try_stairs(person, 3, up, gait.riser, gait.tread));
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));
+    if (!gait.cane)
+        for (bool runs : {false, true})
+            reports.push_back(try_leap(person, runs ? 3 : speed, runs ? 1.2 : 0.7));
     return reports;
 }
 
@@ -67,6 +70,7 @@ std::vector<Report> chosen_trials(const Person& person, double speed, const Gait
     if (!gait.stairs.empty()) return {try_stairs(person, speed, gait.stairs == "up", gait.riser, gait.tread)};
     if (gait.slope != 0) return {try_slope(person, speed, gait.slope)};
     if (gait.kerb != 0) return {try_kerb(person, speed, gait.kerb)};
+    if (gait.leap != 0) return {try_leap(person, speed, gait.leap)};
     if (gait.check) return every_trial(person, speed, gait);
     return {try_level(person, speed, gait.seconds)};
 }

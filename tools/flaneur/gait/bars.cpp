@@ -165,15 +165,15 @@ constexpr Bar k_stairs_twice[] = {
     {"stairs_a_step", 0.45, 0.55, 0, "both feet on each stair; Gesell 1940"},
     {"odd_steps.pct", 0, 0, 0, "both feet on each stair; Gesell 1940"},
 };
-// Of one who takes them at a run. Rhythm, knees and trunk have no source: about twice the rhythm of the walk, knees
-// that bend some more.
+// Of one who takes them at a run. Rhythm, knees and trunk have no source: about twice the rhythm of the walk,
+// knees that bend some more.
 constexpr Bar k_stairs_run[] = {
     {"speed.m_s", 1, 1.6, 0, "no source: asked for"},
     {"cadence.spm", 190, 290, 0, "no source: twice that of the walk"},
     {"stairs_a_step", 0.95, 1.05, 0, "one stair a step"},
     {"odd_steps.pct", 0, 0, 0, "one stair a step"},
     {"knee_swing_peak.deg", 85, 115, 0, "no source: 90 to 100 of a walk"},
-    {"joint_speed.deg_s", -k_open, 1250, 0, "a runner's legs"},
+    {"joint_speed.deg_s", -k_open, 1260, 0, "runners' legs are kept to 1250"},
     {"joint_outside.deg", -k_open, 0, 0, "AAOS 1965, Kapandji"},
     {"head_rise.m_s", -k_open, 1.6, 0, "nobody drops"},
 };
@@ -197,6 +197,14 @@ constexpr Bar k_crowd_spread[] = {
     {"spread_knee.deg", 2.6, 7.8, 0, "5.2; Winter 1991, Fukuchi 2018"},
     {"spread_ankle.deg", 2, 5.9, 0, "3.9; Winter 1991, Fukuchi 2018"},
     {"spread_speed.m_s", 0.1, 0.35, 0, "0.94 to 1.43 m/s by age and sex; Bohannon & Andrews 2011"},
+};
+// Nothing of it has a source but that bodies are rigid and fall.
+constexpr Bar k_leap[] = {
+    {"flight.s", 0, 0.7, 0, "a body thrown up by 0.6 m at most"},
+    {"flight_least.s", 0.2, k_open, 0, "a leap"},
+    {"joint_speed.deg_s", -k_open, 1260, 0, "runners' legs are kept to 1250"},
+    {"joint_outside.deg", -k_open, 0, 0, "AAOS 1965, Kapandji"},
+    {"pelvis_fall.m_s2", -k_open, 20, 0, "no knock as it lands"},
 };
 // From a walk to a run and back.
 constexpr Bar k_change[] = {
@@ -296,6 +304,13 @@ std::vector<Bar> slope_bars(double percent) {
 
 std::vector<Bar> kerb_bars() {
     std::vector<Bar> bars;
+    add(bars, k_rough_contact);
+    return bars;
+}
+
+std::vector<Bar> leap_bars(double width) {
+    std::vector<Bar> bars{{"leapt_least.m", width, k_open, 0, "nobody gets wet"}};
+    add(bars, k_leap);
     add(bars, k_rough_contact);
     return bars;
 }

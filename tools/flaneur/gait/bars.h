@@ -28,6 +28,7 @@ std::vector<Bar> stairs_bars(bool up, double leg);
 std::vector<Bar> stairs_run_bars(bool up);
 std::vector<Bar> slope_bars(double percent);
 std::vector<Bar> kerb_bars();
+std::vector<Bar> leap_bars(double width);
 std::vector<Bar> bends_bars();
 std::vector<Bar> gaits_bars();
 std::vector<Bar> change_bars();

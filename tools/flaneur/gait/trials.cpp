@@ -19,8 +19,9 @@ namespace flaneur {
 
 namespace {
 
-constexpr double k_stand = 1;   // seconds before walking
+constexpr double k_stand = 1;              // seconds before walking
 constexpr float k_fastest_stairs = 0.61f;  // m/s, of a walk
+constexpr double k_never = 1e9;
 constexpr double k_settle = 4;  // seconds from standing to a steady walk
 
 std::string text(const char* format, double a, double b = 0) {
@@ -149,7 +150,8 @@ Report try_bends(const Person& person, double speed) {
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
     // Who runs has room to.
-    const bool runs = stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body))) > k_fastest_stairs;
+    const bool runs =
+        stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body))) > k_fastest_stairs;
     const float k_begin = runs ? 9 : 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
     Ground ground = ground_of(stairs_course(k_begin, rise, run));
@@ -171,9 +173,9 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     if (steps > 0) {
         append(r.quantities, {{"stairs_a_step", stairs / steps}, {"odd_steps.pct", 100 * odd / steps}});
     }
-    append(r.quantities, runs ? measure_body(w, tick_past(w, k_begin - 0.6f),
-                                             tick_past(w, k_begin + k_flight_steps * run))
-                              : measure_body(w, tick_at(w, k_stand)));
+    append(r.quantities,
+           runs ? measure_body(w, tick_past(w, k_begin - 0.6f), tick_past(w, k_begin + k_flight_steps * run))
+                : measure_body(w, tick_at(w, k_stand)));
     append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = up ? "stairs_up" : "stairs_down";
     if (runs) r.name += "_run";
@@ -219,6 +221,30 @@ Report try_kerb(const Person& person, double speed, double height) {
     r.name = "kerb";
     r.title = text("A kerb of %.2f m up and down, %.2f m/s", height, speed);
     return finished(std::move(r), kerb_bars(), person, false);
+}
+
+Report try_leap(const Person& person, double speed, double width) {
+    // Asked for at twelve times, at every part of a step.
+    Report r;
+    double shortest = k_never, narrowest = k_never;
+    for (int i = 0; i < 12; ++i) {
+        double asked = k_stand + k_settle + 0.1 * i;
+        Walk w = walk(
+            flat_ground(speed, 12), person, asked + 4,
+            [&](double t) { return onward(t < k_stand ? 0 : speed); }, asked);
+        r.poses = mix(r.poses ^ w.hash);
+        size_t first = tick_at(w, asked), last = w.ticks.size();
+        Quantities here = measure_contact(w, strides(w, first, last));
+        append(here, measure_body(w, first));
+        append(here, measure_leap(w, first));
+        shortest = std::min(shortest, value_of(here, "flight.s"));
+        narrowest = std::min(narrowest, value_of(here, "leapt.m"));
+        keep_most(r.quantities, here);
+    }
+    append(r.quantities, {{"flight_least.s", shortest}, {"leapt_least.m", narrowest}});
+    r.name = text("leap_%.2f", speed);
+    r.title = text("A leap over %.2f m at %.2f m/s", width, speed);
+    return finished(std::move(r), leap_bars(width));
 }
 
 Report try_change(const Person& person, double speed) {

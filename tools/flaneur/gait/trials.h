@@ -34,6 +34,8 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
 Report try_slope(const Person& person, double speed, double percent);
 // Over one kerb up and one down.
 Report try_kerb(const Person& person, double speed, double height);
+// A leap on level ground, at `speed`, over a puddle so wide, metres.
+Report try_leap(const Person& person, double speed, double width);
 // From a walk at `speed` to a run at 3.1 m/s for a leg of 0.9 m, and back.
 Report try_change(const Person& person, double speed);
 // The lowest of the speeds 1.6, 1.7 .. 2.8 m/s at which both feet are in the air for a while.

@@ -323,6 +323,7 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
     number(k_where, "--tread", gait.tread, 0.2, 0.6, "M", "Depth of a stair", "0.29");
     number(k_where, "--slope", gait.slope, -25, 25, "PERCENT", "Up, or down, so many metres in a hundred");
     number(k_where, "--kerb", gait.kerb, 0.02, 0.25, "M", "Up a kerb so high and down again");
+    number(k_where, "--leap", gait.leap, 0.2, 2, "M", "Leap over a puddle so wide, on level ground");
     CLI::Option* wall =
         number(k_where, "--wall", gait.wall, 0.2, 2, "M", "A wall so far to the left, in a strip");
     command

@@ -49,6 +49,7 @@ struct GaitOptions {
     double riser = 0.17, tread = 0.29;  // metres
     double slope = 0;                   // metres up in a hundred
     double kerb = 0;                    // metres
+    double leap = 0;                    // metres of a puddle
     double wall = 0;                    // metres to the left of the way; only where a strip is drawn
     int crowd = 0;                      // walkers to watch, instead of one
     bool everyone = false;              // women and men of all ages, each in every way

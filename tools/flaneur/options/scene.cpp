@@ -187,15 +187,16 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.is_overcast) options.scene.is_overcast = *words.is_overcast;
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
-        int walks =
-            (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) + (gait.crowd > 0);
+        int walks = (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) +
+                    (gait.leap != 0) + (gait.crowd > 0);
         if (walks > 1)
-            return Error{"gait measures one of --turn, --stairs, --slope, --kerb and --crowd at a time."};
+            return Error{
+                "gait measures one of --turn, --stairs, --slope, --kerb, --leap and --crowd at a time."};
         if (gait.crowd > 0 && gait.walker >= gait.crowd)
             return Error{"--walker " + std::to_string(gait.walker) +
                          " is nobody: people are numbered from 0, and there are " +
                          std::to_string(gait.crowd) + "."};
-        bool steady = gait.turn == 0 && gait.kerb == 0 && gait.crowd == 0;
+        bool steady = gait.turn == 0 && gait.kerb == 0 && gait.leap == 0 && gait.crowd == 0;
         if (!steady && !gait.svg.empty())
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }

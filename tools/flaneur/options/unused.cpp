@@ -17,7 +17,7 @@ struct UselessWhere {
 };
 
 bool has_place(const GaitOptions& gait) {
-    return gait.turn != 0 || !gait.stairs.empty() || gait.slope != 0 || gait.kerb != 0;
+    return gait.turn != 0 || !gait.stairs.empty() || gait.slope != 0 || gait.kerb != 0 || gait.leap != 0;
 }
 
 bool is_file(const PeopleShare& people) { return !people.character.empty(); }
@@ -59,8 +59,9 @@ const UselessWhere k_useless[] = {
      [](const Options& o) { return o.gait.everyone; },
      "is of one person: leave it or --everyone out"},
     {Command::gait,
-     {"--turn", "--stairs", "--riser", "--tread", "--slope", "--kerb", "--wall", "--seconds", "--crowd",
-      "--change", "--svg", "--strip", "--view", "--moments", "--abreast", "--export", "--walker", "--stand"},
+     {"--turn", "--stairs", "--riser", "--tread", "--slope", "--kerb", "--leap", "--wall", "--seconds",
+      "--crowd", "--change", "--svg", "--strip", "--view", "--moments", "--abreast", "--export", "--walker",
+      "--stand"},
      [](const Options& o) { return o.gait.everyone; },
      "is not for --everyone, who walk in every way and are told in a table"},
     {Command::gait,

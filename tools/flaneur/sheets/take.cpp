@@ -11,8 +11,8 @@ namespace flaneur {
 
 namespace {
 
-// Seconds: stands; then turns or changes; shown of a turn; of a change; stands at the end.
-constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_change = 5, k_stop = 3;
+// Seconds: stands; then turns, changes or leaps; shown of a turn; of a change; of a leap; stands at the end.
+constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_change = 5, k_leap = 1.8, k_stop = 3;
 constexpr float k_begin = 9;  // metres: where stairs, slopes and kerbs begin
 
 Course course_of(const GaitOptions& gait) {
@@ -45,12 +45,15 @@ Take take_on(Ground ground, const GaitOptions& gait, const Person& person, doubl
     Vec2 turned = turned_by(gait.turn, speed), changed{0, static_cast<float>(gait.change)};
     Take take;
     take.ground = std::move(ground);
-    take.walk = walk(take.ground, person, seconds, [&](double t) {
-        if (t < k_stand || t >= seconds - k_stop) return Vec2{};
-        if (t < k_steady) return onward;
-        if (gait.turn != 0) return turned;
-        return gait.change != 0 && t < k_steady + k_change ? changed : onward;
-    });
+    take.walk = walk(
+        take.ground, person, seconds,
+        [&](double t) {
+            if (t < k_stand || t >= seconds - k_stop) return Vec2{};
+            if (t < k_steady) return onward;
+            if (gait.turn != 0) return turned;
+            return gait.change != 0 && t < k_steady + k_change ? changed : onward;
+        },
+        gait.leap != 0 ? k_steady : 0);
     take.last = static_cast<double>(take.walk.ticks.size());
     return take;
 }
@@ -76,6 +79,11 @@ Take make_moment(const GaitOptions& gait, const Person& person, double speed) {
     if (gait.turn != 0) {
         take.first = (k_steady - 0.3) * take.walk.rate;
         take.last = take.first + k_turn * take.walk.rate;
+        return take;
+    }
+    if (gait.leap != 0) {
+        take.first = k_steady * take.walk.rate;
+        take.last = take.first + k_leap * take.walk.rate;
         return take;
     }
     auto there = std::find_if(ticks.begin(), ticks.end(), [&](const Instant& i) { return i.root.z >= from; });

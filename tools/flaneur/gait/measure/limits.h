@@ -20,9 +20,9 @@ float beyond_limits(Joint joint, const JointAngles& angles);
 // Degrees between two rotations.
 float angle_between(Quat a, Quat b);
 
-// The worst of the ticks from `first` on and before `last`, each from one tick to the next: the fastest turn of a joint against its
-// parent, the most that one is beyond its limits, how fast the head goes up or down, and with what
-// acceleration the pelvis falls while a foot stands.
+// The worst of the ticks from `first` on and before `last`, each from one tick to the next: the fastest turn
+// of a joint against its parent, the most that one is beyond its limits, how fast the head goes up or down,
+// and with what acceleration the pelvis falls while a foot stands.
 Quantities measure_body(const Walk& walk, size_t first, size_t last = SIZE_MAX);
 
 }  // namespace flaneur

@@ -124,4 +124,23 @@ Quantities measure_turn(const Walk& walk, size_t asked) {
             {"head_lead.ms", 1000 * ahead / walk.rate}};
 }
 
+Quantities measure_leap(const Walk& walk, size_t first) {
+    auto flies = [&](size_t t) {
+        const FootInstant(&feet)[2] = walk.ticks[t].feet;
+        return feet[k_left].swinging && feet[k_right].swinging;
+    };
+    size_t begin = first, end = first;
+    for (size_t t = first; t < walk.ticks.size(); ++t) {
+        size_t from = t;
+        while (t < walk.ticks.size() && flies(t)) ++t;
+        if (t - from > end - begin) begin = from, end = t;
+    }
+    if (end == begin || begin == 0 || end == walk.ticks.size()) return {{"flight.s", 0}, {"leapt.m", 0}};
+    const Instant &left = walk.ticks[begin - 1], &lands = walk.ticks[end];
+    const FootInstant& last = left.feet[left.feet[k_left].swinging ? k_right : k_left];
+    const FootInstant& next = lands.feet[lands.feet[k_left].swinging ? k_right : k_left];
+    return {{"flight.s", static_cast<double>(end - begin) / walk.rate},
+            {"leapt.m", static_cast<double>(next.sole.heel.z - last.sole.tip.z)}};
+}
+
 }  // namespace flaneur

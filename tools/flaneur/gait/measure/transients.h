@@ -17,4 +17,8 @@ Quantities measure_stop(const Walk& walk, size_t asked);
 // (the lag at which their yaw rates agree best).
 Quantities measure_turn(const Walk& walk, size_t asked);
 
+// A leap along +z after a tick: the longest time that both feet are in the air, and how wide a puddle may be
+// that it clears: from the tip of the foot that leaves the ground to the heel of the one that comes down.
+Quantities measure_leap(const Walk& walk, size_t first);
+
 }  // namespace flaneur

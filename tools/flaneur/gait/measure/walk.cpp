@@ -108,7 +108,7 @@ Vec2 turned_by(double degrees, double speed) {
     return heading_direction(angle * k_radians) * static_cast<float>(speed);
 }
 
-Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish) {
+Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps) {
     Walk result{person.body, 1 / static_cast<double>(k_tick), {}, 0};
     std::vector<Body> bodies{person.body};
     uint32_t index = 0;
@@ -137,6 +137,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
+        if (t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
         advance_gait(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
         reach_for_walls(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
         advance_holds(gait, 0, 1, root, k_seed + person.hands, t, k_tick);

@@ -97,7 +97,7 @@ using Wish = std::function<Vec2(double time)>;
 // At `speed` m/s, turned by so many degrees from +z to the left; a half turn goes to its own side too.
 Vec2 turned_by(double degrees, double speed);
 
-// Walks for `seconds` from (0, 0), facing +z.
-Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish);
+// Walks for `seconds` from (0, 0), facing +z, and leaps with the step after `leaps` seconds, if above 0.
+Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps = 0);
 
 }  // namespace flaneur
