@@ -123,6 +123,7 @@ Visit come_and_go(const WorldOptions& options, uint32_t ticks, bool look = false
         EXPECT_FALSE(remove_walker(*w, id));
         EXPECT_FALSE(send_to(*w, id, {0, 0, 0}));
         EXPECT_FALSE(let_wander(*w, id));
+        EXPECT_FALSE(let_jump(*w, id));
         EXPECT_FALSE(has_arrived(*w, id));
         EXPECT_FALSE(motion_of(*w, id));
         EXPECT_FALSE(pose_of(*w, id, joints));
@@ -216,6 +217,26 @@ TEST(Library, GoesWhereItIsSentAndArrivesThereAlone) {
     EXPECT_FALSE(send_to(*w, *id, {100, 0, 0})) << "no ground";
     EXPECT_FALSE(send_to(*w, *id, {NAN, 0, 0}));
     EXPECT_TRUE(let_wander(*w, *id));
+}
+
+TEST(Library, JumpsWhenAsked) {
+    WorldPtr w = made(plane(20), {.capacity = 5});
+    auto id = add_walker(*w, {.place = Vec3{0, 0, 0}});
+    ASSERT_TRUE(id);
+    JointPose joints[k_joint_count];
+    auto highest = [&] {
+        float y = 0;
+        for (int k = 0; k < 120; ++k) {
+            step(*w);
+            EXPECT_TRUE(pose_of(*w, *id, joints));
+            y = std::max(y, joints[hips].position.y);
+        }
+        return y;
+    };
+    float stands = highest();
+    EXPECT_TRUE(let_jump(*w, *id));
+    EXPECT_GT(highest(), stands + 0.1f);
+    EXPECT_LT(highest(), stands + 0.02f) << "once";
 }
 
 constexpr float k_wave = 0.1f, k_wave_number = 0.8f;

@@ -155,6 +155,7 @@ TEST(Options, GaitMeasuresOneWalkAtATime) {
     EXPECT_TRUE(parse({"gait", "--slope", "-8", "--svg", "a.svg"}));
     for (auto words : {std::vector<std::string>{"--turn", "90", "--kerb", "0.1"},
                        {"--crowd", "5", "--stairs", "up"},
+                       {"--leap", "1", "--stairs", "up"},
                        {"--turn", "90", "--svg", "a.svg"},
                        {"--stairs", "round"},
                        {"--speed", "0"}}) {

@@ -60,7 +60,7 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
     reports.push_back(try_kerb(person, speed, 0.12));
     if (!gait.cane)
         for (bool runs : {false, true})
-            reports.push_back(try_leap(person, runs ? 3 : speed, runs ? 1.2 : 0.7));
+            reports.push_back(try_leap(person, runs ? 3 : speed, runs ? 1.2 : 0.65));
     return reports;
 }
 

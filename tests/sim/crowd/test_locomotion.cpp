@@ -120,5 +120,21 @@ TEST(Locomotion, NeverJumps) {
     }
 }
 
+TEST(Locomotion, RunnersTakeStairsInTwiceTheRhythmOfAWalk) {
+    EXPECT_FLOAT_EQ(stair_speed(1.3f), 0.546f);
+    EXPECT_FLOAT_EQ(stair_speed(2), 0.6f);
+    EXPECT_FLOAT_EQ(stair_speed(3), 1.1f);
+    EXPECT_FLOAT_EQ(stair_speed(5), 1.1f);
+    EXPECT_FLOAT_EQ(stair_speed(3, 0.5f), 0.3f) << "with both feet on each";
+    EXPECT_EQ(braking_way(1.9f), 0);
+    float way = braking_way(3), walked = 0;
+    for (const Motion& m : drive({{0, 3}, 0, 0}, 4, [](float) { return Vec2{0, stair_speed(3)}; })) {
+        if (length(m.velocity) < stair_speed(3) + 0.1f) break;
+        walked += length(m.velocity) * k_tick;
+    }
+    EXPECT_LT(walked, way);
+    EXPECT_GT(walked, 0.5f * way);
+}
+
 }  // namespace
 }  // namespace flaneur

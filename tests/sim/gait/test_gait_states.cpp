@@ -510,6 +510,61 @@ TEST(GaitStates, LeapsFromARun) {
     }
 }
 
+// Ground that rises by `grade` metres in one along +z.
+Ground hillside(float grade) {
+    Ground ground;
+    for (Vec3 v : {Vec3{-20, -20 * grade, -20}, Vec3{-20, 60 * grade, 60}, Vec3{20, 60 * grade, 60},
+                   Vec3{20, -20 * grade, -20}})
+        ground.vertices.push_back(v);
+    for (uint32_t k : {0, 1, 2, 0, 2, 3}) ground.indices.push_back(k);
+    ground.kinds = {Surface::path, Surface::path};
+    index_ground(ground);
+    return ground;
+}
+
+TEST(GaitStates, PelvesNeitherSpringUpNorDropOnSteepWays) {
+    for (float grade : {0.3f, 0.45f, -0.35f, -0.5f}) {
+        for (float height : {1.4f, 1.72f}) {
+            for (float wish : {1.3f, 2.0f}) {
+                Tried t = make_tried(hillside(grade), height);
+                for_seconds(t, 2, {0, wish});
+                float before = t.pelvis.y, fastest = 0, lowest = 9;
+                for_seconds(t, 10, {0, wish}, [&] {
+                    fastest = std::max(fastest, std::fabs(t.pelvis.y - before) / k_tick);
+                    before = t.pelvis.y;
+                    lowest = std::min(lowest, t.pelvis.y - t.position.y);
+                });
+                EXPECT_LT(fastest, 1.3f) << grade << ", " << height << " m, " << wish << " m/s";
+                EXPECT_GT(lowest, 0.38f * height) << grade << ", " << height << " m, " << wish << " m/s";
+            }
+        }
+    }
+}
+
+TEST(GaitStates, FeetDoNotTurnIntoKerbs) {
+    // Turns on the spot beside a kerb on its left.
+    Ground ground;
+    add_floor(ground, {-5, -10}, {0.2f, 10}, 0, Surface::road);
+    add_floor(ground, {0.2f, -10}, {5, 10}, 0.12f, Surface::sidewalk);
+    index_ground(ground);
+    for (float pace = 0.3f; pace < 1.3f; pace += 0.05f) {
+        Tried t = make_tried(ground);
+        for_seconds(t, 1.5f, {0, pace});
+        for (Vec2 way :
+             {Vec2{0.26f, -0.1f}, Vec2{-0.3f, 0.1f}, Vec2{0, 0.3f}, Vec2{-0.1f, -0.3f}, Vec2{0.02f, 0.3f}})
+            for_seconds(t, 0.9f, way, [&] {
+                for (Side side : {k_left, k_right}) {
+                    if (t.in_air(side)) continue;
+                    for (Vec3 point : {t.soles[side].heel, t.soles[side].tip}) {
+                        auto hit = ground_at(t.ground, point, 0.25f, 0.5f);
+                        ASSERT_TRUE(hit);
+                        EXPECT_GT(point.y - hit->height, -0.05f) << t.tick;
+                    }
+                }
+            });
+    }
+}
+
 TEST(GaitStates, HeadLeadsAHalfTurn) {
     Tried t = make_tried(wide_floor());
     for_seconds(t, 4, {0, 1.3f});

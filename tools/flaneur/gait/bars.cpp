@@ -205,6 +205,10 @@ constexpr Bar k_leap[] = {
     {"joint_speed.deg_s", -k_open, 1260, 0, "runners' legs are kept to 1250"},
     {"joint_outside.deg", -k_open, 0, 0, "AAOS 1965, Kapandji"},
     {"pelvis_fall.m_s2", -k_open, 20, 0, "no knock as it lands"},
+    {"stance_drift.mm", 0, 10, 0, k_rigid},
+    {"penetration.mm", -k_open, 5, 0, k_rigid},
+    {"float.mm", -k_open, 5, 0, k_rigid},
+    {"swing_penetration.mm", -k_open, 5, 0, k_rigid},
 };
 // From a walk to a run and back.
 constexpr Bar k_change[] = {
@@ -311,7 +315,6 @@ std::vector<Bar> kerb_bars() {
 std::vector<Bar> leap_bars(double width) {
     std::vector<Bar> bars{{"leapt_least.m", width, k_open, 0, "nobody gets wet"}};
     add(bars, k_leap);
-    add(bars, k_rough_contact);
     return bars;
 }
 

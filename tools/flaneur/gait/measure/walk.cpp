@@ -84,7 +84,7 @@ Ground ground_of(const Course& course) {
             ground.vertices.push_back(v);
         for (uint32_t k : {0, 1, 2, 0, 2, 3}) ground.indices.push_back(n + k);
         bool is_end = i == 0 || i + 2 == course.edges.size();
-        ground.kinds.insert(ground.kinds.end(), 2, is_end ? Surface::sidewalk : course.kind);
+        ground.kinds.insert(ground.kinds.end(), 2, is_end ? course.ends.value_or(course.kind) : course.kind);
     }
     index_ground(ground);
     return ground;
@@ -137,7 +137,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         motion = next_motion(motion, wished, k_tick);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
-        if (t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
+        if (leaps > 0 && t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
         advance_gait(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
         reach_for_walls(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
         advance_holds(gait, 0, 1, root, k_seed + person.hands, t, k_tick);

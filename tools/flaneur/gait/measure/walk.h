@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim/body/body.h"
@@ -65,6 +66,7 @@ struct Course {
     bool is_stepped = false;
     Surface kind = Surface::sidewalk;
     float half_width = 10;
+    std::optional<Surface> ends{};  // of the first and the last piece, if another
 };
 
 inline constexpr int k_flight_steps = 40;
