@@ -20,6 +20,7 @@ static constexpr float k_most_sink = 0.2f;         // legs
 static constexpr float k_just_landed = 0.1f;       // of the cycle
 static constexpr float k_bears = 0.36f;  // of a foot's phase on the ground, until its heel begins to give
 static constexpr float k_heel_gives_0 = 0.45f, k_heel_gives_1 = 1.05f;  // radians, then and as it leaves
+static constexpr float k_heel_gives_pace = 0.6f;      // more for each pace over the natural one
 static constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
 static constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
 
@@ -112,7 +113,8 @@ float too_high(const GaitBlock& g, const Stepper& s, Side side, const FootPlaces
         float ball = joints[left_toes][2][lane] - joints[left_foot][2][lane],
               ball_height = joints[left_toes][1][lane], instep = ankle - ball_height;
         float gives = smoothstep(k_bears, 1, g.feet[side].phase[lane] / g.duty[lane]);
-        SinCos tilt = sin_cos(lerp(k_heel_gives_0, k_heel_gives_1, gives));
+        float fast = k_heel_gives_pace * std::max(g.pace[lane] - k_natural_pace, 0.0f);
+        SinCos tilt = sin_cos(lerp(k_heel_gives_0, k_heel_gives_1, gives) + fast);
         float forward = ball - ball * tilt.cosine + instep * tilt.sine;
         Vec2 ahead = heading_direction(place.yaw[lane]);
         up = instep * tilt.cosine + ball * tilt.sine + ball_height;
