@@ -19,7 +19,9 @@ static constexpr float k_slowest = 0.62f;                          // cycles/s w
 static constexpr float
     k_steep_steps = 0.8f,
     k_steep_from = 0.14f;  // and by so many more for each metre climbed or come down in one walked beyond
-static constexpr float k_quickest_on_stairs = 2.4f;  // cycles/s
+static constexpr float k_quickest_before = 1.3f,
+                       k_quickest_on_stairs = 2.4f;  // cycles/s, where the way rises or falls
+static constexpr float k_climbs = 0.15f;             // so much for each metre
 static constexpr float k_shuffle = 0.95f;            // cycles/s of stepping on the spot, aside and back
 static constexpr float k_hasty = 1.5f;               // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;       // legs; a foot farther from home leaves at once
@@ -100,7 +102,8 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
     if (g.tread[lane] > 0) {
         stride = sets_both_feet(s.leg_length) ? g.tread[lane] : 2 * g.tread[lane];
-        if (speed > k_quickest_on_stairs * stride) stride *= 2;
+        bool climbs = std::fabs(g.rise[lane]) > k_climbs;
+        if (speed > (climbs ? k_quickest_on_stairs : k_quickest_before) * stride) stride *= 2;
         // A tread that lies farther than the foot would go is reached later.
         Vec2 direction = normalize_or(s.velocity, s.facing);
         for (const FootBlock& foot : g.feet) {
