@@ -7,7 +7,6 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
-#include "sim/crowd/locomotion.h"
 #include "sim/gait/norms.h"
 #include "tools/flaneur/gait/cane.h"
 #include "tools/flaneur/gait/measure/contact.h"
@@ -19,8 +18,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr double k_stand = 1;              // seconds before walking
-constexpr float k_fastest_stairs = 0.61f;  // m/s, of a walk
+constexpr double k_stand = 1;  // seconds before walking
 constexpr double k_never = 1e9;
 constexpr double k_settle = 4;  // seconds from standing to a steady walk
 
@@ -150,8 +148,7 @@ Report try_bends(const Person& person, double speed) {
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
     // Who runs has room to.
-    const bool runs =
-        stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body))) > k_fastest_stairs;
+    const bool runs = runs_on_stairs(person, speed);
     const float k_begin = runs ? 9 : 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
     Course course = stairs_course(k_begin, rise, run);

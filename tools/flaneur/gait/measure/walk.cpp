@@ -103,6 +103,11 @@ void add_risers(Ground& ground, const Course& course) {
     }
 }
 
+bool runs_on_stairs(const Person& person, double speed) {
+    constexpr float k_fastest_walk = 0.61f;  // m/s
+    return stair_speed(static_cast<float>(speed), stair_pace(leg_length(person.body))) > k_fastest_walk;
+}
+
 Vec2 turned_by(double degrees, double speed) {
     float angle = clamp(static_cast<float>(degrees), -179.5f, 179.5f);
     return heading_direction(angle * k_radians) * static_cast<float>(speed);

@@ -96,6 +96,9 @@ struct Person {
 // can (next_motion).
 using Wish = std::function<Vec2(double time)>;
 
+// Whether one who goes at `speed` m/s on the level takes stairs faster than any walk.
+bool runs_on_stairs(const Person& person, double speed);
+
 // At `speed` m/s, turned by so many degrees from +z to the left; a half turn goes to its own side too.
 Vec2 turned_by(double degrees, double speed);
 
