@@ -102,7 +102,8 @@ inline float leg_length(const Body& b) { return b.joints[left_upper_leg].y; }
 // Whether one with legs of so many metres sets both feet on each tread of a flight of steps: children of less
 // than some five and a half years, who go by turns only where treads are made for them (Gesell, "The First
 // Five Years of Life", 1940).
-inline bool sets_both_feet(float leg) { return leg < 0.6f; }
+inline constexpr float k_both_feet_leg = 0.6f;
+inline bool sets_both_feet(float leg) { return leg < k_both_feet_leg; }
 // The share of others' pace on stairs that this leaves.
 inline float stair_pace(float leg) { return sets_both_feet(leg) ? 0.5f : 1.0f; }
 

@@ -7,6 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/gait/fits.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/height.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
@@ -188,11 +189,7 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed) {
 
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt) {
-    CaneSpan canes = canes_of(gait, begin, end);
-    for (size_t i = begin; i < end; ++i) {
-        // What a walker looks at changes every two seconds, not for all at once.
-        uint32_t glance = (tick + static_cast<uint32_t>(i) * 37) / 120;
-        RandomKey key{seed, static_cast<uint32_t>(i), glance, Purpose::look};
+    auto stepper_of = [&](size_t i) {
         Stepper stepper = stepper_at(gait, i, around, root.position[i], root.heading[i]);
         stepper.velocity = root.velocity[i];
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
@@ -200,9 +197,25 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.dt = dt;
         stepper.chance = {seed, static_cast<uint32_t>(i), tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;
-        advance_walker(gait.blocks[i / k_block], stepper, key);
-        if (canes.begin < canes.end && gait.canes[canes.begin].walker == i)
-            advance_cane(gait, gait.canes[canes.begin++], stepper);
+        return stepper;
+    };
+    for (size_t first = begin; first < end;) {
+        const size_t block = first / k_block, last = std::min(end, (block + 1) * k_block);
+        GaitBlock& g = gait.blocks[block];
+        StepperRows rows{};
+        for (; first < last; ++first) {
+            // What a walker looks at changes every two seconds, not for all at once.
+            const auto i = static_cast<uint32_t>(first);
+            const RandomKey look{seed, i, (tick + i * 37) / 120, Purpose::look};
+            const Stepper stepper = stepper_of(first);
+            advance_walker(g, stepper, look);
+            set_rows(rows, g, stepper);
+        }
+        advance_heights(g, gait.people[block], rows, dt);
+    }
+    for (CaneSpan canes = canes_of(gait, begin, end); canes.begin < canes.end; ++canes.begin) {
+        Cane& cane = gait.canes[canes.begin];
+        advance_cane(gait, cane, stepper_of(cane.walker));
     }
 }
 

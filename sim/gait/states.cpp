@@ -6,7 +6,6 @@
 #include "sim/base/math.h"
 #include "sim/body/body.h"
 #include "sim/gait/fits.h"
-#include "sim/gait/height.h"
 #include "sim/gait/jump.h"
 #include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
@@ -351,7 +350,6 @@ void advance_walker(GaitBlock& g, const Stepper& s, RandomKey chance) {
     }
     if (!g.standing[lane]) advance_phase(g, s);
     advance_load(g, s, chance);
-    advance_height(g, s, speed);
     advance_rest(g, s);
     advance_look(g, s, chance);
 }

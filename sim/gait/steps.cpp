@@ -9,7 +9,6 @@
 
 namespace flaneur {
 
-static constexpr float k_reaction = 2.2f;       // m/s2, with which velocity is expected to follow the wish
 static constexpr float k_home_twist = 0.55f;    // radians; a standing foot turned farther steps
 static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
 static constexpr float k_leap_lead = 0.36f;     // likewise, where it lands from a leap

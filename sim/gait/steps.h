@@ -23,6 +23,7 @@ struct Stepper {
     bool replans = false;  // looks at the landing place anew in this tick
 };
 
+inline constexpr float k_reaction = 2.2f;      // m/s2, with which velocity is expected to follow the wish
 inline constexpr float k_goes = 0.1f;          // m/s, of a wish that turns the body
 inline constexpr float k_longest_jump = 1.8f;  // metres from the root to ground on the far side
 
