@@ -13,6 +13,13 @@ HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
 template <class T>
+HWY_INLINE T row(const float* values, size_t lane) {
+    T value;
+    load(value, values + lane);
+    return value;
+}
+
+template <class T>
 HWY_INLINE V3<T> load_place(const float (*rows)[k_block], size_t lane) {
     V3<T> v;
     load(v.x, rows[0] + lane), load(v.y, rows[1] + lane), load(v.z, rows[2] + lane);

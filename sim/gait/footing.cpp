@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "sim/gait/swing-inl.h"
+#include "sim/gait/curves/swing-inl.h"
 
 namespace flaneur {
 

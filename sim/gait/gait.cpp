@@ -5,11 +5,12 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
-#include "sim/gait/fits.h"
+#include "sim/gait/curves/fits.h"
+#include "sim/gait/curves/norms.h"
 #include "sim/gait/hands.h"
 #include "sim/gait/height.h"
 #include "sim/gait/jump.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/pace.h"
 #include "sim/gait/rest.h"
 #include "sim/gait/states.h"
 #include "sim/gait/steps.h"
@@ -20,19 +21,6 @@ float stride_length(float v, float leg) {
     return 2 * k_step_factor * leg * std::sqrt(v / std::sqrt(k_gravity * leg));
 }
 
-float duty_factor(float v) { return clamp(0.603f - 0.06f * (v - 1.24f), 0.57f, 0.66f); }
-
-float run_frequency(float v, float leg) {
-    float scale = std::sqrt(0.9f / leg);
-    return (1.27f + 0.03f * v * scale) * scale;
-}
-
-float run_duty(float v, float leg) {
-    float over = v * std::sqrt(0.9f / leg) - 3.1f;
-    float reach = (k_run_reach - k_run_reach_slope * over) * leg;
-    return std::min(0.391f - 0.012f * over, reach * run_frequency(v, leg) / std::max(v, 1.0f));
-}
-
 // Every row of a block is of lanes of four bytes.
 static void clear_lane(GaitBlock& block, int lane) {
     auto* rows = reinterpret_cast<unsigned char*>(&block);
@@ -41,7 +29,8 @@ static void clear_lane(GaitBlock& block, int lane) {
 }
 
 // Standing still.
-static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around, Vec3 root, float heading) {
+static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around, Vec3 root, float heading,
+                          Vec2 facing) {
     int lane = static_cast<int>(i % k_block);
     const PersonBlock& person = gait.people[i / k_block];
     return {.person = person,
@@ -49,7 +38,7 @@ static Stepper stepper_at(const Gait& gait, size_t i, const Surroundings& around
             .around = around,
             .root = root,
             .heading = heading,
-            .facing = heading_direction(heading),
+            .facing = facing,
             .leg_length = person.joints[left_upper_leg][1][lane]};
 }
 
@@ -139,7 +128,8 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
     g.first[lane] = -1;
     g.frequency[lane] = 1;
     const Surroundings nowhere;
-    Stepper stepper = stepper_at(gait, i, around ? *around : nowhere, at, heading);
+    Stepper stepper =
+        stepper_at(gait, i, around ? *around : nowhere, at, heading, heading_direction(heading));
     for (Side side : {k_left, k_right}) {
         g.feet[side].phase[lane] = k_rest;
         if (around) {
@@ -189,33 +179,40 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed) {
 
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt) {
-    auto stepper_of = [&](size_t i) {
-        Stepper stepper = stepper_at(gait, i, around, root.position[i], root.heading[i]);
+    auto stepper_of = [&](size_t i, Vec2 facing) {
+        const auto walker = static_cast<uint32_t>(i);
+        Stepper stepper = stepper_at(gait, i, around, root.position[i], root.heading[i], facing);
         stepper.velocity = root.velocity[i];
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
         stepper.turn_rate = root.turn_rate[i];
         stepper.dt = dt;
-        stepper.chance = {seed, static_cast<uint32_t>(i), tick, Purpose::step};
+        stepper.chance = {seed, walker, tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;
         return stepper;
     };
     for (size_t first = begin; first < end;) {
         const size_t block = first / k_block, last = std::min(end, (block + 1) * k_block);
         GaitBlock& g = gait.blocks[block];
+        const PersonBlock& people = gait.people[block];
         StepperRows rows{};
+        for (size_t i = first; i < last; ++i) set_rows(rows, g, root, i);
+        find_misfits(g, people, rows);
+        advance_paces(g, people, rows, dt);
         for (; first < last; ++first) {
             // What a walker looks at changes every two seconds, not for all at once.
             const auto i = static_cast<uint32_t>(first);
             const RandomKey look{seed, i, (tick + i * 37) / 120, Purpose::look};
-            const Stepper stepper = stepper_of(first);
-            advance_walker(g, stepper, look);
-            set_rows(rows, g, stepper);
+            const size_t lane = first % k_block;
+            const Stepper stepper = stepper_of(first, {rows.facing_x[lane], rows.facing_z[lane]});
+            advance_walker(g, rows, stepper, look);
+            set_feet(rows, g, stepper.lane);
         }
-        advance_heights(g, gait.people[block], rows, dt);
+        advance_heights(g, people, rows, dt);
     }
     for (CaneSpan canes = canes_of(gait, begin, end); canes.begin < canes.end; ++canes.begin) {
         Cane& cane = gait.canes[canes.begin];
-        advance_cane(gait, cane, stepper_of(cane.walker));
+        const Vec2 facing = heading_direction(root.heading[cane.walker]);
+        advance_cane(gait, cane, stepper_of(cane.walker, facing));
     }
 }
 

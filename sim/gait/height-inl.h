@@ -8,9 +8,9 @@
 
 #include "sim/base/rows-inl.h"
 #include "sim/body/body.h"
+#include "sim/gait/curves/rise-inl.h"
+#include "sim/gait/curves/swing-inl.h"
 #include "sim/gait/height.h"
-#include "sim/gait/rise-inl.h"
-#include "sim/gait/swing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
@@ -29,13 +29,6 @@ inline constexpr float k_heel_gives_0 = 0.45f, k_heel_gives_1 = 1.05f;  // radia
 inline constexpr float k_heel_gives_pace = 0.6f;      // more for each pace over the natural one
 inline constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
 inline constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
-
-template <class T>
-HWY_INLINE T row(const float* values, size_t lane) {
-    T value;
-    load(value, values + lane);
-    return value;
-}
 
 // A vector on the ground plane.
 template <class T>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/curves/norms.h"
 
 namespace flaneur {
 

@@ -5,14 +5,13 @@
 
 #include "sim/base/math.h"
 #include "sim/body/body.h"
-#include "sim/gait/fits.h"
+#include "sim/gait/curves/fits.h"
+#include "sim/gait/curves/norms.h"
 #include "sim/gait/jump.h"
-#include "sim/gait/norms.h"
 #include "sim/gait/rest.h"
 
 namespace flaneur {
 
-static constexpr float k_standing_speed = 0.08f;                   // m/s
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float
@@ -27,9 +26,6 @@ static constexpr float k_out_of_reach = 0.74f;       // legs; a foot farther fro
 static constexpr float k_lost = 1.3f;                // legs; one farther than this is set down anew
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
-static constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
-static constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
-static constexpr float k_turning = 3.2f;              // and shares of it a second
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
 static constexpr float k_aside = 0.5f;  // of the metres aside, that a foot counts as farther from home
@@ -41,7 +37,6 @@ static constexpr float k_close = 2;                           // 1/s, the least 
 static constexpr float k_drop = 0.07f;  // metres down, from which on a foot lands on its ball
 static constexpr float k_steep_0 = 0.2f, k_steep_1 = 0.36f;            // rise of the ground, likewise
 static constexpr float k_just_below = 1e-4f;                           // of the phase
-static constexpr float k_leaning = 5;                                  // 1/s
 static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
 
 namespace {
@@ -51,49 +46,6 @@ float wrap_phase(float p) { return p - std::floor(p); }
 float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
 
 void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
-
-// A walk becomes a run, and a run a walk, over a foot that has just come down: the body that would have
-// vaulted over it sinks and leaves the ground, or the other way round.
-void advance_running(GaitBlock& g, int lane, float froude, float dt) {
-    float& running = g.running[lane];
-    bool runs = froude > (running > 0.5f ? k_walk : k_run);
-    auto landed = [&](const FootBlock& foot) {
-        return !foot.swinging[lane] && foot.phase[lane] < k_turns_within;
-    };
-    bool under_way = running > 0 && running < 1;
-    if (under_way || g.standing[lane] || landed(g.feet[k_left]) || landed(g.feet[k_right]))
-        approach(running, runs ? 1.0f : 0.0f, k_turning * dt);
-}
-
-// A foot in the air keeps its share of the swing as the duty changes from what it was.
-void keep_swings(GaitBlock& g, int lane, float was) {
-    float stretch = (1 - g.duty[lane]) / (1 - was);
-    for (FootBlock& foot : g.feet) {
-        if (foot.swinging[lane]) foot.phase[lane] = 1 - (1 - foot.phase[lane]) * stretch;
-    }
-}
-
-// Speed's slow followers: how much of a walk, of a run and which way; and what bodies lean into.
-void advance_manner(GaitBlock& g, const Stepper& s, float speed) {
-    int lane = s.lane;
-    approach(g.amplitude[lane], smoothstep(0.1f, 0.85f, speed), 2.6f * s.dt);
-    float froude = speed * speed / (k_gravity * s.leg_length);
-    advance_running(g, lane, froude, s.dt);
-    approach(g.pace[lane], std::sqrt(froude), 0.9f * s.dt);
-    approach(g.step[lane], speed / (2 * s.leg_length * g.frequency[lane]),
-             lerp(1.2f, 4.0f, g.running[lane]) * s.dt);
-    float walks = duty_factor(speed) + s.person.linger[lane], was = g.duty[lane];
-    float duty = lerp(walks, run_duty(speed, s.leg_length), g.running[lane]);
-    approach(g.duty[lane], duty, lerp(0.1f, 0.6f, g.running[lane]) * s.dt);
-    if (g.running[lane] > 0) keep_swings(g, lane, was);
-    float forward = dot(s.velocity, s.facing);
-    float drive = clamp((forward - g.forward[lane]) / (k_gravity * s.dt), -0.3f, 0.3f);
-    g.forward[lane] = forward;
-    g.drive[lane] += (drive - g.drive[lane]) * k_leaning * s.dt;
-    g.bank[lane] += (clamp(speed * s.turn_rate / k_gravity, -0.3f, 0.3f) - g.bank[lane]) * k_leaning * s.dt;
-    float course = speed > k_standing_speed ? dot(s.velocity, s.facing) / speed : 1;
-    approach(g.course[lane], course, 4 * s.dt);
-}
 
 float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const Misfit (&off)[2]) {
     int lane = s.lane;
@@ -321,19 +273,20 @@ void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
 
 }  // namespace
 
-void advance_walker(GaitBlock& g, const Stepper& s, RandomKey chance) {
+void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, RandomKey chance) {
     int lane = s.lane;
     g.x[lane] = s.root.x;
     g.z[lane] = s.root.z;
     g.heading[lane] = s.heading;
     float speed = length(s.velocity);
-    advance_manner(g, s, speed);
 
-    Misfit off[2] = {misfit(g, s, k_left), misfit(g, s, k_right)};
+    Misfit off[2];
     for (Side side : {k_left, k_right}) {
+        off[side] = {rows.distance[side][lane], rows.twist[side][lane], rows.behind[side][lane],
+                     rows.unasked[side][lane]};
         if (g.feet[side].swinging[lane] || off[side].distance < k_lost * s.leg_length) continue;
         replant(g, s, side);
-        off[side] = misfit(g, s, side);
+        off[side] = misfit(g, s.person, rows, side, lane);
     }
     float slack = g.standing[lane] ? k_slack : k_stopping_slack;
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "sim/base/rng.h"
-#include "sim/gait/steps.h"
+#include "sim/gait/rows.h"
 
 namespace flaneur {
 
 inline constexpr float k_rest = 0.16f;  // phase of a foot that stands
 
 // One tick of one walker. Chance is drawn under `chance`, which changes every two seconds.
-void advance_walker(GaitBlock& gait, const Stepper& stepper, RandomKey chance);
+void advance_walker(GaitBlock& gait, const StepperRows& rows, const Stepper& stepper, RandomKey chance);
 
 }  // namespace flaneur

@@ -5,7 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/body/body.h"
-#include "sim/gait/fits.h"
+#include "sim/gait/curves/fits.h"
 
 namespace flaneur {
 
@@ -47,20 +47,6 @@ FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float 
 // Where the ground has no better place for it, a foot would step in vain.
 float Misfit::amount(float slack) const {
     return std::max(std::min(distance, unasked) / slack, twist / k_home_twist);
-}
-
-Misfit misfit(const GaitBlock& g, const Stepper& s, Side side) {
-    float mirror = side == k_left ? 1.0f : -1.0f;
-    float across = 0.5f * mirror * s.person.step_width[s.lane];
-    const FootBlock& foot = g.feet[side];
-    const FootPlaces& is = foot.to;
-    Vec2 wants = on_ground(s.root) + Vec2{s.facing.z, -s.facing.x} * across;
-    Vec2 off = wants - Vec2{is.x[s.lane], is.z[s.lane]},
-         unasked = wants - Vec2{foot.wished_x[s.lane], foot.wished_z[s.lane]};
-    Vec2 motion = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
-    float yaw = s.heading + mirror * s.person.toe_out[s.lane];
-    return {length(off), std::fabs(wrap_angle(yaw - is.yaw[s.lane])), dot(off, normalize_or(motion, {0, 0})),
-            length(unasked)};
 }
 
 namespace {

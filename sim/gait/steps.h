@@ -23,9 +23,10 @@ struct Stepper {
     bool replans = false;  // looks at the landing place anew in this tick
 };
 
-inline constexpr float k_reaction = 2.2f;      // m/s2, with which velocity is expected to follow the wish
-inline constexpr float k_goes = 0.1f;          // m/s, of a wish that turns the body
-inline constexpr float k_longest_jump = 1.8f;  // metres from the root to ground on the far side
+inline constexpr float k_reaction = 2.2f;         // m/s2, with which velocity is expected to follow the wish
+inline constexpr float k_standing_speed = 0.08f;  // m/s; who is slower stands
+inline constexpr float k_goes = 0.1f;             // m/s, of a wish that turns the body
+inline constexpr float k_longest_jump = 1.8f;     // metres from the root to ground on the far side
 
 // The velocity in so many seconds, as it is expected to follow the wish.
 Vec2 expected_velocity(const Stepper& s, float seconds);
@@ -43,7 +44,6 @@ struct Misfit {
     // Over 1: a standing walker steps.
     float amount(float slack) const;
 };
-Misfit misfit(const GaitBlock& gait, const Stepper& s, Side side);
 
 // Whether the ground has no better place for a foot of one who stands than where it is: then it is not asked
 // to step any more.

@@ -17,9 +17,9 @@
 
 #include "sim/base/vec-inl.h"
 #include "sim/gait/blocks.h"
-#include "sim/gait/curves-inl.h"
-#include "sim/gait/fits.h"
-#include "sim/gait/swing-inl.h"
+#include "sim/gait/curves/curves-inl.h"
+#include "sim/gait/curves/fits.h"
+#include "sim/gait/curves/swing-inl.h"
 #include "sim/ik/foot-inl.h"
 
 HWY_BEFORE_NAMESPACE();

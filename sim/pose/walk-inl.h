@@ -7,7 +7,7 @@
 #define FLANEUR_SIM_POSE_WALK_INL_H
 #endif
 
-#include "sim/gait/rise-inl.h"
+#include "sim/gait/curves/rise-inl.h"
 #include "sim/ik/two_bone-inl.h"
 #include "sim/pose/foot-inl.h"
 #include "sim/pose/trunk-inl.h"

@@ -10,7 +10,7 @@
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/gait/gait.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/curves/norms.h"
 #include "sim/pose/pose.h"
 #include "tests/sim/small_grounds.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/gait/footing.h"
-#include "sim/gait/swing-inl.h"
+#include "sim/gait/curves/swing-inl.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {

@@ -7,7 +7,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/curves/norms.h"
 #include "tools/flaneur/gait/cane.h"
 #include "tools/flaneur/gait/measure/contact.h"
 #include "tools/flaneur/gait/measure/limits.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/base/math.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/curves/norms.h"
 #include "tools/flaneur/gait/measure/contact.h"
 #include "tools/flaneur/gait/measure/signal.h"
 

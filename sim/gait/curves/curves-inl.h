@@ -1,14 +1,14 @@
 // Curves of the walk over float or Lanes.
-#if defined(FLANEUR_SIM_GAIT_CURVES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FLANEUR_SIM_GAIT_CURVES_INL_H
-#undef FLANEUR_SIM_GAIT_CURVES_INL_H
+#if defined(FLANEUR_SIM_GAIT_CURVES_CURVES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_GAIT_CURVES_CURVES_INL_H
+#undef FLANEUR_SIM_GAIT_CURVES_CURVES_INL_H
 #else
-#define FLANEUR_SIM_GAIT_CURVES_INL_H
+#define FLANEUR_SIM_GAIT_CURVES_CURVES_INL_H
 #endif
 
 #include "sim/base/math-inl.h"
 #include "sim/base/math.h"
-#include "sim/gait/norms.h"
+#include "sim/gait/curves/norms.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

@@ -4,16 +4,16 @@
 // The body falls over the standing leg and is caught by the next one: a smooth path first, which knees and
 // heels answer. Harmonics of its path in CMU motion capture (slow, natural and fast walks of nine people), as
 // shares of the leg; a longer step needs a lower mean.
-#if defined(FLANEUR_SIM_GAIT_RISE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FLANEUR_SIM_GAIT_RISE_INL_H
-#undef FLANEUR_SIM_GAIT_RISE_INL_H
+#if defined(FLANEUR_SIM_GAIT_CURVES_RISE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_GAIT_CURVES_RISE_INL_H
+#undef FLANEUR_SIM_GAIT_CURVES_RISE_INL_H
 #else
-#define FLANEUR_SIM_GAIT_RISE_INL_H
+#define FLANEUR_SIM_GAIT_CURVES_RISE_INL_H
 #endif
 
 #include "sim/base/math.h"
-#include "sim/gait/curves-inl.h"
-#include "sim/gait/fits.h"
+#include "sim/gait/curves/curves-inl.h"
+#include "sim/gait/curves/fits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

@@ -3,15 +3,15 @@
 //
 // Places are in any frame with the world's axes, +y up. `u` is the share of the swing, 0 at toe-off .. 1 at
 // contact, and r = 1 - u. The numbers stand in fits.h.
-#if defined(FLANEUR_SIM_GAIT_SWING_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef FLANEUR_SIM_GAIT_SWING_INL_H
-#undef FLANEUR_SIM_GAIT_SWING_INL_H
+#if defined(FLANEUR_SIM_GAIT_CURVES_SWING_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_GAIT_CURVES_SWING_INL_H
+#undef FLANEUR_SIM_GAIT_CURVES_SWING_INL_H
 #else
-#define FLANEUR_SIM_GAIT_SWING_INL_H
+#define FLANEUR_SIM_GAIT_CURVES_SWING_INL_H
 #endif
 
 #include "sim/base/vec-inl.h"
-#include "sim/gait/fits.h"
+#include "sim/gait/curves/fits.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

@@ -1,0 +1,99 @@
+// Paces over float or Lanes.
+#if defined(FLANEUR_SIM_GAIT_PACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef FLANEUR_SIM_GAIT_PACE_INL_H
+#undef FLANEUR_SIM_GAIT_PACE_INL_H
+#else
+#define FLANEUR_SIM_GAIT_PACE_INL_H
+#endif
+
+#include "sim/base/math.h"
+#include "sim/base/rows-inl.h"
+#include "sim/body/body.h"
+#include "sim/gait/curves/fits.h"
+#include "sim/gait/pace.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+inline constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
+inline constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
+inline constexpr float k_turning = 3.2f;              // and shares of it a second
+inline constexpr float k_leaning = 5;                 // 1/s
+
+// As in gait.h.
+template <class T>
+HWY_INLINE T duty_factor(T v) {
+    return clamp(T(0.603f) - T(0.06f) * (v - T(1.24f)), T(0.57f), T(0.66f));
+}
+template <class T>
+HWY_INLINE T run_frequency(T v, T leg) {
+    T scale = sqrt(T(0.9f) / leg);
+    return (T(1.27f) + T(0.03f) * v * scale) * scale;
+}
+template <class T>
+HWY_INLINE T run_duty(T v, T leg) {
+    T over = v * sqrt(T(0.9f) / leg) - T(3.1f);
+    T reach = (T(k_run_reach) - T(k_run_reach_slope) * over) * leg;
+    return min(T(0.391f) - T(0.012f) * over, reach * run_frequency(v, leg) / max(v, T(1.0f)));
+}
+
+template <class T>
+HWY_INLINE T approached(T v, T target, T step) {
+    return v + clamp(target - v, T(0.0f) - step, step);
+}
+
+// A walk becomes a run, and a run a walk, over a foot that has just come down: the body that would have
+// vaulted over it sinks and leaves the ground, or the other way round.
+template <class T>
+HWY_INLINE T next_running(const GaitBlock& g, const StepperRows& s, T running, T froude, T dt, size_t lane) {
+    T half = T(0.5f), one = T(1.0f), zero = T(0.0f);
+    auto runs = froude > select(running > half, T(k_walk), T(k_run));
+    auto turns = ((running > zero) & (running < one)) | (row<T>(s.stands, lane) > half);
+    for (int side = 0; side < 2; ++side)
+        turns = turns | ((row<T>(s.swings[side], lane) < half) &
+                         (row<T>(g.feet[side].phase, lane) < T(k_turns_within)));
+    return select(turns, approached(running, select(runs, one, zero), T(k_turning) * dt), running);
+}
+
+template <class T>
+HWY_INLINE void advance_paces(GaitBlock& g, const PersonBlock& p, const StepperRows& s, float seconds,
+                              size_t lane) {
+    T dt = T(seconds), one = T(1.0f), zero = T(0.0f);
+    auto moves = row<T>(s.moves, lane) > T(0.5f);
+    auto keep = [&](T value, float* to) { store(select(moves, value, row<T>(to, lane)), to + lane); };
+    T vx = row<T>(s.velocity_x, lane), vz = row<T>(s.velocity_z, lane), speed = sqrt(vx * vx + vz * vz);
+    T leg = row<T>(p.joints[left_upper_leg][1], lane), froude = speed * speed / (T(k_gravity) * leg);
+    T running = next_running(g, s, row<T>(g.running, lane), froude, dt, lane);
+    T frequency = row<T>(g.frequency, lane), duty = row<T>(g.duty, lane), was = duty;
+    T walks = duty_factor(speed) + row<T>(p.linger, lane);
+    duty = approached(duty, lerp(walks, run_duty(speed, leg), running), lerp(T(0.1f), T(0.6f), running) * dt);
+    T stretch = (one - duty) / (one - was);
+    for (int side = 0; side < 2; ++side) {
+        T phase = row<T>(g.feet[side].phase, lane);
+        auto changes = (running > zero) & (row<T>(s.swings[side], lane) > T(0.5f));
+        keep(select(changes, one - (one - phase) * stretch, phase), g.feet[side].phase);
+    }
+    T forward = vx * row<T>(s.facing_x, lane) + vz * row<T>(s.facing_z, lane), most = T(0.3f);
+    T drive = clamp((forward - row<T>(g.forward, lane)) / (T(k_gravity) * dt), zero - most, most);
+    T bank = clamp(speed * row<T>(s.turn_rate, lane) / T(k_gravity), zero - most, most);
+    T course = select(speed > T(k_standing_speed), forward / max(speed, T(k_standing_speed)), one);
+    auto follow = [&](float* to, T target, T step) { keep(approached(row<T>(to, lane), target, step), to); };
+    auto lean = [&](float* to, T target) {
+        T is = row<T>(to, lane);
+        keep(is + (target - is) * T(k_leaning) * dt, to);
+    };
+    follow(g.amplitude, smoothstep(T(0.1f), T(0.85f), speed), T(2.6f) * dt);
+    follow(g.pace, sqrt(froude), T(0.9f) * dt);
+    follow(g.step, speed / (T(2.0f) * leg * frequency), lerp(T(1.2f), T(4.0f), running) * dt);
+    follow(g.course, course, T(4.0f) * dt);
+    lean(g.drive, drive);
+    lean(g.bank, bank);
+    keep(running, g.running);
+    keep(duty, g.duty);
+    keep(forward, g.forward);
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
