@@ -7,7 +7,7 @@
 
 #include "sim/base/block.h"
 #include "sim/body/body.h"
-#include "sim/gait/manner.h"
+#include "sim/body/manner.h"
 
 namespace flaneur {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/base/vec.h"
+#include "sim/body/manner.h"
 #include "sim/gait/blocks.h"
-#include "sim/gait/manner.h"
 #include "sim/ground/surroundings.h"
 
 namespace flaneur {

@@ -3,7 +3,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "sim/gait/misfit-inl.h"
 #include "sim/gait/pace-inl.h"
 
 HWY_BEFORE_NAMESPACE();

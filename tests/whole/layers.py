@@ -15,9 +15,10 @@ sim/body: sim/base
 sim/ik: sim/base
 sim/ground: sim/base
 sim/navigation: sim/base, sim/ground
-sim/gait: sim/base, sim/body, sim/ground
+sim/gait/curves: sim/base
+sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
-sim/pose: sim/base, sim/gait, sim/ik
+sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ik
 sim/animation: sim/base, sim/pose
 sim/crowd: sim/base, sim/ground, sim/navigation
 sim/surface: sim/base
@@ -67,13 +68,13 @@ tools/flaneur/console: sim/base
 tools/flaneur/options: assets, assets/files, sim/base
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
-tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/ground, sim/hands, sim/pose, tools/flaneur/output
-tools/flaneur/gait: sim, sim/base, sim/body, sim/gait, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output
+tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
+tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/crowd, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/options
 tools/flaneur/view: assets, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay
-tools/flaneur/sheets: assets, sim/base, sim/crowd, sim/gait, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
+tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view

@@ -7,8 +7,8 @@
 
 #include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
-#include "sim/gait/gait.h"
 #include "sim/gait/curves/norms.h"
+#include "sim/gait/gait.h"
 #include "sim/pose/pose.h"
 #include "tests/sim/small_grounds.h"
 

@@ -9,8 +9,8 @@
 #include "sim/base/rng.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
-#include "sim/gait/gait.h"
 #include "sim/gait/curves/norms.h"
+#include "sim/gait/gait.h"
 #include "sim/pose/pose.h"
 #include "tests/sim/small_grounds.h"
 

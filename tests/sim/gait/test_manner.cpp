@@ -4,8 +4,8 @@
 
 #include "sim/base/math.h"
 #include "sim/base/tick.h"
+#include "sim/body/manner.h"
 #include "sim/gait/gait.h"
-#include "sim/gait/manner.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {

@@ -1,8 +1,8 @@
 // The swing of a foot: its way over level ground and over steps, and what the planner keeps it clear of.
 #include <gtest/gtest.h>
 
-#include "sim/gait/footing.h"
 #include "sim/gait/curves/swing-inl.h"
+#include "sim/gait/footing.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/base/result.h"
-#include "sim/gait/manner.h"
+#include "sim/body/manner.h"
 #include "tools/flaneur/options/options.h"
 
 namespace flaneur {

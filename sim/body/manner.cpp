@@ -1,4 +1,4 @@
-#include "sim/gait/manner.h"
+#include "sim/body/manner.h"
 
 #include <algorithm>
 #include <cstddef>
