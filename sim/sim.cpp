@@ -75,7 +75,7 @@ Result<void> check(const WorldOptions& o) {
                      leg_length(kind.body) > 0.1f && thigh_length(kind.body) > 0.05f &&
                      shank_length(kind.body) > 0.05f;
         for (Vec3 joint : kind.body.joints) sound = sound && is_finite(joint);
-        sound = sound && is_finite(kind.body.cane);
+        sound = sound && is_finite(kind.body.cane) && is_finite(kind.body.pram);
         const Girth& girth = kind.body.girth;
         for (float length : {kind.body.height, kind.body.heel, kind.body.toe, kind.body.carriage, girth.hip,
                              girth.belly, girth.back, girth.chest})

@@ -1,5 +1,6 @@
 #include "sim/world.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <type_traits>
@@ -9,8 +10,13 @@
 #include "sim/crowd/pace.h"
 #include "sim/gait/hands.h"
 #include "sim/pose/cane.h"
+#include "sim/pose/pram.h"
 
 namespace flaneur {
+
+// Of who pushes a pram: the share of others' speed, and the fastest, m/s.
+static constexpr float k_pushing_pace = 0.93f, k_fastest_pushing = 1.45f;
+static constexpr float k_pram_middle = 0.5f;  // metres from the handle
 
 static Manner manner_of(const World& world, uint32_t walker) {
     const Crowd& c = world.crowd;
@@ -34,6 +40,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
 static void pose_everybody(World& w) {
     pose_blocks(w.gait, 0, w.gait.blocks.size(), w.poses);
     hold_canes(w.gait, 0, w.gait.canes.size(), w.poses);
+    hold_prams(w.gait, 0, w.gait.prams.size(), w.poses);
     w.previous_poses = w.poses;
     w.trails.assign(w.poses.size(), {});
     w.previous_trails = w.trails;
@@ -58,8 +65,13 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
         float leg = leg_length(kind.body);
-        world->folk.push_back(
-            {kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg), stair_pace(leg)});
+        Folk folk{kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg), stair_pace(leg)};
+        if (kind.body.pram != Vec3{}) {
+            folk.speed *= k_pushing_pace;
+            folk.most = std::min(folk.most, k_fastest_pushing);
+            folk.ahead = kind.body.pram.z + k_pram_middle;
+        }
+        world->folk.push_back(folk);
     }
     auto crowd =
         populate(*world->ground, world->around, options.destinations, *world->navmesh, *world->workers,
@@ -124,6 +136,13 @@ static void pose_newcomer(World& w, uint32_t walker) {
         w.newcomer.canes.back().walker = static_cast<uint32_t>(lane);
     }
     hold_canes(w.newcomer, 0, w.newcomer.canes.size(), w.newcomer_pose);
+    w.newcomer.prams.clear();
+    PramSpan pushed = prams_of(w.gait, walker, walker + 1);
+    for (size_t i = pushed.begin; i < pushed.end; ++i) {
+        w.newcomer.prams.push_back(w.gait.prams[i]);
+        w.newcomer.prams.back().walker = static_cast<uint32_t>(lane);
+    }
+    hold_prams(w.newcomer, 0, w.newcomer.prams.size(), w.newcomer_pose);
     const auto* from = reinterpret_cast<const unsigned char*>(&w.newcomer_pose[0]);
     for (auto* poses : {&w.poses, &w.previous_poses}) {
         auto* to = reinterpret_cast<unsigned char*>(&(*poses)[block]);
@@ -151,6 +170,13 @@ JointPose joint_between(const World& w, size_t walker, Joint joint, float betwee
     return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
 }
 
+std::optional<PramPlace> pram_between(const World& w, size_t walker, float between) {
+    PramSpan own = prams_of(w.gait, walker, walker + 1);
+    if (own.begin == own.end) return std::nullopt;
+    const Pram& pram = w.gait.prams[own.begin];
+    return mixed_place(pram.before, pram.now, between);
+}
+
 Trail trail_between(const World& w, size_t walker, float between) {
     return mixed_trail(trail_of(w.previous_trails, walker), trail_of(w.trails, walker), between);
 }
@@ -168,6 +194,7 @@ uint64_t hash_world(const World& world) {
     static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
     add(world.gait.blocks, world.gait.people, world.poses);
     if (!world.gait.canes.empty()) add(world.gait.canes);
+    if (!world.gait.prams.empty()) add(world.gait.prams);
     add(world.idles.wanted, world.idles.playing, world.idles.stood);
     for (const ClipPlay& play : world.idles.plays) {
         for (uint32_t word : {play.walker, uint32_t{play.clip}, std::bit_cast<uint32_t>(play.phase),

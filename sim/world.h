@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -79,6 +80,8 @@ void end_body(World& world, uint32_t walker);
 
 // A joint `between` 0, the tick before the last, and 1, the last.
 JointPose joint_between(const World& world, size_t walker, Joint joint, float between);
+// Where the pram is that a walker pushes, if it pushes one, the same way between ticks.
+std::optional<PramPlace> pram_between(const World& world, size_t walker, float between);
 // How a walker has moved of late, the same way between ticks.
 Trail trail_between(const World& world, size_t walker, float between);
 

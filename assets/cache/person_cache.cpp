@@ -37,7 +37,8 @@ uint64_t key_of(const PersonOptions& o) {
                                o.scarf,
                                o.headphones,
                                o.phone,
-                               o.stick};
+                               o.stick,
+                               o.pram};
     return hash_bytes(0, fields, sizeof fields);
 }
 

@@ -341,7 +341,8 @@ void build_person_lods(Character& c, const Unpainted& unpainted) {
     if (c.vertices.empty() || unpainted.triangles.empty()) return;
     const Base base = make_base(c, unpainted.triangles, weighed_places(c));
     const auto& glasses = unpainted.glasses;
-    for (size_t triangles : k_level_triangles) {
+    for (size_t l = 0; l < k_level_triangles.size(); ++l) {
+        const size_t triangles = k_level_triangles[l];
         const size_t before = c.lods.back().size();
         if (before / 3 <= triangles + triangles / 4) continue;
         const bool is_near = triangles > k_near_above, is_painted = triangles > k_welded_below;
@@ -358,6 +359,7 @@ void build_person_lods(Character& c, const Unpainted& unpainted) {
         const bool has_rims = !is_near && triangles > k_smoothed_below;
         if (is_painted) lay_on(has_rims ? unpainted.face_with_glasses : unpainted.face, level, c);
         if (is_near) level.insert(level.end(), glasses.begin(), glasses.end());
+        level.insert(level.end(), unpainted.pram[l + 1].begin(), unpainted.pram[l + 1].end());
         c.lods.push_back(std::move(level));
     }
     order_levels(c);

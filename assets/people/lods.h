@@ -5,6 +5,7 @@
 
 #include "assets/character.h"
 #include "assets/people/face.h"
+#include "assets/people/pram.h"
 
 namespace flaneur {
 
@@ -13,6 +14,7 @@ struct Unpainted {
     std::vector<uint32_t> triangles;  // the finest without glasses and what is painted on the face
     std::vector<uint32_t> glasses;    // whole on the first of them
     std::vector<FacePatch> face, face_with_glasses;
+    PramLevels pram;  // laid on each level
 };
 
 // Appends the levels after the first to a built-in person: about 3000, 1500, 500 and 180 triangles, skipping

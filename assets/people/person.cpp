@@ -8,6 +8,7 @@
 #include "assets/people/lods.h"
 #include "assets/people/mesh.h"
 #include "assets/people/parts.h"
+#include "assets/people/pram.h"
 #include "assets/people/shape.h"
 #include "assets/people/skin.h"
 
@@ -226,7 +227,8 @@ Character generate_person(const PersonOptions& options) {
     Unpainted unpainted{painted_over(mesh, is_painted, material_skin),
                         {},
                         face_patches(figure, false),
-                        face_patches(figure, figure.glasses)};
+                        face_patches(figure, figure.glasses),
+                        {}};
 
     Character person;
     person.person = options;
@@ -272,6 +274,7 @@ Character generate_person(const PersonOptions& options) {
 
     warp_person(figure, bind, person);
     person.body.wear = wear_of(options);
+    if (figure.pram) unpainted.pram = add_pram(figure.seed, person);
     build_person_lods(person, unpainted);
     return person;
 }

@@ -114,6 +114,14 @@ void agree(PersonOptions& p) {
     if (p.hat != Hat::none) p.headphones = false;
     if (p.bag == Bag::handbag && p.stick) p.bag = Bag::shoulder_bag;
     if (p.stick) p.phone = false;
+    if (!p.pram) return;
+    p.bag = Bag::none;
+    p.scarf = p.phone = p.stick = false;
+}
+
+float draw_height(const PersonOptions& p, RandomKey key) {
+    float spread = p.woman ? 0.065f : 0.07f;
+    return mean_height(p.woman, p.age) * (1 + clamp(random_normal(key, 3), -2, 2) * spread / 1.69f);
 }
 
 }  // namespace
@@ -147,7 +155,6 @@ std::vector<PersonOptions> draw_population(uint32_t count, uint64_t seed) {
         p.woman = (of_kind + (kind == AgeGroup::child)) % 2 == 1;
         Dealer d{seed, static_cast<uint32_t>(kind) * 2 + p.woman, of_kind / 2};
         RandomKey key{p.seed, 0, 0, Purpose::body};
-        float spread = p.woman ? 0.065f : 0.07f;
         switch (kind) {
             case AgeGroup::child: {
                 // The youngest, one at school, one half grown.
@@ -162,8 +169,7 @@ std::vector<PersonOptions> draw_population(uint32_t count, uint64_t seed) {
                 p.age = random_between(key, 66, 85, 1);
                 break;
         }
-        float mean = mean_height(p.woman, p.age);
-        p.height = mean * (1 + clamp(random_normal(key, 3), -2, 2) * spread / 1.69f);
+        p.height = draw_height(p, key);
         p.build = clamp(random_normal(key, 4) * 0.45f + 0.3f * smoothstep(30, 60, p.age), -1, 1);
         if (kind == AgeGroup::child) p.build *= 0.5f;
         if (kind == AgeGroup::child)
@@ -186,6 +192,35 @@ std::vector<PersonOptions> draw_population(uint32_t count, uint64_t seed) {
         people.push_back(p);
     }
     return people;
+}
+
+std::vector<Pusher> draw_pushers(uint64_t seed) {
+    // About so many of a street's people are of that age and sex.
+    constexpr float k_of_age = 0.23f, k_grandparents = 0.002f;
+    constexpr struct {
+        bool woman;
+        float from, to, share;
+    } k_who[] = {{true, 22, 45, k_pushing * k_of_age},
+                 {false, 22, 45, k_pushing * k_of_age},
+                 {true, 55, 70, k_grandparents}};
+    std::vector<Pusher> pushers;
+    for (const auto& who : k_who) {
+        const auto i = static_cast<uint32_t>(pushers.size());
+        PersonOptions p;
+        p.seed = mix(seed ^ mix(i + 0x70a30001));
+        p.woman = i == 2 ? p.seed % 2 == 0 : who.woman;
+        p.pram = true;
+        RandomKey key{p.seed, 0, 0, Purpose::body};
+        p.age = random_between(key, who.from, who.to, 1);
+        p.height = draw_height(p, key);
+        p.build = clamp(random_normal(key, 4) * 0.45f, -1, 1);
+        Dealer d{seed, 6 + i, 0};
+        p.woman ? dress_woman(p, d, AgeGroup::adult) : dress_man(p, d, AgeGroup::adult);
+        p.glasses = d.one_in(4);
+        agree(p);
+        pushers.push_back({p, who.share});
+    }
+    return pushers;
 }
 
 }  // namespace flaneur

@@ -1,5 +1,8 @@
 #include "sim/body/body.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace flaneur {
 
 Body standard_body(float height) {
@@ -35,6 +38,19 @@ Vec3 standard_cane(float height) { return Vec3{0.006f, -0.473f, -0.163f} * heigh
 Girth girth_of(const Body& b) {
     if (b.girth.hip > 0) return b.girth;
     return {0.100f * b.height, 0.076f * b.height, 0.078f * b.height, 0.095f * b.height};
+}
+
+Vec3 standard_pram(const Body& body) {
+    constexpr float k_cosine = 0.17f;              // of that bend
+    constexpr float k_over = 0.05f, k_palm = 0.09f;  // metres that wrists are above the handle, and behind it
+    constexpr float k_lean = 0.07f;                // radians, of the trunk
+    constexpr float k_nearest = 0.20f;
+    Vec3 shoulder = body.joints[left_upper_arm], elbow = body.joints[left_lower_arm];
+    float a = length(elbow - shoulder), b = length(body.joints[left_hand] - elbow);
+    float height = std::clamp(0.6f * body.height, 0.92f, 1.08f);
+    float down = shoulder.y - height - k_over, reach2 = a * a + b * b + 2 * a * b * k_cosine;
+    float ahead = std::sqrt(std::max(reach2 - down * down, k_nearest * k_nearest));
+    return {0, height, shoulder.z + k_lean * (shoulder.y - body.joints[hips].y) + ahead + k_palm};
 }
 
 }  // namespace flaneur

@@ -81,6 +81,7 @@ struct Body {
     Vec3 cane{};         // from the right wrist to the tip of a cane in that hand; zero: there is none
     Girth girth{};       // all zero: as usual for the height
     Wear wear{};
+    Vec3 pram{};  // from the ground below the hips to the middle of the handle of a pram; zero: there is none
 };
 
 // A standing adult after Drillis & Contini's segment lengths (as fractions of height; Winter 2009, fig. 4.1).
@@ -88,6 +89,9 @@ Body standard_body(float height);
 // Body::cane for a body of that height: held at the height of a hanging arm's wrist, as canes are fitted
 // (Sainsbury & Mulley, BMJ 284, 1982), and upright when the forearm is raised by 0.4 rad.
 Vec3 standard_cane(float height);
+// Body::pram for a body: a handle at 0.6 of its height, as people like it, from 0.92 to 1.08 m, where both
+// hands reach it with elbows bent by some 80 degrees.
+Vec3 standard_pram(const Body& body);
 
 // The body's girth, or what is usual for its height.
 Girth girth_of(const Body& b);

@@ -23,6 +23,8 @@ static constexpr float k_past = 3;              // and metres that it gets on
 static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
 
+static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
+
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
 // Takes corners wider by the walker's own measure, so that a crowd does not queue for the same inch. The path
@@ -43,7 +45,7 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
         Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
         bool cheap = is_cheap(surface_of(mesh, place->polygon));
         for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
-            NavPoint moved = move_along(mesh, thread, *place, here + at_height(outward * shift, 0));
+            NavPoint moved = move_along(mesh, thread, *place, here + at_height(outward * shift, 0), by_of(c, i));
             if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
             if (!is_clear(mesh, before, moved.position) || !is_clear(mesh, moved.position, corners[k + 1])) {
                 continue;
@@ -65,7 +67,8 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
     j.stay = k_stroll_stay;
     if (auto chosen = choose_trip(c.demand, mesh, thread, here, tick, {seed, i, trip, Purpose::errand})) {
         j.goal = chosen->place;
-        j.facing = chosen->facing;
+        // Not to what is there, with a pram between.
+        if (c.identity.ahead[i] == 0) j.facing = chosen->facing;
         j.stay = stay_at(chosen->kind);
         return;
     }
@@ -96,7 +99,7 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
     if (j.path_due == PathDue::to_new_goal) choose_goal(c, mesh, thread, i, tick, seed);
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     NavPoint here{c.motion.position[i], c.motion.polygon[i]};
-    int n = find_path(mesh, thread, here, j.goal, corners, k_corners);
+    int n = find_path(mesh, thread, here, j.goal, corners, k_corners, by_of(c, i));
     j.corner = 0;
     j.corner_count = static_cast<uint8_t>(n);
     j.path_start = on_ground(here.position);
@@ -121,10 +124,13 @@ static void arrive(Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
     j.path_due = PathDue::to_new_goal;
 }
 
+// A pram is there before who pushes it.
+static float goal_reach(const Crowd& c, uint32_t i) { return k_goal_reach + c.identity.ahead[i]; }
+
 // At the end of the path: the goal, or as far as a path of bounded length reached.
 static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
     Vec2 p = on_ground(c.motion.position[i]);
-    if (length(on_ground(j.goal.position) - p) <= 2 * k_goal_reach) return arrive(j, i, tick, seed);
+    if (length(on_ground(j.goal.position) - p) <= 2 * goal_reach(c, i)) return arrive(j, i, tick, seed);
     j.path_due = PathDue::to_goal;
     if (length(p - j.path_start) >= 1) return;
     // A path that got no nearer will not next time either.
@@ -166,7 +172,7 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
         Vec2 here = on_ground(corners[j.corner]), to = here - p;
         float distance = length(to);
         bool last = j.corner + 1 == j.corner_count;
-        bool passed = distance < (last ? k_goal_reach : k_corner_touch);
+        bool passed = distance < (last ? goal_reach(c, i) : k_corner_touch);
         if (!last && !passed && distance < k_corner_view) {
             // Near or level with the corner, seen along the stretch that leaves it, and the next one in view.
             Vec3 next = corners[j.corner + 1];

@@ -15,7 +15,7 @@ Crowd make_crowd(uint32_t capacity) {
     size_t n = capacity;
     auto resize = [n](auto&... arrays) { (arrays.resize(n), ...); };
     CrowdIdentity& who = c.identity;
-    resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace);
+    resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     CrowdMotion& m = c.motion;
     resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.polygon, m.under);
     CrowdDecision& d = c.decision;
@@ -84,6 +84,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.identity.body[i] = w.body;
     c.identity.scale[i] = w.scale;
     c.identity.stair_pace[i] = w.stair_pace;
+    c.identity.ahead[i] = w.ahead;
     c.decision.wanted[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     c.decision.claim[i] = {};

@@ -39,6 +39,7 @@ struct CrowdIdentity {
     std::vector<uint32_t> body;          // index into the bodies that the program has
     std::vector<float> scale;            // of that body
     std::vector<float> stair_pace;       // share of others' pace on stairs
+    std::vector<float> ahead;  // metres from there to the middle of the pram that one pushes, 0: none
 };
 
 // Where they are and how they move, at the end of the last tick. Gait and pictures read it.
@@ -100,6 +101,7 @@ struct Seen {
     Vec2 velocity;  // of one with a claim, what it asks for; else what it has
     float radius;
     Claim claim;
+    Vec2 ahead;  // from the position to the middle of the pram that it pushes; zero: none
 };
 
 // Written and read within one tick.
@@ -144,6 +146,8 @@ struct Crowd {
 // Bodies may press into each other by this much and never more, metres.
 inline constexpr float k_most_overlap = 0.04f;
 
+inline constexpr float k_pram_radius = 0.4f;  // metres, that others keep clear of round its middle
+
 inline constexpr float k_least_radius = 0.1f, k_widest_radius = 0.5f;  // of bodies, metres
 
 struct Walker {
@@ -154,7 +158,7 @@ struct Walker {
     float lateral = 0.3f;
     uint32_t body = 0;
     float scale = 1;
-    float stair_pace = 1;  // see CrowdIdentity
+    float stair_pace = 1, ahead = 0;  // see CrowdIdentity
     Errand errand = Errand::wander;
 };
 
@@ -183,7 +187,7 @@ struct Folk {
     float share = 1;       // of all walkers, against the others' shares
     float speed = 1.34f;   // the mean that they prefer, metres a second
     float most = 1.9f;     // nobody prefers to go faster
-    float stair_pace = 1;  // see CrowdIdentity
+    float stair_pace = 1, ahead = 0;  // see CrowdIdentity
 };
 
 // One of them by chance: all but its place.

@@ -37,11 +37,11 @@ float braking_way(float wished) {
 }
 
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
-static float next_turn_rate(float rate, float to_turn, float speed, float dt) {
-    float most = std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
-    float brake = std::sqrt(2 * 0.7f * k_turn_acceleration * std::fabs(to_turn));
+static float next_turn_rate(float rate, float to_turn, float speed, float dt, float nimble) {
+    float most = nimble * std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
+    float brake = std::sqrt(2 * 0.7f * (nimble * k_turn_acceleration) * std::fabs(to_turn));
     float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
-    float change = k_turn_acceleration * dt;
+    float change = nimble * k_turn_acceleration * dt;
     return clamp(wished, rate - change, rate + change);
 }
 
@@ -60,7 +60,7 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
     return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
 }
 
-Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float nimble) {
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
     Vec2 aim = wish;
@@ -70,7 +70,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look) {
     float to_turn = turns   ? wrap_angle(heading_of(wish) - motion.heading)
                     : looks ? wrap_angle(heading_of(look) - motion.heading)
                             : 0;
-    float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt);
+    float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt, nimble);
     float heading = wrap_angle(motion.heading + rate * dt);
 
     if (wished > k_any_way) {

@@ -30,7 +30,9 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
-Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0});
+//
+// Turns are as much slower as `nimble` says, for who pushes something.
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0}, float nimble = 1);
 
 // Speed over the ground plane, m/s, that one who goes at `speed` on the level has on stairs: 0.5-0.6 of one
 // who walks; of one who runs up to 1.1.

@@ -18,7 +18,8 @@ static constexpr float k_step_reach =
 static constexpr float k_sees_coming = 0.6f;  // metres between bodies from which on one brakes for another
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr size_t k_together = 64;      // walkers whose ground is asked for at once
-static constexpr int k_contacts = 32;
+static constexpr int k_contacts = 48;
+static constexpr float k_pushing = 0.5f;  // how nimble one with a pram is
 
 namespace {
 
@@ -32,6 +33,27 @@ struct Contacts {
 };
 
 }  // namespace
+
+// A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
+static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Contacts& out) {
+    Vec3 middle = me.position + at_height(me.ahead, 0);
+    for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t k = begin; k < end; ++k) {
+            const Seen& other = c.scratch.sorted[k];
+            Vec2 away = on_ground(middle - other.position);
+            float touching = k_pram_radius + other.radius, d = length(away);
+            if (other.id == me.id || d > touching + k_sees_coming || d < 1e-5f) continue;
+            if (std::fabs(middle.y - other.position.y) > k_other_level) continue;
+            Vec2 direction = away / d;
+            float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
+            float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
+            if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
+                out.brakes[out.brake_count++] = {direction, -nearing};
+            if (d < touching + k_step_reach && out.count < k_contacts)
+                out.planes[out.count++] = {direction, -0.5f * room / k_tick};
+        }
+    });
+}
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
@@ -61,6 +83,7 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
             if (overlap > 0) out.push += direction * (0.5f * overlap / k_tick);
         }
     });
+    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, me, wish, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);
     return out;
@@ -80,12 +103,15 @@ static float share_within(const Contacts& near, Vec2 v) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
     uint32_t i = me.id;
     CrowdMotion& m = c.motion;
+    const bool pushes = c.identity.ahead[i] > 0;
+    const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     Contacts near = contacts_of(c, me, wish);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
     Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
-                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0});
+                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
+                                pushes ? k_pushing : 1.0f);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
@@ -96,11 +122,11 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     if (share_within(near, step) < 1)
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
     NavPoint from{m.position[i], m.polygon[i]};
-    NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0));
+    NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0), by);
     Vec2 real = on_ground(to.position - from.position) / k_tick;
     // Along a wall one may have slid into somebody.
     if (float share = share_within(near, real); share < 1) {
-        to = move_along(mesh, thread, from, from.position + at_height(real * (share * k_tick), 0));
+        to = move_along(mesh, thread, from, from.position + at_height(real * (share * k_tick), 0), by);
         real = on_ground(to.position - from.position) / k_tick;
         if (share_within(near, real) < 1) to = from, real = {0, 0};
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/places.h"
 
@@ -11,7 +12,8 @@ static constexpr float k_insistence = 0.6f;  // m/s, at most, that one with a cl
 
 static Seen seen(const Crowd& c, uint32_t i) {
     const CrowdDecision& d = c.decision;
-    Seen seen{c.motion.position[i], i, c.motion.velocity[i], c.identity.radius[i], d.claim[i]};
+    Seen seen{c.motion.position[i], i, c.motion.velocity[i], c.identity.radius[i], d.claim[i], {}};
+    if (c.identity.ahead[i] > 0) seen.ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
     if (seen.claim.since != k_never) {
         Vec2 asked = seen.claim.heirs > 0 ? d.chosen[i] : d.wanted[i];
         seen.velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));

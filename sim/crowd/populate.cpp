@@ -86,6 +86,7 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     w.radius = k_body_radius;
     w.scale = random_between(key, 0.95f, 1.05f, 2);
     w.stair_pace = folk[w.body].stair_pace;
+    w.ahead = folk[w.body].ahead * w.scale;
     key.purpose = Purpose::lateral;
     w.lateral = random_between(key, 0.15f, 2.2f);
     return w;

@@ -59,6 +59,16 @@ static HalfPlane avoid(Vec2 between, Vec2 velocity, Vec2 other_velocity, float r
     return {normal, dot(velocity + change * share, normal)};
 }
 
+// Calls visit(from me to the other, sum of radii) for each pram that is near, mine or the other's.
+template <class Visit>
+static void for_prams(const Seen& me, const Seen& other, const Visit& visit) {
+    Vec2 between = on_ground(other.position - me.position);
+    const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
+    if (theirs) visit(between + other.ahead, me.radius + k_pram_radius);
+    if (mine) visit(between - me.ahead, k_pram_radius + other.radius);
+    if (mine && theirs) visit(between + other.ahead - me.ahead, 2 * k_pram_radius);
+}
+
 // V(s) = (s - l) / T with s the distance to the first body in the way (Tordeux, Chraibi and Seyfried 2016,
 // without their force: ORCA has done that). Those who walk ahead at a like speed leave room as they go.
 static float headway_speed(const Crowd& c, const Seen& me, const Claim& claim, Vec2 direction) {
@@ -67,13 +77,15 @@ static float headway_speed(const Crowd& c, const Seen& me, const Claim& claim, V
     for (int k = 0; k < c.scratch.neighbour_count[me.id]; ++k) {
         const Seen& other = c.scratch.sorted[slots[k]];
         if (claim < other.claim) continue;  // makes way
-        Vec2 between = on_ground(other.position - me.position);
-        float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
-        float l = me.radius + other.radius;
-        if (ahead <= 0 || aside >= l) continue;
-        float gap = ahead - std::sqrt(l * l - aside * aside);
-        float leaving = std::max(0.0f, dot(other.velocity, direction));
-        speed = std::min(speed, std::max(0.0f, gap / k_headway) + 0.9f * leaving);
+        auto keep_headway = [&](Vec2 between, float l) {
+            float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
+            if (ahead <= 0 || aside >= l) return;
+            float gap = ahead - std::sqrt(l * l - aside * aside);
+            float leaving = std::max(0.0f, dot(other.velocity, direction));
+            speed = std::min(speed, std::max(0.0f, gap / k_headway) + 0.9f * leaving);
+        };
+        keep_headway(on_ground(other.position - me.position), me.radius + other.radius);
+        for_prams(me, other, keep_headway);
     }
     return speed;
 }
@@ -117,9 +129,27 @@ static HalfPlane pass_end(Vec2 velocity, Vec2 away, float distance, Vec2 inward,
     return -dot(velocity, aside) < to_stop ? HalfPlane{aside, k_clear_of_end} : HalfPlane{inward, -most};
 }
 
+// The middle of a pram comes no nearer to borders than it can stop from, and not farther beyond: a turn may
+// have brought it there.
+static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, int count) {
+    constexpr float k_beyond = 0.6f;  // metres: else it is the border of another part of the mesh
+    BorderLine lines[k_borders];
+    Vec3 middle = me.position + at_height(me.ahead, 0);
+    int borders = borders_near(mesh, middle, k_border_reach, lines, k_borders);
+    for (int b = 0; b < borders; ++b) {
+        Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
+        Vec2 inward = normalize_or(Vec2{-ab.z, ab.x}, {0, 0}), p = on_ground(middle) - a;
+        float along = dot(p, ab) / length_squared(ab), inside = dot(p, inward);
+        bool is_mine = dot(on_ground(me.position) - a, inward) > 0;
+        if (along < 0 || along > 1 || inside < -k_beyond || !is_mine) continue;
+        planes[count++] = {inward, -border_speed(std::max(inside, 0.0f))};
+    }
+    return count;
+}
+
 static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,
                             uint32_t tick) {
-    HalfPlane planes[k_borders + k_neighbours];
+    HalfPlane planes[2 * k_borders + 4 * k_neighbours];
     uint32_t i = me.id;
     Vec2 p = on_ground(me.position), velocity = c.motion.velocity[i], wish = c.decision.wanted[i];
 
@@ -143,6 +173,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
+    if (length_squared(me.ahead) > 0) count = keep_pram_in(mesh, me, planes, count);
     int firm = count;
 
     const uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
@@ -155,6 +186,9 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
             float share = other.claim < claim ? 1.0f : 0.5f;
             planes[count++] =
                 avoid(between, velocity, other.velocity, me.radius + other.radius + k_margin, share);
+            for_prams(me, other, [&](Vec2 apart, float radius) {
+                planes[count++] = avoid(apart, velocity, other.velocity, radius, share);
+            });
         }
         if (dot(other.velocity, wish) < 0 && dot(between, wish) > 0) oncoming = 1;
     }

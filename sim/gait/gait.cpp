@@ -21,6 +21,8 @@ float stride_length(float v, float leg) {
     return 2 * k_step_factor * leg * std::sqrt(v / std::sqrt(k_gravity * leg));
 }
 
+constexpr float k_pushing_lean = 0.05f;  // radians that who pushes a pram leans more
+
 // Every row of a block is of lanes of four bytes.
 static void clear_lane(GaitBlock& block, int lane) {
     auto* rows = reinterpret_cast<unsigned char*>(&block);
@@ -65,7 +67,7 @@ static void set_arms(PersonBlock& p, int lane, const Body& b, float scale, const
 
     auto likes = m.postures;
     auto never = [&](Posture posture) { likes[static_cast<size_t>(posture)] = 0; };
-    if (b.cane.x != 0 || b.cane.y != 0 || b.cane.z != 0) likes = {};
+    if (b.cane.x != 0 || b.cane.y != 0 || b.cane.z != 0 || b.pram.y != 0) likes = {};
     if (!wear.pockets) never(Posture::pocket), never(Posture::pockets);
     if (wear.bag == Bag::none || wear.bag == Bag::handbag) never(Posture::strap);
     if (wear.bag != Bag::none) never(Posture::behind);
@@ -112,6 +114,7 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
     PersonBlock& person = gait.people[i / k_block];
     int lane = static_cast<int>(i % k_block);
     set_person(person, lane, body, scale, manner);
+    if (body.pram != Vec3{}) person.lean[lane] += k_pushing_lean;
     clear_lane(g, lane);
     g.duty[lane] = duty_factor(0);
     g.phase[lane] =
@@ -140,6 +143,7 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
         }
     }
     give_cane(gait, i, around ? body.cane * scale : Vec3{}, stepper);
+    give_pram(gait, i, around ? body.pram : Vec3{}, scale, stepper);
 }
 
 void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const uint32_t* body,
@@ -149,6 +153,7 @@ void start_gait(Gait& gait, size_t count, const std::vector<Body>& bodies, const
     gait.blocks.assign(block_count(count), {});
     gait.people.assign(block_count(count), {});
     gait.canes.clear();
+    gait.prams.clear();
     for (size_t i = 0; i < gait.blocks.size() * k_block; ++i) {
         RandomKey key{seed, static_cast<uint32_t>(i), 0, Purpose::style};
         bool real = i < count;
@@ -214,6 +219,10 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         const Vec2 facing = heading_direction(root.heading[cane.walker]);
         advance_cane(gait, cane, stepper_of(cane.walker, facing));
     }
+    for (PramSpan prams = prams_of(gait, begin, end); prams.begin < prams.end; ++prams.begin) {
+        Pram& pram = gait.prams[prams.begin];
+        advance_pram(pram, stepper_of(pram.walker, heading_direction(root.heading[pram.walker])));
+    }
 }
 
 void jump(Gait& gait, size_t walker) {
@@ -250,6 +259,12 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
         Cane& cane = gait.canes[i];
         for (Vec3* p : {&cane.tip, &cane.from, &cane.to, &cane.goal})
             *p = at_height(carried(p->x, p->z), p->y + by.y);
+    }
+    PramSpan pushed = prams_of(gait, walker, walker + 1);
+    for (size_t i = pushed.begin; i < pushed.end; ++i) {
+        PramPlace& at = gait.prams[i].now;
+        at.place = at_height(carried(at.place.x, at.place.z), at.place.y + by.y);
+        at.yaw = wrap_angle(at.yaw + yaw);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "sim/base/vec.h"
 #include "sim/body/manner.h"
 #include "sim/gait/blocks.h"
+#include "sim/gait/pram.h"
 #include "sim/ground/surroundings.h"
 
 namespace flaneur {
@@ -39,6 +40,7 @@ struct Gait {
     std::vector<GaitBlock> blocks;
     std::vector<PersonBlock> people;
     std::vector<Cane> canes;  // of the few who have one, by walker
+    std::vector<Pram> prams;  // the same
 };
 
 // What the crowd tells the gait, one value a walker.

@@ -148,7 +148,8 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
             if (!nearer) continue;
             side = *nearer;
             CaneSpan canes = canes_of(gait, i, i + 1);
-            if (side == k_right && canes.begin < canes.end) continue;
+            PramSpan prams = prams_of(gait, i, i + 1);
+            if ((side == k_right && canes.begin < canes.end) || prams.begin < prams.end) continue;
             if (g.holds[side].share[lane] > 0) continue;
         }
         HandBlock& hand = g.hands[side];

@@ -59,12 +59,16 @@ Surface surface_of(const Navmesh& m, uint32_t polygon) {
     return surface_of_area(found->getArea());
 }
 
-int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity) {
+static const dtQueryFilter& filter_of(const Navmesh& m, By by) {
+    return by == By::wheels ? m.wheels : m.filter;
+}
+
+int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity, By by) {
     constexpr int k_most_polygons = 512, k_most_corners = 256;
     const dtNavMeshQuery& query = *m.queries[thread];
     dtPolyRef polygons[k_most_polygons];
     int count = 0;
-    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &m.filter, polygons,
+    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &filter_of(m, by), polygons,
                    &count, k_most_polygons);
     if (count == 0 || capacity <= 0) return 0;
     Vec3 end = to.position;
@@ -96,7 +100,7 @@ static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p) {
     return !(left && right);
 }
 
-NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
+NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by) {
     const dtMeshTile* tile = nullptr;
     const dtPoly* polygon = nullptr;
     if (dtStatusFailed(m.mesh->getTileAndPolyByRef(from.polygon, &tile, &polygon))) return from;
@@ -107,7 +111,7 @@ NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to) {
     dtPolyRef visited[k_most_visited];
     int count = 0;
     dtStatus status =
-        m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to), &m.filter,
+        m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to), &filter_of(m, by),
                                             floats(result.position), visited, &count, k_most_visited);
     if (dtStatusFailed(status) || count == 0) return from;
     result.polygon = visited[count - 1];

@@ -78,14 +78,18 @@ bool is_worth_walking(const Navmesh& mesh, uint32_t polygon);
 // The kind of ground that a polygon of the mesh stands for.
 Surface surface_of(const Navmesh& mesh, uint32_t polygon);
 
+// Who has wheels goes nowhere onto steps (Surface::steps), and may leave them.
+enum class By : uint8_t { feet, wheels };
+
 // The corners of the cheapest way from `from` (exclusive) to `to` (inclusive), at most `capacity`, written to
 // `corners`; returns how many. Sidewalks and paths are cheap, crossings and then plazas a little
 // dearer, grass and roads dear. A way that does not reach goes as near as it can. 0 if `from` is nowhere.
-int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity);
+int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity,
+              By by = By::feet);
 
 // Moves along the mesh from `from` towards `to`, sliding along its borders: never through a wall. The
 // result's height is the mesh's, coarse; ask `ground_at` for the surface.
-NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to);
+NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to, By by = By::feet);
 
 // Whether the straight way between two places of the mesh does not leave it. Its first 2 cm and last 5 cm are
 // forgiven, for places on the border.

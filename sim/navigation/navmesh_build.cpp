@@ -126,6 +126,15 @@ static void set_costs(dtQueryFilter& filter) {
     filter.setAreaCost(area_of(Surface::road), 25);
 }
 
+// So that a filter can leave them out.
+static constexpr unsigned short k_steps_flag = 2;
+static void mark_steps(dtNavMesh& mesh) {
+    for_polygons(mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
+        if (tile.polys[p].getArea() == area_of(Surface::steps))
+            mesh.setPolyFlags(reference, static_cast<unsigned short>(tile.polys[p].flags | k_steps_flag));
+    });
+}
+
 static float tile_edge(const NavmeshSettings& s) {
     return std::max(1.0f, std::floor(s.tile / s.cell + 0.5f)) * s.cell;
 }
@@ -191,6 +200,9 @@ static Result<NavmeshPtr> join_tiles(const Ground& ground, const NavmeshSettings
     }
     m->islands.resize(polygons);
     set_costs(m->filter);
+    set_costs(m->wheels);
+    mark_steps(*m->mesh);
+    m->wheels.setExcludeFlags(k_steps_flag);
     prepare_queries(*m, threads);
     std::vector<double> island_areas;
     find_islands(*m, island_areas);

@@ -27,7 +27,7 @@ struct PlacePiece {
 struct Navmesh {
     NavmeshSettings settings;
     std::unique_ptr<dtNavMesh, DetourDelete> mesh;
-    dtQueryFilter filter;
+    dtQueryFilter filter, wheels;  // of who walks; of who has wheels, and takes no steps
     std::vector<std::unique_ptr<dtNavMeshQuery, DetourDelete>> queries;  // one a thread
 
     std::vector<uint32_t> first_polygon;  // one a tile: the number of its first polygon

@@ -65,8 +65,8 @@ void extract_people(const World& world, const std::vector<Character>& characters
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h
 // gives them. What hangs on people swings if it is told how they have moved of late (sim/pose/trail.h); else
-// it hangs as if they kept still.
+// it hangs as if they kept still. A pram that is pushed stands where that says, or on level ground ahead.
 void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
-                    const Trail* trail = nullptr);
+                    const Trail* trail = nullptr, const PramPlace* pram = nullptr);
 
 }  // namespace flaneur

@@ -117,6 +117,25 @@ Quat bag_turn(const Character& c, const Pelvis& pelvis, const JointPose* joints,
     return joints[hung.joint].rotation;
 }
 
+// The pram in the place of a bag, its rear wheels in that of a scarf.
+void push(const Character& c, float scale, const JointPose& pelvis, const PramPlace* pram,
+          std::array<JointPose, k_follower_count>& out) {
+    PramPlace at;
+    if (pram) {
+        at = *pram;
+    } else {
+        const Vec3 ahead = rotate(pelvis.rotation, Vec3{0, 0, 1});
+        const Vec2 way = normalize_or(Vec2{ahead.x, ahead.z}, {0, 1});
+        at.yaw = heading_of(way);
+        at.place = pelvis.position + at_height(way * ((c.body.pram.z + k_pram_behind) * scale),
+                                               -c.body.joints[hips].y * scale);
+    }
+    const Quat turn = pram_rotation(at);
+    out[carried_bag - k_joint_count] = {at.place, turn};
+    out[scarf_end - k_joint_count] = {at.place + rotate(turn, Vec3{0, k_pram_rear * scale, 0}),
+                                      turn * rotation_x(at.wheel)};
+}
+
 bool is_loose(Hair hair) {
     return hair == Hair::ponytail || hair == Hair::long_hair || hair == Hair::shoulder_length;
 }
@@ -124,11 +143,11 @@ bool is_loose(Hair hair) {
 }  // namespace
 
 bool has_followers(const Character& c) {
-    return c.robe_hem > 0 || c.person.bag != Bag::none || is_loose(c.person.hair) || c.person.scarf;
+    return c.person.pram || c.robe_hem > 0 || c.person.bag != Bag::none || is_loose(c.person.hair) || c.person.scarf;
 }
 
 std::array<JointPose, k_follower_count> followers(const Character& c, float scale, const JointPose* joints,
-                                                  const Trail* trail) {
+                                                  const Trail* trail, const PramPlace* pram) {
     const Pelvis pelvis{joints[hips].rotation, conjugate(joints[hips].rotation), trail};
     Quat turns[k_follower_count];
     Vec3 shifts[k_follower_count];
@@ -165,6 +184,7 @@ std::array<JointPose, k_follower_count> followers(const Character& c, float scal
             joint.position + rotate(joint.rotation, arm * scale) + rotate(pelvis.rotation, shifts[f] * scale),
             turns[f]};
     }
+    if (c.person.pram) push(c, scale, joints[hips], pram, out);
     return out;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <span>
 
 #include "assets/outfit.h"
@@ -55,6 +56,14 @@ PeopleFrame::Outfit dress(const World& world, const Character& character, Walker
     return out;
 }
 
+// About the hips, with what is pushed.
+float body_sphere(const Character& character) {
+    const float front = character.body.pram.z + k_pram_behind + k_pram_base + k_pram_front;
+    const float body = k_body_sphere * character.body.height;
+    if (character.body.pram == Vec3{}) return body;
+    return std::max(body, length(Vec3{0.5f * k_pram_track, character.body.joints[hips].y, front}));
+}
+
 constexpr uint32_t k_no_mesh = ~0u;  // nobody is drawn
 constexpr float k_walks = 0.5f;      // amplitude from which a walker is nearer to walking than to standing
 
@@ -73,7 +82,7 @@ PersonMesh extract_character(const Character& character) {
 }
 
 void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
-                    const Trail* trail) {
+                    const Trail* trail, const PramPlace* pram) {
     static_assert(k_palette_joints == k_joint_count + k_follower_count);
     auto write = [&](size_t to, const JointPose& pose, size_t bound, Vec3 place) {
         const Quat turn = pose.rotation * character.bind_to_canonical[bound];
@@ -85,7 +94,7 @@ void pose_character(const Character& character, float scale, const JointPose* jo
         std::fill_n(palette + k_joint_count, k_follower_count, palette[hips]);
         return;
     }
-    const auto hanging = followers(character, scale, joints, trail);
+    const auto hanging = followers(character, scale, joints, trail, pram);
     for (size_t f = 0; f < hanging.size(); ++f) {
         const Hung& hung = character.followers[f];
         write(k_joint_count + f, hanging[f], hung.joint, hung.place);
@@ -111,7 +120,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
             JointPose root = joint_between(world, i, hips, between);
             if (world.roam) set_onto_surface(*world.roam, crowd, i, between, std::span(&root, 1));
             draw.centre = to_glm(root.position);
-            draw.radius = k_body_sphere * character.body.height * crowd.identity.scale[i];
+            draw.radius = body_sphere(character) * crowd.identity.scale[i];
             draw.mesh = crowd.identity.body[i];
             draw.is_upright = !world.roam;
             draw.instance.palette =
@@ -141,10 +150,12 @@ void extract_people(const World& world, const std::vector<Character>& characters
             for (int j = 0; j < k_joint_count; ++j)
                 joints[j] = joint_between(world, i, static_cast<Joint>(j), between);
             const Trail trail = trail_between(world, i, between);
+            const std::optional<PramPlace> pram = pram_between(world, i, between);
             if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
             // Trails do not know how a surface moves under its stage.
             pose_character(characters[crowd.identity.body[i]], crowd.identity.scale[i], joints,
-                           &frame.palette[p * k_palette_joints], world.roam ? nullptr : &trail);
+                           &frame.palette[p * k_palette_joints], world.roam ? nullptr : &trail,
+                           pram && !world.roam ? &*pram : nullptr);
         }
     });
 }

@@ -8,6 +8,7 @@
 #include "sim/crowd/locomotion.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
+#include "sim/pose/pram.h"
 #include "tools/extract/extract.h"
 
 namespace flaneur {
@@ -51,6 +52,7 @@ Walked walk_ahead(const Body& body) {
     std::vector<TrailBlock> trails(1);
     pose_blocks(gait, 0, 1, poses);
     hold_canes(gait, 0, gait.canes.size(), poses);
+    hold_prams(gait, 0, gait.prams.size(), poses);
     const int32_t& swinging = gait.blocks[0].feet[k_left].swinging[0];
     Walked walked;
     for (uint32_t t = 0; t < k_walks_to; ++t) {
@@ -63,6 +65,7 @@ Walked walk_ahead(const Body& body) {
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
+        hold_prams(gait, 0, gait.prams.size(), poses);
         advance_trails(before, poses, 0, 1, k_tick, trails, trails);
         walked.trails.push_back(trail_of(trails, 0));
         if (was_swinging && !swinging) walked.begin = walked.end, walked.end = t;

@@ -32,6 +32,7 @@ Person person_of(const GaitOptions& gait) {
     auto height = static_cast<float>(height_of(gait));
     Person person{standard_body(height), manner_of(who_of(gait))};
     if (gait.cane) person.body.cane = standard_cane(height);
+    if (gait.pram) person.body.pram = standard_pram(person.body);
     person.body.wear = {gait.bag, true};
     free_hands(person.manner, who_of(gait), gait);
     person.hands = gait.style;

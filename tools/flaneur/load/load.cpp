@@ -45,25 +45,36 @@ std::vector<PeopleShare> distinct_people(const Scene& scene) {
     return distinct;
 }
 
-// Fills both: a kind for each character. The built-in people share what they have evenly.
+// Fills both: a kind for each character. The built-in people but for those who push prams share what they have evenly.
 Result<void> add_people(const Options& options, std::vector<Character>& characters,
                         std::vector<Kind>& kinds) {
     const Scene& scene = options.scene;
     kinds.clear();
     for (const PeopleShare& some : distinct_people(scene)) {
         std::vector<Character> added;
+        std::vector<float> shares;
         if (some.character.empty()) {
-            auto made = make_people(draw_population(k_built_in_people, scene.seed), options.threads);
+            std::vector<PersonOptions> people = draw_population(k_built_in_people, scene.seed);
+            const std::vector<Pusher> pushers = draw_pushers(scene.seed);
+            float others = 1;
+            for (const Pusher& pusher : pushers) others -= pusher.share;
+            shares.assign(people.size(), others / static_cast<float>(people.size()));
+            for (const Pusher& pusher : pushers) {
+                people.push_back(pusher.person);
+                shares.push_back(pusher.share);
+            }
+            auto made = make_people(people, options.threads);
             if (!made) return made.error();
             added = std::move(*made);
         } else {
             Result<Character> character = read_character(some.character, options.force);
             if (!character) return character.error();
             added.push_back(std::move(*character));
+            shares = {1};
         }
-        for (Character& c : added) {
-            kinds.push_back(
-                {c.body, some.share / static_cast<float>(added.size()), c.person.age, c.person.woman});
+        for (size_t i = 0; i < added.size(); ++i) {
+            Character& c = added[i];
+            kinds.push_back({c.body, some.share * shares[i], c.person.age, c.person.woman});
             characters.push_back(std::move(c));
         }
     }

@@ -300,6 +300,7 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
                    "Women and men from 4 to 80 years instead, with ten styles each, in every way of walking")
         ->group(k_who);
     command->add_flag("--cane", gait.cane, "Who walks with a cane")->group(k_who);
+    command->add_flag("--pram", gait.pram, "Who pushes a pram")->group(k_who);
     add_parsed(*command, "--bag", parse_bag, gait.bag, "Who carries a backpack, shoulder_bag or handbag",
                "BAG", "")
         ->group(k_who);

@@ -37,7 +37,7 @@ struct GaitOptions {
     double height = 0;  // metres; 0: what people of that age and sex have
     Sex sex = Sex::man;
     double age = 30;
-    bool cane = false;
+    bool cane = false, pram = false;
     Bag bag = Bag::none;
     std::string posture;  // of the hands, that one alone: one of k_posture_names
     double stand = 0;     // seconds that the person stands instead of walking

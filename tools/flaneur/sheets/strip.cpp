@@ -82,7 +82,8 @@ FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall
     const Instant& now = take.walk.ticks[std::min(tick, take.walk.ticks.size() - 1)];
     people.walkers.resize(1);
     people.palette.resize(k_palette_joints);
-    pose_character(character, 1, now.joints.data(), people.palette.data(), &now.trail);
+    pose_character(character, 1, now.joints.data(), people.palette.data(), &now.trail,
+                   now.pram ? &*now.pram : nullptr);
     WalkerDraw& draw = people.walkers[0];
     draw.centre = to_glm(place(now, hips));
     draw.radius = k_body_sphere * character.body.height;
@@ -110,6 +111,7 @@ Result<void> draw_strip(const Options& options, double height, double speed, con
     PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
     who.stick = gait.cane;
     who.bag = gait.bag;
+    who.pram = gait.pram;
     who.age = static_cast<float>(gait.age);
     std::vector<Shown> shown =
         gait.abreast ? twelve_people(gait) : std::vector<Shown>{show(gait, who, manner, speed)};

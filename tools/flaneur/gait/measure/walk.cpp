@@ -11,6 +11,7 @@
 #include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
+#include "sim/pose/pram.h"
 
 namespace flaneur {
 
@@ -128,6 +129,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     std::vector<TrailBlock> trails(1);
     pose_blocks(gait, 0, 1, poses);
     hold_canes(gait, 0, gait.canes.size(), poses);
+    hold_prams(gait, 0, gait.prams.size(), poses);
 
     auto ticks = static_cast<uint32_t>(std::lround(seconds * result.rate));
     for (uint32_t t = 0; t < ticks; ++t) {
@@ -150,6 +152,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
+        hold_prams(gait, 0, gait.prams.size(), poses);
         advance_trails(before, poses, 0, 1, k_tick, trails, trails);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 
@@ -161,6 +164,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
         for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(ground, gait, poses, 0, side);
         now.cane = cane_instant(ground, gait, poses);
+        if (!gait.prams.empty()) now.pram = gait.prams.front().now;
         now.trail = trail_of(trails, 0);
         result.ticks.push_back(now);
     }

@@ -37,7 +37,8 @@ struct Instant {
     float heading = 0;
     std::array<JointPose, k_joint_count> joints;
     FootInstant feet[2];
-    CaneInstant cane;  // of one who has one
+    CaneInstant cane;               // of one who has one
+    std::optional<PramPlace> pram;  // the same
     Trail trail;
 };
 
