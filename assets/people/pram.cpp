@@ -45,8 +45,11 @@ struct Detail {
     bool has_spokes;  // and tyres that are round
     bool has_bars;    // axles, rear legs, a basket
 };
-constexpr std::array<Detail, k_person_levels> k_details = {
-    {{20, 6, 7, true, true}, {14, 4, 5, true, true}, {10, 3, 4, false, true}, {8, 3, 3, false, true}, {6, 3, 2, false, false}}};
+constexpr std::array<Detail, k_person_levels> k_details = {{{20, 6, 7, true, true},
+                                                            {14, 4, 5, true, true},
+                                                            {10, 3, 4, false, true},
+                                                            {8, 3, 3, false, true},
+                                                            {6, 3, 2, false, false}}};
 
 // Puts pieces on the pram, which stands level with the ground between its rear wheels at the origin.
 struct Maker {

@@ -41,9 +41,9 @@ Girth girth_of(const Body& b) {
 }
 
 Vec3 standard_pram(const Body& body) {
-    constexpr float k_cosine = 0.17f;              // of that bend
+    constexpr float k_cosine = 0.30f;                // of that bend
     constexpr float k_over = 0.05f, k_palm = 0.09f;  // metres that wrists are above the handle, and behind it
-    constexpr float k_lean = 0.07f;                // radians, of the trunk
+    constexpr float k_lean = 0.07f;                  // radians, of the trunk
     constexpr float k_nearest = 0.20f;
     Vec3 shoulder = body.joints[left_upper_arm], elbow = body.joints[left_lower_arm];
     float a = length(elbow - shoulder), b = length(body.joints[left_hand] - elbow);

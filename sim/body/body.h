@@ -90,7 +90,7 @@ Body standard_body(float height);
 // (Sainsbury & Mulley, BMJ 284, 1982), and upright when the forearm is raised by 0.4 rad.
 Vec3 standard_cane(float height);
 // Body::pram for a body: a handle at 0.6 of its height, as people like it, from 0.92 to 1.08 m, where both
-// hands reach it with elbows bent by some 80 degrees.
+// hands reach it with elbows bent by some 72 degrees.
 Vec3 standard_pram(const Body& body);
 
 // The body's girth, or what is usual for its height.

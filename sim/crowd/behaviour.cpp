@@ -45,7 +45,8 @@ static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i)
         Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
         bool cheap = is_cheap(surface_of(mesh, place->polygon));
         for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
-            NavPoint moved = move_along(mesh, thread, *place, here + at_height(outward * shift, 0), by_of(c, i));
+            NavPoint moved =
+                move_along(mesh, thread, *place, here + at_height(outward * shift, 0), by_of(c, i));
             if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
             if (!is_clear(mesh, before, moved.position) || !is_clear(mesh, moved.position, corners[k + 1])) {
                 continue;

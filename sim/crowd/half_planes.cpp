@@ -54,8 +54,7 @@ static int solve(const HalfPlane* planes, int count, float most_speed, Vec2 wish
 }
 
 Vec2 best_velocity(const HalfPlane* planes, int count, int firm, float most_speed, Vec2 wish) {
-    constexpr int k_most = 32;
-    assert(count <= k_most);
+    assert(count <= k_most_planes);
     Vec2 v;
     int failed = solve(planes, count, most_speed, wish, false, &v);
     if (failed == count) return v;
@@ -66,7 +65,7 @@ Vec2 best_velocity(const HalfPlane* planes, int count, int firm, float most_spee
     for (int i = failed; i < count; ++i) {
         float trespass = planes[i].offset - dot(v, planes[i].normal);
         if (trespass <= level) continue;
-        HalfPlane equal[k_most];
+        HalfPlane equal[k_most_planes];
         std::copy_n(planes, firm, equal);
         int n = firm;
         for (int j = firm; j < i; ++j) {

@@ -12,9 +12,11 @@ struct HalfPlane {
     float offset = 0;
 };
 
-// The velocity of length <= most_speed nearest to `wish` inside all planes. The first `firm` planes are kept
-// whatever happens (if they can be); where the others cannot all be kept, the largest trespass on them is
-// made smallest.
+inline constexpr int k_most_planes = 64;
+
+// The velocity of length <= most_speed nearest to `wish` inside all planes, k_most_planes at most. The first
+// `firm` planes are kept whatever happens (if they can be); where the others cannot all be kept, the largest
+// trespass on them is made smallest.
 Vec2 best_velocity(const HalfPlane* planes, int count, int firm, float most_speed, Vec2 wish);
 
 }  // namespace flaneur

@@ -39,16 +39,17 @@ float braking_way(float wished) {
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
 static float next_turn_rate(float rate, float to_turn, float speed, float dt, float nimble) {
     float most = nimble * std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
-    float brake = std::sqrt(2 * 0.7f * (nimble * k_turn_acceleration) * std::fabs(to_turn));
+    float brake = std::sqrt(2 * 0.7f * (nimble * nimble * k_turn_acceleration) * std::fabs(to_turn));
     float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
-    float change = nimble * k_turn_acceleration * dt;
+    float change = nimble * nimble * k_turn_acceleration * dt;
     return clamp(wished, rate - change, rate + change);
 }
 
-// `v` turned about the shorter way until it is within k_forward of the heading, `off` being its angle to it.
-static Vec2 turned_forward(Vec2 v, float speed, float heading, float off) {
-    if (std::fabs(off) <= k_forward) return v;
-    return heading_direction(heading + (off > 0 ? k_forward : -k_forward)) * speed;
+// `v` turned about the shorter way until it is within `nimble` k_forward of the heading, `off` being its angle to it.
+static Vec2 turned_forward(Vec2 v, float speed, float heading, float off, float nimble) {
+    const float most = nimble * k_forward;
+    if (std::fabs(off) <= most) return v;
+    return heading_direction(heading + (off > 0 ? most : -most)) * speed;
 }
 
 Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
@@ -75,7 +76,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float n
 
     if (wished > k_any_way) {
         float off = wrap_angle(heading_of(wish) - heading);
-        wish = turned_forward(wish, wished, heading, off);
+        wish = turned_forward(wish, wished, heading, off, nimble);
         float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
         float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
         float left = std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
@@ -88,7 +89,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float n
     float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? k_braking : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
-    if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading));
+    if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading), nimble);
     return {v, heading, rate, aim};
 }
 

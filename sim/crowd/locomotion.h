@@ -31,7 +31,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
 //
-// Turns are as much slower as `nimble` says, for who pushes something.
+// Who pushes something is less `nimble`, 0..1: turns are as much slower, begin and end by its square, and
+// velocity keeps as much nearer to the heading.
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0}, float nimble = 1);
 
 // Speed over the ground plane, m/s, that one who goes at `speed` on the level has on stairs: 0.5-0.6 of one

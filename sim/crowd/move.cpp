@@ -19,7 +19,7 @@ static constexpr float k_sees_coming = 0.6f;  // metres between bodies from whic
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr size_t k_together = 64;      // walkers whose ground is asked for at once
 static constexpr int k_contacts = 48;
-static constexpr float k_pushing = 0.5f;  // how nimble one with a pram is
+static constexpr float k_pushing = 0.35f;  // how nimble one with a pram is
 
 namespace {
 
@@ -37,22 +37,23 @@ struct Contacts {
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
 static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Contacts& out) {
     Vec3 middle = me.position + at_height(me.ahead, 0);
-    for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t k = begin; k < end; ++k) {
-            const Seen& other = c.scratch.sorted[k];
-            Vec2 away = on_ground(middle - other.position);
-            float touching = k_pram_radius + other.radius, d = length(away);
-            if (other.id == me.id || d > touching + k_sees_coming || d < 1e-5f) continue;
-            if (std::fabs(middle.y - other.position.y) > k_other_level) continue;
-            Vec2 direction = away / d;
-            float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
-            float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
-            if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
-                out.brakes[out.brake_count++] = {direction, -nearing};
-            if (d < touching + k_step_reach && out.count < k_contacts)
-                out.planes[out.count++] = {direction, -0.5f * room / k_tick};
-        }
-    });
+    for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming,
+                  [&](uint32_t begin, uint32_t end) {
+                      for (uint32_t k = begin; k < end; ++k) {
+                          const Seen& other = c.scratch.sorted[k];
+                          Vec2 away = on_ground(middle - other.position);
+                          float touching = k_pram_radius + other.radius, d = length(away);
+                          if (other.id == me.id || d > touching + k_sees_coming || d < 1e-5f) continue;
+                          if (std::fabs(middle.y - other.position.y) > k_other_level) continue;
+                          Vec2 direction = away / d;
+                          float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
+                          float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
+                          if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
+                              out.brakes[out.brake_count++] = {direction, -nearing};
+                          if (d < touching + k_step_reach && out.count < k_contacts)
+                              out.planes[out.count++] = {direction, -0.5f * room / k_tick};
+                      }
+                  });
 }
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
@@ -109,9 +110,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Contacts near = contacts_of(c, me, wish);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
-    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
-                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
-                                pushes ? k_pushing : 1.0f);
+    Motion motion =
+        next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
+                    c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0}, pushes ? k_pushing : 1.0f);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;

@@ -9,9 +9,9 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_straightest = 0.99f;                        // of the arm's length
-constexpr float k_palm = 0.36f;                               // forearms, from the wrist to the middle of the palm
-constexpr float k_thick = 0.026f;                             // metres, from the middle of the hand to that of the bar
+constexpr float k_straightest = 0.99f;  // of the arm's length
+constexpr float k_palm = 0.36f;         // forearms, from the wrist to the middle of the palm
+constexpr float k_thick = 0.026f;       // metres, from the middle of the hand to that of the bar
 constexpr float k_down_sine = 0.50f, k_down_cosine = 0.866f;  // of 30 degrees that hands point down
 constexpr float k_elbow_back = 0.35f, k_elbow_out = 0.45f;    // of an elbow that is 1 down
 

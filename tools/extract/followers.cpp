@@ -127,8 +127,8 @@ void push(const Character& c, float scale, const JointPose& pelvis, const PramPl
         const Vec3 ahead = rotate(pelvis.rotation, Vec3{0, 0, 1});
         const Vec2 way = normalize_or(Vec2{ahead.x, ahead.z}, {0, 1});
         at.yaw = heading_of(way);
-        at.place = pelvis.position + at_height(way * ((c.body.pram.z + k_pram_behind) * scale),
-                                               -c.body.joints[hips].y * scale);
+        at.place = pelvis.position +
+                   at_height(way * ((c.body.pram.z + k_pram_behind) * scale), -c.body.joints[hips].y * scale);
     }
     const Quat turn = pram_rotation(at);
     out[carried_bag - k_joint_count] = {at.place, turn};
@@ -143,7 +143,8 @@ bool is_loose(Hair hair) {
 }  // namespace
 
 bool has_followers(const Character& c) {
-    return c.person.pram || c.robe_hem > 0 || c.person.bag != Bag::none || is_loose(c.person.hair) || c.person.scarf;
+    return c.person.pram || c.robe_hem > 0 || c.person.bag != Bag::none || is_loose(c.person.hair) ||
+           c.person.scarf;
 }
 
 std::array<JointPose, k_follower_count> followers(const Character& c, float scale, const JointPose* joints,

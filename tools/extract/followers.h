@@ -15,8 +15,8 @@ bool has_followers(const Character& character);
 
 // Where a character's followers are, at `scale` times its size in a pose: as if it kept still where there is
 // no `trail`. Panels of robes are pushed by the leg that is farther out on their side and fall back after it;
-// the rest lags behind what it hangs on, hanging down along the pelvis. What is pushed is where `pram` says, or
-// stands ahead of the pelvis on level ground.
+// the rest lags behind what it hangs on, hanging down along the pelvis. What is pushed is where `pram` says,
+// or stands ahead of the pelvis on level ground.
 std::array<JointPose, k_follower_count> followers(const Character& character, float scale,
                                                   const JointPose* joints, const Trail* trail,
                                                   const PramPlace* pram = nullptr);

@@ -46,7 +46,7 @@ double speed_of(const GaitOptions& gait) {
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
     for (double other : {0.95, 1.5, 0.6}) reports.push_back(try_level(person, other, gait.seconds));
-    if (!gait.cane) {
+    if (!gait.cane && !gait.pram) {
         for (double other : {2.2, 2.6, 3.1, 4.0, 5.0})
             reports.push_back(try_level(person, other, gait.seconds));
         reports.push_back(try_gaits(person));
@@ -54,12 +54,15 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
     }
     reports.push_back(try_turn(person, speed, 180));
     reports.push_back(try_bends(person, speed));
-    for (bool up : {true, false}) reports.push_back(try_stairs(person, speed, up, gait.riser, gait.tread));
-    if (!gait.cane)
-        for (bool up : {true, false}) reports.push_back(try_stairs(person, 3, up, gait.riser, gait.tread));
+    const bool is_free = !gait.cane && !gait.pram;
+    for (double on_level : {speed, 3.0}) {
+        if (gait.pram || (gait.cane && on_level != speed)) continue;
+        for (bool up : {true, false})
+            reports.push_back(try_stairs(person, on_level, up, gait.riser, gait.tread));
+    }
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));
-    if (!gait.cane)
+    if (is_free)
         for (bool runs : {false, true})
             reports.push_back(try_leap(person, runs ? 3 : speed, runs ? 1.2 : 0.65));
     return reports;
@@ -169,6 +172,8 @@ Result<void> run_gait(const Options& options) {
         return Error{"--cane is for walks, and at that --speed this person runs: say " + std::string(most) +
                      " at most."};
     }
+    if (gait.pram && (gait.cane || !gait.stairs.empty()))
+        return Error{"Who pushes a --pram has no --cane, and takes no --stairs."};
     if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !is_stream(gait.strip))
         return Error{"--strip draws a .png, which " + gait.strip + " is not called."};
     const auto as_file = is_glb ? motion_glb : bvh_text;
