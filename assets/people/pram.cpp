@@ -85,6 +85,9 @@ void add_wheel(Maker& m, const Detail& d, const Colours& c, Vec3 middle, float r
     if (!d.has_spokes) {
         const Turn tyre[] = {{radius * 0.8f, -thick}, {radius, 0}, {radius * 0.8f, thick}};
         m.add(make_turned(frame, tyre, 1, d.around), c.tyre, follower);
+        // As dark as spokes and what is seen between them are on average.
+        const Turn rim[] = {{radius * 0.7f, -1.1f * thick}, {radius * 0.7f, 1.1f * thick}};
+        if (d.has_bars) m.add(make_turned(frame, rim, 1, 8), rgb(0x646567), follower);
         return;
     }
     std::vector<Vec3> path;
@@ -195,8 +198,8 @@ void add_child(Maker& m, const Detail& d, const Colours& c) {
     const Frame head = make_frame({0, 0.700f, 0.130f}, {0, 1, -0.25f}, {0, 0.25f, 1});
     m.add(make_pillow(head, {0.068f, 0.080f, 0.074f}, 1, around, d.rings), rgb(0xffffff), carried_bag,
           Tint::skin);
-    const Frame hat = make_frame({0, 0.728f, 0.112f}, {0, 1, -0.35f}, {0, 0.35f, 1});
-    m.add(make_pillow(hat, {0.076f, 0.068f, 0.078f}, 0.95f, around, d.rings), c.blanket);
+    const Frame hat = make_frame({0, 0.738f, 0.100f}, {0, 1, -0.55f}, {0, 0.55f, 1});
+    m.add(make_pillow(hat, {0.080f, 0.062f, 0.084f}, 0.95f, around, d.rings), c.blanket);
 }
 
 }  // namespace
