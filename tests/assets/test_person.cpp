@@ -303,6 +303,57 @@ TEST(Outfit, HairGreysWithAge) {
     EXPECT_GT(grey_of(80), 190);
 }
 
+TEST(Population, SomePushPrams) {
+    for (uint64_t seed : {1, 2, 3, 30}) {
+        float share = 0;
+        int women = 0, grandparents = 0;
+        for (const Pusher& pusher : draw_pushers(seed)) {
+            const PersonOptions& p = pusher.person;
+            EXPECT_TRUE(p.pram);
+            EXPECT_TRUE(p.bag == Bag::none && !p.stick && !p.phone && !p.scarf) << "both hands";
+            const bool is_old = p.age > 45;
+            EXPECT_TRUE(is_old ? p.age >= 55 && p.age <= 70 : p.age >= 22) << p.age;
+            women += p.woman && !is_old, grandparents += is_old;
+            share += pusher.share;
+        }
+        EXPECT_EQ(women, 1);
+        EXPECT_EQ(grandparents, 1);
+        EXPECT_NEAR(share, 0.015f, 0.005f);
+    }
+    for (const PersonOptions& p : draw_population(50, 7)) EXPECT_FALSE(p.pram);
+}
+
+// On each level it is as long, stands on the ground and has a handle where the simulation is told.
+TEST(Person, PramsAreWholeOnEachLevel) {
+    for (bool woman : {true, false}) {
+        PersonOptions options{.seed = 5, .height = woman ? 1.6f : 1.85f, .woman = woman};
+        EXPECT_EQ(generate_person(options).body.pram, Vec3{});
+        options.pram = true;
+        const Character person = generate_person(options);
+        const Vec3 handle = person.body.pram;
+        ASSERT_GE(person.lods.size(), 4u);
+        for (const auto& level : person.lods) {
+            Vec3 low{9, 9, 9}, high{-9, -9, -9};
+            for (uint32_t i : level) {
+                const CharacterVertex& v = person.vertices[i];
+                const bool pushed = v.hung_weights[0] == 255 &&
+                                    (v.hung_joints[0] == carried_bag || v.hung_joints[0] == scarf_end);
+                if (!pushed) continue;
+                low = {std::min(low.x, v.position.x), std::min(low.y, v.position.y),
+                       std::min(low.z, v.position.z)};
+                high = {std::max(high.x, v.position.x), std::max(high.y, v.position.y),
+                        std::max(high.z, v.position.z)};
+            }
+            const size_t triangles = level.size() / 3;
+            EXPECT_NEAR(high.z - low.z, 0.96f, 0.06f) << triangles;
+            EXPECT_NEAR(high.x - low.x, 0.54f, 0.05f) << triangles;
+            EXPECT_NEAR(low.y, 0, 0.02f) << triangles;
+            EXPECT_NEAR(high.y, handle.y, 0.03f) << triangles;
+            EXPECT_NEAR(low.z, handle.z, 0.04f) << triangles;
+        }
+    }
+}
+
 // The simulation is told where the tip of a stick is: the lowest of it that the hand carries.
 TEST(Person, TellsWhereTheTipOfItsStickIs) {
     for (float height : {1.5f, 1.8f}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string_view>
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
@@ -53,6 +54,13 @@ Report finished(Report report, const std::vector<Bar>& bars) {
 Report finished(Report report, std::vector<Bar> bars, const Person& person, bool is_level) {
     if (person.body.cane != Vec3{})
         for (const Bar& bar : cane_bars(is_level)) bars.push_back(bar);
+    // Arms that hold a handle do not swing.
+    if (person.body.pram != Vec3{})
+        std::erase_if(bars, [](const Bar& bar) {
+            const std::string_view name = bar.quantity;
+            return name.starts_with("upper_arm") || name.starts_with("elbow") || name.starts_with("arm_") ||
+                   name == "jerk_wrist.m_s3";
+        });
     return finished(std::move(report), bars);
 }
 
