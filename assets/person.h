@@ -46,7 +46,7 @@ struct PersonOptions {
     Bag bag = Bag::none;
     bool glasses = false, scarf = false, headphones = false;
     bool phone = false, stick = false;  // in the right hand, one of them
-    bool pram = false;                  // pushes one, with both hands: neither of those then, nor a bag or scarf
+    bool pram = false;  // pushes one, with both hands: neither of those then, nor a bag or scarf
 };
 
 }  // namespace flaneur

@@ -13,8 +13,8 @@ namespace flaneur {
 // same arguments give the same people, and fewer people are the first of more.
 std::vector<PersonOptions> draw_population(uint32_t count, uint64_t seed);
 
-// Who of a street pushes a pram: of women and of men of 22 to 45 years one in k_pushing each, and now and then
-// a grandparent of 55 to 70. Three people; `share` is how many they each are of all walkers. They carry
+// Who of a street pushes a pram: of women and of men of 22 to 45 years one in k_pushing each, and now and
+// then a grandparent of 55 to 70. Three people; `share` is how many they each are of all walkers. They carry
 // nothing else, and wear no scarf.
 struct Pusher {
     PersonOptions person;

@@ -184,9 +184,9 @@ bool has_arrived(const Crowd& crowd, uint32_t walker);
 
 // The walkers who share a body.
 struct Folk {
-    float share = 1;       // of all walkers, against the others' shares
-    float speed = 1.34f;   // the mean that they prefer, metres a second
-    float most = 1.9f;     // nobody prefers to go faster
+    float share = 1;                  // of all walkers, against the others' shares
+    float speed = 1.34f;              // the mean that they prefer, metres a second
+    float most = 1.9f;                // nobody prefers to go faster
     float stair_pace = 1, ahead = 0;  // see CrowdIdentity
 };
 

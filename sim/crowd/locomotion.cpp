@@ -45,7 +45,8 @@ static float next_turn_rate(float rate, float to_turn, float speed, float dt, fl
     return clamp(wished, rate - change, rate + change);
 }
 
-// `v` turned about the shorter way until it is within `nimble` k_forward of the heading, `off` being its angle to it.
+// `v` turned about the shorter way until it is within `nimble` k_forward of the heading, `off` being its
+// angle to it.
 static Vec2 turned_forward(Vec2 v, float speed, float heading, float off, float nimble) {
     const float most = nimble * k_forward;
     if (std::fabs(off) <= most) return v;

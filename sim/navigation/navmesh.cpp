@@ -68,8 +68,8 @@ int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* co
     const dtNavMeshQuery& query = *m.queries[thread];
     dtPolyRef polygons[k_most_polygons];
     int count = 0;
-    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &filter_of(m, by), polygons,
-                   &count, k_most_polygons);
+    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &filter_of(m, by),
+                   polygons, &count, k_most_polygons);
     if (count == 0 || capacity <= 0) return 0;
     Vec3 end = to.position;
     if (polygons[count - 1] != to.polygon) {
@@ -110,9 +110,9 @@ NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by)
     NavPoint result = from;
     dtPolyRef visited[k_most_visited];
     int count = 0;
-    dtStatus status =
-        m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to), &filter_of(m, by),
-                                            floats(result.position), visited, &count, k_most_visited);
+    dtStatus status = m.queries[thread]->moveAlongSurface(from.polygon, floats(from.position), floats(to),
+                                                          &filter_of(m, by), floats(result.position), visited,
+                                                          &count, k_most_visited);
     if (dtStatusFailed(status) || count == 0) return from;
     result.polygon = visited[count - 1];
     return result;

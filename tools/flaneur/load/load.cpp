@@ -45,7 +45,8 @@ std::vector<PeopleShare> distinct_people(const Scene& scene) {
     return distinct;
 }
 
-// Fills both: a kind for each character. The built-in people but for those who push prams share what they have evenly.
+// Fills both: a kind for each character. The built-in people but for those who push prams share what they
+// have evenly.
 Result<void> add_people(const Options& options, std::vector<Character>& characters,
                         std::vector<Kind>& kinds) {
     const Scene& scene = options.scene;
