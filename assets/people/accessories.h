@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assets/people/shape.h"
-#include "assets/people/solid.h"
+#include "assets/people/shapes/solid.h"
 
 namespace flaneur {
 

@@ -6,10 +6,10 @@
 #include "assets/people/accessories.h"
 #include "assets/people/face.h"
 #include "assets/people/lods.h"
-#include "assets/people/mesh.h"
 #include "assets/people/parts.h"
 #include "assets/people/pram.h"
 #include "assets/people/shape.h"
+#include "assets/people/shapes/mesh.h"
 #include "assets/people/skin.h"
 
 namespace flaneur {

@@ -5,7 +5,7 @@
 
 #include "assets/colour.h"
 #include "assets/people/shape.h"
-#include "assets/people/solid.h"
+#include "assets/people/shapes/solid.h"
 #include "sim/base/rng.h"
 #include "sim/body/pram.h"
 

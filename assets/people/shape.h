@@ -4,7 +4,7 @@
 #pragma once
 
 #include "assets/character.h"
-#include "assets/people/field.h"
+#include "assets/people/shapes/field.h"
 
 namespace flaneur {
 

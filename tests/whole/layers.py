@@ -29,7 +29,8 @@ assets/terrain: assets/files, sim/base
 assets: sim/base, sim/body, sim/crowd, sim/ground, sim/surface
 assets/plan: assets, sim/base
 assets/props: assets, sim/base
-assets/people: assets, sim/base
+assets/people/shapes: sim/base
+assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base

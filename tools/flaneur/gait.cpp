@@ -46,7 +46,8 @@ double speed_of(const GaitOptions& gait) {
 std::vector<Report> every_trial(const Person& person, double speed, const GaitOptions& gait) {
     std::vector<Report> reports{try_level(person, speed, gait.seconds)};
     for (double other : {0.95, 1.5, 0.6}) reports.push_back(try_level(person, other, gait.seconds));
-    if (!gait.cane && !gait.pram) {
+    const bool is_free = !gait.cane && !gait.pram;
+    if (is_free) {
         for (double other : {2.2, 2.6, 3.1, 4.0, 5.0})
             reports.push_back(try_level(person, other, gait.seconds));
         reports.push_back(try_gaits(person));
@@ -54,7 +55,6 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
     }
     reports.push_back(try_turn(person, speed, 180));
     reports.push_back(try_bends(person, speed));
-    const bool is_free = !gait.cane && !gait.pram;
     for (double on_level : {speed, 3.0}) {
         if (gait.pram || (gait.cane && on_level != speed)) continue;
         for (bool up : {true, false})

@@ -6,6 +6,7 @@
 #include "assets/outfit.h"
 #include "assets/population.h"
 #include "sim/base/levels.h"
+#include "sim/base/math.h"
 #include "tools/extract/convert.h"
 #include "tools/flaneur/gait/people/who.h"
 #include "tools/flaneur/output/output.h"
@@ -65,6 +66,11 @@ Camera camera_on(const Take& take, const Instant& now, double moment, float tall
     float climbed = lerp(height_at(take.first), height_at(take.last), static_cast<float>(moment));
     constexpr float k_away = 12, k_above = 0.6f, k_any = 50;
     Vec3 target{now.root.x, climbed + 0.47f * tall, now.root.z};
+    // A pram reaches farther ahead than one is wide.
+    if (take.walk.body.pram != Vec3{}) {
+        tall *= 1.5f;
+        target += at_height(heading_direction(now.heading) * 0.6f, 0);
+    }
     Vec3 eye = target + (view == StripView::side ? Vec3{-k_away, k_above, 0} : Vec3{0, k_above, k_away});
     if (auto hit = ground_at(take.ground, eye, k_any, k_any)) eye.y = std::max(eye.y, hit->height + k_above);
     Camera camera;

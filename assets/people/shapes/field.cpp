@@ -1,4 +1,4 @@
-#include "assets/people/field.h"
+#include "assets/people/shapes/field.h"
 
 #include <algorithm>
 

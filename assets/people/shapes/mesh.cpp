@@ -1,4 +1,4 @@
-#include "assets/people/mesh.h"
+#include "assets/people/shapes/mesh.h"
 
 #include <meshoptimizer.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "assets/people/field.h"
+#include "assets/people/shapes/field.h"
 
 namespace flaneur {
 

@@ -1,4 +1,4 @@
-#include "assets/people/solid.h"
+#include "assets/people/shapes/solid.h"
 
 #include <cmath>
 
