@@ -65,7 +65,7 @@ void step_bodies(World& w) {
                      [&](size_t begin, size_t end, int) {
                          hold_canes(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
                      });
-        hold_prams(w.gait, 0, w.gait.prams.size(), w.poses);
+        hold_prams(w.gait, 0, w.gait.prams.size(), k_tick, w.previous_poses, w.poses);
         w.previous_trails.swap(w.trails);
         parallel_for(*w.workers, w.poses.size(), k_blocks_a_chunk, [&](size_t begin, size_t end, int) {
             advance_trails(w.previous_poses, w.poses, begin, end, k_tick, w.previous_trails, w.trails);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/math.h"
+#include "sim/pose/arm.h"
 #include "sim/pose/joint_limits.h"
 
 namespace flaneur {
@@ -17,31 +18,6 @@ constexpr float k_most_outward = 0.8f;                         // radians that a
 constexpr float k_outward_from = -0.35f, k_outward_to = 0.4f;  // by the bend, less its cosine
 constexpr float k_ahead = 0.25f, k_down = 0.4f;                // arms, of the wrist from the shoulder
 constexpr float k_farthest = 0.6f;                             // arms that the wrist is moved
-
-// The lane of one walker.
-template <class Block>
-struct PosedAt {
-    Block& block;
-    size_t lane;
-
-    Vec3 place_os(int j) const {
-        const auto& p = block.position[j];
-        return {p[0][lane], p[1][lane], p[2][lane]};
-    }
-    Quat rotation(int j) const {
-        const auto& q = block.rotation[j];
-        return {q[0][lane], q[1][lane], q[2][lane], q[3][lane]};
-    }
-    void set(int j, Vec3 p, Quat q) {
-        const float place[] = {p.x, p.y, p.z}, turn[] = {q.x, q.y, q.z, q.w};
-        for (size_t i = 0; i < 3; ++i) block.position[j][i][lane] = place[i];
-        for (size_t i = 0; i < 4; ++i) block.rotation[j][i][lane] = turn[i];
-    }
-    Vec3 origin() const { return {block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]}; }
-};
-
-using Posed = PosedAt<PoseBlock>;
-using PosedBefore = PosedAt<const PoseBlock>;
 
 // On the sphere of `cane` round the tip, as near to `wanted` as the shoulder's distance from it may be within
 // [least, most]: on the circle where both spheres meet. Where they do not, on the line to the shoulder.
@@ -91,49 +67,6 @@ void move_wrist(Posed& pose, Vec3 to, float held) {
     pose.set(right_upper_arm, shoulder, normalize(turn * upper));
     pose.set(right_lower_arm, new_elbow, normalize(new_lower));
     pose.set(right_hand, new_elbow + rotate(turn, forearm) * b, normalize(turn * bend * hand));
-}
-
-// A hand against its forearm, bent no farther than a wrist is.
-Quat within_wrist(Quat hand_ps) {
-    static const float k_side = sin_cos((joint_limits::k_wrist.side.high - 1) * k_radians).sine;
-    static const SinCos k_bend = sin_cos((joint_limits::k_wrist.bend.high - 1) * k_radians);
-    Vec3 along = rotate(hand_ps, Vec3{0, -1, 0});
-    float x = clamp(along.x, -k_side, k_side), rest = std::sqrt(1 - x * x);
-    float most = k_bend.sine * rest;
-    float z = along.y < -k_bend.cosine * rest ? clamp(along.z, -most, most) : (along.z < 0 ? -most : most);
-    Vec3 to{x, -std::sqrt(std::max(rest * rest - z * z, 0.0f)), z};
-    if (x == along.x && z == along.z) return hand_ps;
-    return rotation_between(along, normalize_or(to, {0, -1, 0})) * hand_ps;
-}
-
-Quat against_parent(const auto& pose, int j) {
-    return conjugate(pose.rotation(k_joint_parents[static_cast<size_t>(j)])) * pose.rotation(j);
-}
-
-// Sets the joints of the arm anew, below the chest, all a part of the way from where they were.
-void slow_down(const PosedBefore& before, Posed& now, float part) {
-    Quat was_above = now.rotation(right_shoulder), above = was_above;
-    Vec3 was_at = now.place_os(right_upper_arm), at = was_at;
-    for (int j = right_upper_arm; j <= right_hand; ++j) {
-        Quat was = now.rotation(j);
-        Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
-        if (j > right_upper_arm) at += rotate(above, bone);
-        was_at = now.place_os(j);
-        Quat turn_ps = nlerp(against_parent(before, j), conjugate(was_above) * was, part);
-        above = normalize(above * (j == right_hand ? within_wrist(turn_ps) : turn_ps));
-        was_above = was;
-        now.set(j, at, above);
-    }
-}
-
-// The part of their way that the joints of the arm go if the fastest turns by `most` radians.
-float part_within(const PosedBefore& before, const Posed& now, float most) {
-    float farthest = most;
-    for (int j = right_upper_arm; j <= right_hand; ++j) {
-        float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
-        farthest = std::max(farthest, 2 * arccos(same));
-    }
-    return most / farthest;
 }
 
 void hold(const Cane& cane, Posed pose, float part) {
@@ -207,10 +140,8 @@ void hold_canes(const Gait& gait, size_t begin, size_t end, float dt, const std:
     const float most = 0.9f * k_fastest_walking * dt;
     for (size_t i = begin; i < end; ++i) {
         size_t walker = gait.canes[i].walker;
-        Posed now{poses[walker / k_block], walker % k_block};
-        PosedBefore then{before[walker / k_block], walker % k_block};
-        float part = part_within(then, now, most);
-        if (part < 1) slow_down(then, now, part);
+        slow_arm({before[walker / k_block], walker % k_block}, {poses[walker / k_block], walker % k_block},
+                 k_right, most);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/pose/arm.h"
+#include "sim/pose/joint_limits.h"
 
 namespace flaneur {
 
@@ -14,27 +16,6 @@ constexpr float k_palm = 0.36f;         // forearms, from the wrist to the middl
 constexpr float k_thick = 0.026f;       // metres, from the middle of the hand to that of the bar
 constexpr float k_down_sine = 0.50f, k_down_cosine = 0.866f;  // of 30 degrees that hands point down
 constexpr float k_elbow_back = 0.35f, k_elbow_out = 0.45f;    // of an elbow that is 1 down
-
-// One walker's lane of the poses.
-struct Posed {
-    PoseBlock& block;
-    size_t lane;
-
-    Vec3 place_os(int j) const {
-        const auto& p = block.position[j];
-        return {p[0][lane], p[1][lane], p[2][lane]};
-    }
-    Quat rotation(int j) const {
-        const auto& q = block.rotation[j];
-        return {q[0][lane], q[1][lane], q[2][lane], q[3][lane]};
-    }
-    void set(int j, Vec3 p, Quat q) {
-        const float place[] = {p.x, p.y, p.z}, turn[] = {q.x, q.y, q.z, q.w};
-        for (size_t i = 0; i < 3; ++i) block.position[j][i][lane] = place[i];
-        for (size_t i = 0; i < 4; ++i) block.rotation[j][i][lane] = turn[i];
-    }
-    Vec3 origin() const { return {block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]}; }
-};
 
 // Turns -y along `bone`, and +z as near to `front` as that allows.
 Quat bone_rotation(Vec3 bone, Vec3 front) {
@@ -69,7 +50,8 @@ void hold(const Pram& pram, Posed pose, Side side) {
     lower_ws = normalize(lower_ws * rotation_y(0.5f * wrap_angle(2 * arctan2(twist.y, twist.w))));
     pose.set(first, shoulder, upper_ws);
     pose.set(first + 1, shoulder + elbow, lower_ws);
-    pose.set(first + 2, shoulder + end, wrist.rotation);
+    Quat hand_ps = within_wrist(conjugate(lower_ws) * wrist.rotation);
+    pose.set(first + 2, shoulder + end, normalize(lower_ws * hand_ps));
 }
 
 }  // namespace
@@ -88,6 +70,17 @@ void hold_prams(const Gait& gait, size_t begin, size_t end, std::vector<PoseBloc
         const Pram& pram = gait.prams[i];
         for (Side side : {k_left, k_right})
             hold(pram, {poses[pram.walker / k_block], pram.walker % k_block}, side);
+    }
+}
+
+void hold_prams(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
+                std::vector<PoseBlock>& poses) {
+    hold_prams(gait, begin, end, poses);
+    // A hand that is then held within its wrist's range turns a little farther.
+    const float most = 0.9f * k_fastest_walking * dt;
+    for (size_t i = begin; i < end; ++i) {
+        size_t block = gait.prams[i].walker / k_block, lane = gait.prams[i].walker % k_block;
+        for (Side side : {k_left, k_right}) slow_arm({before[block], lane}, {poses[block], lane}, side, most);
     }
 }
 

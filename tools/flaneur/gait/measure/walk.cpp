@@ -152,7 +152,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
-        hold_prams(gait, 0, gait.prams.size(), poses);
+        hold_prams(gait, 0, gait.prams.size(), k_tick, before, poses);
         advance_trails(before, poses, 0, 1, k_tick, trails, trails);
         result.hash = hash_bytes(result.hash, poses.data(), sizeof(PoseBlock));
 

@@ -1,0 +1,50 @@
+#include "sim/pose/arm.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/pose/joint_limits.h"
+
+namespace flaneur {
+
+Quat within_wrist(Quat hand_ps) {
+    static const float k_side = sin_cos((joint_limits::k_wrist.side.high - 1) * k_radians).sine;
+    static const SinCos k_bend = sin_cos((joint_limits::k_wrist.bend.high - 1) * k_radians);
+    Vec3 along = rotate(hand_ps, Vec3{0, -1, 0});
+    float x = clamp(along.x, -k_side, k_side), rest = std::sqrt(1 - x * x);
+    float most = k_bend.sine * rest;
+    float z = along.y < -k_bend.cosine * rest ? clamp(along.z, -most, most) : (along.z < 0 ? -most : most);
+    Vec3 to{x, -std::sqrt(std::max(rest * rest - z * z, 0.0f)), z};
+    if (x == along.x && z == along.z) return hand_ps;
+    return rotation_between(along, normalize_or(to, {0, -1, 0})) * hand_ps;
+}
+
+static Quat against_parent(const auto& pose, int j) {
+    return conjugate(pose.rotation(k_joint_parents[static_cast<size_t>(j)])) * pose.rotation(j);
+}
+
+void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
+    const int first = side == k_left ? left_upper_arm : right_upper_arm, last = first + 2;
+    float farthest = 0;
+    for (int j = first; j <= last; ++j) {
+        float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
+        farthest = std::max(farthest, 2 * arccos(same));
+    }
+    if (farthest <= most) return;
+    const float part = most / farthest;
+    Quat was_above = now.rotation(first - 1), above = was_above;
+    Vec3 was_at = now.place_os(first), at = was_at;
+    for (int j = first; j <= last; ++j) {
+        Quat was = now.rotation(j);
+        Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
+        if (j > first) at += rotate(above, bone);
+        was_at = now.place_os(j);
+        Quat turn_ps = nlerp(against_parent(before, j), conjugate(was_above) * was, part);
+        above = normalize(above * (j == last ? within_wrist(turn_ps) : turn_ps));
+        was_above = was;
+        now.set(j, at, above);
+    }
+}
+
+}  // namespace flaneur

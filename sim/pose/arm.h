@@ -1,0 +1,40 @@
+// Arms of single walkers that are set anew after the kernels, for what they hold.
+#pragma once
+
+#include "sim/pose/pose.h"
+
+namespace flaneur {
+
+// The lane of one walker.
+template <class Block>
+struct PosedAt {
+    Block& block;
+    size_t lane;
+
+    Vec3 place_os(int j) const {
+        const auto& p = block.position[j];
+        return {p[0][lane], p[1][lane], p[2][lane]};
+    }
+    Quat rotation(int j) const {
+        const auto& q = block.rotation[j];
+        return {q[0][lane], q[1][lane], q[2][lane], q[3][lane]};
+    }
+    void set(int j, Vec3 p, Quat q) {
+        const float place[] = {p.x, p.y, p.z}, turn[] = {q.x, q.y, q.z, q.w};
+        for (size_t i = 0; i < 3; ++i) block.position[j][i][lane] = place[i];
+        for (size_t i = 0; i < 4; ++i) block.rotation[j][i][lane] = turn[i];
+    }
+    Vec3 origin() const { return {block.origin[0][lane], block.origin[1][lane], block.origin[2][lane]}; }
+};
+
+using Posed = PosedAt<PoseBlock>;
+using PosedBefore = PosedAt<const PoseBlock>;
+
+// A hand against its forearm, bent no farther than a wrist is.
+Quat within_wrist(Quat hand_ps);
+
+// Brings the joints of an arm, below the chest, a part of the way from where they were to where they are, so
+// that none of them turns by more than `most` radians.
+void slow_arm(const PosedBefore& before, Posed now, Side side, float most);
+
+}  // namespace flaneur
