@@ -116,7 +116,7 @@ void let_go(HandBlock& hand, int lane, Vec2 velocity, float dt) {
 
 // Slowly at both ends, fastest half way.
 void move_reach(float& reach, bool touches, float dt) {
-    float step = 2.6f * (0.25f + 3 * reach * (1 - reach)) * dt;
+    float step = 2.2f * (0.25f + 3 * reach * (1 - reach)) * dt;
     reach = clamp(touches ? reach + step : reach - step, 0, 1);
 }
 

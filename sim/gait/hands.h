@@ -18,7 +18,7 @@ struct Stepper;
 //
 // Only one hand of a walker reaches, that on the nearer side, never across the body. Its place is on the
 // wall's plane while `reach` is near 1, and moves no faster than the walker and 0.6 m/s; `reach` rises and
-// falls within some 0.6 s, slowly at both ends. The hand lets go of a wall that ends, turns away, or is
+// falls within some 0.7 s, slowly at both ends. The hand lets go of a wall that ends, turns away, or is
 // walked along too fast, and its place then goes along with the walker.
 void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                      uint64_t seed, uint32_t tick, float dt);

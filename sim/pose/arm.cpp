@@ -24,15 +24,27 @@ static Quat against_parent(const auto& pose, int j) {
     return conjugate(pose.rotation(k_joint_parents[static_cast<size_t>(j)])) * pose.rotation(j);
 }
 
-void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
-    const int first = side == k_left ? left_upper_arm : right_upper_arm, last = first + 2;
-    float farthest = 0;
-    for (int j = first; j <= last; ++j) {
-        float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
-        farthest = std::max(farthest, 2 * arccos(same));
+static bool is_within(DegreeSpan span, float angle) {
+    return angle > (span.low + 0.5f) * k_radians && angle < (span.high - 0.5f) * k_radians;
+}
+
+static int upper_arm_of(Side side) { return side == k_left ? left_upper_arm : right_upper_arm; }
+
+bool is_sound(const Posed& pose, Side side) {
+    const JointLimits limits[] = {joint_limits::k_shoulder, joint_limits::k_elbow, joint_limits::k_wrist};
+    const float mirror = side == k_left ? -1.0f : 1.0f;  // limits are a right arm's
+    for (int i = 0; i < 3; ++i) {
+        Quat turn = against_parent(pose, upper_arm_of(side) + i);
+        Vec3 along = rotate(turn, Vec3{0, -1, 0});
+        if (!is_within(limits[i].twist, mirror * wrap_angle(2 * arctan2(turn.y, turn.w)))) return false;
+        if (!is_within(limits[i].bend, arctan2(along.z, -along.y))) return false;
+        if (!is_within(limits[i].side, mirror * (arccos(along.x) - k_pi / 2))) return false;
     }
-    if (farthest <= most) return;
-    const float part = most / farthest;
+    return true;
+}
+
+void part_arm(const PosedBefore& before, Posed now, Side side, float part) {
+    const int first = upper_arm_of(side), last = first + 2;
     Quat was_above = now.rotation(first - 1), above = was_above;
     Vec3 was_at = now.place_os(first), at = was_at;
     for (int j = first; j <= last; ++j) {
@@ -45,6 +57,15 @@ void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
         was_above = was;
         now.set(j, at, above);
     }
+}
+
+void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {
+    float farthest = 0;
+    for (int j = upper_arm_of(side); j <= upper_arm_of(side) + 2; ++j) {
+        float same = std::min(std::fabs(dot(against_parent(before, j), against_parent(now, j))), 1.0f);
+        farthest = std::max(farthest, 2 * arccos(same));
+    }
+    if (farthest > most) part_arm(before, now, side, most / farthest);
 }
 
 }  // namespace flaneur

@@ -33,8 +33,12 @@ using PosedBefore = PosedAt<const PoseBlock>;
 // A hand against its forearm, bent no farther than a wrist is.
 Quat within_wrist(Quat hand_ps);
 
-// Brings the joints of an arm, below the chest, a part of the way from where they were to where they are, so
-// that none of them turns by more than `most` radians.
+// Whether an arm is as arms go, half a degree within its joints' limits.
+bool is_sound(const Posed& pose, Side side);
+
+// Brings the joints of an arm, below the chest, so far from where they were to where they are.
+void part_arm(const PosedBefore& before, Posed now, Side side, float part);
+// The same, as far as none of them turns by more than `most` radians.
 void slow_arm(const PosedBefore& before, Posed now, Side side, float most);
 
 }  // namespace flaneur

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "sim/base/math.h"
 #include "sim/pose/arm.h"
@@ -90,24 +89,6 @@ void hold(const Cane& cane, Posed pose, float part) {
     pose.set(right_hand, end, normalize(lower * within_wrist(conjugate(lower) * turn * hand)));
 }
 
-bool is_within(DegreeSpan span, float angle) {
-    return angle > (span.low + 0.5f) * k_radians && angle < (span.high - 0.5f) * k_radians;
-}
-
-// Whether the right arm is as arms go.
-bool is_sound(const Posed& pose) {
-    for (auto [j, limits] : {std::pair{right_upper_arm, joint_limits::k_shoulder},
-                             {right_lower_arm, joint_limits::k_elbow},
-                             {right_hand, joint_limits::k_wrist}}) {
-        Quat turn = conjugate(pose.rotation(k_joint_parents[j])) * pose.rotation(j);
-        Vec3 along = rotate(turn, Vec3{0, -1, 0});
-        if (!is_within(limits.twist, wrap_angle(2 * arctan2(turn.y, turn.w)))) return false;
-        if (!is_within(limits.bend, arctan2(along.z, -along.y))) return false;
-        if (!is_within(limits.side, arccos(along.x) - k_pi / 2)) return false;
-    }
-    return true;
-}
-
 // As far as the arm can.
 void hold(const Cane& cane, Posed pose) {
     if (cane.held == 0) return;
@@ -119,7 +100,7 @@ void hold(const Cane& cane, Posed pose) {
     }
     for (float part : {1.0f, 0.75f, 0.5f, 0.25f}) {
         hold(cane, pose, part);
-        if (is_sound(pose)) return;
+        if (is_sound(pose, k_right)) return;
         for (int j = 0; j < 3; ++j) pose.set(right_upper_arm + j, place[j], rotation[j]);
     }
 }

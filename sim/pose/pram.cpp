@@ -54,6 +54,19 @@ void hold(const Pram& pram, Posed pose, Side side) {
     pose.set(first + 2, shoulder + end, normalize(lower_ws * hand_ps));
 }
 
+// As far as the arm can: on steep ways a handle may be where none goes.
+void hold(const Pram& pram, PoseBlock& block, size_t lane, Side side) {
+    const PoseBlock swung = block;
+    hold(pram, {block, lane}, side);
+    if (is_sound({block, lane}, side)) return;
+    const PoseBlock held = block;
+    for (float part : {0.75f, 0.5f, 0.25f, 0.0f}) {
+        block = held;
+        part_arm({swung, lane}, {block, lane}, side, part);
+        if (is_sound({block, lane}, side)) return;
+    }
+}
+
 }  // namespace
 
 JointPose wrist_on_handle(const Pram& pram, Side side, float forearm) {
@@ -69,7 +82,7 @@ void hold_prams(const Gait& gait, size_t begin, size_t end, std::vector<PoseBloc
     for (size_t i = begin; i < end; ++i) {
         const Pram& pram = gait.prams[i];
         for (Side side : {k_left, k_right})
-            hold(pram, {poses[pram.walker / k_block], pram.walker % k_block}, side);
+            hold(pram, poses[pram.walker / k_block], pram.walker % k_block, side);
     }
 }
 
@@ -77,7 +90,7 @@ void hold_prams(const Gait& gait, size_t begin, size_t end, float dt, const std:
                 std::vector<PoseBlock>& poses) {
     hold_prams(gait, begin, end, poses);
     // A hand that is then held within its wrist's range turns a little farther.
-    const float most = 0.9f * k_fastest_walking * dt;
+    const float most = 0.7f * k_fastest_walking * dt;
     for (size_t i = begin; i < end; ++i) {
         size_t block = gait.prams[i].walker / k_block, lane = gait.prams[i].walker % k_block;
         for (Side side : {k_left, k_right}) slow_arm({before[block], lane}, {poses[block], lane}, side, most);

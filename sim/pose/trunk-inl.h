@@ -86,8 +86,9 @@ HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror,
                                Q4<T>& hand_ws) {
     V3<T> normal_ws{at<T>(hand.normal_x + lane), T(0.0f), at<T>(hand.normal_z + lane)};
     T cosine = normal_ws.x * T(-mirror), sine = normal_ws.z * T(mirror);
-    T c = sqrt(max((T(1.0f) + cosine) * T(0.5f), T(1e-6f)));
-    T s = T(0.5f) * sine / c;
+    T c = sqrt(max((T(1.0f) + cosine) * T(0.5f), T(0.0f))),
+      s = sqrt(max((T(1.0f) - cosine) * T(0.5f), T(0.0f)));
+    s = select(sine < T(0.0f), T(0.0f) - s, s);
     Q4<T> up_ws = normalize(Q4<T>{s * T(mirror), T(0.0f), c * T(mirror), T(0.0f)});
     hand_ws = turned_x(up_ws, SinCosOf<T>{T(0.0f - k_finger_tilt_sine), T(k_finger_tilt_cosine)});
     V3<T> fingers_ws = rotate(hand_ws, V3<T>{T(0.0f), T(-1.0f), T(0.0f)});
@@ -95,12 +96,16 @@ HWY_INLINE V3<T> wrist_on_wall(const HandBlock& hand, size_t lane, float mirror,
     return palm_os + normal_ws * T(k_palm_thickness) - fingers_ws * palm;
 }
 
-// `b` where `t` is 1, `a` where it is 0, by the shorter way.
+// `b` where `t` is 1, `a` where it is 0.
 template <class T>
 HWY_INLINE Q4<T> nlerp(Q4<T> a, Q4<T> b, T t) {
-    T sign = select(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < T(0.0f), T(-1.0f), T(1.0f));
-    T r = t * sign, s = T(1.0f) - t;
-    return normalize(Q4<T>{a.x * s + b.x * r, a.y * s + b.y * r, a.z * s + b.z * r, a.w * s + b.w * r});
+    T s = T(1.0f) - t;
+    return normalize(Q4<T>{a.x * s + b.x * t, a.y * s + b.y * t, a.z * s + b.z * t, a.w * s + b.w * t});
+}
+template <class T>
+HWY_INLINE Q4<T> negated_if_negative(T value, Q4<T> q) {
+    T sign = select(value < T(0.0f), T(-1.0f), T(1.0f));
+    return {q.x * sign, q.y * sign, q.z * sign, q.w * sign};
 }
 
 // Half the yaw of the elbow's plane while the arm hangs, and its sine when the hand is on a wall, and how
@@ -147,16 +152,24 @@ HWY_INLINE V3<T> swung_wrist(const ArmSwing<T>& swing, const Harmonics<T, 3>& cy
             hang.z};
 }
 
-// Lays a hand on a wall as far as it reaches. The forearm takes half of what the hand twists.
+// Lays a hand on a wall as far as it reaches: from hanging it is turned up past its side, by whichever way
+// the wall stands to the chest. The forearm takes half of what the hand twists.
 template <class T>
-HWY_INLINE void lay_hand(T reach, Q4<T> on_wall_ws, Q4<T>& lower_ws, Q4<T>& hand_ws) {
+HWY_INLINE void lay_hand(T reach, float mirror, Q4<T> chest_ws, Q4<T> on_wall_ws, Q4<T>& lower_ws,
+                         Q4<T>& hand_ws) {
     auto lies = reach > T(0.0f);
-    Q4<T> laid_ws = nlerp(lower_ws, on_wall_ws, reach);
-    SinCosOf<T> twist = twist_about_y(conjugate(lower_ws) * laid_ws);
+    Q4<T> lower_cs = conjugate(chest_ws) * lower_ws, on_wall_cs = conjugate(chest_ws) * on_wall_ws;
+    lower_cs = negated_if_negative(lower_cs.w, lower_cs);
+    on_wall_cs = negated_if_negative(on_wall_cs.z * T(mirror), on_wall_cs);
+    // The arm goes ahead, so that the wrist need not bend far.
+    T late = reach * reach;
+    Q4<T> laid_cs = nlerp(lower_cs, on_wall_cs, late * late), turn = conjugate(lower_cs) * laid_cs;
+    T over = T(1.0f) / sqrt(max(turn.y * turn.y + turn.w * turn.w, T(1e-12f)));
+    SinCosOf<T> twist{turn.y * over, turn.w * over};
     T cosine = sqrt(max(T(0.5f) + T(0.5f) * twist.cosine, T(1e-6f)));
     SinCosOf<T> half{T(0.5f) * twist.sine / cosine, cosine};
     lower_ws = select(lies, turned_y(lower_ws, half), lower_ws);
-    hand_ws = select(lies, laid_ws, hand_ws);
+    hand_ws = select(lies, chest_ws * laid_cs, hand_ws);
 }
 
 // The wrist of a hand that has a place on its own body, in the chest's axes from the shoulder.
@@ -257,7 +270,7 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
         auto os_of_cs = [&](V3<T> v) { return shoulder_os + chest.x * v.x + chest.y * v.y + chest.z * v.z; };
         Q4<T> lower_ws = chest_ws * limb.lower_rot, hand_ws = lower_ws;
         if (holding) turn_held_hand(g.holds[side], lane, weight, lower_ws, hand_ws);
-        if (reaching) lay_hand(reach, on_wall_ws, lower_ws, hand_ws);
+        if (reaching) lay_hand(reach, mirror, chest_ws, on_wall_ws, lower_ws, hand_ws);
         set_joint(out, joint + 1, lane, shoulder_os, chest_ws * limb.upper_rot);
         set_joint(out, joint + 2, lane, os_of_cs(limb.middle), lower_ws);
         set_joint(out, joint + 3, lane, os_of_cs(limb.end), hand_ws);
