@@ -166,10 +166,11 @@ Result<void> run_gait(const Options& options) {
         std::ranges::find(k_posture_names, gait.posture) == std::end(k_posture_names))
         return Error{"--posture knows no '" + gait.posture + "': see --help."};
     const double fastest = fastest_with_cane(person_of(gait).body);
-    if (gait.cane && speed_of(gait) > fastest) {
+    if ((gait.cane || gait.pram) && speed_of(gait) > fastest) {
         char most[16];
         std::snprintf(most, sizeof most, "%.1f", std::floor(10 * fastest) / 10);
-        return Error{"--cane is for walks, and at that --speed this person runs: say " + std::string(most) +
+        return Error{std::string(gait.cane ? "--cane" : "--pram") +
+                     " is for walks, and at that --speed this person runs: say " + std::string(most) +
                      " at most."};
     }
     if (gait.pram && (gait.cane || !gait.stairs.empty()))
