@@ -5,24 +5,32 @@
 
 namespace flaneur {
 
-static bool is_of_trunk(const CharacterVertex& v) {
-    for (size_t n = 0; n < 4; ++n)
-        if (v.hung_joints[n] == carried_bag && v.hung_weights[n] > 0) return false;
-    int joint = v.joints[0];
-    return v.tint != Tint::hair &&
-           (joint <= upper_chest || joint == left_upper_leg || joint == right_upper_leg);
+bool is_of_trunk(int joint) {
+    return joint <= upper_chest || joint == left_upper_leg || joint == right_upper_leg;
 }
 
-Girth measure_girth(const Character& c) {
-    const Body& body = c.body;
+static bool is_carried(const CharacterVertex& v) {
+    for (size_t n = 0; n < 4; ++n)
+        if (v.hung_joints[n] == carried_bag && v.hung_weights[n] > 0) return true;
+    return false;
+}
+
+std::vector<Vec3> trunk_surface(const Character& c) {
+    std::vector<Vec3> surface;
+    for (uint32_t i : c.lods[0]) {
+        const CharacterVertex& v = c.vertices[i];
+        const size_t j = v.joints[0];
+        if (v.tint == Tint::hair || !is_of_trunk(int(j)) || is_carried(v)) continue;
+        surface.push_back(c.body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]));
+    }
+    return surface;
+}
+
+Girth measure_girth(const Body& body, std::span<const Vec3> surface) {
     const Vec3 hip = body.joints[hips], middle = body.joints[upper_chest];
     const float shoulder = body.joints[left_upper_arm].y, trunk = shoulder - hip.y;
     Girth girth;
-    for (uint32_t i : c.lods[0]) {
-        const CharacterVertex& v = c.vertices[i];
-        if (!is_of_trunk(v)) continue;
-        const size_t j = v.joints[0];
-        const Vec3 p = body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]);
+    for (Vec3 p : surface) {
         const float up = (p.y - hip.y) / trunk, x = std::fabs(p.x), z = p.z - hip.z;
         if (up > -0.12f && up < 0.04f && std::fabs(z) < 0.2f * trunk) girth.hip = std::max(girth.hip, x);
         if (up > -0.06f && up < 0.16f && x < 0.25f * trunk) {

@@ -17,6 +17,7 @@ namespace flaneur {
 namespace {
 
 constexpr size_t k_finest_triangles = 7600;
+constexpr float k_thighs = .45f, k_shoulders = .80f;  // between them is what girths are measured of
 
 void steps(std::vector<float>& out, float to, float step) {
     while (out.back() < to) out.push_back(out.back() + step);
@@ -172,6 +173,22 @@ std::array<Hung, k_follower_count> followers_of(const Figure& figure) {
     return out;
 }
 
+// Of the trunk's surface before it was simplified, which another machine's library may do in another way: what
+// bodies do follows from it.
+std::vector<Vec3> trunk_of(const FieldMesh& mesh, std::span<const MaterialLook> looks, const Figure& figure,
+                           const std::array<Vec3, k_joint_count>& bind) {
+    std::vector<Vec3> surface;
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+        const Vec3 p = mesh.positions[v];
+        const Layer layer = looks[mesh.materials[v]].layer;
+        if (layer == layer_hair || p.y < k_thighs || p.y > k_shoulders) continue;
+        const auto weights = skin_weights(p, layer, figure, bind);
+        const auto heaviest = std::ranges::max_element(weights) - weights.begin();
+        if (is_of_trunk(int(heaviest))) surface.push_back(p);
+    }
+    return surface;
+}
+
 // From the adult of height 1 to the person, and the joints that go with it.
 void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Character& person) {
     for (CharacterVertex& v : person.vertices) {
@@ -195,7 +212,6 @@ void warp_person(const Figure& figure, std::array<Vec3, k_joint_count> bind, Cha
             Vec3 way = normalize_or(bind[size_t(from + 1)] - bind[size_t(from)], {0, -1, 0});
             person.bind_to_canonical[size_t(j)] = rotation_between(way, {0, -1, 0});
         }
-    person.body.girth = measure_girth(person);
     if (!has_stick(figure)) return;
     Vec3 tip = warped(figure, stick_tip(figure)) * figure.height;
     body.cane = rotate(person.bind_to_canonical[right_hand], tip - person.bind_joints[right_hand]);
@@ -223,6 +239,8 @@ Character generate_person(const PersonOptions& options) {
     const std::vector<Accessory> accessories = make_accessories(figure, field);
     size_t carried = 0;
     for (const Accessory& a : accessories) carried += a.solid.indices.size() / 3;
+    const auto bind = bind_joints(figure);
+    std::vector<Vec3> trunk = trunk_of(mesh, looks, figure, bind);
     simplify_mesh(mesh, k_finest_triangles - carried, importance);
     Unpainted unpainted{painted_over(mesh, is_painted, material_skin),
                         {},
@@ -234,7 +252,6 @@ Character generate_person(const PersonOptions& options) {
     person.person = options;
     person.followers = followers_of(figure);
     person.name = figure.age < 16 ? (options.woman ? "girl" : "boy") : (options.woman ? "woman" : "man");
-    const auto bind = bind_joints(figure);
     const std::vector<Vec3> facing = facing_of(mesh);
     const std::vector<uint32_t> place = place_numbers(mesh.positions);
     // What lies at one place goes one way, or garments would come apart where they meet.
@@ -273,6 +290,8 @@ Character generate_person(const PersonOptions& options) {
     }
 
     warp_person(figure, bind, person);
+    for (Vec3& p : trunk) p = warped(figure, p) * figure.height;
+    person.body.girth = measure_girth(person.body, trunk);
     person.body.wear = wear_of(options);
     if (figure.pram) unpainted.pram = add_pram(figure.seed, person);
     build_person_lods(person, unpainted);

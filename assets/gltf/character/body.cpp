@@ -223,7 +223,7 @@ void set_body(Character& c, const std::vector<uint8_t>& held, bool has_clavicles
     set_rotations(c, held, has_clavicles);
     set_joints(c);
     c.body.carriage = clear_carriage(c, held);
-    c.body.girth = measure_girth(c);
+    c.body.girth = measure_girth(c.body, trunk_surface(c));
 }
 
 // The lowest that a leg's vertex, and the highest that any but a hand's, stands in the canonical pose.
