@@ -173,8 +173,8 @@ std::array<Hung, k_follower_count> followers_of(const Figure& figure) {
     return out;
 }
 
-// Of the trunk's surface before it was simplified, which another machine's library may do in another way: what
-// bodies do follows from it.
+// Of the trunk's surface before it was simplified, which another machine's library may do in another way:
+// what bodies do follows from it.
 std::vector<Vec3> trunk_of(const FieldMesh& mesh, std::span<const MaterialLook> looks, const Figure& figure,
                            const std::array<Vec3, k_joint_count>& bind) {
     std::vector<Vec3> surface;
