@@ -9,6 +9,7 @@
 #include "sim/base/hash.h"
 #include "sim/crowd/pace.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/spans.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
 
@@ -129,19 +130,9 @@ static void pose_newcomer(World& w, uint32_t walker) {
     w.newcomer.blocks[0] = w.gait.blocks[block];
     w.newcomer.people[0] = w.gait.people[block];
     pose_blocks(w.newcomer, 0, 1, w.newcomer_pose);
-    w.newcomer.canes.clear();
-    CaneSpan own = canes_of(w.gait, walker, walker + 1);
-    for (size_t i = own.begin; i < own.end; ++i) {
-        w.newcomer.canes.push_back(w.gait.canes[i]);
-        w.newcomer.canes.back().walker = static_cast<uint32_t>(lane);
-    }
+    copy_own<CaneSpan>(w.gait.canes, walker, lane, w.newcomer.canes);
     hold_canes(w.newcomer, 0, w.newcomer.canes.size(), w.newcomer_pose);
-    w.newcomer.prams.clear();
-    PramSpan pushed = prams_of(w.gait, walker, walker + 1);
-    for (size_t i = pushed.begin; i < pushed.end; ++i) {
-        w.newcomer.prams.push_back(w.gait.prams[i]);
-        w.newcomer.prams.back().walker = static_cast<uint32_t>(lane);
-    }
+    copy_own<PramSpan>(w.gait.prams, walker, lane, w.newcomer.prams);
     hold_prams(w.newcomer, 0, w.newcomer.prams.size(), w.newcomer_pose);
     const auto* from = reinterpret_cast<const unsigned char*>(&w.newcomer_pose[0]);
     for (auto* poses : {&w.poses, &w.previous_poses}) {

@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/spans.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
@@ -375,16 +376,11 @@ void advance(const Bearer& b, Cane& c) {
 }  // namespace
 
 CaneSpan canes_of(const Gait& gait, size_t begin, size_t end) {
-    auto before = [](const Cane& c, size_t walker) { return c.walker < walker; };
-    auto first = std::lower_bound(gait.canes.begin(), gait.canes.end(), begin, before);
-    auto last = std::lower_bound(first, gait.canes.end(), end, before);
-    return {static_cast<size_t>(first - gait.canes.begin()), static_cast<size_t>(last - gait.canes.begin())};
+    return span_of<CaneSpan>(gait.canes, begin, end);
 }
 
 void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper) {
-    CaneSpan own = canes_of(gait, walker, walker + 1);
-    auto at = gait.canes.begin() + static_cast<std::ptrdiff_t>(own.begin);
-    if (own.begin < own.end) at = gait.canes.erase(at);
+    auto at = take_away<CaneSpan>(gait.canes, walker);
     if (tip_hs == Vec3{}) return;
     Cane cane;
     cane.walker = static_cast<uint32_t>(walker);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/base/math.h"
+#include "sim/gait/spans.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
@@ -167,16 +168,11 @@ void advance_pram(Pram& pram, const Stepper& s) {
 }
 
 PramSpan prams_of(const Gait& gait, size_t begin, size_t end) {
-    auto before = [](const Pram& p, size_t walker) { return p.walker < walker; };
-    auto first = std::lower_bound(gait.prams.begin(), gait.prams.end(), begin, before);
-    auto last = std::lower_bound(first, gait.prams.end(), end, before);
-    return {static_cast<size_t>(first - gait.prams.begin()), static_cast<size_t>(last - gait.prams.begin())};
+    return span_of<PramSpan>(gait.prams, begin, end);
 }
 
 void give_pram(Gait& gait, size_t walker, Vec3 handle, float scale, const Stepper& stepper) {
-    PramSpan own = prams_of(gait, walker, walker + 1);
-    auto at = gait.prams.begin() + static_cast<std::ptrdiff_t>(own.begin);
-    if (own.begin < own.end) at = gait.prams.erase(at);
+    auto at = take_away<PramSpan>(gait.prams, walker);
     if (handle == Vec3{}) return;
     Pram pram;
     pram.walker = static_cast<uint32_t>(walker);

@@ -43,7 +43,20 @@ bool is_sound(const Posed& pose, Side side) {
     return true;
 }
 
-void part_arm(const PosedBefore& before, Posed now, Side side, float part) {
+KeptArm keep_arm(const Posed& pose, Side side) {
+    KeptArm kept;
+    const int first = upper_arm_of(side);
+    for (int j = 0; j < 3; ++j) kept.joints[j] = {pose.place_os(first + j), pose.rotation(first + j)};
+    return kept;
+}
+
+void set_arm(Posed pose, Side side, const KeptArm& kept) {
+    const int first = upper_arm_of(side);
+    for (int j = 0; j < 3; ++j) pose.set(first + j, kept.joints[j].position, kept.joints[j].rotation);
+}
+
+// From rotations against the parents.
+static void part_arm(const Quat before_ps[3], Posed now, Side side, float part) {
     const int first = upper_arm_of(side), last = first + 2;
     Quat was_above = now.rotation(first - 1), above = was_above;
     Vec3 was_at = now.place_os(first), at = was_at;
@@ -52,11 +65,26 @@ void part_arm(const PosedBefore& before, Posed now, Side side, float part) {
         Vec3 bone = rotate(conjugate(was_above), now.place_os(j) - was_at);
         if (j > first) at += rotate(above, bone);
         was_at = now.place_os(j);
-        Quat turn_ps = nlerp(against_parent(before, j), conjugate(was_above) * was, part);
+        Quat turn_ps = nlerp(before_ps[j - first], conjugate(was_above) * was, part);
         above = normalize(above * (j == last ? within_wrist(turn_ps) : turn_ps));
         was_above = was;
         now.set(j, at, above);
     }
+}
+
+void part_arm(const PosedBefore& before, Posed now, Side side, float part) {
+    Quat before_ps[3];
+    for (int j = 0; j < 3; ++j) before_ps[j] = against_parent(before, upper_arm_of(side) + j);
+    part_arm(before_ps, now, side, part);
+}
+
+void part_arm(const KeptArm& before, Posed now, Side side, float part) {
+    Quat before_ps[3], above = now.rotation(upper_arm_of(side) - 1);
+    for (int j = 0; j < 3; ++j) {
+        before_ps[j] = conjugate(above) * before.joints[j].rotation;
+        above = before.joints[j].rotation;
+    }
+    part_arm(before_ps, now, side, part);
 }
 
 void slow_arm(const PosedBefore& before, Posed now, Side side, float most) {

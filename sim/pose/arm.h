@@ -30,6 +30,13 @@ struct PosedAt {
 using Posed = PosedAt<PoseBlock>;
 using PosedBefore = PosedAt<const PoseBlock>;
 
+// The joints of an arm as they were, to be set again.
+struct KeptArm {
+    JointPose joints[3];  // from the block's origin
+};
+KeptArm keep_arm(const Posed& pose, Side side);
+void set_arm(Posed pose, Side side, const KeptArm& kept);
+
 // A hand against its forearm, bent no farther than a wrist is.
 Quat within_wrist(Quat hand_ps);
 
@@ -38,6 +45,8 @@ bool is_sound(const Posed& pose, Side side);
 
 // Brings the joints of an arm, below the chest, so far from where they were to where they are.
 void part_arm(const PosedBefore& before, Posed now, Side side, float part);
+// The same from `before` in the block that it is in now.
+void part_arm(const KeptArm& before, Posed now, Side side, float part);
 // The same, as far as none of them turns by more than `most` radians.
 void slow_arm(const PosedBefore& before, Posed now, Side side, float most);
 

@@ -92,16 +92,11 @@ void hold(const Cane& cane, Posed pose, float part) {
 // As far as the arm can.
 void hold(const Cane& cane, Posed pose) {
     if (cane.held == 0) return;
-    Vec3 place[3];
-    Quat rotation[3];
-    for (int j = 0; j < 3; ++j) {
-        place[j] = pose.place_os(right_upper_arm + j);
-        rotation[j] = pose.rotation(right_upper_arm + j);
-    }
+    const KeptArm swung = keep_arm(pose, k_right);
     for (float part : {1.0f, 0.75f, 0.5f, 0.25f}) {
         hold(cane, pose, part);
         if (is_sound(pose, k_right)) return;
-        for (int j = 0; j < 3; ++j) pose.set(right_upper_arm + j, place[j], rotation[j]);
+        set_arm(pose, k_right, swung);
     }
 }
 

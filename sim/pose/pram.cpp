@@ -55,15 +55,15 @@ void hold(const Pram& pram, Posed pose, Side side) {
 }
 
 // As far as the arm can: on steep ways a handle may be where none goes.
-void hold(const Pram& pram, PoseBlock& block, size_t lane, Side side) {
-    const PoseBlock swung = block;
-    hold(pram, {block, lane}, side);
-    if (is_sound({block, lane}, side)) return;
-    const PoseBlock held = block;
+void hold_soundly(const Pram& pram, Posed pose, Side side) {
+    const KeptArm swung = keep_arm(pose, side);
+    hold(pram, pose, side);
+    if (is_sound(pose, side)) return;
+    const KeptArm held = keep_arm(pose, side);
     for (float part : {0.75f, 0.5f, 0.25f, 0.0f}) {
-        block = held;
-        part_arm({swung, lane}, {block, lane}, side, part);
-        if (is_sound({block, lane}, side)) return;
+        set_arm(pose, side, held);
+        part_arm(swung, pose, side, part);
+        if (is_sound(pose, side)) return;
     }
 }
 
@@ -82,7 +82,7 @@ void hold_prams(const Gait& gait, size_t begin, size_t end, std::vector<PoseBloc
     for (size_t i = begin; i < end; ++i) {
         const Pram& pram = gait.prams[i];
         for (Side side : {k_left, k_right})
-            hold(pram, poses[pram.walker / k_block], pram.walker % k_block, side);
+            hold_soundly(pram, {poses[pram.walker / k_block], pram.walker % k_block}, side);
     }
 }
 
