@@ -47,7 +47,7 @@ Vec3 standard_pram(const Body& body) {
     constexpr float k_nearest = 0.20f;
     Vec3 shoulder = body.joints[left_upper_arm], elbow = body.joints[left_lower_arm];
     float a = length(elbow - shoulder), b = length(body.joints[left_hand] - elbow);
-    float height = std::clamp(0.6f * body.height, 0.92f, 1.08f);
+    float height = std::clamp(0.6f * body.height, 0.84f, 1.20f);
     float down = shoulder.y - height - k_over, reach2 = a * a + b * b + 2 * a * b * k_cosine;
     float ahead = std::sqrt(std::max(reach2 - down * down, k_nearest * k_nearest));
     return {0, height, shoulder.z + k_lean * (shoulder.y - body.joints[hips].y) + ahead + k_palm};

@@ -89,7 +89,7 @@ Body standard_body(float height);
 // Body::cane for a body of that height: held at the height of a hanging arm's wrist, as canes are fitted
 // (Sainsbury & Mulley, BMJ 284, 1982), and upright when the forearm is raised by 0.4 rad.
 Vec3 standard_cane(float height);
-// Body::pram for a body: a handle at 0.6 of its height, as people like it, from 0.92 to 1.08 m, where both
+// Body::pram for a body: a handle at 0.6 of its height, as people like it, from 0.84 to 1.20 m, where both
 // hands reach it with elbows bent by some 72 degrees.
 Vec3 standard_pram(const Body& body);
 

@@ -21,7 +21,12 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
-static constexpr float k_bend = 0.4f;       // 1/m; narrower bends are taken slower
+static constexpr float k_pushing = 0.35f;   // how nimble one with a pram is
+static constexpr float k_rolls_on = 0.41f;  // of the speed, and
+static constexpr float k_most_outward = 0.63f;  // times k_forward
+static constexpr float k_round = 0.3f;          // m/s at least, that the turn carries a pram's axle aside
+static constexpr float k_outward = 0.26f;       // of the speed, that the body goes outward for that
+static constexpr float k_bend = 0.4f;           // 1/m; narrower bends are taken slower
 
 float stair_speed(float speed, float stair_pace) {
     float walk = clamp(0.42f * speed, 0.5f, 0.6f), run = clamp(k_stair_run * (speed - k_runs), 0.0f, 0.5f);
@@ -62,7 +67,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
     return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
 }
 
-Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float nimble) {
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float lever) {
+    const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
     Vec2 aim = wish;
@@ -73,6 +79,10 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float n
                     : looks ? wrap_angle(heading_of(look) - motion.heading)
                             : 0;
     float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt, nimble);
+    if (lever > 0) {
+        const float most = std::max(k_round, k_rolls_on * speed) / lever;
+        rate = clamp(rate, -most, most);
+    }
     float heading = wrap_angle(motion.heading + rate * dt);
 
     if (wished > k_any_way) {
@@ -82,6 +92,12 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float n
         float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
         float left = std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
         wish = wish * left;
+        if (lever > 0) {
+            const float most = std::max(k_round, k_outward * length(wish)),
+                        out = clamp(rate * lever, -most, most);
+            const Vec2 way = heading_direction(heading);
+            wish = wish - Vec2{way.z, -way.x} * out;
+        }
         aim = aim * left;
     }
     Vec2 change = wish - v;
@@ -90,7 +106,9 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float n
     float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? k_braking : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
-    if (speed > k_any_way) v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading), nimble);
+    if (speed > k_any_way)
+        v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
+                           lever > 0 ? k_most_outward : nimble);
     return {v, heading, rate, aim};
 }
 

@@ -31,9 +31,12 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
 //
-// Who pushes something is less `nimble`, 0..1: turns are as much slower, begin and end by its square, and
-// velocity keeps as much nearer to the heading.
-Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0}, float nimble = 1);
+// Who pushes a pram, whose rear axle is `lever` metres ahead (0: nothing), is less nimble: it turns no faster
+// than the axle can roll on, with the body going outward of its heading by 15 degrees at most and the pram
+// facing inward by some nine, or, where it hardly goes, as it steps round the axle at 0.3 m/s.
+Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look = {0, 0}, float lever = 0);
+
+inline constexpr float k_axle_to_middle = 0.2f;  // metres, of a pram (CrowdIdentity::ahead)
 
 // Speed over the ground plane, m/s, that one who goes at `speed` on the level has on stairs: 0.5-0.6 of one
 // who walks; of one who runs up to 1.1.

@@ -19,7 +19,6 @@ static constexpr float k_sees_coming = 0.6f;  // metres between bodies from whic
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr size_t k_together = 64;      // walkers whose ground is asked for at once
 static constexpr int k_contacts = 48;
-static constexpr float k_pushing = 0.35f;  // how nimble one with a pram is
 
 namespace {
 
@@ -110,9 +109,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Contacts near = contacts_of(c, me, wish);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
-    Motion motion =
-        next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
-                    c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0}, pushes ? k_pushing : 1.0f);
+    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
+                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
+                                pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;

@@ -12,14 +12,14 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_most_aside = 0.5f;                // radians
+constexpr float k_most_aside = 0.13f;               // radians
 constexpr float k_rolls = 0.15f, k_goes_on = 0.6f;  // m/s, from where it faces where it goes, and quite
 constexpr float k_follows = 9;                      // 1/s, critically damped
 constexpr float k_lifts = 0.35f;                    // metres from an edge within which wheels rise or sink
 constexpr float k_even = 0.006f;                    // metres off the plane of the ground beside it: an edge
 constexpr float k_up = 0.5f, k_down = 1;            // metres in which ground is looked for
 constexpr float k_back = 1.5f;                      // 1/s, at which it comes back to the middle
-constexpr float k_most_off = 0.18f;                 // metres that it is off that
+constexpr float k_most_off = 0.04f;                 // metres that it is off that
 constexpr float k_settles = 3;                      // 1/s, of how the body follows its handle as it tips
 constexpr float k_steepest = 0.5f;                  // radians
 

@@ -39,7 +39,7 @@ Vec3 pram_handle(const Pram& pram, const PramPlace& place, float side = 0);
 // Between two ticks.
 PramPlace mixed_place(const PramPlace& a, const PramPlace& b, float between);
 
-// A tick for a walker's pram. Its handle keeps ahead of the body, and is never more than 0.18 m off that to a
+// A tick for a walker's pram. Its handle keeps ahead of the body, and is never more than 0.04 m off that to a
 // side. Within that the rear wheels only roll: it faces where the axle is to go, into a bend more than the
 // body does, with a lag of some 0.2 s, and as the body does where that hardly moves. All wheels are on the
 // ground that is there; over an edge, as high as a kerb, they rise before it and come down behind it within

@@ -40,6 +40,8 @@ struct Moment {
     Sole soles[2];
     float elbows[2];  // degrees that they are bent
     Vec2 velocity;
+    Vec3 root;
+    float heading;
 };
 
 // Somebody who stands for a second, then goes as `wish` says at each time.
@@ -58,7 +60,8 @@ std::vector<Moment> push(const Body& body, const Profile& profile, float seconds
     pose_blocks(gait, 0, 1, poses);
     std::vector<Moment> moments;
     for (uint32_t t = 0; t < static_cast<uint32_t>(seconds * 60); ++t) {
-        motion = next_motion(motion, wish(static_cast<float>(t) * k_tick - 1), k_tick, {0, 0}, 0.35f);
+        motion = next_motion(motion, wish(static_cast<float>(t) * k_tick - 1), k_tick, {0, 0},
+                             body.pram.z + k_pram_behind);
         position += at_height(motion.velocity * k_tick, 0);
         position.y = profile.height(position.z);
         advance_gait(gait, 0, 1, root, around, 1, t, k_tick);
@@ -69,6 +72,8 @@ std::vector<Moment> push(const Body& body, const Profile& profile, float seconds
         Moment& now = moments.emplace_back();
         now.pram = gait.prams[0];
         now.velocity = motion.velocity;
+        now.root = position;
+        now.heading = motion.heading;
         for (Side side : {k_left, k_right}) {
             const int upper = side == k_left ? left_upper_arm : right_upper_arm;
             auto place = [&](int j) { return joint_pose(poses, 0, static_cast<Joint>(j)).position; };
@@ -206,18 +211,63 @@ TEST(Pram, RollsRatherThanSlides) {
 
 // Toes reach farthest as the heel comes down.
 TEST(Pram, FeetKeepClearOfItsAxle) {
-    for (float height : {1.55f, 1.7f, 1.9f}) {
-        float nearest = 1;
-        for (const Moment& m : push(pusher(height), k_level, 9, ahead(1.45f)))
-            for (const Sole& sole : m.soles)
-                for (Vec3 p : {sole.tip, sole.ball}) {
-                    Vec3 local = rotate(conjugate(pram_rotation(m.pram.now)), p - m.pram.now.place);
-                    Vec2 off{k_pram_rear - local.y, -local.z};
-                    nearest = std::min(nearest, off.z > 0 ? length(off) : -length(off));
+    for (float height : {1.4f, 1.5f, 1.6f, 1.7f, 1.8f, 1.9f, 2.0f})
+        for (float grade : {-0.1f, 0.0f, 0.1f}) {
+            const Body body = pusher(height);
+            float nearest = 1, off = 0;
+            for (const Moment& m : push(body, slope(grade), 9, ahead(1.3f))) {
+                off = std::max(off, farthest_wrist(m, forearm_of(body)));
+                for (const Sole& sole : m.soles)
+                    for (Vec3 p : {sole.tip, sole.ball}) {
+                        Vec3 local = rotate(conjugate(pram_rotation(m.pram.now)), p - m.pram.now.place);
+                        Vec2 by{k_pram_rear - local.y, -local.z};
+                        nearest = std::min(nearest, by.z > 0 ? length(by) : -length(by));
+                    }
+            }
+            std::printf("%.2f m, %.0f %%: toes %.0f mm from the axle, wrists %.1f mm off\n", double(height),
+                        100 * double(grade), 1000 * double(nearest), 1000 * double(off));
+            EXPECT_GT(nearest, 0.05f) << height << " m, " << grade;
+            EXPECT_LT(off, 0.005f) << height << " m, " << grade;
+        }
+}
+
+// Of who turns while walking, and on the spot: it stays ahead of both shoulders, and its wheels where they
+// are.
+TEST(Pram, IsPushedFromBehind) {
+    for (float speed : {0.0f, 0.7f, 1.3f})
+        for (float degrees : {45.0f, 90.0f, 135.0f, 179.0f}) {
+            auto wish = [&](float t) {
+                return t < 0   ? Vec2{}
+                       : t < 4 ? Vec2{0, speed}
+                               : heading_direction(degrees * k_radians) * std::max(speed, 0.7f);
+            };
+            const Body body = pusher(1.7f);
+            float faces = 0, handle = 0, wrists = 0, elbows = 0, slides = 0, swept = 0;
+            Vec3 was, front_was;
+            for (const Moment& m : push(body, k_level, 16, wish)) {
+                const Vec2 ahead = heading_direction(m.heading), way = heading_direction(m.pram.now.yaw);
+                const Vec2 to = on_ground(pram_handle(m.pram, m.pram.now) - m.root);
+                faces = std::max(faces, std::fabs(wrap_angle(m.pram.now.yaw - m.heading)) / k_radians);
+                handle = std::max(handle, std::fabs(arctan2(cross(ahead, to), dot(ahead, to))) / k_radians);
+                wrists = std::max(wrists, farthest_wrist(m, forearm_of(body)));
+                elbows = std::max(elbows, std::fabs(m.elbows[0] - m.elbows[1]));
+                const Vec2 left{way.z, -way.x};
+                if (m.pram.walker == 0 && length(was) > 0) {
+                    slides += std::fabs(dot(on_ground(m.pram.now.place - was), left));
+                    swept = std::max(swept, length(on_ground(wheel(m.pram, true, 0) - front_was)) / k_tick);
                 }
-        std::printf("%.2f m: toes %.0f mm from the axle\n", double(height), 1000 * double(nearest));
-        EXPECT_GT(nearest, 0.03f) << height;
-    }
+                was = m.pram.now.place, front_was = wheel(m.pram, true, 0);
+            }
+            std::printf(
+                "%.1f m/s, %.0f degrees: faces %.1f aside, handle %.1f, wrists %.1f mm off, elbows "
+                "%.1f apart, axle slides %.2f m, front wheels %.2f m/s\n",
+                double(speed), double(degrees), double(faces), double(handle), 1000 * double(wrists),
+                double(elbows), double(slides), double(swept));
+            EXPECT_LT(faces, 10) << speed << " m/s, " << degrees;
+            EXPECT_LT(handle, 10) << speed << " m/s, " << degrees;
+            EXPECT_LT(wrists, 0.005f) << speed << " m/s, " << degrees;
+            EXPECT_LT(elbows, 20) << speed << " m/s, " << degrees;
+        }
 }
 
 // Every third pushes one.

@@ -141,7 +141,8 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
             if (hit && hit->kind == Surface::steps) under = *hit;
         }
         wished = wish_on(under, wished, stair_pace(leg_length(person.body)));
-        motion = next_motion(motion, wished, k_tick);
+        motion = next_motion(motion, wished, k_tick, {0, 0},
+                             person.body.pram != Vec3{} ? person.body.pram.z + k_pram_behind : 0);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
         if (leaps > 0 && t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
