@@ -89,6 +89,18 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
     return out;
 }
 
+// The mesh ends for wheels at the foot of steps, where it goes on for everybody else. `way` is a velocity.
+static void add_brake_at_steps(const Navmesh& mesh, int thread, NavPoint from, Vec2 way, Contacts& out) {
+    constexpr float k_sees_end = 1.4f, k_before = 0.2f;  // metres
+    const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
+    NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), By::wheels);
+    const Vec2 moved = on_ground(end.position - from.position);
+    if (length(ahead - moved) < 0.01f || out.brake_count == k_contacts) return;
+    const Vec2 inward = normalize_or(moved - ahead, {0, 0});
+    const float room = -dot(moved, inward) - k_before;
+    out.brakes[out.brake_count++] = {inward, -std::sqrt(2 * k_comfortable * std::max(room, 0.0f))};
+}
+
 // The largest share, 0..1, of velocity `v` that keeps to all planes.
 static float share_within(const Contacts& near, Vec2 v) {
     float share = 1;
@@ -107,6 +119,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     Contacts near = contacts_of(c, me, wish);
+    if (pushes)
+        for (Vec2 way : {wish, m.velocity[i]})
+            add_brake_at_steps(mesh, thread, {m.position[i], m.polygon[i]}, way, near);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
     Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
