@@ -110,9 +110,21 @@ struct WalkerDraw {
     float radius = 1;
     uint32_t mesh = 0;  // index into SceneMeshes::people
     WalkerInstance instance;
-    bool is_upright = true;  // else it is drawn as a mesh however far away, and darkens no ground
+    bool is_upright = true;  // else it is drawn as a mesh however far away
     float heading = 0;       // yaw about +y, 0 faces +z, radians
     float phase = -1;        // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
+};
+
+// The ground about a place, as a plane. There is none where the normal is zero.
+struct GroundPlane {
+    glm::vec3 place{0};  // metres
+    glm::vec3 normal{0};
+};
+
+// The ground that a walker darkens softly: below each foot, left and right, below the body, and between the
+// wheels of what it pushes.
+struct GroundBelow {
+    GroundPlane feet[2], body, pram;
 };
 
 struct Camera {
@@ -131,7 +143,8 @@ struct FrameInput {
     Camera camera;
     Sun sun;
     std::span<const WalkerDraw> walkers;
-    std::span<const JointTransform> palette;  // k_palette_joints for each walker that refers to it
+    std::span<const JointTransform> palette;    // k_palette_joints for each walker that refers to it
+    std::span<const GroundBelow> grounds = {};  // in the palette's order; those beyond them darken no ground
     // For comparisons with other renderers, off-screen alone: no shadows, sky, haze or smoothing after the
     // picture is drawn, but this colour (sRGB) where nothing is.
     std::optional<glm::vec3> backdrop = {};

@@ -54,6 +54,7 @@ int main() {
     frame.sun = {.direction = {0.8f, 0.45f, -0.4f}};
     frame.walkers = people.walkers;
     frame.palette = people.palette;
+    frame.grounds = people.grounds;
     Result<Image> image = draw_image(**renderer, frame, 960, 540);
     check(image);
     std::ofstream file("picture.ppm", std::ios::binary);

@@ -79,7 +79,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.are_ghosts = input.are_ghosts;
     plan.lines = static_cast<uint32_t>(input.lines.size());
     plan.fills = static_cast<uint32_t>(input.fills.size());
-    if (!plan.backdrop) find_contacts(crowd, input.palette, finer, plan.contacts);
+    if (!plan.backdrop) find_contacts(crowd, input.palette, input.grounds, finer, plan.contacts);
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
     const std::span<const DrawCommand> casters(renderer.casters.draws);

@@ -231,6 +231,8 @@ void add_walker(SyntheticScene& scene, glm::vec3 place, float yaw, float phase, 
                                      rgb(0xb23a36)};
     for (int i = 0; i < k_tints; ++i) walker.instance.tints[i] = tints[i];
     scene.walkers.push_back(walker);
+    const GroundPlane level{place, {0, 1, 0}};
+    scene.grounds.push_back({{level, level}, level, {}});
 }
 
 CityMesh synthetic_city() {

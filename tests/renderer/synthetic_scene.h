@@ -12,8 +12,9 @@ struct SyntheticScene {
     SceneMeshes meshes;
     std::vector<WalkerDraw> walkers;
     std::vector<JointTransform> palette;
+    std::vector<GroundBelow> grounds;
     FrameInput frame(const Camera& camera, const Sun& sun = {}) const {
-        return {camera, sun, walkers, palette};
+        return {camera, sun, walkers, palette, grounds};
     }
 };
 

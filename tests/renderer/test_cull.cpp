@@ -231,21 +231,66 @@ TEST(Cull, ChunksComeNearestFirstAndCoarseFromFarAway) {
     EXPECT_EQ(draws[2].first_index, 0u);
 }
 
-TEST(Cull, ContactsLieUnderTheFeet) {
-    SyntheticScene scene;
-    add_walker(scene, {0, 0.5f, 6}, 0, 0.0f, 1);
+// The spots of the first walker of a scene, whose soles are where its kind has them.
+std::vector<Contact> contacts_of(const SyntheticScene& scene) {
     std::vector<PersonRanges> people = two_kinds();
     people[0].soles[0] = {0.09f, 0, 0.05f};
     people[0].soles[1] = {-0.09f, 0, 0.05f};
     std::vector<Contact> contacts;
-    find_contacts({scene.walkers, people, scene.palette.size()}, scene.palette, make_view({}, 1280, 720),
-                  contacts);
+    find_contacts({scene.walkers, people, scene.palette.size()}, scene.palette, scene.grounds,
+                  make_view({}, 1280, 720), contacts);
+    return contacts;
+}
+
+TEST(Cull, ContactsLieUnderTheFeet) {
+    SyntheticScene scene;
+    add_walker(scene, {0, 0.5f, 6}, 0, 0.0f, 1);
+    const std::vector<Contact> contacts = contacts_of(scene);
     ASSERT_GE(contacts.size(), 2u);
     for (const Contact& contact : contacts) {
-        EXPECT_NEAR(contact.place.y, 0.5f, 0.05f);
+        EXPECT_NEAR(contact.place.y, 0.5f, 1e-4f);
         EXPECT_NEAR(contact.place.z, 6, 0.5f);
         EXPECT_GT(contact.strength, 0);
     }
+}
+
+TEST(Cull, ContactsStayOnTheGroundUnderWhoLeaps) {
+    SyntheticScene scene;
+    add_walker(scene, {0, 0.5f, 6}, 0, 0.0f, 1);
+    const std::vector<Contact> stands = contacts_of(scene);
+    auto rise = [&](float by) {
+        for (JointTransform& joint : scene.palette) joint.translation.y += by;
+        return contacts_of(scene);
+    };
+    const std::vector<Contact> low = rise(0.03f), high = rise(0.27f);
+    ASSERT_EQ(low.size(), stands.size());
+    for (size_t i = 0; i < low.size(); ++i) {
+        EXPECT_NEAR(low[i].place.y, 0.5f, 1e-4f);
+        EXPECT_LT(low[i].strength, stands[i].strength);
+    }
+    ASSERT_EQ(high.size(), 1u);  // the body's alone
+    EXPECT_NEAR(high[0].place.y, 0.5f, 1e-4f);
+    EXPECT_LT(high[0].strength, low.back().strength);
+}
+
+TEST(Cull, ContactsLieOnSlopesAndTreads) {
+    SyntheticScene scene;
+    add_walker(scene, {0, 0, 6}, 0, 0.0f, 1);
+    const glm::vec3 normal = glm::normalize(glm::vec3(0, 1, -0.2f));
+    GroundBelow& ground_below = scene.grounds[0];
+    ground_below.feet[0] = {{0, 0, 6}, normal};
+    ground_below.feet[1] = {{0, -0.17f, 6}, {0, 1, 0}};  // 17 cm lower: its foot is in the air
+    ground_below.body = {};
+    std::vector<Contact> contacts = contacts_of(scene);
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_NEAR(glm::dot(contacts[0].place - glm::vec3(0, 0, 6), normal), 0, 1e-4f);
+    EXPECT_EQ(contacts[0].normal, normal);
+    ground_below.pram = {{0, 0.1f, 5}, normal};
+    contacts = contacts_of(scene);
+    ASSERT_EQ(contacts.size(), 2u);
+    EXPECT_NEAR(glm::distance(contacts[1].place, ground_below.pram.place), 0, 1e-4f);
+    scene.grounds.clear();
+    EXPECT_TRUE(contacts_of(scene).empty());
 }
 
 TEST(Cull, NoContactsLieBehindWalls) {
@@ -261,9 +306,9 @@ TEST(Cull, NoContactsLieBehindWalls) {
     draw_walls(std::span(&group, 1), std::span(&wall, 1), view, hidden);
     CrowdInput input{scene.walkers, people, scene.palette.size()};
     std::vector<Contact> all, seen;
-    find_contacts(input, scene.palette, view, all);
+    find_contacts(input, scene.palette, scene.grounds, view, all);
     input.hidden = &hidden;
-    find_contacts(input, scene.palette, view, seen);
+    find_contacts(input, scene.palette, scene.grounds, view, seen);
     ASSERT_GT(all.size(), seen.size());
     ASSERT_FALSE(seen.empty());
     for (const Contact& contact : seen) EXPECT_LT(contact.place.z, 10);

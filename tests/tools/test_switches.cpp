@@ -59,6 +59,7 @@ Image look_at(People& people, size_t number, float pixels) {
         .near_plane = 0.1f};
     frame.walkers = std::span(&walker, 1);
     frame.palette = people.frame.palette;
+    frame.grounds = people.frame.grounds;
     frame.backdrop = k_backdrop;
     return *draw_image(*people.renderer, frame, width, height);
 }

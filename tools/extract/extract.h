@@ -10,6 +10,7 @@
 //         extract_people(*world, characters, people);
 //         frame.walkers = people.walkers;
 //         frame.palette = people.palette;
+//         frame.grounds = people.grounds;
 //         Result<void> drawn = draw_window(*renderer, frame);
 //     }
 //
@@ -46,7 +47,8 @@ struct PeopleFrame {
     // drawn by chance for each walker and the same in each frame; write others over them after each call.
     std::vector<WalkerDraw> walkers;
     std::vector<JointTransform> palette;
-    std::vector<uint32_t> posed;  // indices of those who have a part of the palette, in its order
+    std::vector<GroundBelow> grounds;  // of each who has a part of the palette, in its order
+    std::vector<uint32_t> posed;       // indices of those who have a part of the palette, in its order
 
     struct Outfit {
         WalkerId wearer;
@@ -68,5 +70,9 @@ void extract_people(const World& world, const std::vector<Character>& characters
 // it hangs as if they kept still. A pram that is pushed stands where that says, or on level ground ahead.
 void pose_character(const Character& character, float scale, const JointPose* joints, JointTransform* palette,
                     const Trail* trail = nullptr, const PramPlace* pram = nullptr);
+
+// For the same: the ground below one with these k_joint_count poses, and below the pram.
+GroundBelow find_ground_below(const Surroundings& around, const JointPose* joints,
+                              const PramPlace* pram = nullptr);
 
 }  // namespace flaneur

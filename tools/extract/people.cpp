@@ -47,6 +47,14 @@ void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float
         joint = set_onto(frame, crowd.motion.position[walker], crowd.motion.heading[walker], joint);
 }
 
+void set_onto_surface(const Roam& roam, const Crowd& crowd, size_t walker, float between,
+                      GroundPlane& plane) {
+    if (plane.normal == glm::vec3(0)) return;
+    JointPose pose{{plane.place.x, plane.place.y, plane.place.z}, {0, 0, 0, 1}};
+    set_onto_surface(roam, crowd, walker, between, std::span(&pose, 1));
+    plane = {to_glm(pose.position), to_glm(rotate(pose.rotation, {0, 1, 0}))};
+}
+
 // What a walker wears, and whoever takes its index later does not.
 PeopleFrame::Outfit dress(const World& world, const Character& character, WalkerId wearer) {
     PeopleFrame::Outfit out{wearer, {}};
@@ -101,6 +109,26 @@ void pose_character(const Character& character, float scale, const JointPose* jo
     }
 }
 
+GroundBelow find_ground_below(const Surroundings& around, const JointPose* joints, const PramPlace* pram) {
+    constexpr float up = 0.25f, down = 2;  // metres; what is farther below is not darkened
+    const Vec3 left = (joints[left_foot].position + joints[left_toes].position) * 0.5f;
+    const Vec3 right = (joints[right_foot].position + joints[right_toes].position) * 0.5f;
+    const Vec3 hip = joints[hips].position, low{hip.x, std::min(left.y, right.y), hip.z};
+    const Vec3 points[] = {left, right, low};
+    std::optional<GroundHit> hits[std::size(points)];
+    ground_at(around, points, up, down, hits);
+    GroundBelow out;
+    GroundPlane* const planes[] = {&out.feet[0], &out.feet[1], &out.body};
+    for (size_t i = 0; i < std::size(points); ++i)
+        if (hits[i]) *planes[i] = {{points[i].x, hits[i]->height, points[i].z}, to_glm(hits[i]->normal)};
+    if (pram) {
+        const Quat turn = pram_rotation(*pram);
+        out.pram = {to_glm(pram->place + rotate(turn, {0, 0, 0.5f * k_pram_base})),
+                    to_glm(rotate(turn, {0, 1, 0}))};
+    }
+    return out;
+}
+
 void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& frame,
                     float between, const PoseNeeds& needs) {
     const Crowd& crowd = world.crowd;
@@ -143,6 +171,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
         frame.posed.push_back(i);
     }
     frame.palette.resize(frame.posed.size() * k_palette_joints);
+    frame.grounds.resize(frame.posed.size());
     parallel_for(*world.workers, frame.posed.size(), 32, [&](size_t begin, size_t end, int) {
         for (size_t p = begin; p < end; ++p) {
             const uint32_t i = frame.posed[p];
@@ -151,7 +180,15 @@ void extract_people(const World& world, const std::vector<Character>& characters
                 joints[j] = joint_between(world, i, static_cast<Joint>(j), between);
             const Trail trail = trail_between(world, i, between);
             const std::optional<PramPlace> pram = pram_between(world, i, between);
-            if (world.roam) set_onto_surface(*world.roam, crowd, i, between, joints);
+            GroundBelow& ground_below = frame.grounds[p] =
+                find_ground_below(world.around, joints, pram && !world.roam ? &*pram : nullptr);
+            // Over the edges of treads a wide spot would hang in the air.
+            if (world.gait.blocks[i / k_block].tread[i % k_block] > 0) ground_below.body = {};
+            if (world.roam) {
+                set_onto_surface(*world.roam, crowd, i, between, joints);
+                for (GroundPlane* plane : {&ground_below.feet[0], &ground_below.feet[1], &ground_below.body})
+                    set_onto_surface(*world.roam, crowd, i, between, *plane);
+            }
             // Trails do not know how a surface moves under its stage.
             pose_character(characters[crowd.identity.body[i]], crowd.identity.scale[i], joints,
                            &frame.palette[p * k_palette_joints], world.roam ? nullptr : &trail,

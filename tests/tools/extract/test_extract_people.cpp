@@ -57,6 +57,41 @@ TEST_F(ExtractTest, EveryoneIsDrawnAsPosed) {
     }
 }
 
+// Uphill towards +z, with a tread 0.4 m lower from x = 0 on.
+std::optional<GroundHit> slope_and_tread(Vec3 point) {
+    if (point.x > 0) return GroundHit{-0.4f};
+    return GroundHit{0.2f * point.z, normalize(Vec3{0, 1, -0.2f})};
+}
+
+TEST_F(ExtractTest, TheGroundBelowIsFoundHoweverHighOneLeaps) {
+    const Surroundings around{.ground = [](const void*, std::span<const Vec3> points, float up, float down,
+                                           std::optional<GroundHit>* hits) {
+        for (size_t i = 0; i < points.size(); ++i) {
+            hits[i] = slope_and_tread(points[i]);
+            const float above = points[i].y - hits[i]->height;
+            if (above < -up || above > down) hits[i].reset();
+        }
+    }};
+    std::array<JointPose, k_joint_count> joints;
+    for (float leap : {0.0f, 0.4f}) {
+        for (size_t j = 0; j < k_joint_count; ++j) joints[j].position = {-0.05f, 0.6f + leap, 2};
+        for (Joint j : {right_foot, right_toes}) joints[j].position.x = 0.1f;
+        const GroundBelow ground_below = find_ground_below(around, joints.data());
+        EXPECT_NEAR(ground_below.feet[0].place.y, 0.4f, 1e-5f) << leap;
+        EXPECT_NEAR(ground_below.feet[0].normal.z / ground_below.feet[0].normal.y, -0.2f, 1e-5f);
+        EXPECT_NEAR(ground_below.feet[1].place.y, -0.4f, 1e-5f) << leap;
+        EXPECT_NEAR(ground_below.body.place.y, 0.4f, 1e-5f) << leap;
+        EXPECT_EQ(ground_below.pram.normal, glm::vec3(0));
+    }
+    const PramPlace pram{.place = {1, 3, 5}, .yaw = 0, .pitch = 0.1f};
+    const GroundPlane below = find_ground_below(around, joints.data(), &pram).pram;
+    EXPECT_NEAR(below.place.z, 5.28f, 0.01f);
+    EXPECT_GT(below.place.y, 3.02f);
+    EXPECT_LT(below.normal.z, -0.09f);
+    for (JointPose& joint : joints) joint.position.y = 9;
+    EXPECT_EQ(find_ground_below(around, joints.data()).feet[0].normal, glm::vec3(0));
+}
+
 TEST_F(ExtractTest, OnlyThoseGetJointsWhomThePictureShows) {
     const Camera away{.eye = {0, 900, 0}, .target = {0, 901, 0.1f}};
     extract_people(*world, characters, people, 1, {.view = make_view(away, 100, 100)});

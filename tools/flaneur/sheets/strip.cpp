@@ -21,6 +21,7 @@ constexpr uint32_t k_pictures = 12;
 constexpr uint32_t k_width = 240, k_height = 420;  // pixels of one
 constexpr double k_abreast_at = 6;                 // seconds, of people at one moment
 constexpr uint64_t k_abreast_seed = 3;
+constexpr float k_around = 0.16f;  // metres from a joint to the end of what it moves, toes of shoes say
 
 // Somebody who is drawn, and the walk.
 struct Shown {
@@ -56,8 +57,23 @@ std::vector<Shown> twelve_people(const GaitOptions& gait) {
     return all;
 }
 
+// Metres to a side that somebody's joints ever are from what the pictures of a take look at, which is `off`
+// the root.
+float widest(const Take& take, Vec3 off, StripView view) {
+    const auto last = std::min(static_cast<size_t>(take.last) + 1, take.walk.ticks.size());
+    float far = 0;
+    for (size_t tick = static_cast<size_t>(take.first); tick < last; ++tick) {
+        const Instant& at = take.walk.ticks[tick];
+        for (const JointPose& joint : at.joints) {
+            const Vec3 from = joint.position - at.root - off;
+            far = std::max(far, std::abs(view == StripView::side ? from.z : from.x));
+        }
+    }
+    return far + k_around;
+}
+
 // Keeps at the person's middle, as tall as the ground on the whole is; far away, so that nothing is much
-// nearer, and not below stairs that lie ahead.
+// nearer, and not below stairs that lie ahead. So far away that all pictures hold whoever is taken whole.
 Camera camera_on(const Take& take, const Instant& now, double moment, float tall, StripView view) {
     const std::vector<Instant>& ticks = take.walk.ticks;
     auto height_at = [&](double tick) {
@@ -76,7 +92,9 @@ Camera camera_on(const Take& take, const Instant& now, double moment, float tall
     Camera camera;
     camera.eye = to_glm(eye);
     camera.target = to_glm(target);
-    camera.vertical_fov = 2 * std::atan(0.64f * tall / length(eye - target));
+    constexpr float k_aspect = static_cast<float>(k_width) / static_cast<float>(k_height);
+    const float half = std::max(0.64f * tall, widest(take, target - now.root, view) / k_aspect);
+    camera.vertical_fov = 2 * std::atan(half / length(eye - target));
     return camera;
 }
 
@@ -90,6 +108,8 @@ FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall
     people.palette.resize(k_palette_joints);
     pose_character(character, 1, now.joints.data(), people.palette.data(), &now.trail,
                    now.pram ? &*now.pram : nullptr);
+    people.grounds = {
+        find_ground_below(surroundings_of(take.ground), now.joints.data(), now.pram ? &*now.pram : nullptr)};
     WalkerDraw& draw = people.walkers[0];
     draw.centre = to_glm(place(now, hips));
     draw.radius = k_body_sphere * character.body.height;
@@ -102,6 +122,7 @@ FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall
     frame.sun.direction = glm::normalize(glm::vec3(-0.5f, 0.7f, 0.55f));
     frame.walkers = people.walkers;
     frame.palette = people.palette;
+    frame.grounds = people.grounds;
     return frame;
 }
 

@@ -58,6 +58,7 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     frame.sun = show.sun;
     frame.walkers = show.people.walkers;
     frame.palette = show.people.palette;
+    frame.grounds = show.people.grounds;
     frame.is_overcast = show.is_overcast;
     frame.lit_windows = show.lit_windows;
     lay_over({*show.loaded.world, show.loaded.characters, camera, between}, show.work_views, show.people,
