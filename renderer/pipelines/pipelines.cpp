@@ -6,7 +6,6 @@
 #include "renderer/device/check.h"
 #include "renderer/people/skin.h"
 #include "renderer/scene.h"
-#include "renderer/visible/contacts.h"
 #include "spirv/contact.frag.h"
 #include "spirv/contact.vert.h"
 #include "spirv/crowd.frag.h"
@@ -127,9 +126,8 @@ Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipe
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
         .fragment = k_spirv_contact_frag,
-        .attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Contact, place)},
-                       {1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Contact, normal)}},
-        .stride = sizeof(Contact),
+        .attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16}},
+        .stride = 32,
         .is_instanced = true,
         .colour = k_picture_format,
         .depth = k_depth_format,

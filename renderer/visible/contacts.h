@@ -15,6 +15,7 @@ struct Contact {
     glm::vec3 normal;  // of the ground, unit
     float strength;
 };
+static_assert(sizeof(Contact) == 32);  // as pipelines.cpp has it
 
 // Spots under the feet of those walkers that the view sees finely enough, the fainter the higher a foot is
 // above its ground, and wider ones under each body and pram; not where walls hide them. `grounds` as

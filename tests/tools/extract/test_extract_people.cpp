@@ -60,7 +60,8 @@ TEST_F(ExtractTest, EveryoneIsDrawnAsPosed) {
 // Uphill towards +z, with a tread 0.4 m lower from x = 0 on.
 std::optional<GroundHit> slope_and_tread(Vec3 point) {
     if (point.x > 0) return GroundHit{-0.4f};
-    return GroundHit{0.2f * point.z, normalize(Vec3{0, 1, -0.2f})};
+    const Vec3 normal{0, 1, -0.2f};
+    return GroundHit{0.2f * point.z, normal / length(normal)};
 }
 
 TEST_F(ExtractTest, TheGroundBelowIsFoundHoweverHighOneLeaps) {
