@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "sim/base/hash.h"
+#include "sim/base/spans.h"
 #include "sim/crowd/pace.h"
 #include "sim/gait/hands.h"
-#include "sim/gait/spans.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
 

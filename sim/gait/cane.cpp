@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "sim/base/math.h"
+#include "sim/base/spans.h"
 #include "sim/gait/hands.h"
-#include "sim/gait/spans.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim/base/math.h"
-#include "sim/gait/spans.h"
+#include "sim/base/spans.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
