@@ -21,12 +21,12 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
-static constexpr float k_pushing = 0.35f;   // how nimble one with a pram is
-static constexpr float k_rolls_on = 0.41f;  // of the speed, and
-static constexpr float k_most_outward = 0.63f;  // times k_forward
-static constexpr float k_round = 0.3f;          // m/s at least, that the turn carries a pram's axle aside
-static constexpr float k_outward = 0.26f;       // of the speed, that the body goes outward for that
-static constexpr float k_bend = 0.4f;           // 1/m; narrower bends are taken slower
+// Of one with a pram: how nimble it is, 0..1; how fast at most the turn carries the pram's axle aside, of the
+// speed and in m/s where that is slow; how far the body goes outward for that, of the speed, and as
+// turned_forward bounds it.
+static constexpr float k_pushing = 0.35f, k_rolls_on = 0.41f, k_round = 0.3f;
+static constexpr float k_outward = 0.26f, k_most_outward = 0.63f;
+static constexpr float k_bend = 0.4f;  // 1/m; narrower bends are taken slower
 
 float stair_speed(float speed, float stair_pace) {
     float walk = clamp(0.42f * speed, 0.5f, 0.6f), run = clamp(k_stair_run * (speed - k_runs), 0.0f, 0.5f);
