@@ -9,23 +9,6 @@ bool is_of_trunk(int joint) {
     return joint <= upper_chest || joint == left_upper_leg || joint == right_upper_leg;
 }
 
-static bool is_carried(const CharacterVertex& v) {
-    for (size_t n = 0; n < 4; ++n)
-        if (v.hung_joints[n] == carried_bag && v.hung_weights[n] > 0) return true;
-    return false;
-}
-
-std::vector<Vec3> trunk_surface(const Character& c) {
-    std::vector<Vec3> surface;
-    for (uint32_t i : c.lods[0]) {
-        const CharacterVertex& v = c.vertices[i];
-        const size_t j = v.joints[0];
-        if (v.tint == Tint::hair || !is_of_trunk(int(j)) || is_carried(v)) continue;
-        surface.push_back(c.body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]));
-    }
-    return surface;
-}
-
 Girth measure_girth(const Body& body, std::span<const Vec3> surface) {
     const Vec3 hip = body.joints[hips], middle = body.joints[upper_chest];
     const float shoulder = body.joints[left_upper_arm].y, trunk = shoulder - hip.y;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "assets/character.h"
 
@@ -11,10 +10,6 @@ namespace flaneur {
 // The body's girth, from places on the surface of trunk and thighs in its canonical pose, metres. Where there
 // is none to be found, that of a body of its height.
 Girth measure_girth(const Body& body, std::span<const Vec3> surface);
-
-// Such places: vertices of the character's finest level in what it wears, without what is carried and without
-// hair.
-std::vector<Vec3> trunk_surface(const Character& character);
 
 // Whether a surface that goes mostly with that joint is of trunk or thighs.
 bool is_of_trunk(int joint);

@@ -130,9 +130,9 @@ static void pose_newcomer(World& w, uint32_t walker) {
     w.newcomer.blocks[0] = w.gait.blocks[block];
     w.newcomer.people[0] = w.gait.people[block];
     pose_blocks(w.newcomer, 0, 1, w.newcomer_pose);
-    copy_own<CaneSpan>(w.gait.canes, walker, lane, w.newcomer.canes);
+    copy_own(w.gait.canes, walker, lane, w.newcomer.canes);
     hold_canes(w.newcomer, 0, w.newcomer.canes.size(), w.newcomer_pose);
-    copy_own<PramSpan>(w.gait.prams, walker, lane, w.newcomer.prams);
+    copy_own(w.gait.prams, walker, lane, w.newcomer.prams);
     hold_prams(w.newcomer, 0, w.newcomer.prams.size(), w.newcomer_pose);
     const auto* from = reinterpret_cast<const unsigned char*>(&w.newcomer_pose[0]);
     for (auto* poses : {&w.poses, &w.previous_poses}) {
@@ -162,7 +162,7 @@ JointPose joint_between(const World& w, size_t walker, Joint joint, float betwee
 }
 
 std::optional<PramPlace> pram_between(const World& w, size_t walker, float between) {
-    PramSpan own = prams_of(w.gait, walker, walker + 1);
+    Span own = prams_of(w.gait, walker, walker + 1);
     if (own.begin == own.end) return std::nullopt;
     const Pram& pram = w.gait.prams[own.begin];
     return mixed_place(pram.before, pram.now, between);

@@ -7,8 +7,13 @@
 
 namespace flaneur {
 
-// Those of walkers [begin, end), as indices [begin, end) of the list.
-template <class Span, class Item>
+// Indices [begin, end) of such a list.
+struct Span {
+    size_t begin, end;
+};
+
+// Those of walkers [begin, end).
+template <class Item>
 Span span_of(const std::vector<Item>& items, size_t begin, size_t end) {
     auto before = [](const Item& item, size_t walker) { return item.walker < walker; };
     auto first = std::lower_bound(items.begin(), items.end(), begin, before);
@@ -17,18 +22,18 @@ Span span_of(const std::vector<Item>& items, size_t begin, size_t end) {
 }
 
 // Takes away what a walker had; where its next one goes.
-template <class Span, class Item>
+template <class Item>
 typename std::vector<Item>::iterator take_away(std::vector<Item>& items, size_t walker) {
-    const Span own = span_of<Span>(items, walker, walker + 1);
+    const Span own = span_of(items, walker, walker + 1);
     auto at = items.begin() + static_cast<std::ptrdiff_t>(own.begin);
     return own.begin < own.end ? items.erase(at) : at;
 }
 
 // What a walker has, alone in `to`, as if it were walker `as`.
-template <class Span, class Item>
+template <class Item>
 void copy_own(const std::vector<Item>& items, size_t walker, size_t as, std::vector<Item>& to) {
     to.clear();
-    const Span own = span_of<Span>(items, walker, walker + 1);
+    const Span own = span_of(items, walker, walker + 1);
     for (size_t i = own.begin; i < own.end; ++i) {
         to.push_back(items[i]);
         to.back().walker = static_cast<uint32_t>(as);

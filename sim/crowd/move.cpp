@@ -118,10 +118,10 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     const bool pushes = c.identity.ahead[i] > 0;
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
+    const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, me, wish);
     if (pushes)
-        for (Vec2 way : {wish, m.velocity[i]})
-            add_brake_at_steps(mesh, thread, {m.position[i], m.polygon[i]}, way, near);
+        for (Vec2 way : {wish, m.velocity[i]}) add_brake_at_steps(mesh, thread, from, way, near);
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
     Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
@@ -136,7 +136,6 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Vec2 step = v + near.push;
     if (share_within(near, step) < 1)
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
-    NavPoint from{m.position[i], m.polygon[i]};
     NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0), by);
     Vec2 real = on_ground(to.position - from.position) / k_tick;
     // Along a wall one may have slid into somebody.

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "sim/base/math.h"
-#include "sim/base/spans.h"
 #include "sim/gait/hands.h"
 #include "sim/gait/steps.h"
 
@@ -375,12 +374,10 @@ void advance(const Bearer& b, Cane& c) {
 
 }  // namespace
 
-CaneSpan canes_of(const Gait& gait, size_t begin, size_t end) {
-    return span_of<CaneSpan>(gait.canes, begin, end);
-}
+Span canes_of(const Gait& gait, size_t begin, size_t end) { return span_of(gait.canes, begin, end); }
 
 void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper) {
-    auto at = take_away<CaneSpan>(gait.canes, walker);
+    auto at = take_away(gait.canes, walker);
     if (tip_hs == Vec3{}) return;
     Cane cane;
     cane.walker = static_cast<uint32_t>(walker);

@@ -214,12 +214,12 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         }
         advance_heights(g, people, rows, dt);
     }
-    for (CaneSpan canes = canes_of(gait, begin, end); canes.begin < canes.end; ++canes.begin) {
+    for (Span canes = canes_of(gait, begin, end); canes.begin < canes.end; ++canes.begin) {
         Cane& cane = gait.canes[canes.begin];
         const Vec2 facing = heading_direction(root.heading[cane.walker]);
         advance_cane(gait, cane, stepper_of(cane.walker, facing));
     }
-    for (PramSpan prams = prams_of(gait, begin, end); prams.begin < prams.end; ++prams.begin) {
+    for (Span prams = prams_of(gait, begin, end); prams.begin < prams.end; ++prams.begin) {
         Pram& pram = gait.prams[prams.begin];
         advance_pram(pram, stepper_of(pram.walker, heading_direction(root.heading[pram.walker])));
     }
@@ -254,13 +254,13 @@ void carry_feet(Gait& gait, size_t walker, Vec3 pivot, float yaw, Vec3 by) {
         foot.wished_yaw[lane] += yaw;
     }
     g.base[lane] += by.y;
-    CaneSpan own = canes_of(gait, walker, walker + 1);
+    Span own = canes_of(gait, walker, walker + 1);
     for (size_t i = own.begin; i < own.end; ++i) {
         Cane& cane = gait.canes[i];
         for (Vec3* p : {&cane.tip, &cane.from, &cane.to, &cane.goal})
             *p = at_height(carried(p->x, p->z), p->y + by.y);
     }
-    PramSpan pushed = prams_of(gait, walker, walker + 1);
+    Span pushed = prams_of(gait, walker, walker + 1);
     for (size_t i = pushed.begin; i < pushed.end; ++i) {
         PramPlace& at = gait.prams[i].now;
         at.place = at_height(carried(at.place.x, at.place.z), at.place.y + by.y);

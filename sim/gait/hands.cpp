@@ -147,8 +147,8 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
             auto nearer = side_of_wall(around, arm(k_left));
             if (!nearer) continue;
             side = *nearer;
-            CaneSpan canes = canes_of(gait, i, i + 1);
-            PramSpan prams = prams_of(gait, i, i + 1);
+            Span canes = canes_of(gait, i, i + 1);
+            Span prams = prams_of(gait, i, i + 1);
             if ((side == k_right && canes.begin < canes.end) || prams.begin < prams.end) continue;
             if (g.holds[side].share[lane] > 0) continue;
         }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/base/spans.h"
 #include "sim/gait/gait.h"
 #include "sim/ground/surroundings.h"
 
@@ -33,9 +34,6 @@ void advance_cane(const Gait& gait, Cane& cane, const Stepper& stepper);
 // Gives one who stands a cane (see Body::cane), or takes away what it had where that is zero.
 void give_cane(Gait& gait, size_t walker, Vec3 tip_hs, const Stepper& stepper);
 // The canes of walkers [begin, end), as indices of Gait::canes.
-struct CaneSpan {
-    size_t begin, end;
-};
-CaneSpan canes_of(const Gait& gait, size_t begin, size_t end);
+Span canes_of(const Gait& gait, size_t begin, size_t end);
 
 }  // namespace flaneur

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "sim/base/math.h"
-#include "sim/base/spans.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
@@ -167,12 +166,10 @@ void advance_pram(Pram& pram, const Stepper& s) {
     pram.now.wheel = turned < 0 ? turned + 2 * k_pi : turned;
 }
 
-PramSpan prams_of(const Gait& gait, size_t begin, size_t end) {
-    return span_of<PramSpan>(gait.prams, begin, end);
-}
+Span prams_of(const Gait& gait, size_t begin, size_t end) { return span_of(gait.prams, begin, end); }
 
 void give_pram(Gait& gait, size_t walker, Vec3 handle, float scale, const Stepper& stepper) {
-    auto at = take_away<PramSpan>(gait.prams, walker);
+    auto at = take_away(gait.prams, walker);
     if (handle == Vec3{}) return;
     Pram pram;
     pram.walker = static_cast<uint32_t>(walker);

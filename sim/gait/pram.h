@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/spans.h"
 #include "sim/base/vec.h"
 #include "sim/body/pram.h"
 
@@ -48,9 +49,6 @@ void advance_pram(Pram& pram, const Stepper& stepper);
 // Gives one who stands a pram (see Body::pram), or takes away what it had where that is zero.
 void give_pram(Gait& gait, size_t walker, Vec3 handle, float scale, const Stepper& stepper);
 // The prams of walkers [begin, end), as indices of Gait::prams.
-struct PramSpan {
-    size_t begin, end;
-};
-PramSpan prams_of(const Gait& gait, size_t begin, size_t end);
+Span prams_of(const Gait& gait, size_t begin, size_t end);
 
 }  // namespace flaneur

@@ -219,11 +219,23 @@ void bend_feet(Character& c, const std::array<bool, 2>& sides) {
     }
 }
 
+// Vertices of trunk and thighs in the canonical pose, without hair.
+static std::vector<Vec3> trunk_of(const Character& c) {
+    std::vector<Vec3> surface;
+    for (uint32_t i : c.lods[0]) {
+        const CharacterVertex& v = c.vertices[i];
+        const size_t j = v.joints[0];
+        if (v.tint == Tint::hair || !is_of_trunk(int(j))) continue;
+        surface.push_back(c.body.joints[j] + rotate(c.bind_to_canonical[j], v.position - c.bind_joints[j]));
+    }
+    return surface;
+}
+
 void set_body(Character& c, const std::vector<uint8_t>& held, bool has_clavicles) {
     set_rotations(c, held, has_clavicles);
     set_joints(c);
     c.body.carriage = clear_carriage(c, held);
-    c.body.girth = measure_girth(c.body, trunk_surface(c));
+    c.body.girth = measure_girth(c.body, trunk_of(c));
 }
 
 // The lowest that a leg's vertex, and the highest that any but a hand's, stands in the canonical pose.

@@ -50,7 +50,7 @@ TEST(CanesInACrowd, MoveNothingButTheArmThatHoldsOne) {
         step(*with);
         step(*without);
         for (size_t i = 0; i < with->gait.count; ++i) {
-            CaneSpan own = canes_of(with->gait, i, i + 1);
+            Span own = canes_of(with->gait, i, i + 1);
             for (int j = 0; j < k_joint_count; ++j) {
                 bool holds = j >= right_upper_arm && j <= right_hand && own.begin < own.end;
                 bool is_same = same(joint_pose(with->poses, i, static_cast<Joint>(j)),
@@ -109,7 +109,7 @@ TEST(CanesInACrowd, ComeAndGoWithTheirBearers) {
     auto id = add_walker(*w, {.kind = 2});
     ASSERT_TRUE(id) << (id ? "" : id.error().message);
     EXPECT_EQ(w->gait.canes.size(), before + 1);
-    CaneSpan own = canes_of(w->gait, id->index, id->index + 1);
+    Span own = canes_of(w->gait, id->index, id->index + 1);
     ASSERT_EQ(own.end, own.begin + 1);
     EXPECT_LT(length(posed_tip(w->poses, w->gait.canes[own.begin]) - w->gait.canes[own.begin].to), 0.005f);
     for (int t = 0; t < 60; ++t) step(*w);
