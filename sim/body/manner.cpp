@@ -73,6 +73,9 @@ Manner draw_manner(const Manner& middle, RandomKey key) {
     m.strike *= clamp(1 + 0.2f * random_normal(key, 14), 0.55f, 1.4f);
     m.clearance += clamp(0.005f * random_normal(key, 15), -0.005f, 0.012f);
     m.limp = clamp(0.008f * random_normal(key, 13), -0.02f, 0.02f);
+    m.stance_width = clamp(m.stance_width * random_between(key, 0.78f, 1.45f, 300), 0.08f, 0.155f);
+    m.stance_ahead *= 0.25f + 1.6f * random_unit(key, 301);
+    m.stance_turn *= random_between(key, 0.4f, 1.6f, 302);
     vary_postures(m, key);
     m.crouch = clamp(m.crouch + 0.009f * random_normal(key, 7), -0.002f, 0.018f);
     return m;

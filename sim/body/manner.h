@@ -37,7 +37,12 @@ struct Manner {
     float clearance = 0;          // legs by which feet swing higher over the ground
     float linger = 0;             // share of the cycle that feet stand longer
     float toe_out = 6 * k_radians;
-    float step_width = 0.055f;          // between the lines of both feet, of the person's height
+    float step_width = 0.055f;  // between the lines of both feet, of the person's height
+    // Of one who stands: between the ankles and from one foot ahead to the other, of the person's height; and
+    // radians that the foot of the relaxed leg points farther out.
+    float stance_width = 0.105f;
+    float stance_ahead = 0.03f;
+    float stance_turn = 8 * k_radians;
     float lean = 6 * k_radians;         // of the trunk, forward +
     float stoop = 0;                    // of the chest over the pelvis, forward +
     float carriage = 8.5f * k_radians;  // of the arms, away from the body
@@ -68,7 +73,8 @@ std::array<float, k_posture_count> postures_at_age(float years, bool woman);
 
 // One person's, as people spread around a middle manner. One arm swings farther than the other, by a third
 // most often (CMU motion capture); feet come down with toes up by 4 degrees more or less (Fukuchi 2018), and
-// swing some 4 mm higher or lower (Winter 1991).
+// swing some 4 mm higher or lower (Winter 1991). How they stand is chosen, not measured: ankles 0.08 to 0.16
+// of the height apart, one up to 0.06 of it ahead.
 Manner draw_manner(const Manner& middle, RandomKey key);
 // Only of Manner::postures: everybody has favourites.
 void vary_postures(Manner& manner, RandomKey key);

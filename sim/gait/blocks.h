@@ -32,6 +32,9 @@ struct FootBlock {
     float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
     float wished_yaw[k_block];
     float beside[k_block];  // metres outside of its line that this step lands
+    // How one who stands has taken its place beside the other: metres ahead and outward, and radians outward,
+    // of where a walk would set it down. 0 of one who walks.
+    float stance_ahead[k_block], stance_out[k_block], stance_turn[k_block];
 };
 
 // What a hand reaches for.
@@ -93,10 +96,12 @@ struct alignas(64) GaitBlock {
     int32_t standing[k_block];                       // 1: both feet down and the phases at rest
     float frequency[k_block];                        // cycles a second
     float quicker[k_block];                          // share by which this step is
-    int32_t first[k_block];  // Side that leaves first as soon as the other leg carries the body, or -1
-    float tread[k_block];    // metres from step to step of the stairs underfoot, 0: none
-    float jump[k_block];     // seconds since a jump began, 0: none
-    float flight[k_block];   // seconds that it is in the air, 0 until the feet leave
+    int32_t first[k_block];     // Side that leaves first as soon as the other leg carries the body, or -1
+    int32_t relaxed[k_block];   // Side of the leg that rests while the other one stands, or -1: they walk
+    int32_t restless[k_block];  // Side of a foot that is to stand elsewhere now, or -1
+    float tread[k_block];       // metres from step to step of the stairs underfoot, 0: none
+    float jump[k_block];        // seconds since a jump began, 0: none
+    float flight[k_block];      // seconds that it is in the air, 0 until the feet leave
     FootBlock feet[2];
     HandBlock hands[2];
     HoldBlock holds[2];
@@ -118,14 +123,17 @@ struct alignas(64) PersonBlock {
     float linger[k_block];                    // see Manner
     float toe_out[k_block];                   // radians
     float step_width[k_block];                // metres between the lines of both feet
-    float lean[k_block];                      // of the trunk, forward +, radians
-    float stoop[k_block];                     // of the chest over the pelvis, forward +, radians
-    float carriage[k_block];                  // arms away from the body, radians
-    float elbow[2][k_block];                  // radians that each elbow is bent beyond the middle
-    float crouch[k_block];                    // metres that the pelvis is lower than in the normal walk
-    float unevenness[k_block];                // see Manner: share of a step's time,
-    float stray[k_block];                     // and metres beside its line
-    float limp[k_block];                      // see Manner
+    // Of one who stands: metres between the ankles, from one foot ahead to the other, and radians that the
+    // foot of the relaxed leg points farther out.
+    float stance_width[k_block], stance_ahead[k_block], stance_turn[k_block];
+    float lean[k_block];        // of the trunk, forward +, radians
+    float stoop[k_block];       // of the chest over the pelvis, forward +, radians
+    float carriage[k_block];    // arms away from the body, radians
+    float elbow[2][k_block];    // radians that each elbow is bent beyond the middle
+    float crouch[k_block];      // metres that the pelvis is lower than in the normal walk
+    float unevenness[k_block];  // see Manner: share of a step's time,
+    float stray[k_block];       // and metres beside its line
+    float limp[k_block];        // see Manner
     float height[k_block];
     float girth[4][k_block];                   // see Girth, in its order
     float postures[k_posture_count][k_block];  // see Manner; those that wear and bags leave

@@ -70,7 +70,7 @@ Vec2 beside(const Bearer& b, Vec2 foot, float heading) {
 
 // Beside one who stands, or will in a moment.
 Vec2 at_rest(const Bearer& b, Vec3 root, float heading) {
-    return beside(b, on_ground(home(b.s.person, b.s.lane, k_left, root, heading).position), heading);
+    return beside(b, on_ground(home(b.g, b.s.person, b.s.lane, k_left, root, heading).position), heading);
 }
 
 Vec3 at_rest_on(const Bearer& b) { return at_height(at_rest(b, b.s.root, b.s.heading), b.s.root.y); }
@@ -79,7 +79,7 @@ Vec3 at_rest_on(const Bearer& b) { return at_height(at_rest(b, b.s.root, b.s.hea
 Vec3 wished(const Bearer& b, float seconds) {
     const FootBlock& foot = b.g.feet[k_left];
     if (foot.swinging[b.s.lane]) {
-        float heading = foot.goal.yaw[b.s.lane] - b.s.person.toe_out[b.s.lane];
+        float heading = foot.goal.yaw[b.s.lane] - b.s.person.toe_out[b.s.lane] - foot.stance_turn[b.s.lane];
         return at_height(beside(b, {foot.goal.x[b.s.lane], foot.goal.z[b.s.lane]}, heading),
                          foot.goal.y[b.s.lane]);
     }

@@ -97,6 +97,9 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.toe_out[lane] = m.toe_out;
     // Never so near that the thighs would meet.
     person.step_width[lane] = std::max(m.step_width * b.height, 0.5f * b.joints[left_upper_leg].x) * scale;
+    person.stance_width[lane] = std::max(m.stance_width * b.height * scale, person.step_width[lane]);
+    person.stance_ahead[lane] = m.stance_ahead * b.height * scale;
+    person.stance_turn[lane] = m.stance_turn;
     person.lean[lane] = m.lean;
     person.carriage[lane] = std::max(m.carriage, b.carriage);
     person.crouch[lane] = m.crouch * leg_length(b) * scale;
@@ -128,17 +131,24 @@ static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3
     g.z[lane] = at.z;
     g.base[lane] = at.y;
     g.heading[lane] = heading;
-    g.first[lane] = -1;
+    g.first[lane] = g.relaxed[lane] = g.restless[lane] = -1;
     g.frequency[lane] = 1;
     const Surroundings nowhere;
     Stepper stepper =
         stepper_at(gait, i, around ? *around : nowhere, at, heading, heading_direction(heading));
+    if (around) {
+        const auto walker = static_cast<uint32_t>(i);
+        const RandomKey look{seed, walker, 0, Purpose::look};
+        stepper.chance = {seed, walker, 0, Purpose::first_step};
+        advance_stance(g, stepper, look);
+        g.load[lane] = resting_load(g, lane, look);
+    }
     for (Side side : {k_left, k_right}) {
         g.feet[side].phase[lane] = k_rest;
         if (around) {
             replant(g, stepper, side);
         } else {
-            set_place(g.feet[side].goal, lane, home(person, lane, side, at, heading));
+            set_place(g.feet[side].goal, lane, home(g, person, lane, side, at, heading));
             touch_down(g, stepper, side);
         }
     }

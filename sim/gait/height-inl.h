@@ -232,7 +232,8 @@ HWY_INLINE T too_high(const GaitBlock& g, const PersonBlock& p, const Climber<T>
     V2<T> hip = b.root + V2<T>{c.facing.z, zero - c.facing.x} * hip_x;
     V2<T> off = at + ahead * by - hip;
     T flat2 = dot(off, off), reach2 = reach * reach;
-    T hip_height = b.base + c.leg * (one + b.rise) - row<T>(g.crouch, lane) - row<T>(p.crouch, lane);
+    T hip_height = b.base + c.leg * (one + b.rise) - row<T>(g.crouch, lane) -
+                   row<T>(p.crouch, lane) * smoothstep(row<T>(g.amplitude, lane) * T(k_crouches));
     T slow = max(T(k_natural_pace) - row<T>(g.pace, lane), zero) * amplitude;
     T above = hip_height + T(k_spare_slow) * slow - b.place.place.y - up;
     T step = clamp(step_between(b.place, b.other), zero, T(k_step_most));
@@ -254,6 +255,7 @@ HWY_INLINE void advance_sink(GaitBlock& g, const PersonBlock& p, const Climber<T
     auto walks = (row<T>(g.running, lane) <= half) & (row<T>(g.jump, lane) <= zero);
     Harmonics<T, 2> wave = harmonics<2>(row<T>(g.phase, lane));
     T rise_now = rise_at({wave.sine[1], wave.cosine[1]}), rise_then = rise_at({zero, T(1.0f)});
+    T load = row<T>(g.load, lane);
     // What the legs that carry need now, and what the next landing does in so many seconds.
     T now = zero, coming = zero, until = T(k_soonest);
     for (int side = 0; side < 2; ++side) {
@@ -281,6 +283,9 @@ HWY_INLINE void advance_sink(GaitBlock& g, const PersonBlock& p, const Climber<T
                                          select(swings, base, c.base),
                                          select(swings, rise_then, rise_now)};
         T amount = select(walks, too_high(g, p, c, bound, lane), zero);
+        // A leg that rests bends instead.
+        T carries = side == k_left ? load : T(1.0f) - load;
+        amount = amount * select(c.stands > half, smoothstep(T(0.2f), half, carries), T(1.0f));
         until = select(swings & (amount > coming), max(seconds, T(k_soonest)), until);
         coming = select(swings, max(coming, amount), coming);
         now = select(stands, max(now, amount), now);

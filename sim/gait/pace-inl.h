@@ -104,9 +104,11 @@ HWY_INLINE MisfitOf<T> misfit(const GaitBlock& g, const PersonBlock& p, const St
                               size_t lane) {
     const FootBlock& foot = g.feet[side];
     T mirror = T(side == k_left ? 1.0f : -1.0f);
-    T across = T(0.5f) * mirror * row<T>(p.step_width, lane);
-    T wants_x = row<T>(s.x, lane) + row<T>(s.facing_z, lane) * across,
-      wants_z = row<T>(s.z, lane) - row<T>(s.facing_x, lane) * across;
+    T across = mirror * (T(0.5f) * row<T>(p.step_width, lane) + row<T>(foot.stance_out, lane));
+    T facing_x = row<T>(s.facing_x, lane), facing_z = row<T>(s.facing_z, lane),
+      ahead = row<T>(foot.stance_ahead, lane);
+    T wants_x = row<T>(s.x, lane) + facing_z * across + facing_x * ahead,
+      wants_z = row<T>(s.z, lane) - facing_x * across + facing_z * ahead;
     T off_x = wants_x - row<T>(foot.to.x, lane), off_z = wants_z - row<T>(foot.to.z, lane);
     T unasked_x = wants_x - row<T>(foot.wished_x, lane), unasked_z = wants_z - row<T>(foot.wished_z, lane);
     T vx = row<T>(s.velocity_x, lane), vz = row<T>(s.velocity_z, lane), wx = row<T>(s.wish_x, lane),
@@ -115,7 +117,8 @@ HWY_INLINE MisfitOf<T> misfit(const GaitBlock& g, const PersonBlock& p, const St
     auto goes = fast2 > wish2;
     T motion = sqrt(max(fast2, wish2));
     T along = off_x * select(goes, vx, wx) + off_z * select(goes, vz, wz);
-    T off = row<T>(s.heading, lane) + mirror * row<T>(p.toe_out, lane) - row<T>(foot.to.yaw, lane);
+    T off = row<T>(s.heading, lane) + mirror * (row<T>(p.toe_out, lane) + row<T>(foot.stance_turn, lane)) -
+            row<T>(foot.to.yaw, lane);
     T turns = floor(off * T(1 / (2 * k_pi)) + T(0.5f));
     return {sqrt(off_x * off_x + off_z * off_z), abs(off - T(2 * k_pi) * turns),
             select(motion > T(1e-6f), along / max(motion, T(1e-6f)), T(0.0f)),

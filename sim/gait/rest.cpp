@@ -1,5 +1,6 @@
 #include "sim/gait/rest.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/math.h"
@@ -14,6 +15,12 @@ static constexpr float k_least_shift = 0.12f, k_most_shift = 0.33f;  // of the b
 // Quiet standing goes to and fro by some ten millimetres, mostly slower than one breathes (Winter 1995): sums
 // of two slow waves, whole ones in a round. Radians of the body over its ankles.
 static constexpr float k_ahead = 0.0065f, k_aside = 0.004f;
+
+// Who is slower, and wishes to stand, chooses where the feet will. Shares of the body's height.
+static constexpr float k_comes_to_stand = 0.7f;  // m/s
+static constexpr float k_narrowest = 0.08f, k_widest = 0.16f, k_farthest_apart = 0.064f;
+static constexpr float k_most_turned = 20 * k_radians;  // outward
+static constexpr float k_rests = 0.35f;                 // of the body, at most, on a leg that rests
 
 // A wave that goes `times` through a round.
 static float wave(float breath, float times, float from) {
@@ -36,6 +43,61 @@ float resting_load(const GaitBlock& g, int lane, RandomKey chance) {
     chance.when = static_cast<uint32_t>(g.breath[lane] / k_breaths_to_shift);
     float shift = random_between(chance, k_least_shift, k_most_shift, 2);
     return random_unit(chance, 3) < 0.5f ? 0.5f - shift : 0.5f + shift;
+}
+
+namespace {
+
+// Metres from one foot to the other, along the heading.
+float draw_ahead(const Stepper& s) {
+    float ahead = s.person.stance_ahead[s.lane] * random_between(s.chance, 0.4f, 1.6f, 100);
+    return std::min(ahead, k_farthest_apart * s.person.height[s.lane]);
+}
+
+void place_foot(GaitBlock& g, const Stepper& s, Side side, bool rests, float ahead) {
+    const uint32_t draw = 110 + 10 * static_cast<uint32_t>(side);
+    const PersonBlock& p = s.person;
+    float height = p.height[s.lane],
+          width = p.stance_width[s.lane] * random_between(s.chance, 0.85f, 1.2f, draw);
+    float turn =
+        rests ? random_between(s.chance, 0.5f, 1.5f, draw + 1) : random_between(s.chance, 0, 0.3f, draw + 1);
+    FootBlock& foot = g.feet[side];
+    foot.stance_ahead[s.lane] = ahead;
+    width = std::max(clamp(width, k_narrowest * height, k_widest * height), p.step_width[s.lane]);
+    foot.stance_out[s.lane] = 0.5f * (width - p.step_width[s.lane]);
+    foot.stance_turn[s.lane] =
+        clamp(turn * p.stance_turn[s.lane], 0, std::max(k_most_turned - p.toe_out[s.lane], 0.0f));
+}
+
+}  // namespace
+
+void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
+    int lane = s.lane;
+    int32_t& relaxed = g.relaxed[lane];
+    bool goes = length_squared(s.wish) > k_goes * k_goes ||
+                length_squared(s.velocity) > k_comes_to_stand * k_comes_to_stand || g.jump[lane] > 0;
+    if (goes) {
+        if (relaxed < 0) return;
+        relaxed = g.restless[lane] = -1;
+        for (FootBlock& foot : g.feet)
+            foot.stance_ahead[lane] = foot.stance_out[lane] = foot.stance_turn[lane] = 0;
+        return;
+    }
+    const Side rests = resting_load(g, lane, chance) > 0.5f ? k_right : k_left,
+               stands = rests == k_left ? k_right : k_left;
+    if (relaxed == rests) return;
+    if (relaxed < 0) {
+        float ahead = draw_ahead(s) * (random_unit(s.chance, 101) < 0.75f ? 0.5f : -0.5f);
+        place_foot(g, s, stands, false, -ahead);
+        place_foot(g, s, rests, true, ahead);
+    } else {
+        // The leg that rested carries from now on, where it is; the other one moves once it is free.
+        float carried = rests == k_left ? g.load[lane] : 1 - g.load[lane];
+        if (!g.standing[lane] || carried > k_rests) return;
+        float other = g.feet[stands].stance_ahead[lane], ahead = draw_ahead(s);
+        place_foot(g, s, rests, true, other > 0 ? other - ahead : other + ahead);
+        g.restless[lane] = rests;
+    }
+    relaxed = rests;
 }
 
 }  // namespace flaneur

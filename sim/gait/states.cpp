@@ -127,11 +127,13 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
         g.first[lane] = -1;
         return;
     }
-    if (g.first[lane] < 0) g.first[lane] = first_foot(s, off, slack);
+    if (g.first[lane] < 0)
+        g.first[lane] =
+            g.restless[lane] >= 0 ? g.restless[lane] : static_cast<int32_t>(first_foot(s, off, slack));
     Side side = static_cast<Side>(g.first[lane]);
     float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
     if ((carried > 0.15f && !in_haste) || g.feet[side].phase[lane] < g.duty[lane] - 1e-3f) return;
-    g.first[lane] = -1;
+    g.first[lane] = g.restless[lane] = -1;
     if (length(s.velocity) < k_standing_speed && stays(g, s, side)) return;
     g.standing[lane] = 0;
     g.frequency[lane] = wanted_frequency(g, s, length(s.velocity), off);
@@ -240,7 +242,8 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     if (g.standing[lane]) {
         target = resting_load(g, lane, chance);
         rate = 0.35f;
-        if (g.first[lane] >= 0) target = g.first[lane] == k_left ? 0.0f : 1.0f, rate = 3.5f;
+        if (g.first[lane] >= 0) target = g.first[lane] == k_left ? 0.0f : 1.0f;
+        if (g.first[lane] >= 0 && g.restless[lane] < 0) rate = 3.5f;
     } else if (l.swinging[lane] && r.swinging[lane]) {
         // In flight: whichever comes down next.
         target = l.phase[lane] > r.phase[lane] ? 1.0f : 0.0f;
@@ -279,6 +282,7 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
     g.z[lane] = s.root.z;
     g.heading[lane] = s.heading;
     float speed = length(s.velocity);
+    advance_stance(g, s, chance);
 
     Misfit off[2];
     for (Side side : {k_left, k_right}) {
@@ -290,7 +294,9 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
     }
     float slack = g.standing[lane] ? k_slack : k_stopping_slack;
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
-    bool slow = speed < k_standing_speed, wants_step = !slow || worst > 1;
+    bool slow = speed < k_standing_speed;
+    if (!slow || worst > 1) g.restless[lane] = -1;
+    bool wants_step = !slow || worst > 1 || g.restless[lane] >= 0;
     if (advance_jump(g, s)) {
         // The jump has moved the feet.
     } else if (g.standing[lane]) {

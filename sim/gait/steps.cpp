@@ -36,12 +36,15 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
     return l > most ? s.velocity + change * (most / l) : s.wish;
 }
 
-FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
-    float across = (side == k_left ? 0.5f : -0.5f) * person.step_width[lane];
+FootPlace home(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
+    const FootBlock& foot = g.feet[side];
+    float outward = side == k_left ? 1.0f : -1.0f;
+    float across = outward * (0.5f * person.step_width[lane] + foot.stance_out[lane]);
     Vec2 ahead = heading_direction(heading);
     Vec3 left{ahead.z, 0, -ahead.x};
-    float toe_out = side == k_left ? person.toe_out[lane] : -person.toe_out[lane];
-    return {root + left * across, heading + toe_out, {0, 1, 0}};
+    float toe_out = outward * (person.toe_out[lane] + foot.stance_turn[lane]);
+    return {
+        root + left * across + at_height(ahead * foot.stance_ahead[lane], 0), heading + toe_out, {0, 1, 0}};
 }
 
 // Where the ground has no better place for it, a foot would step in vain.
@@ -90,7 +93,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     SinCos half = sin_cos(turn * 0.5f);
     ahead = {ahead.x * half.cosine + ahead.z * half.sine, ahead.z * half.cosine - ahead.x * half.sine};
     float heading = s.heading + turn;
-    FootPlace place = home(s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
+    FootPlace place = home(g, s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
 
     // On its own side of the other foot, and within a step of it.
     Vec2 facing = heading_direction(heading);
@@ -231,7 +234,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 
 bool stays(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
-    FootPlace is = get_place(foot.from, s.lane), wished = home(s.person, s.lane, side, s.root, s.heading);
+    FootPlace is = get_place(foot.from, s.lane), wished = home(g, s.person, s.lane, side, s.root, s.heading);
     wished.position.y = is.position.y;
     Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane));
     bool moves = footing.found && length(footing.place.position - is.position) > k_worth_it;
@@ -282,8 +285,8 @@ void touch_down(GaitBlock& g, const Stepper& s, Side side) {
 }
 
 void replant(GaitBlock& g, const Stepper& s, Side side) {
-    Footing footing =
-        find_footing(s.around, home(s.person, s.lane, side, s.root, s.heading), foot_size(s.person, s.lane));
+    Footing footing = find_footing(s.around, home(g, s.person, s.lane, side, s.root, s.heading),
+                                   foot_size(s.person, s.lane));
     set_place(g.feet[side].goal, s.lane, footing.place);
     touch_down(g, s, side);
 }
@@ -291,7 +294,8 @@ void replant(GaitBlock& g, const Stepper& s, Side side) {
 void pivot(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
     FootPlace is = get_place(foot.from, s.lane);
-    float toe_out = side == k_left ? s.person.toe_out[s.lane] : -s.person.toe_out[s.lane];
+    float toe_out = s.person.toe_out[s.lane] + foot.stance_turn[s.lane];
+    if (side == k_right) toe_out = -toe_out;
     float off = wrap_angle(s.heading + toe_out - is.yaw);
     float excess = off > 0 ? std::max(off - k_most_twist, 0.0f) : std::min(off + k_most_twist, 0.0f);
     if (excess == 0) return;

@@ -32,7 +32,8 @@ inline constexpr float k_longest_jump = 1.8f;     // metres from the root to gro
 Vec2 expected_velocity(const Stepper& s, float seconds);
 
 // Where the foot would stand beside a root at `root` that faces `heading`.
-FootPlace home(const PersonBlock& person, int lane, Side side, Vec3 root, float heading);
+FootPlace home(const GaitBlock& gait, const PersonBlock& person, int lane, Side side, Vec3 root,
+               float heading);
 
 // How far a foot is from home.
 struct Misfit {

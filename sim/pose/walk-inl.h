@@ -127,7 +127,7 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     PelvisCurves<T> curves;
     curves.list = curve_at(k_norm_pelvic_list, cycle) * share *
                       (T(1.0f) + T(1.2f) * walk.over + T(0.25f) * walk.running) +
-                  idle * T(k_idle_list);
+                  idle * (T(1.0f) + stands) * T(k_idle_list);
     T turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
     curves.turn = turn * clamp(T(0.97f) + T(2.6f) * walk.over, T(0.6f), T(1.35f));
     curves.twist = turn * T(k_chest_turn);
@@ -174,8 +174,9 @@ HWY_INLINE Height<T> pelvis_height(const GaitBlock& g, const PersonBlock& p, siz
     height.walk = upright + leg * pelvis_rise(at<T>(g.step + lane), walk.over, walk.amplitude,
                                               clamp(at<T>(g.rise + lane), T(0.0f), T(k_steepest)),
                                               SinCosOf<T>{cycle.sine[1], cycle.cosine[1]});
-    height.crouch =
-        at<T>(g.crouch + lane) + at<T>(p.crouch + lane) + at<T>(g.sink + lane) * (T(1.0f) - walk.running);
+    height.crouch = at<T>(g.crouch + lane) +
+                    at<T>(p.crouch + lane) * smoothstep(walk.amplitude * T(k_crouches)) +
+                    at<T>(g.sink + lane) * (T(1.0f) - walk.running);
     height.drop = T(0.0f);
     if (any(walk.running > T(0.0f))) {
         T half = at<T>(g.phase + lane) * T(2.0f), step = T(0.5f) / at<T>(g.frequency + lane);

@@ -35,7 +35,7 @@ Person person_of(const GaitOptions& gait) {
     if (gait.pram) person.body.pram = standard_pram(person.body);
     person.body.wear = {gait.bag, true};
     free_hands(person.manner, who_of(gait), gait);
-    person.hands = gait.style;
+    person.draws = gait.style;
     return person;
 }
 double speed_of(const GaitOptions& gait) {
@@ -60,6 +60,7 @@ std::vector<Report> every_trial(const Person& person, double speed, const GaitOp
         for (bool up : {true, false})
             reports.push_back(try_stairs(person, on_level, up, gait.riser, gait.tread));
     }
+    if (is_free) reports.push_back(try_stand(person, 60));
     for (double percent : {8.0, -8.0}) reports.push_back(try_slope(person, speed, percent));
     reports.push_back(try_kerb(person, speed, 0.12));
     if (is_free)

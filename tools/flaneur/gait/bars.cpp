@@ -225,6 +225,17 @@ constexpr Bar k_change[] = {
 constexpr Bar k_stand[] = {
     {"joint_speed.deg_s", 0, 900, 0, "faster is a jump"},
     {"joint_outside.deg", 0, 0, 0, "AAOS 1965, Kapandji"},
+    {"stand_knee.deg", 0, 8, 0, "a physiotherapist: 0 to 5, the leg that carries"},
+    {"stop_knee.deg", 0, 8, 0, "the same, after a walk"},
+    {"all_stand_knee.deg", 0, 8, 0, "the same, of 24 people"},
+    {"all_rest_knee.deg", 8, 25, 0, "a physiotherapist: 10 to 25, the leg that rests"},
+    {"all_ahead.mm", 40, 120, 0, "a physiotherapist: 0 to 120"},
+    {"narrowest.of_height", 0.08, 0.12, 0, "a physiotherapist: 0.08 to 0.16"},
+    {"widest.of_height", 0.12, 0.16, 0, "the same"},
+    {"spread_ahead.mm", 20, 70, 0, "no source: no two alike; a crowd of clones has 0"},
+    {"spread_turned.deg", 3, 15, 0, "no source: the same"},
+    {"spread_toe_out.deg", 2, 8, 0, "no source: the same"},
+    {"spread_width.of_height", 0.01, 0.03, 0, "no source: the same"},
 };
 constexpr Bar k_gaits[] = {{"run_from.m_s", 1.9, 2.3, 0, "Froude number 0.5"}};
 

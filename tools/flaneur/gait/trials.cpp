@@ -13,6 +13,7 @@
 #include "tools/flaneur/gait/measure/contact.h"
 #include "tools/flaneur/gait/measure/limits.h"
 #include "tools/flaneur/gait/measure/running.h"
+#include "tools/flaneur/gait/measure/stance.h"
 #include "tools/flaneur/gait/measure/transients.h"
 
 namespace flaneur {
@@ -100,7 +101,22 @@ Report try_stand(const Person& person, double seconds) {
     r.name = "stand";
     r.title = text("Standing, %.0f s", seconds);
     r.quantities = measure_body(w, tick_at(w, k_stand));
+    append(r.quantities, measure_stance(w, tick_at(w, k_stand)));
     r.poses = w.hash;
+    // After a walk, with time for the last step and for the weight to go to one leg.
+    constexpr double k_stop = 4, k_seconds = 12, k_stands = 8;
+    Walk stop = walk(flat_ground(1.3, k_seconds), person, k_seconds,
+                     [](double t) { return onward(t > k_stand && t < k_stop ? 1.3 : 0); });
+    r.quantities.push_back(
+        {"stop_knee.deg", value_of(measure_stance(stop, tick_at(stop, k_stands)), "stand_knee.deg")});
+    // Others of that body.
+    std::vector<Quantities> people;
+    for (uint32_t i = 1; i <= 24; ++i) {
+        Person other{person.body, draw_manner(person.manner, {i, 0, 0, Purpose::style}), person.draws + i};
+        Walk stands = walk(flat_ground(0, k_settle), other, k_settle, [](double) { return Vec2{}; });
+        people.push_back(measure_stance(stands, tick_at(stands, k_stand)));
+    }
+    append(r.quantities, measure_stances(people));
     return finished(std::move(r), stand_bars());
 }
 

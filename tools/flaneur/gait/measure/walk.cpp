@@ -115,6 +115,7 @@ Vec2 turned_by(double degrees, double speed) {
 }
 
 Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps) {
+    const uint64_t seed = k_seed + person.draws;
     Walk result{person.body, 1 / static_cast<double>(k_tick), {}, 0};
     std::vector<Body> bodies{person.body};
     uint32_t index = 0;
@@ -124,7 +125,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     Motion motion;
     RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &motion.aim};
     Gait gait;
-    start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), k_seed, &person.manner);
+    start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), seed, &person.manner);
     std::vector<PoseBlock> poses(1), before(1);
     std::vector<TrailBlock> trails(1);
     pose_blocks(gait, 0, 1, poses);
@@ -146,9 +147,9 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
         if (leaps > 0 && t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
-        advance_gait(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
-        reach_for_walls(gait, 0, 1, root, surroundings_of(ground), k_seed, t, k_tick);
-        advance_holds(gait, 0, 1, root, k_seed + person.hands, t, k_tick);
+        advance_gait(gait, 0, 1, root, surroundings_of(ground), seed, t, k_tick);
+        reach_for_walls(gait, 0, 1, root, surroundings_of(ground), seed, t, k_tick);
+        advance_holds(gait, 0, 1, root, seed, t, k_tick);
         poses.swap(before);
         pose_blocks(gait, 0, 1, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
@@ -164,6 +165,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         for (size_t j = 0; j < k_joint_count; ++j)
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
         for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(ground, gait, poses, 0, side);
+        now.load = gait.blocks[0].load[0];
         now.cane = cane_instant(ground, gait, poses);
         if (!gait.prams.empty()) now.pram = gait.prams.front().now;
         now.trail = trail_of(trails, 0);

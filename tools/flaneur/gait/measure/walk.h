@@ -37,6 +37,7 @@ struct Instant {
     float heading = 0;
     std::array<JointPose, k_joint_count> joints;
     FootInstant feet[2];
+    float load = 0.5f;              // share of the body that the left leg carries
     CaneInstant cane;               // of one who has one
     std::optional<PramPlace> pram;  // the same
     Trail trail;
@@ -90,7 +91,7 @@ void add_risers(Ground& ground, const Course& course);
 struct Person {
     Body body;
     Manner manner;
-    uint64_t hands = 0;  // draws when they do what
+    uint64_t draws = 0;  // what chance brings: when hands do what, how feet come to stand
 };
 
 // The velocity, m/s on the ground plane, that the person would like at a time. Legs follow it as fast as they
