@@ -583,10 +583,12 @@ TEST(GaitStates, HeadLeadsAHalfTurn) {
 TEST(GaitStates, WeightShiftsWhileStanding) {
     Tried t = make_tried(wide_floor());
     float least = 1, most = 0, before = t.block().load[0];
-    for_seconds(t, 30, {0, 0}, [&] {
+    for_seconds(t, 120, {0, 0}, [&] {
         float load = t.block().load[0];
-        EXPECT_LT(std::fabs(load - before), 0.01f);
-        EXPECT_FALSE(t.in_air(0) || t.in_air(1));
+        // A foot that has come to rest may take another place.
+        if (t.block().standing[0]) EXPECT_LT(std::fabs(load - before), 0.01f);
+        EXPECT_FALSE(t.in_air(0) && t.in_air(1));
+        EXPECT_LT(t.drift, 5e-4f);
         least = std::min(least, load);
         most = std::max(most, load);
         before = load;
