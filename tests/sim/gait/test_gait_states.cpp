@@ -586,7 +586,9 @@ TEST(GaitStates, WeightShiftsWhileStanding) {
     for_seconds(t, 120, {0, 0}, [&] {
         float load = t.block().load[0];
         // A foot that has come to rest may take another place.
-        if (t.block().standing[0]) EXPECT_LT(std::fabs(load - before), 0.01f);
+        if (t.block().standing[0]) {
+            EXPECT_LT(std::fabs(load - before), 0.01f);
+        }
         EXPECT_FALSE(t.in_air(0) && t.in_air(1));
         EXPECT_LT(t.drift, 5e-4f);
         least = std::min(least, load);
