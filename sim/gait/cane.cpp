@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/base/math.h"
+#include "sim/gait/curves/fits.h"
 #include "sim/gait/hands.h"
 #include "sim/gait/steps.h"
 
@@ -107,8 +108,9 @@ Vec3 shoulder_of(const Bearer& b, Vec2 by, float walking_drop) {
     Vec3 s = joint(b.s, right_upper_arm), h = joint(b.s, hips);
     Vec2 ahead = b.s.facing, right{-ahead.z, ahead.x};
     float lean = b.s.person.lean[b.s.lane] * b.g.amplitude[b.s.lane] + b.s.person.stoop[b.s.lane];
-    float drop = b.s.person.crouch[b.s.lane] + b.g.crouch[b.s.lane] + b.g.sink[b.s.lane] +
-                 walking_drop * b.g.amplitude[b.s.lane] * b.s.leg_length;
+    float amplitude = b.g.amplitude[b.s.lane];
+    float drop = b.s.person.crouch[b.s.lane] * smoothstep(0, 1, amplitude * k_crouches) +
+                 b.g.crouch[b.s.lane] + b.g.sink[b.s.lane] + walking_drop * amplitude * b.s.leg_length;
     Vec2 place = on_ground(b.s.root) + by - right * s.x + ahead * (s.z + lean * (s.y - h.y));
     return at_height(place, b.g.base[b.s.lane] + s.y - drop);
 }

@@ -18,6 +18,7 @@ static constexpr float k_ahead = 0.0065f, k_aside = 0.004f;
 
 // Who is slower, and wishes to stand, chooses where the feet will. Shares of the body's height.
 static constexpr float k_comes_to_stand = 0.7f;  // m/s
+static constexpr float k_turns = 0.8f;           // rad/s; who turns on the spot gathers the feet
 static constexpr float k_narrowest = 0.08f, k_widest = 0.16f, k_farthest_apart = 0.064f;
 static constexpr float k_most_turned = 20 * k_radians;  // outward
 static constexpr float k_rests = 0.35f;                 // of the body, at most, on a leg that rests
@@ -74,7 +75,8 @@ void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
     int lane = s.lane;
     int32_t& relaxed = g.relaxed[lane];
     bool goes = length_squared(s.wish) > k_goes * k_goes ||
-                length_squared(s.velocity) > k_comes_to_stand * k_comes_to_stand || g.jump[lane] > 0;
+                length_squared(s.velocity) > k_comes_to_stand * k_comes_to_stand ||
+                std::fabs(s.turn_rate) > k_turns || g.jump[lane] > 0;
     if (goes) {
         if (relaxed < 0) return;
         relaxed = g.restless[lane] = -1;

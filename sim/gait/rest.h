@@ -15,7 +15,8 @@ void advance_rest(GaitBlock& gait, const Stepper& stepper);
 float resting_load(const GaitBlock& gait, int lane, RandomKey chance);
 
 // How one who stands, or is about to, takes a place: a foot ahead, the leg that rests turned out, everybody's
-// own; anew at each stand, and of the foot that has come to rest at each shift. `chance` as in resting_load.
+// own; anew at each stand, and of the foot that has come to rest at each shift. Who goes, or turns on the
+// spot, gathers the feet. `chance` as in resting_load.
 void advance_stance(GaitBlock& gait, const Stepper& stepper, RandomKey chance);
 
 }  // namespace flaneur

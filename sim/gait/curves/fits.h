@@ -67,8 +67,7 @@ inline constexpr float k_drive_lean = 0.5f, k_bank_lean = 0.35f;  // radians ove
 inline constexpr float k_head_nod = 0.039f, k_head_roll = 0.3f, k_head_turn = 0.5f;
 
 // One who stands: pelvis to the side and its list for all of the body on one leg, metres and radians (twice
-// that once at rest); how far
-// the chest goes back at the height of a breath.
+// that once at rest); how far the chest goes back at the height of a breath.
 inline constexpr float k_idle_sway = 0.08f, k_idle_list = 0.12f, k_breath_lean = 0.014f;
 
 // Knees that a manner keeps bent are straight in standing, and bent again from 1 / crouches of a walk on.

@@ -26,7 +26,7 @@ struct Tried {
     std::vector<PoseBlock> poses;
     Motion motion;
     Vec3 position;
-    Vec2 wish;
+    Vec2 wish, look{};
     uint32_t tick = 0;
     float height = 1.72f;
 
@@ -95,7 +95,7 @@ void advance(Tried& t, Vec2 wish) {
     GroundHit under;
     if (auto hit = ground_at(t.ground, t.position)) under = *hit;
     t.wish = wish_on(under, wish, stair_pace(k_leg_share * t.height));
-    t.motion = next_motion(t.motion, t.wish, k_tick);
+    t.motion = next_motion(t.motion, t.wish, k_tick, t.look);
     t.position += at_height(t.motion.velocity * k_tick, 0);
     if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
     RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim};
@@ -578,6 +578,25 @@ TEST(GaitStates, HeadLeadsAHalfTurn) {
     });
     EXPECT_GT(body_at - head_at, 0.15f);
     EXPECT_LT(body_at - head_at, 0.35f);
+}
+
+TEST(GaitStates, WhoTurnsOnTheSpotGathersTheFeet) {
+    Tried t = make_tried(wide_floor());
+    float apart = 0;
+    int turning = 0;
+    for (int turn = 0; turn < 40; ++turn) {
+        t.look = {};
+        for_seconds(t, 2.5f + 0.01f * static_cast<float>(turn), {0, 0});
+        t.look = heading_direction(t.motion.heading + 2.8f);
+        for_seconds(t, 0.7f, {0, 0});
+        for_seconds(t, 1.8f, {0, 0}, [&] {
+            if (std::fabs(t.motion.turn_rate) < 1 || t.in_air(k_left) || t.in_air(k_right)) return;
+            apart += length(t.foot_place(k_left) - t.foot_place(k_right));
+            ++turning;
+        });
+    }
+    EXPECT_GT(turning, 150);
+    EXPECT_LT(apart, 0.125f * static_cast<float>(turning));
 }
 
 TEST(GaitStates, WeightShiftsWhileStanding) {
