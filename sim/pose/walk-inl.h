@@ -123,11 +123,11 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
                                          const WalkNow<T>& walk, const Harmonics<T, 3>& cycle) {
     T style = at<T>(p.sway + lane), share = walk.amplitude * style;
     T stands = (T(1.0f) - walk.amplitude) * (T(1.0f) - walk.amplitude);
-    T idle = (at<T>(g.load + lane) - T(0.5f)) * stands;
+    T more = at<T>(g.load + lane) - T(0.5f), idle = more * stands;
     PelvisCurves<T> curves;
     curves.list = curve_at(k_norm_pelvic_list, cycle) * share *
                       (T(1.0f) + T(1.2f) * walk.over + T(0.25f) * walk.running) +
-                  idle * (T(1.0f) + stands) * T(k_idle_list);
+                  idle * (T(1.0f) + stands * (T(1.0f) - T(4.0f) * more * more)) * T(k_idle_list);
     T turn = curve_at(k_norm_pelvic_rotation, cycle) * share;
     curves.turn = turn * clamp(T(0.97f) + T(2.6f) * walk.over, T(0.6f), T(1.35f));
     curves.twist = turn * T(k_chest_turn);
