@@ -84,6 +84,10 @@ void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
             foot.stance_ahead[lane] = foot.stance_out[lane] = foot.stance_turn[lane] = 0;
         return;
     }
+    // Until the other leg is free, nothing is to be decided.
+    const int32_t lighter = g.load[lane] > 0.5f ? k_right : k_left;
+    const float carried = std::min(g.load[lane], 1 - g.load[lane]);
+    if (relaxed >= 0 && (relaxed == lighter || !g.standing[lane] || carried > k_rests)) return;
     const Side rests = resting_load(g, lane, chance) > 0.5f ? k_right : k_left,
                stands = rests == k_left ? k_right : k_left;
     if (relaxed == rests) return;
@@ -92,9 +96,7 @@ void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
         place_foot(g, s, stands, false, -ahead);
         place_foot(g, s, rests, true, ahead);
     } else {
-        // The leg that rested carries from now on, where it is; the other one moves once it is free.
-        float carried = rests == k_left ? g.load[lane] : 1 - g.load[lane];
-        if (!g.standing[lane] || carried > k_rests) return;
+        // The leg that rested carries from now on, where it is; the other one moves.
         float other = g.feet[stands].stance_ahead[lane], ahead = draw_ahead(s);
         place_foot(g, s, rests, true, other > 0 ? other - ahead : other + ahead);
         g.restless[lane] = rests;
