@@ -128,5 +128,48 @@ TEST(StreetCamera, LooksPastWhatWouldFillThePicture) {
     EXPECT_FALSE(looks_at_shelter(city));
 }
 
+// How far up the picture something is: 0 at its lower edge, 1 at the upper one.
+float height_in_picture(const Camera& camera, Vec3 at) {
+    glm::vec3 ahead = glm::normalize(camera.target - camera.eye);
+    glm::vec3 up = glm::cross(glm::normalize(glm::cross(ahead, glm::vec3(0, 1, 0))), ahead);
+    glm::vec3 way = glm::vec3(at.x, at.y, at.z) - camera.eye;
+    return 0.5f + 0.5f * glm::dot(way, up) / glm::dot(way, ahead) / std::tan(camera.vertical_fov / 2);
+}
+
+// One who stands at the middle of a place with a wall so far behind, in the picture from hat to soles.
+void expect_whole(float height, float wall) {
+    auto ground = std::make_shared<Ground>();
+    ground->vertices = {{-30, 2, -30}, {-30, 2, 30}, {30, 2, 30}, {30, 2, -30}};
+    ground->indices = {0, 1, 2, 0, 2, 3};
+    ground->kinds = {Surface::grass, Surface::grass};
+    add_house(*ground, {0, 2, -wall - 5}, 5, 8, 0);
+    index_ground(*ground);
+    WorldOptions options;
+    options.capacity = 1;
+    options.kinds = {{standard_body(height / 1.1f)}};
+    auto world = make_world_on(*ground, options);
+    ASSERT_TRUE(world) << world.error().message;
+    WalkerOptions walker;
+    walker.place = Vec3{0, 2, 0};
+    walker.scale = 1.1f;
+    ASSERT_TRUE(add_walker(**world, walker));
+    Camera camera = follow_camera(**world, 0, 1);
+    EXPECT_TRUE(sees(*ground, {camera.eye.x, camera.eye.y, camera.eye.z}, {0, 2 + height, 0}));
+    constexpr float k_margin = 0.025f;
+    const float hat = 0.07f * height, hind = 0.3f * height;
+    const Vec3 crown{0, 2 + height + hat, 0}, soles{0, 2, 0}, hind_sole{0, 2, -hind};
+    float top = height_in_picture(camera, crown), bottom = height_in_picture(camera, soles);
+    EXPECT_TRUE(is_in_picture(camera, crown) && is_in_picture(camera, soles)) << height << " " << wall;
+    EXPECT_LT(top, 1 - k_margin) << height << " " << wall;
+    EXPECT_GT(bottom, k_margin) << height << " " << wall;
+    EXPECT_GT(height_in_picture(camera, hind_sole), k_margin) << height << " " << wall;
+    EXPECT_GT(top - bottom, 0.6f) << "nor is it a speck: " << height << " " << wall;
+}
+
+TEST(FollowCamera, ShowsSmallAndTallFromHatToSoles) {
+    for (float height : {1.0f, 1.7f, 2.0f})
+        for (float wall : {20.0f, 2.5f}) expect_whole(height, wall);
+}
+
 }  // namespace
 }  // namespace flaneur

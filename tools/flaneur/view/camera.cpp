@@ -151,19 +151,37 @@ Camera street_camera(const City& city, const World& world) {
 }
 
 Camera follow_camera(const World& world, uint32_t walker, float between) {
+    // Shares of the height of the one who is followed.
+    constexpr float k_hat = 0.1f;                                 // over the crown
+    constexpr float k_behind = 2.35f, k_aside = 0.4f;             // where the eye is
+    constexpr float k_stride = 0.35f;                             // how far back a foot gets
+    constexpr float k_margin = 0.13f;                             // of the picture, above and below in all
+    constexpr float k_off_walls = 0.3f, k_least_distance = 0.6f;  // metres
+    constexpr float k_widest = 1.4f;                              // lens, where there is little room
     Vec2 velocity = world.crowd.motion.velocity[walker];
     float back = (1 - between) * k_tick;
     Vec3 feet = world.crowd.motion.position[walker] - Vec3{velocity.x, 0, velocity.z} * back;
     Vec3 ahead =
         heading_vector(world.crowd.motion.heading[walker] - world.crowd.motion.turn_rate[walker] * back);
-    Vec3 head = feet + Vec3{0, 1.6f, 0};
     Vec3 right{-ahead.z, 0, ahead.x};
-    Vec3 away = ahead * -3.5f + Vec3{0, 0.4f, 0} + right * 0.5f;  // over the right shoulder
+    float height =
+        world.kinds[world.crowd.identity.body[walker]].body.height * world.crowd.identity.scale[walker];
+    Vec3 head = feet + Vec3{0, height, 0};
+    Vec3 away = (ahead * -k_behind + right * k_aside + Vec3{0, k_hat, 0}) * height;
     float distance = length(away);
     Vec3 direction = away / distance;
-    if (auto hit = raycast(*world.ground, head, direction, distance + 0.3f))
-        distance = std::max(hit->distance - 0.3f, 0.6f);
-    return make_camera(head + direction * distance, feet + Vec3{0, 1.25f, 0} + ahead * 2.5f + right * 0.2f);
+    if (auto hit = raycast(*world.ground, head, direction, distance + k_off_walls))
+        distance = std::max(hit->distance - k_off_walls, k_least_distance);
+    Vec3 eye = head + direction * distance;
+    // From the crown of the hat to the sole of the hind foot.
+    float away_along = length(on_ground(eye - feet)), above = eye.y - feet.y;
+    float top = std::atan2((1 + k_hat) * height - above, away_along);
+    float bottom = std::atan2(-above, std::max(away_along - k_stride * height, 0.2f));
+    float pitch = 0.5f * (top + bottom);
+    Camera camera =
+        make_camera(eye, eye + (ahead + right * -0.08f) * std::cos(pitch) + Vec3{0, std::sin(pitch), 0});
+    camera.vertical_fov = std::clamp((top - bottom) / (1 - k_margin), k_fov, k_widest);
+    return camera;
 }
 
 Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,
