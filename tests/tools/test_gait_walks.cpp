@@ -1,8 +1,11 @@
 // The walk that is exported, and steep ground, which `gait --check` does not walk.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "tools/flaneur/gait/people/who.h"
 #include "tools/flaneur/gait/trials.h"
 #include "tools/flaneur/sheets/take.h"
 
@@ -72,6 +75,60 @@ TEST(GaitSlopes, HeelsComeDownFirstDownhillAndBallsUpSteepSlopes) {
     EXPECT_GT(pitch_at_contact(-12), 10);
     EXPECT_GT(pitch_at_contact(-24), 10);
     EXPECT_LT(pitch_at_contact(40), -10);
+}
+
+const Verdict* verdict_on(const Report& report, const std::string& name) {
+    for (const Verdict& v : report.verdicts)
+        if (name == v.bar.quantity) return &v;
+    return nullptr;
+}
+
+// One who has a hand in a pocket as soon as may be.
+Person with_hand_in_pocket() {
+    Person person{standard_body(1.75f), {}};
+    person.body.wear = {Bag::none, true};
+    GaitOptions gait;
+    gait.posture = "pocket";
+    free_hands(person.manner, {}, gait);
+    return person;
+}
+
+TEST(GaitBars, OfArmsAreLeftOutWhereBothHandsHoldSomething) {
+    Person person{standard_body(1.75f), {}};
+    Report free = try_level(person, 1.3, 15);
+    EXPECT_TRUE(free.left_out.empty());
+    person.body.pram = standard_pram(person.body);
+    Report pushing = try_level(person, 1.3, 15);
+    ASSERT_EQ(pushing.left_out.size(), 1u);
+    EXPECT_FALSE(pushing.left_out[0].why.empty());
+    // Nothing else is missing, and what is left out is said.
+    EXPECT_EQ(pushing.verdicts.size() + pushing.left_out[0].quantities.size(), free.verdicts.size());
+    for (const char* name :
+         {"upper_arm.range", "elbow.range", "elbow.mean", "arm_leg.deg", "jerk_wrist.m_s3"})
+        EXPECT_EQ(std::ranges::count(pushing.left_out[0].quantities, name), 1) << name;
+    EXPECT_EQ(pushing.left_out[0].quantities.size(), 5u);
+}
+
+TEST(GaitBars, OfArmsAreHeldToTheArmThatSwings) {
+    Report free = try_level({standard_body(1.75f), {}}, 1.3, 15);
+    Report report = try_level(with_hand_in_pocket(), 1.3, 15);
+    EXPECT_TRUE(report.left_out.empty());
+    EXPECT_EQ(report.verdicts.size(), free.verdicts.size());
+    for (const char* name : {"upper_arm.range", "elbow.range", "elbow.mean", "arm_leg.deg"}) {
+        const Verdict *one = verdict_on(report, name), *of_free = verdict_on(free, name);
+        ASSERT_TRUE(one && of_free) << name;
+        EXPECT_NEAR(one->value, of_free->value, 0.15 * of_free->value) << name;
+    }
+}
+
+TEST(GaitBars, OfFreeTurnsAreNotThoseOfAPram) {
+    Person person{standard_body(1.75f), {}};
+    person.body.pram = standard_pram(person.body);
+    Report turn = try_turn(person, 1.3, 180);
+    ASSERT_EQ(turn.left_out.size(), 1u);
+    EXPECT_EQ(turn.left_out[0].quantities.size(), 3u);
+    EXPECT_TRUE(verdict_on(turn, "head_lead.ms")) << "heads turn first all the same";
+    EXPECT_TRUE(verdict_on(turn, "stance_drift.mm"));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
             return Vec3{places[of][0][lane], places[of][1][lane], places[of][2][lane]};
         };
         float error = std::fabs(length(is(j) - is(parent)) - length(rest(j) - rest(parent)));
-        watch.bone_error = std::max(watch.bone_error, error);
+        if (error > watch.bone_error.most) watch.bone_error = {error, world.tick};
     }
     watch.seen = true;
 }
@@ -199,11 +199,19 @@ struct WorstOfAll {
     WorstWatch worst;
     size_t walker = 0;
 };
+void keep_worst(WorstOfAll& all, WorstWatch one, size_t walker) {
+    if (one.most > all.worst.most) all = {one, walker};
+}
 WorstOfAll worst_of_all(const std::vector<WalkerWatch>& watches, int kind) {
     WorstOfAll all;
-    for (size_t i = 0; i < watches.size(); ++i)
-        if (watches[i].worst[kind].most > all.worst.most) all = {watches[i].worst[kind], i};
+    for (size_t i = 0; i < watches.size(); ++i) keep_worst(all, watches[i].worst[kind], i);
     return all;
+}
+// Nobody's where nobody has any.
+Quantity quantity_of(const char* name, const WorstOfAll& all) {
+    Quantity q{name, static_cast<double>(all.worst.most)};
+    if (all.worst.most > 0) q.moment = Moment{all.walker, all.worst.tick};
+    return q;
 }
 
 }  // namespace
@@ -219,10 +227,12 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
 
 Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, const std::string& city) {
     std::vector<double> drift{0}, below{0}, above{0}, slip{0};
-    double not_finite = 0, outside = 0, beyond = 0, bone = 0, spin = 0, jumps = 0;
+    double not_finite = 0, outside = 0, jumps = 0;
+    WorstOfAll beyond, bone, spin;
     std::vector<LegCurves> people;
     std::vector<double> speeds;
-    for (const WalkerWatch& w : watches) {
+    for (size_t i = 0; i < watches.size(); ++i) {
+        const WalkerWatch& w = watches[i];
         std::vector<Stance> stances = w.stances;
         for (const StanceWatch& foot : w.feet)
             if (foot.standing) stances.push_back(foot.stance);
@@ -236,10 +246,10 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, 
         for (const JointWatch& joint : w.joints) {
             outside += joint.outside;
             jumps += joint.jumps;
-            beyond = std::max(beyond, static_cast<double>(joint.beyond));
-            spin = std::max(spin, static_cast<double>(joint.spin));
+            keep_worst(beyond, {joint.beyond, joint.beyond_tick}, i);
+            keep_worst(spin, {joint.spin, joint.spin_tick}, i);
         }
-        bone = std::max(bone, static_cast<double>(w.bone_error));
+        keep_worst(bone, w.bone_error, i);
         LegCurves m = leg_curves(w.legs);
         if (m.strides < 3) continue;
         people.push_back(m);
@@ -256,16 +266,14 @@ Report judge_crowd(const std::vector<WalkerWatch>& watches, const World& world, 
     spread_over("penetration", below);
     spread_over("float", above);
     append(r.quantities, {{"joints_outside", outside},
-                          {"joints_outside_most.deg", beyond},
+                          quantity_of("joints_outside_most.deg", beyond),
                           {"not_finite", not_finite},
-                          {"bone_error.m", bone},
-                          {"joint_speed.deg_s", spin},
+                          quantity_of("bone_error.m", bone),
+                          quantity_of("joint_speed.deg_s", spin),
                           {"joint_jumps", jumps},
                           {"steady_walkers", static_cast<double>(people.size())}});
-    for (int kind = 0; kind < worst_count; ++kind) {
-        auto most = static_cast<double>(worst_of_all(watches, kind).worst.most);
-        r.quantities.push_back({k_worst[kind].name, most});
-    }
+    for (int kind = 0; kind < worst_count; ++kind)
+        r.quantities.push_back(quantity_of(k_worst[kind].name, worst_of_all(watches, kind)));
     if (people.size() > 1) {
         append(r.quantities, {{"spread_thigh.deg", spread(people, &LegCurves::thigh)},
                               {"spread_knee.deg", spread(people, &LegCurves::knee)},

@@ -59,7 +59,7 @@ struct WalkerWatch {
     uint32_t ticks = 0;
     bool seen = false;        // whether `last` of the joints is of the tick before
     uint32_t not_finite = 0;  // ticks
-    float bone_error = 0;     // metres by which a bone differs from its length
+    WorstWatch bone_error;    // metres by which a bone differs from its length
 
     // Its left leg, for how people differ.
     struct Leg {

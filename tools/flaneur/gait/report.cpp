@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/tick.h"
 #include "tools/flaneur/gait/measure/signal.h"
 
 namespace flaneur {
@@ -88,6 +89,12 @@ void print_report(const Report& report, bool all) {
         if (v.bar.stretch > 0) std::printf("   stretch %.4g: %+.2f", v.bar.stretch, v.value - v.bar.stretch);
         std::printf("\n");
     }
+    for (const LeftOut& out : report.left_out) {
+        std::printf("  %zu bar%s left out, as %s:", out.quantities.size(),
+                    out.quantities.size() == 1 ? "" : "s", out.why.c_str());
+        for (const std::string& name : out.quantities) std::printf(" %s", name.c_str());
+        std::printf("\n");
+    }
     for (const Quantity& q : report.quantities) {
         if (all && !has_bar(report, q.name)) std::printf("  %-30s %10.4g\n", q.name.c_str(), q.value);
     }
@@ -130,6 +137,11 @@ std::string reports_json(const std::vector<Report>& reports) {
             auto v = std::find_if(r.verdicts.begin(), r.verdicts.end(),
                                   [&](const Verdict& one) { return q.name == one.bar.quantity; });
             Json quantity = {{"name", q.name}, {"value", q.value}};
+            if (q.moment) {
+                quantity["walker"] = q.moment->walker;
+                quantity["tick"] = q.moment->tick;
+                quantity["second"] = q.moment->tick / std::round(1 / static_cast<double>(k_tick));
+            }
             if (v != r.verdicts.end()) {
                 if (is_bound(v->bar.low)) quantity["low"] = v->bar.low;
                 if (is_bound(v->bar.high)) quantity["high"] = v->bar.high;
@@ -139,6 +151,8 @@ std::string reports_json(const std::vector<Report>& reports) {
             }
             trial["quantities"].push_back(std::move(quantity));
         }
+        for (const LeftOut& out : r.left_out)
+            trial["left_out"].push_back({{"quantities", out.quantities}, {"why", out.why}});
         trial["curves"] = Json::object();
         for (const NamedCurve& c : k_named_curves)
             if (has_curves(r)) trial["curves"][c.name] = r.curves.*c.curve;

@@ -51,17 +51,34 @@ Report finished(Report report, const std::vector<Bar>& bars) {
     return report;
 }
 
+// Takes those bars of `bars` away and says so.
+template <class Applies>
+void leave_out(Report& report, std::vector<Bar>& bars, const char* why, Applies&& is_of_these) {
+    LeftOut out{{}, why};
+    for (const Bar& bar : bars)
+        if (is_of_these(std::string_view(bar.quantity))) out.quantities.push_back(bar.quantity);
+    if (out.quantities.empty()) return;
+    std::erase_if(bars, [&](const Bar& bar) { return is_of_these(std::string_view(bar.quantity)); });
+    report.left_out.push_back(std::move(out));
+}
+
+bool is_of_arms(std::string_view name) {
+    return name.starts_with("upper_arm") || name.starts_with("elbow") || name.starts_with("arm_") ||
+           name == "jerk_wrist.m_s3";
+}
+
+// Norms of people who turn as they like, while a pram turns no faster than its axle rolls round.
+constexpr const char* k_pushes_no_pram = "the norms are of people who push no pram";
+bool is_of_free_turns(std::string_view name) {
+    return name == "turn.s" || name == "turn_peak.deg_s" || name == "turn_least_speed.m_s" ||
+           name == "bend_exponent";
+}
+
 // Of one who has a cane, its bars too.
 Report finished(Report report, std::vector<Bar> bars, const Person& person, bool is_level) {
     if (person.body.cane != Vec3{})
         for (const Bar& bar : cane_bars(is_level)) bars.push_back(bar);
-    // Arms that hold a handle do not swing.
-    if (person.body.pram != Vec3{})
-        std::erase_if(bars, [](const Bar& bar) {
-            const std::string_view name = bar.quantity;
-            return name.starts_with("upper_arm") || name.starts_with("elbow") || name.starts_with("arm_") ||
-                   name == "jerk_wrist.m_s3";
-        });
+    if (person.body.pram != Vec3{}) leave_out(report, bars, k_pushes_no_pram, is_of_free_turns);
     return finished(std::move(report), bars);
 }
 
@@ -83,7 +100,8 @@ Report try_level(const Person& person, double speed, double seconds) {
     double stop = seconds - 3;
     Walk w = walk(flat_ground(speed, seconds), person, seconds,
                   [&](double t) { return onward(t >= k_stand && t < stop ? speed : 0); });
-    Report r = steady(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
+    Level level = measure_level(w, tick_at(w, k_stand + k_settle), tick_at(w, stop));
+    Report r{"", "", level.curves, level.quantities, {}, w.hash};
     append(r.quantities, measure_fall(w, tick_at(w, k_stand + k_settle), tick_at(w, stop)));
     append(r.quantities, measure_start(w, tick_at(w, k_stand), speed));
     append(r.quantities, measure_stop(w, tick_at(w, stop)));
@@ -91,8 +109,10 @@ Report try_level(const Person& person, double speed, double seconds) {
     append(r.quantities, measure_cane(w, tick_at(w, k_stand)));
     r.name = text("level_%.2f", speed);
     r.title = text("Level ground, %.2f m/s", speed);
-    return finished(std::move(r), level_bars(speed, static_cast<double>(leg_length(person.body))), person,
-                    true);
+    std::vector<Bar> bars = level_bars(speed, static_cast<double>(leg_length(person.body)));
+    if (!level.has_free_arm)
+        leave_out(r, bars, "both hands hold something, and arms that do swing little", is_of_arms);
+    return finished(std::move(r), std::move(bars), person, true);
 }
 
 Report try_stand(const Person& person, double seconds) {
@@ -167,7 +187,9 @@ Report try_bends(const Person& person, double speed) {
     Report r{"bends", text("Bends at %.2f m/s", speed), {}, {}, {}, poses};
     r.quantities.push_back({"bend_exponent", (n * xy - x * y) / (n * xx - x * x)});
     append(r.quantities, body);
-    return finished(std::move(r), bends_bars());
+    std::vector<Bar> bars = bends_bars();
+    if (person.body.pram != Vec3{}) leave_out(r, bars, k_pushes_no_pram, is_of_free_turns);
+    return finished(std::move(r), bars);
 }
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {

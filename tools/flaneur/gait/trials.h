@@ -8,6 +8,12 @@
 
 namespace flaneur {
 
+// Bars that do not apply to who was measured, which is why they were not judged.
+struct LeftOut {
+    std::vector<std::string> quantities;
+    std::string why;
+};
+
 struct Report {
     std::string name;   // a word, for files
     std::string title;  // for people
@@ -16,6 +22,7 @@ struct Report {
     std::vector<Verdict> verdicts;
     uint64_t poses = 0;    // the hash of its walks
     std::string person{};  // whose they are, a word, for files; empty: a crowd's
+    std::vector<LeftOut> left_out{};
 };
 
 // Stands, walks straight on level ground at `speed` and stands again, in `seconds`. A run if that is the

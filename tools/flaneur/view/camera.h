@@ -25,8 +25,9 @@ Camera overview_camera(const World& world, std::span<const Building> buildings, 
 // sight now, and no wall is within half a metre. Depends on the state alone.
 Camera street_camera(const City& city, const World& world);
 
-// From behind a walker, over its right shoulder, who is in the picture from hat to soles, whatever its height;
-// nearer, with a wider lens, where a wall is in between. `between` 0..1 lies between the last two ticks.
+// From behind a walker, over its right shoulder, who is in the picture from hat to soles, whatever its
+// height; nearer, with a wider lens, where a wall is in between. `between` 0..1 lies between the last two
+// ticks.
 Camera follow_camera(const World& world, uint32_t walker, float between);
 
 Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,

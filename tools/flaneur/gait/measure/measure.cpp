@@ -187,7 +187,8 @@ void measure_timing(const Walk& walk, const std::vector<MeasuredStride>& all, co
     q.push_back({"knee_speed.deg_s", fastest});
 }
 
-void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, const Curves& c, Quantities& q) {
+void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, const Curves& c, Side arm_side,
+                   Quantities& q) {
     q.push_back({"pelvis_vertical.mm", range(c.pelvis_height)});
     q.push_back({"pelvis_lateral.mm", range(c.pelvis_side)});
     // Twice a cycle: both halves laid over each other.
@@ -221,7 +222,7 @@ void measure_trunk(const Walk& walk, const std::vector<MeasuredStride>& all, con
     };
     jerk("jerk_pelvis.m_s3", hips);
     jerk("jerk_head.m_s3", head);
-    jerk("jerk_wrist.m_s3", left_hand);
+    jerk("jerk_wrist.m_s3", k_limbs[arm_side].hand);
     jerk("jerk_ankle.m_s3", left_foot);
     q.push_back({"jerk_head.ratio", value_of(q, "jerk_head.m_s3") / value_of(q, "jerk_pelvis.m_s3")});
 
@@ -353,9 +354,22 @@ Level measure_level(const Walk& walk, size_t first, size_t last) {
     Level level;
     if (all.size() < 2) return level;
     level.curves = curves_of(walk, all);
+    // A hand that has something keeps its arm from swinging.
+    bool holds[2] = {};
+    for (size_t t = first; t < std::min(last, walk.ticks.size()); ++t)
+        for (Side side : {k_left, k_right}) holds[side] = holds[side] || walk.ticks[t].holds[side];
+    level.has_free_arm = !holds[k_left] || !holds[k_right];
+    const Side arm_side = holds[k_left] && !holds[k_right] ? k_right : k_left;
+    if (holds[k_left] != holds[k_right]) {
+        std::vector<MeasuredStride> free = all;
+        std::erase_if(free, [&](const MeasuredStride& s) { return s.side != arm_side; });
+        Curves swinging = curves_of(walk, free);
+        level.curves.upper_arm = swinging.upper_arm;
+        level.curves.elbow = swinging.elbow;
+    }
     measure_joints(level.curves, level.quantities);
     measure_timing(walk, all, level.curves, level.quantities);
-    measure_trunk(walk, all, level.curves, level.quantities);
+    measure_trunk(walk, all, level.curves, arm_side, level.quantities);
     append(level.quantities, measure_contact(walk, all));
     return level;
 }

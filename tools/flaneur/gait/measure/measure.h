@@ -2,6 +2,7 @@
 // percent of the gait cycle from initial contact of the same side.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +12,17 @@
 
 namespace flaneur {
 
+// One of a crowd, in one of its ticks.
+struct Moment {
+    size_t walker = 0;
+    uint32_t tick = 0;
+};
+
 // `name` ends in the unit, or in what the number is: "knee_swing_peak.deg", "knee.rmse".
 struct Quantity {
     std::string name;
     double value = 0;
+    std::optional<Moment> moment{};  // of a crowd's extremes: whose they are
 };
 using Quantities = std::vector<Quantity>;
 
@@ -45,8 +53,9 @@ Curves curves_of(const Walk& walk, const std::vector<MeasuredStride>& strides);
 
 // Everything about steady straight walking over ticks [first, last).
 struct Level {
-    Curves curves;
+    Curves curves;  // of arms: of those that swing, or of both where neither does
     Quantities quantities;
+    bool has_free_arm = true;  // whether a hand held nothing all the while
 };
 Level measure_level(const Walk& walk, size_t first, size_t last);
 

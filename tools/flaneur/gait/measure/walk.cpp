@@ -164,7 +164,10 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         now.heading = motion.heading;
         for (size_t j = 0; j < k_joint_count; ++j)
             now.joints[j] = joint_pose(poses, 0, static_cast<Joint>(j));
-        for (Side side : {k_left, k_right}) now.feet[side] = foot_instant(ground, gait, poses, 0, side);
+        for (Side side : {k_left, k_right}) {
+            now.feet[side] = foot_instant(ground, gait, poses, 0, side);
+            now.holds[side] = gait.blocks[0].holds[side].weight[0] > 0 || !gait.prams.empty();
+        }
         now.load = gait.blocks[0].load[0];
         now.cane = cane_instant(ground, gait, poses);
         if (!gait.prams.empty()) now.pram = gait.prams.front().now;

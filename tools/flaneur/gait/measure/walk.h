@@ -38,6 +38,7 @@ struct Instant {
     std::array<JointPose, k_joint_count> joints;
     FootInstant feet[2];
     float load = 0.5f;              // share of the body that the left leg carries
+    bool holds[2] = {};             // whether a hand has something, or is on its way to it; not a cane
     CaneInstant cane;               // of one who has one
     std::optional<PramPlace> pram;  // the same
     Trail trail;
