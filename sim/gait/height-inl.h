@@ -8,6 +8,7 @@
 
 #include "sim/base/rows-inl.h"
 #include "sim/body/body.h"
+#include "sim/gait/curves/norms.h"
 #include "sim/gait/curves/rise-inl.h"
 #include "sim/gait/curves/swing-inl.h"
 #include "sim/gait/height.h"
@@ -24,8 +25,10 @@ inline constexpr float k_most_effort = 9;          // m/s2
 inline constexpr float k_step_most = 0.2f;         // metres
 inline constexpr float k_most_sink = 0.2f;         // legs
 inline constexpr float k_just_landed = 0.1f;       // of the cycle
-inline constexpr float k_bears = 0.36f;  // of a foot's phase on the ground, until its heel begins to give
-inline constexpr float k_heel_gives_0 = 0.45f, k_heel_gives_1 = 1.05f;  // radians, then and as it leaves
+inline constexpr float k_bears = 0.36f;            // of the cycle, until a foot need not be flat
+// A heel begins to rise at such a time of a natural walk, shares of its cycle, a little before pose_foot lets
+// it, and is tilted by so many radians as the foot leaves.
+inline constexpr float k_heel_gives_from = 0.35f, k_heel_gives = 1.05f;
 inline constexpr float k_heel_gives_pace = 0.6f;      // more for each pace over the natural one
 inline constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
 inline constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
@@ -212,9 +215,9 @@ HWY_INLINE T too_high(const GaitBlock& g, const PersonBlock& p, const Climber<T>
     if (any(b.leaves)) {
         // The heel may rise as high as it is when the foot leaves.
         T ball_height = row<T>(p.joints[left_toes][1], lane), instep = ankle - ball_height;
-        T gives = smoothstep(T(k_bears), one, c.phase[b.side] / c.duty);
+        T gives = smoothstep(T(k_heel_gives_from / k_norm_toe_off), one, c.phase[b.side] / c.duty);
         T fast = T(k_heel_gives_pace) * max(row<T>(g.pace, lane) - T(k_natural_pace), zero);
-        SinCosOf<T> tilt = sin_cos(lerp(T(k_heel_gives_0), T(k_heel_gives_1), gives) + fast);
+        SinCosOf<T> tilt = sin_cos(T(k_heel_gives) * gives + fast);
         T forward = ball - ball * tilt.cosine + instep * tilt.sine;
         T raised = instep * tilt.cosine + ball * tilt.sine + ball_height;
         raised = raised + height_on(b.place, at + ahead * forward) - b.place.place.y;

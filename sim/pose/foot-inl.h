@@ -208,7 +208,7 @@ HWY_INLINE void bind_leg(Foot<T>& out, const FootTime<T>& time, T forefoot, cons
     out.swings = select(time.planted, zero, one);
     // A body that has left a foot far behind lifts its heel earlier, and more.
     T behind = smoothstep(T(k_behind_0), T(k_behind_1), (zero - dot(out.place_os, out.ahead_ws)) / walk.leg);
-    T leaves = max(smoothstep(T(0.38f), T(0.55f), time.norm), behind);
+    T leaves = max(smoothstep(T(0.375f), T(0.55f), time.norm), behind);
     out.leaving = select(time.planted, leaves, zero);
     T gives = T(k_leaving_slack) + behind * T(k_behind_slack) + max(walk.climb, zero) * T(k_climb_slack);
     T since_flat = smoothstep(T(0.11f), T(0.2f), time.norm);
