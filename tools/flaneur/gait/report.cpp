@@ -153,7 +153,6 @@ std::string reports_json(const std::vector<Report>& reports) {
         }
         for (const LeftOut& out : r.left_out)
             trial["left_out"].push_back({{"quantities", out.quantities}, {"why", out.why}});
-        trial["curves"] = Json::object();
         for (const NamedCurve& c : k_named_curves)
             if (has_curves(r)) trial["curves"][c.name] = r.curves.*c.curve;
         json["trials"].push_back(std::move(trial));
