@@ -21,6 +21,7 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
+static constexpr float k_hurries = 1.45f;   // m/s, from which on steps are slowed down for ahead of them
 // Of one with a pram: how nimble it is, 0..1; how fast at most the turn carries the pram's axle aside, of the
 // speed and in m/s where that is slow; how far the body goes outward for that, of the speed, and as
 // turned_forward bounds it.
@@ -37,7 +38,7 @@ float stair_speed(float speed, float stair_pace) {
 float braking_way(float wished) {
     constexpr float k_before = 0.25f;  // seconds
     float slow = stair_speed(wished);
-    if (wished <= k_runs) return 0;
+    if (wished <= k_hurries) return 0;
     return (wished * wished - slow * slow) / (2 * k_braking) + k_before * wished;
 }
 

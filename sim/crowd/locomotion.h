@@ -42,8 +42,8 @@ inline constexpr float k_axle_to_middle = 0.2f;  // metres, of a pram (CrowdIden
 // who walks; of one who runs up to 1.1.
 float stair_speed(float speed, float stair_pace = 1);
 
-// Metres before steps from which on one who would like to run at `wished` slows down to that speed; 0 of one
-// who walks, who slows down on the first.
+// Metres before steps from which on one who would like to go at `wished` slows down to that speed; 0 of one
+// who does not hurry, who slows down on the first.
 float braking_way(float wished);
 
 }  // namespace flaneur

@@ -1,6 +1,7 @@
 // A walker without feet, as its wish changes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "sim/base/math.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/locomotion.h"
+#include "sim/world.h"
+#include "tests/sim/small_grounds.h"
 
 namespace flaneur {
 namespace {
@@ -126,14 +129,44 @@ TEST(Locomotion, RunnersTakeStairsInTwiceTheRhythmOfAWalk) {
     EXPECT_FLOAT_EQ(stair_speed(3), 1.1f);
     EXPECT_FLOAT_EQ(stair_speed(5), 1.1f);
     EXPECT_FLOAT_EQ(stair_speed(3, 0.5f), 0.3f) << "with both feet on each";
-    EXPECT_EQ(braking_way(1.9f), 0);
-    float way = braking_way(3), walked = 0;
-    for (const Motion& m : drive({{0, 3}, 0, 0}, 4, [](float) { return Vec2{0, stair_speed(3)}; })) {
-        if (length(m.velocity) < stair_speed(3) + 0.1f) break;
-        walked += length(m.velocity) * k_tick;
+    EXPECT_EQ(braking_way(1.4f), 0);
+    for (float speed : {2.0f, 3.0f}) {
+        float way = braking_way(speed), slow = stair_speed(speed), walked = 0;
+        for (const Motion& m : drive({{0, speed}, 0, 0}, 4, [&](float) { return Vec2{0, slow}; })) {
+            if (length(m.velocity) < slow + 0.1f) break;
+            walked += length(m.velocity) * k_tick;
+        }
+        EXPECT_LT(walked, way) << speed;
+        EXPECT_GT(walked, 0.5f * way) << speed;
     }
-    EXPECT_LT(walked, way);
-    EXPECT_GT(walked, 0.5f * way);
+}
+
+TEST(Locomotion, WhoeverIsFastHasSlowedDownByTheFirstStep) {
+    WorldOptions options;
+    options.walkers = 24;
+    options.kinds = {{standard_body(1.75f)}};
+    auto made = make_world(std::make_shared<Ground>(steps()), options);
+    ASSERT_TRUE(made) << made.error().message;
+    World& w = **made;
+    for (float& speed : w.crowd.identity.preferred_speed) speed = 1.9f;
+    auto is_on_steps = [&](uint32_t i) {
+        return surface_of(*w.navmesh, w.crowd.motion.polygon[i]) == Surface::steps;
+    };
+    std::vector<bool> was_on(w.crowd.capacity, true);
+    size_t came = 0;
+    float fastest = 0, anywhere = 0;
+    for (int t = 0; t < 2400; ++t) {
+        step(w);
+        for (uint32_t i = 0; i < w.crowd.count; ++i) {
+            const float speed = length(w.crowd.motion.velocity[i]);
+            anywhere = std::max(anywhere, speed);
+            if (is_on_steps(i) && !was_on[i]) fastest = std::max(fastest, speed), ++came;
+            was_on[i] = is_on_steps(i);
+        }
+    }
+    EXPECT_GT(came, 20u);
+    EXPECT_GT(anywhere, 1.7f);
+    EXPECT_LT(fastest, 1.3f) << "some turn to the steps when they are near";
 }
 
 }  // namespace
