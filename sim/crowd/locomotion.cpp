@@ -42,6 +42,18 @@ float braking_way(float wished) {
     return (wished * wished - slow * slow) / (2 * k_braking) + k_before * wished;
 }
 
+GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec3 place, Vec2 velocity,
+                         float wished) {
+    float way = braking_way(wished);
+    if (way <= 0 || under.kind == Surface::steps) return under;
+    Vec2 ahead = normalize_or(velocity, {0, 0});
+    for (float share : {1.0f, 0.5f}) {
+        auto hit = ground_at(around, place + at_height(ahead * (share * way), 0), 3, 3);
+        if (hit && hit->kind == Surface::steps) return *hit;
+    }
+    return under;
+}
+
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
 static float next_turn_rate(float rate, float to_turn, float speed, float dt, float nimble) {
     float most = nimble * std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));

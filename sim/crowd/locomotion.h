@@ -5,6 +5,7 @@
 
 #include "sim/base/vec.h"
 #include "sim/ground/ground.h"
+#include "sim/ground/surroundings.h"
 
 namespace flaneur {
 
@@ -45,5 +46,10 @@ float stair_speed(float speed, float stair_pace = 1);
 // Metres before steps from which on one who would like to go at `wished` slows down to that speed; 0 of one
 // who does not hurry, who slows down on the first.
 float braking_way(float wished);
+
+// The ground that bounds how fast one may go at `place`: that `under` it or, of one who hurries, steps that
+// its `velocity` leads to within braking_way(wished), looked for at the end of that way and half-way.
+GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec3 place, Vec2 velocity,
+                         float wished);
 
 }  // namespace flaneur

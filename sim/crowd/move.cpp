@@ -155,19 +155,6 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     c.scratch.next_polygon[i] = to.polygon;
 }
 
-// Who is fast slows down before steps, as if they began there.
-static void foresee_steps(Crowd& c, const Surroundings& around, uint32_t i) {
-    float way = braking_way(length(c.decision.chosen[i]));
-    if (way <= 0 || c.motion.under[i].kind == Surface::steps) return;
-    Vec2 ahead = normalize_or(c.scratch.next_velocity[i], {0, 0});
-    for (float share : {1.0f, 0.5f}) {
-        auto hit = ground_at(around, c.scratch.next_position[i] + at_height(ahead * (share * way), 0), 3, 3);
-        if (!hit || hit->kind != Surface::steps) continue;
-        c.motion.under[i] = *hit;
-        return;
-    }
-}
-
 void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers) {
     // In the order of places, so that walkers who share ground and mesh find them in the cache.
     auto move_some = [&](size_t begin, size_t end, int thread) {
@@ -185,8 +172,8 @@ void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& wo
                 if (!hits[k]) continue;
                 uint32_t i = c.scratch.sorted[first + k].id;
                 c.scratch.next_position[i].y = hits[k]->height;
-                c.motion.under[i] = *hits[k];
-                foresee_steps(c, around, i);
+                c.motion.under[i] = slowing_ground(around, *hits[k], c.scratch.next_position[i],
+                                                   c.scratch.next_velocity[i], length(c.decision.chosen[i]));
             }
         }
     };

@@ -136,11 +136,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
         Vec2 wished = wish(t / result.rate);
-        if (float way = braking_way(length(wished)); way > 0) {
-            Vec2 ahead = normalize_or(motion.velocity, {0, 0}) * way;
-            auto hit = ground_at(ground, position + at_height(ahead, 0), 3, 3);
-            if (hit && hit->kind == Surface::steps) under = *hit;
-        }
+        under = slowing_ground(surroundings_of(ground), under, position, motion.velocity, length(wished));
         wished = wish_on(under, wished, stair_pace(leg_length(person.body)));
         motion = next_motion(motion, wished, k_tick, {0, 0},
                              person.body.pram != Vec3{} ? person.body.pram.z + k_pram_behind : 0);
