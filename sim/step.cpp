@@ -57,7 +57,7 @@ void step_bodies(World& w) {
     timed(w, Stage::pose, [&] {
         w.previous_poses.swap(w.poses);
         parallel_for(*w.workers, w.gait.blocks.size(), k_blocks_a_chunk, [&](size_t begin, size_t end, int) {
-            pose_blocks(w.gait, begin, end, w.poses);
+            pose_blocks(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
             restrain_legs(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
         });
         add_idles(w);

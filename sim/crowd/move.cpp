@@ -17,7 +17,11 @@ static constexpr float k_step_reach =
     0.1f;  // metres that two who walk can near each other in a tick, at most
 static constexpr float k_sees_coming = 0.6f;  // metres between bodies from which on one brakes for another
 static constexpr float k_comfortable = 2;     // m/s2, of that
-static constexpr size_t k_together = 64;      // walkers whose ground is asked for at once
+static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metres out
+static constexpr float k_hardest = 3.2f;      // m/s2, of one who brakes for a border or for others
+static constexpr float k_slow = 0.2f, k_foresees = 0.05f;       // m/s, seconds
+static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;  // metres, of one with a pram
+static constexpr size_t k_together = 64;                        // walkers whose ground is asked for at once
 static constexpr int k_contacts = 48;
 
 namespace {
@@ -89,16 +93,27 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
     return out;
 }
 
-// The mesh ends for wheels at the foot of steps, where it goes on for everybody else. `way` is a velocity.
-static void add_brake_at_steps(const Navmesh& mesh, int thread, NavPoint from, Vec2 way, Contacts& out) {
-    constexpr float k_sees_end = 1.4f, k_before = 0.2f;  // metres
-    const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
-    NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), By::wheels);
+// Where the mesh does not let one who goes on by `ahead` go on straight, one comes no nearer than `before`,
+// as evenly as one can stop.
+static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead, float before,
+                                By by, Contacts& out) {
+    NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
     const Vec2 moved = on_ground(end.position - from.position);
     if (length(ahead - moved) < 0.01f || out.brake_count == k_contacts) return;
     const Vec2 inward = normalize_or(moved - ahead, {0, 0});
-    const float room = -dot(moved, inward) - k_before;
+    const float room = -dot(moved, inward) - before;
     out.brakes[out.brake_count++] = {inward, -std::sqrt(2 * k_comfortable * std::max(room, 0.0f))};
+}
+
+// What the brakes leave of velocity `v`, which was `before` a tick ago, as hard as one can stop.
+static Vec2 braked(const Contacts& near, Vec2 before, Vec2 v) {
+    Vec2 left = v;
+    for (int k = 0; k < near.brake_count; ++k) {
+        const HalfPlane& brake = near.brakes[k];
+        left += brake.normal * std::max(brake.offset - dot(left, brake.normal), 0.0f);
+    }
+    const float change = length(left - before), most = std::max(k_hardest * k_tick, length(v - before));
+    return change > most ? before + (left - before) * (most / change) : left;
 }
 
 // The largest share, 0..1, of velocity `v` that keeps to all planes.
@@ -106,7 +121,7 @@ static float share_within(const Contacts& near, Vec2 v) {
     float share = 1;
     for (int k = 0; k < near.count; ++k) {
         float along = dot(v, near.planes[k].normal), most = near.planes[k].offset;
-        if (along < most - 1e-4f) share = std::min(share, most / along);
+        if (along < most - k_rounding) share = std::min(share, most / along);
     }
     return share;
 }
@@ -120,8 +135,17 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, me, wish);
+    // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes)
-        for (Vec2 way : {wish, m.velocity[i]}) add_brake_at_steps(mesh, thread, from, way, near);
+        for (Vec2 way : {wish, m.velocity[i]}) {
+            const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
+            add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, near);
+        }
+    const float going = length(m.velocity[i]);
+    if (!pushes && going > k_slow) {
+        const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
+        add_brake_at_border(mesh, thread, from, ahead, 0, by, near);
+    }
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
     Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
@@ -130,7 +154,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
-    Vec2 v = motion.velocity;
+    Vec2 v = braked(near, m.velocity[i], motion.velocity);
     float speed = length(v);
 
     Vec2 step = v + near.push;
@@ -138,11 +162,14 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
     NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0), by);
     Vec2 real = on_ground(to.position - from.position) / k_tick;
-    // Along a wall one may have slid into somebody.
-    if (float share = share_within(near, real); share < 1) {
-        to = move_along(mesh, thread, from, from.position + at_height(real * (share * k_tick), 0), by);
+    // Along a wall one may have slid into somebody; and places are rounded.
+    for (float less : {0.98f, 0.7f, 0.0f}) {
+        float share = share_within(near, real);
+        if (share >= 1) break;
+        to = less > 0 ? move_along(mesh, thread, from,
+                                   from.position + at_height(real * (less * share * k_tick), 0), by)
+                      : from;
         real = on_ground(to.position - from.position) / k_tick;
-        if (share_within(near, real) < 1) to = from, real = {0, 0};
     }
     // Stopped or turned aside by the border or by others: velocity is what became of it.
     if (length_squared(real - v - near.push) > 1e-4f * 0.36f) {

@@ -8,12 +8,13 @@
 
 namespace flaneur {
 
-static constexpr float k_level = 0.02f;       // metres; heights this near are one surface
-static constexpr float k_margin = 0.012f;     // metres between a sole and an edge
-static constexpr float k_toe_room = 0.045f;   // and before the toes, which roll on when the heel rises
-static constexpr float k_most_shift = 0.22f;  // metres
-static constexpr float k_riser = 0.05f;       // metres; higher edges are steps
-static constexpr float k_ledge = 1.1f;        // metres; higher ones cannot be jumped on
+static constexpr float k_level = 0.02f;         // metres; heights this near are one surface
+static constexpr float k_margin = 0.012f;       // metres between a sole and an edge
+static constexpr float k_turning_room = 0.03f;  // and where it rises, if there is that much
+static constexpr float k_toe_room = 0.045f;     // and before the toes, which roll on when the heel rises
+static constexpr float k_most_shift = 0.22f;    // metres
+static constexpr float k_riser = 0.05f;         // metres; higher edges are steps
+static constexpr float k_ledge = 1.1f;          // metres; higher ones cannot be jumped on
 
 FootPlace get_place(const FootPlaces& from, int lane) {
     float nx = from.normal_x[lane], nz = from.normal_z[lane];
@@ -111,12 +112,32 @@ FootPlace on_surface(Vec3 at, float yaw, Vec2 ahead, const Sampled& s) {
     return {{at.x, mid.height + 0.5f * (low + high) - slope * s.along[1], at.z}, yaw, mid.normal};
 }
 
+// A foot turns over heel and toes, which then reach a little farther than when it is flat: one that has come
+// too near to what rises behind it or before it moves away from there, if it finds room.
+Footing with_room(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
+    const FootPlace& place = found.place;
+    auto rises = [&](float along) {
+        auto hit = under(around, ahead_by(place.position, ahead, along));
+        if (!hit) return false;
+        float slope = -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
+        return hit->height - place.position.y - slope * along > k_level;
+    };
+    bool behind = rises(-size.heel - k_turning_room), before = rises(size.tip + k_turning_room);
+    if (behind == before) return found;
+    Vec3 at = ahead_by(place.position, ahead, behind ? k_turning_room : -k_turning_room);
+    Sampled moved = sample(around, at, ahead, size);
+    return moved.one ? Footing{on_surface(at, place.yaw, ahead, moved), true, true, true} : found;
+}
+
 }  // namespace
 
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size) {
     Vec2 ahead = heading_direction(wanted.yaw);
     Sampled s = sample(around, wanted.position, ahead, size);
-    if (s.one) return {on_surface(wanted.position, wanted.yaw, ahead, s), true, true, false};
+    if (s.one) {
+        Footing found{on_surface(wanted.position, wanted.yaw, ahead, s), true, true, false};
+        return with_room(around, found, ahead, size);
+    }
 
     // The edge lies between two of the points: halve its place, then stand on the nearer side of it.
     float low = s.along[s.gap], high = s.along[s.gap + 1];
@@ -134,7 +155,9 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         if (std::fabs(shift) > k_most_shift) continue;
         Vec3 at = ahead_by(wanted.position, ahead, shift);
         Sampled moved = sample(around, at, ahead, size);
-        if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+        if (!moved.one) continue;
+        Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+        return with_room(around, found, ahead, size);
     }
     if (s.highest < -1e8f) return {wanted, false, false, false};
     FootPlace place = wanted;

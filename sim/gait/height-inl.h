@@ -16,16 +16,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-inline constexpr float k_base_stiffness = 12;      // 1/s, critically damped
-inline constexpr float k_step_down_least = 0.03f;  // metres
-inline constexpr float k_stairs_wait = 0.4f;       // of the swing
-inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
-inline constexpr float k_soonest = 0.08f;          // seconds
-inline constexpr float k_most_effort = 9;          // m/s2
-inline constexpr float k_step_most = 0.2f;         // metres
-inline constexpr float k_most_sink = 0.2f;         // legs
-inline constexpr float k_just_landed = 0.1f;       // of the cycle
-inline constexpr float k_bears = 0.36f;            // of the cycle, until a foot need not be flat
+inline constexpr float k_base_stiffness = 12;       // 1/s, critically damped
+inline constexpr float k_step_down_least = 0.03f;   // metres
+inline constexpr float k_stairs_wait = 0.4f;        // of the swing,
+inline constexpr float k_stairs_lets_down = 0.26f;  // but until so many seconds before it lands
+inline constexpr float k_farthest_ahead = 0.6f;     // seconds that are foreseen
+inline constexpr float k_soonest = 0.08f;           // seconds
+inline constexpr float k_most_effort = 9;           // m/s2
+inline constexpr float k_step_most = 0.2f;          // metres
+inline constexpr float k_most_sink = 0.2f;          // legs
+inline constexpr float k_just_landed = 0.1f;        // of the cycle
+inline constexpr float k_bears = 0.36f;             // of the cycle, until a foot need not be flat
 // A heel begins to rise at such a time of a natural walk, shares of its cycle, a little before pose_foot lets
 // it, and is tilted by so many radians as the foot leaves.
 inline constexpr float k_heel_gives_from = 0.35f, k_heel_gives = 1.05f;
@@ -173,7 +174,9 @@ HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     T from = select(l, c.on_from[k_right], c.on_from[k_left]);
     T phase = select(l, c.phase[k_left], c.phase[k_right]),
       until = select(l, c.until[k_left], c.until[k_right]);
-    T begins = select(c.tread > T(0.0f), lerp(c.duty, T(1.0f), T(k_stairs_wait)), T(0.0f)), by = to - c.base;
+    T swing = until * (T(1.0f) - c.duty) / max(T(1.0f) - phase, T(1e-3f));
+    T wait = clamp(T(1.0f) - T(k_stairs_lets_down) / max(swing, T(0.1f)), T(0.0f), T(k_stairs_wait));
+    T begins = select(c.tread > T(0.0f), lerp(c.duty, T(1.0f), wait), T(0.0f)), by = to - c.base;
     auto lets_down = one_swings & (phase >= begins) & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
     return select(lets_down, least_effort(by, c.base_velocity, max(until, T(k_soonest))),
                   w * w * (target - c.base) - T(2.0f) * w * c.base_velocity);

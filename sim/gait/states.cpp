@@ -34,6 +34,7 @@ static constexpr float k_least_swing = 0.7f;                  // likewise
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
+static constexpr float k_comes_down = 0.05f, k_effort = 8;    // metres, m/s2; see time_to_come_down
 static constexpr float k_drop = 0.07f;  // metres down, from which on a foot lands on its ball
 static constexpr float k_steep_0 = 0.2f, k_steep_1 = 0.36f;            // rise of the ground, likewise
 static constexpr float k_just_below = 1e-4f;                           // of the phase
@@ -151,6 +152,16 @@ float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s)
     return smoothstep(k_steep_0, k_steep_1, grade);
 }
 
+// Seconds in which a body comes down to the landing of a foot, as gently as it can: of such an effort, and as
+// least_effort in height-inl.h has it, whose square is
+// (6 by / t - 4 velocity) / t.
+float time_to_come_down(const GaitBlock& g, const FootBlock& foot, const Stepper& s) {
+    int lane = s.lane;
+    float by = g.base[lane] - height_on(foot.goal, lane, on_ground(s.root)), falls = -g.base_velocity[lane];
+    if (by < k_comes_down) return 0;
+    return (std::sqrt(4 * falls * falls + 6 * k_effort * by) - 2 * falls) / k_effort;
+}
+
 void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, const Misfit (&off)[2],
                   float slack) {
     int lane = s.lane;
@@ -182,7 +193,10 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             float forefoot = lands_on_ball(g, foot, s);
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             float& rate = foot.rate[lane];
-            approach(rate, swing_rate(side, phase), k_quicken * s.dt);
+            float wanted = swing_rate(side, phase), down = time_to_come_down(g, foot, s);
+            if (g.running[lane] <= 0 && down > 0)
+                wanted = std::max(std::min(wanted, (1 - phase) / down), k_least_swing * f);
+            approach(rate, wanted, k_quicken * s.dt);
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {
                 phase -= 1;

@@ -22,8 +22,9 @@ static constexpr float k_settled = 0.09f;      // seconds before contact in whic
 static constexpr float k_about_there = 0.25f;  // metres between a landing that is kept and what is wished
 static constexpr float k_committed = 0.3f;     // seconds before contact in which it stays on its level
 static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
-static constexpr float k_most_twist = 0.75f;   // radians of a leg, before its foot turns on the ball
-static constexpr float k_stair = 0.07f;        // metres between feet that begin a flight of steps
+static constexpr float k_most_twist = 0.75f, k_easy_twist = 0.3f;  // radians of a leg, before its foot turns
+                                                                   // on the ball; with its heel up
+static constexpr float k_stair = 0.07f;  // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
 static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;    // metres
@@ -297,7 +298,9 @@ void pivot(GaitBlock& g, const Stepper& s, Side side) {
     float toe_out = s.person.toe_out[s.lane] + foot.stance_turn[s.lane];
     if (side == k_right) toe_out = -toe_out;
     float off = wrap_angle(s.heading + toe_out - is.yaw);
-    float excess = off > 0 ? std::max(off - k_most_twist, 0.0f) : std::min(off + k_most_twist, 0.0f);
+    float most = lerp(k_most_twist, k_easy_twist,
+                      smoothstep(0.65f * g.duty[s.lane], 0.95f * g.duty[s.lane], foot.phase[s.lane]));
+    float excess = off > 0 ? std::max(off - most, 0.0f) : std::min(off + most, 0.0f);
     if (excess == 0) return;
     excess = clamp(excess, -4 * s.dt, 4 * s.dt);
     FootSize size = foot_size(s.person, s.lane);

@@ -82,6 +82,7 @@ struct Foot {
     T rolls;   // 0 .. 1: how far a foot gives way over its ball, on the ground or leaving it, to a shin that
                // tilts
     T swings;  // 1 in the swing, 0 on the ground
+    T drop;    // metres from the slope underfoot to the other foot
 };
 
 template <class T>
@@ -236,6 +237,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     T clearance = swing_clearance(time.swing, walk);
 
     Foot<T> out;
+    out.drop = drop;
     pitch_foot(out, time, size, pitch, landing, clearance);
     SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
     SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
@@ -297,12 +299,18 @@ HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size,
     foot.ankle_ahead = select(turns, lerp(foot.ankle_ahead, ahead, share), foot.ankle_ahead);
 }
 
+// Reaches along the ground from which on a leg bends, and by how much of what is beyond.
+inline constexpr float k_back = 0.55f, k_back_bends = 0.15f;
+
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
 // the angle. Which legs were too short.
 template <class T>
 HWY_INLINE auto raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os, T reach) {
     V3<T> to_hip = hip_os - ankle_of(foot);
     T distance2 = dot(to_hip, to_hip);
+    // Hips reach only so far back: a leg that points farther bends its knee.
+    T back = sqrt(to_hip.x * to_hip.x + to_hip.z * to_hip.z) - reach * T(k_back);
+    reach = reach - max(back, T(0.0f)) * T(k_back_bends);
     auto short_leg = (foot.leaving > T(0.0f)) & (foot.half.sine >= T(0.0f)) & (distance2 > reach * reach);
     if (!any(short_leg)) return short_leg;
     T distance = sqrt(distance2);

@@ -8,10 +8,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-void pose_blocks_here(const Gait& gait, size_t begin, size_t end, PoseBlock* poses) {
+void pose_blocks_here(const Gait& gait, size_t begin, size_t end, float dt, const PoseBlock* before,
+                      PoseBlock* poses) {
     for (size_t b = begin; b < end; ++b) {
         for (size_t lane = 0; lane < k_block; lane += lane_count()) {
-            pose_chunk<Lanes>(gait.blocks[b], gait.people[b], poses[b], lane);
+            pose_chunk<Lanes>(gait.blocks[b], gait.people[b], dt, before ? &before[b] : nullptr, poses[b],
+                              lane);
         }
     }
 }
@@ -24,8 +26,13 @@ namespace flaneur {
 
 HWY_EXPORT(pose_blocks_here);
 
+void pose_blocks(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
+                 std::vector<PoseBlock>& poses) {
+    HWY_DYNAMIC_DISPATCH(pose_blocks_here)(gait, begin, end, dt, before.data(), poses.data());
+}
+
 void pose_blocks(const Gait& gait, size_t begin, size_t end, std::vector<PoseBlock>& poses) {
-    HWY_DYNAMIC_DISPATCH(pose_blocks_here)(gait, begin, end, poses.data());
+    HWY_DYNAMIC_DISPATCH(pose_blocks_here)(gait, begin, end, 0, nullptr, poses.data());
 }
 
 JointPose joint_pose(const std::vector<PoseBlock>& poses, size_t walker, Joint joint) {

@@ -15,10 +15,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
+// m/s2 by which a body falls and is caught, a little less than gravity for what rounding adds.
+inline constexpr float k_falls = 9.7f, k_catches = 20;
+inline constexpr float k_fastest_fall = 0.95f, k_fastest_down = 1.4f;  // m/s, of one on level ground, and not
+inline constexpr float k_slows = 5;  // m/s2, of one who rises from where it has sunk
+
 // The pelvis and the legs that carry it.
 template <class T>
 struct Pelvis {
     V3<T> place_os;
+    T wanted;  // height, metres: it may still fall to there, or have sunk below
     Q4<T> rotation_ws;
     Axes<T> axes_ws;
     V3<T> to_hip_ws[2];  // from its centre to the hip joints
@@ -46,10 +52,54 @@ HWY_INLINE T contact_height(const FootSizes<T>& foot, const LimbSizes<T>& leg, c
            foot.heel * T(k_run_contact_sine);
 }
 
-// The pelvis goes its own smooth way, as far as legs reach.
+// How high the hips were a tick ago and how far they had sunk below where they should have been, and what
+// gravity and legs let them be now. Metres, heights from `origin_ws`.
+template <class T>
+struct Fall {
+    T was, sunk, least, most;
+    T dt, over_dt;  // of the tick, seconds; 0 of one who comes from nowhere, who is where it should be, and
+                    // at rest
+};
+
+template <class T>
+HWY_INLINE Fall<T> no_fall() {
+    T zero = T(0.0f), any = T(1e9f);
+    return {zero, zero, zero - any, any, zero, zero};
+}
+
+// One who runs or leaps, whose flight is planned, may be anywhere, and so may one who has been carried off.
+template <class T>
+HWY_INLINE Fall<T> fall_since(const PoseBlock& before, float dt, const GaitBlock& g, size_t lane, T origin_y,
+                              T upright, T fastest) {
+    T zero = T(0.0f);
+    T was = at<T>(before.position[hips][1] + lane) + (at<T>(before.origin[1] + lane) - origin_y);
+    T even = was + at<T>(before.rising + lane) * T(dt);
+    auto comes_along = abs(even - upright) < upright;
+    auto bound = (at<T>(g.running + lane) <= zero) & (at<T>(g.jump + lane) <= zero) & comes_along;
+    T least = max(even - T(k_falls * dt * dt), was - fastest * T(dt));
+    Fall<T> fall = no_fall<T>();
+    fall.was = was;
+    fall.sunk = select(bound, max(at<T>(before.sunk + lane), zero), zero);
+    fall.least = select(bound, least, fall.least);
+    fall.most = select(bound, even + T(k_catches * dt * dt), fall.most);
+    fall.dt = select(comes_along, T(dt), zero);
+    fall.over_dt = select(comes_along, T(1 / dt), zero);
+    return fall;
+}
+
+// How high they are where they should be at `y`. Who has sunk below that rises in time to stop there: only
+// gravity slows one who rises.
+template <class T>
+HWY_INLINE T height_after(const Fall<T>& fall, T y) {
+    T rest = max(fall.sunk - sqrt(fall.sunk * T(2 * k_slows)) * fall.dt, T(0.0f));
+    return clamp(y - rest, fall.least, max(fall.most, fall.least));
+}
+
+// The pelvis goes its own smooth way, as far as legs reach and as it can fall.
 template <class T>
 HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSizes<T>& foot_size,
-                             const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height) {
+                             const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height,
+                             const Fall<T>& fall) {
     T least = leg.upper * leg.upper * T(0.8f);
     T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
     auto limit_of = [&](int side) {
@@ -69,15 +119,16 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     T y = wanted - height.crouch;
     for (int side = 0; side < 2; ++side)
         y = soft_min(y, min(limits[side] - walk.lift + feet[side].slack, y + T(0.3f)), T(k_straight));
-    pelvis.place_os.y = y + walk.lift;
+    pelvis.wanted = y + walk.lift;
+    pelvis.place_os.y = height_after(fall, pelvis.wanted);
     for (int side = 0; side < 2; ++side) {
         V3<T> hip_os = pelvis.place_os + pelvis.to_hip_ws[side];
         auto gave = raise_heel(feet[side], foot_size, hip_os, full);
         if (!any(gave)) continue;
         raise_heel(feet[side], foot_size, hip_os, full);
         // What a heel cannot give the pelvis does.
-        T lowered = min(pelvis.place_os.y, limit_of(side));
-        pelvis.place_os.y = select(gave, lowered, pelvis.place_os.y);
+        pelvis.wanted = select(gave, min(pelvis.wanted, limit_of(side)), pelvis.wanted);
+        pelvis.place_os.y = height_after(fall, pelvis.wanted);
     }
 }
 
@@ -222,7 +273,8 @@ HWY_INLINE void pose_leg(PoseBlock& out, size_t lane, int side, const Pelvis<T>&
 }
 
 template <class T>
-HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& out, size_t lane) {
+HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, float dt, const PoseBlock* before,
+                           PoseBlock& out, size_t lane) {
     V3<T> hips_ms = joint_ms<T>(p, hips, lane), hip_ms = joint_ms<T>(p, left_upper_leg, lane);
     T ankle_height = at<T>(p.joints[left_foot][1] + lane);
     T knee_height = at<T>(p.joints[left_lower_leg][1] + lane);
@@ -234,9 +286,14 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     WalkNow<T> walk = walk_now<T>(g, p, lane, hip_ms.y);
     // The ground on which the pelvis rides, below the root.
     V3<T> origin_ws{at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
-    store_place(origin_ws, out.origin, lane);
     Foot<T> feet[2] = {pose_foot(g.feet[k_left], g.feet[k_right], lane, walk, foot_size, origin_ws),
                        pose_foot(g.feet[k_right], g.feet[k_left], lane, walk, foot_size, origin_ws)};
+
+    T apart = max(abs(feet[k_left].drop), abs(feet[k_right].drop));
+    T fastest = lerp(T(k_fastest_fall), T(k_fastest_down), smoothstep(T(k_step_0), T(k_step_1), apart));
+    const Fall<T> fall =
+        before ? fall_since(*before, dt, g, lane, origin_ws.y, hips_ms.y, fastest) : no_fall<T>();
+    store_place(origin_ws, out.origin, lane);
 
     Harmonics<T, 3> cycle = harmonics<3>(at<T>(g.phase + lane));
     PelvisCurves<T> curves = pelvis_curves(g, p, lane, walk, cycle);
@@ -244,7 +301,9 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     Heading<T> heading{half, doubled(half)};
     Pelvis<T> pelvis = turned_pelvis(curves, heading, hips_ms, hip_ms);
     raise_pelvis(pelvis, feet, foot_size, leg, walk,
-                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y));
+                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y), fall);
+    store((pelvis.place_os.y - fall.was) * fall.over_dt, out.rising + lane);
+    store(pelvis.wanted - pelvis.place_os.y, out.sunk + lane);
     set_joint(out, hips, lane, pelvis.place_os, pelvis.rotation_ws);
     for (int side = 0; side < 2; ++side)
         pose_leg(out, lane, side, pelvis, heading, leg, foot_size, feet[side]);

@@ -62,7 +62,7 @@ Walked walk_ahead(const Body& body) {
         const bool was_swinging = swinging;
         advance_gait(gait, 0, 1, root, around, k_seed, t, k_tick);
         poses.swap(before);
-        pose_blocks(gait, 0, 1, poses);
+        pose_blocks(gait, 0, 1, k_tick, before, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
         hold_prams(gait, 0, gait.prams.size(), poses);

@@ -81,7 +81,7 @@ Watched watch(const Ground& ground, float seconds, const std::function<Drive(flo
         position += at_height(velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
         advance_gait(gait, 0, 1, root, surroundings_of(ground), 11, static_cast<uint32_t>(t), k_tick);
-        pose_blocks(gait, 0, 1, poses);
+        pose_blocks(gait, 0, 1, k_tick, poses, poses);
 
         for (int j = 0; j < k_joint_count; ++j) {
             JointPose p = joint_pose(poses, 0, static_cast<Joint>(j));

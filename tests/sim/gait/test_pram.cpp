@@ -66,7 +66,7 @@ std::vector<Moment> push(const Body& body, const Profile& profile, float seconds
         position.y = profile.height(position.z);
         advance_gait(gait, 0, 1, root, around, 1, t, k_tick);
         poses.swap(before);
-        pose_blocks(gait, 0, 1, poses);
+        pose_blocks(gait, 0, 1, k_tick, before, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_prams(gait, 0, gait.prams.size(), poses);
         Moment& now = moments.emplace_back();

@@ -62,7 +62,7 @@ struct Group {
     }
     void pose() {
         poses.swap(before);
-        pose_blocks(gait, 0, 1, poses);
+        pose_blocks(gait, 0, 1, k_tick, before, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         ++tick;
     }

@@ -31,7 +31,7 @@ TEST(Pose, SameBitsOnEveryInstructionSet) {
     for (auto target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
         if (!(hwy::SupportedTargets() & target)) continue;
         hwy::SetSupportedTargetsForTest(target);
-        pose_blocks(world->gait, 0, poses.size(), poses);
+        pose_blocks(world->gait, 0, poses.size(), k_tick, world->previous_poses, poses);
         restrain_legs(world->gait, 0, poses.size(), k_tick, world->previous_poses, poses);
         EXPECT_EQ(0, std::memcmp(poses.data(), world->poses.data(), poses.size() * sizeof(PoseBlock)))
             << hwy::TargetName(target);
@@ -39,6 +39,44 @@ TEST(Pose, SameBitsOnEveryInstructionSet) {
         ++tried;
     }
     EXPECT_GE(tried, 1);
+}
+
+// The ground gives way below everybody, and comes up again.
+TEST(Pose, BodiesFallAndAreCaughtAsTheyCan) {
+    auto world = world_of(32, 1);
+    for (int i = 0; i < 20; ++i) step(*world);
+    Gait& gait = world->gait;
+    std::vector<PoseBlock> poses = world->poses, there = poses;
+    for (float by : {-0.2f, 0.15f}) {
+        for (GaitBlock& g : gait.blocks) {
+            for (int lane = 0; lane < k_block; ++lane) {
+                g.base[lane] += by;
+                for (FootBlock& foot : g.feet)
+                    for (FootPlaces* places : {&foot.from, &foot.to}) places->y[lane] += by;
+            }
+        }
+        pose_blocks(gait, 0, poses.size(), there);
+        std::vector<float> was(32), before(32);
+        for (size_t i = 0; i < 32; ++i) was[i] = before[i] = joint_pose(poses, i, hips).position.y;
+        for (int tick = 0; tick < 60; ++tick) {
+            pose_blocks(gait, 0, poses.size(), k_tick, poses, poses);
+            for (size_t i = 0; i < 32; ++i) {
+                float y = joint_pose(poses, i, hips).position.y;
+                float faster = (y - 2 * was[i] + before[i]) / (k_tick * k_tick);
+                if (tick > 0) {
+                    EXPECT_GT(faster, -k_gravity) << i << " " << tick;
+                    EXPECT_LT(faster, 21) << i << " " << tick;
+                }
+                if (by > 0) {
+                    EXPECT_LT(y, joint_pose(there, i, hips).position.y + 1e-3f) << i << " " << tick;
+                }
+                before[i] = was[i];
+                was[i] = y;
+            }
+        }
+        for (size_t i = 0; i < 32; ++i)
+            EXPECT_NEAR(was[i], joint_pose(there, i, hips).position.y, 1e-3f) << i;
+    }
 }
 
 TEST(Pose, StandingIsUpright) {

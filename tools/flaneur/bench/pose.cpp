@@ -36,7 +36,8 @@ struct Work {
 };
 
 double pose_ns(Work& work, const Gait& gait) {
-    return ns_each(gait.count, [&] { pose_blocks(gait, 0, gait.blocks.size(), work.poses); });
+    return ns_each(gait.count,
+                   [&] { pose_blocks(gait, 0, gait.blocks.size(), k_tick, work.poses, work.poses); });
 }
 
 double limit_ns(Work& work) {

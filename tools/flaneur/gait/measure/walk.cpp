@@ -147,7 +147,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         reach_for_walls(gait, 0, 1, root, surroundings_of(ground), seed, t, k_tick);
         advance_holds(gait, 0, 1, root, seed, t, k_tick);
         poses.swap(before);
-        pose_blocks(gait, 0, 1, poses);
+        pose_blocks(gait, 0, 1, k_tick, before, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);
         hold_canes(gait, 0, gait.canes.size(), k_tick, before, poses);
         hold_prams(gait, 0, gait.prams.size(), k_tick, before, poses);
