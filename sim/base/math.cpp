@@ -36,8 +36,6 @@ Vec2 heading_direction(float yaw) {
 
 float heading_of(Vec2 d) { return arctan2(d.x, d.z); }
 
-float wrap_angle(float a) { return a - 2 * k_pi * std::floor(a / (2 * k_pi) + 0.5f); }
-
 Quat rotation_x(float angle) {
     SinCos h = sin_cos(angle * 0.5f);
     return {h.sine, 0, 0, h.cosine};

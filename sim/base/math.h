@@ -4,6 +4,8 @@
 // math-inl.h, for single values and for lanes.
 #pragma once
 
+#include <cmath>
+
 #include "sim/base/vec.h"
 
 namespace flaneur {
@@ -34,8 +36,11 @@ float exponential(float x);
 // Angles of heading: 0 faces +z, growing towards +x (to the walker's left).
 Vec2 heading_direction(float yaw);
 float heading_of(Vec2 direction);
-// `angle` brought into [-pi, pi].
-float wrap_angle(float angle);
+// `angle` brought into [-pi, pi], where most are.
+inline float wrap_angle(float angle) {
+    if (angle >= -k_pi && angle < k_pi) return angle;
+    return angle - 2 * k_pi * std::floor(angle / (2 * k_pi) + 0.5f);
+}
 
 Quat rotation_x(float angle);
 Quat rotation_y(float angle);

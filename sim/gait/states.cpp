@@ -42,9 +42,10 @@ static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ah
 
 namespace {
 
-float wrap_phase(float p) { return p - std::floor(p); }
+// Most are within already.
+float wrap_phase(float p) { return p >= 0 && p < 1 ? p : p - std::floor(p); }
 // In [-1/2, 1/2).
-float wrap_difference(float d) { return d - std::floor(d + 0.5f); }
+float wrap_difference(float d) { return d >= -0.5f && d < 0.5f ? d : d - std::floor(d + 0.5f); }
 
 void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
 
