@@ -159,6 +159,12 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
         return with_room(around, found, ahead, size);
     }
+    // An edge along the foot, or the corner of one: beside it.
+    for (float aside : {0.06f, -0.06f, 0.12f, -0.12f}) {
+        Vec3 at = ahead_by(wanted.position, {ahead.z, -ahead.x}, aside);
+        Sampled moved = sample(around, at, ahead, size);
+        if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+    }
     if (s.highest < -1e8f) return {wanted, false, false, false};
     FootPlace place = wanted;
     place.position.y = s.highest;
@@ -240,6 +246,7 @@ Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float re
                 return tread;
             }
             tread.begin = high;
+            tread.height = hit->height;
             tread.down = step < 0;
         }
         at.y = hit->height;

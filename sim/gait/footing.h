@@ -36,8 +36,8 @@ struct Footing {
     bool stepped = false;  // an edge of a kerb or step lies near
 };
 // The place nearest to `wanted` where a whole foot finds one surface, shifted along the foot by 0.22 m at
-// most to keep off an edge. On a tread too short for the foot, the one that ends highest: the heel or the
-// toes hang over.
+// most to keep off an edge, else beside it by 0.12 m. On a tread too short for the foot, the one that ends
+// highest: the heel or the toes hang over.
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size);
 
 // Whether a step or kerb rises where the heel or the toes of a foot at `place` are.
@@ -60,6 +60,7 @@ float obstacle_between(const Surroundings& around, const FootPlace& from, const 
 // than two edges.
 struct Tread {
     float begin = 0, end = 0;
+    float height = 0;
     bool down = false;  // it lies lower than `from`
 };
 Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach);

@@ -116,21 +116,22 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
 }
 
 // On stairs one tread is a step: the foot lands on the next one after the other foot's; of small children,
-// beside the other foot where that has gone ahead.
-void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& size, FootPlace& wished) {
+// beside the other foot where that has gone ahead. The height of a tread that it climbs to, if it does.
+std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& size,
+                                    FootPlace& wished) {
     FootPlace from = get_place(g.feet[side].from, s.lane), there = get_place(g.feet[other(side)].to, s.lane);
     Vec2 direction = normalize_or(s.velocity, s.facing);
     bool both = sets_both_feet(s.leg_length);
     if (both && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
         float ahead = dot(on_ground(there.position - wished.position), direction);
         wished.position += at_height(direction * ahead, 0);
-        return;
+        return {};
     }
     Tread next = next_tread(s.around, there.position, direction, k_reach_treads);
     float& tread = g.tread[s.lane];
     if (next.end <= next.begin) {
         tread = 0;
-        return;
+        return {};
     }
     float along = dot(on_ground(wished.position - there.position), direction);
     float low = next.begin + size.heel + k_off_riser,
@@ -141,8 +142,16 @@ void keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& s
                           : clamp(along, std::min(low, high), high);
     // Long treads take two steps.
     tread = fit - along < k_farthest_shift ? next.end - next.begin : 0;
-    if (tread <= 0) return;
+    if (tread <= 0) return {};
     wished.position += at_height(direction * (fit - along), 0);
+    return next.down ? std::nullopt : std::optional(next.height);
+}
+
+// Whether the tip of a foot at `place` has ground below it at such a height.
+bool bears_tip(const Stepper& s, const FootPlace& place, const FootSize& size, float height) {
+    Vec3 tip = place.position + at_height(heading_direction(place.yaw) * size.tip, 0);
+    auto hit = ground_at(s.around, tip, k_step_up, k_step_down);
+    return hit && std::fabs(hit->height - height) < k_off_riser;
 }
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
@@ -178,12 +187,20 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         if (far.distance > 0) wished.position.y = far.height;
         if (far.distance > 0 && short_of > 0) wished.position += at_height(direction * short_of, 0);
     }
-    if (g.tread[s.lane] > 0) keep_to_treads(g, s, side, size, wished);
+    std::optional<float> climbs_to;
+    if (g.tread[s.lane] > 0) climbs_to = keep_to_treads(g, s, side, size, wished);
     Footing footing = find_footing(s.around, wished, size);
     if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
         std::fabs(step_between(there, footing.place)) > k_stair) {
-        keep_to_treads(g, s, side, size, wished);
+        climbs_to = keep_to_treads(g, s, side, size, wished);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
+    }
+    // Up treads shorter than the foot, heels hang over.
+    if (climbs_to && footing.found && footing.place.position.y < *climbs_to - k_stair &&
+        bears_tip(s, wished, size, *climbs_to)) {
+        footing.place = wished;
+        footing.place.position.y = *climbs_to;
+        footing.place.normal = {0, 1, 0};
     }
     // Nobody reaches far down a steep slope.
     float down = there.position.y - footing.place.position.y, deepest = k_deepest * s.leg_length;
