@@ -176,8 +176,9 @@ Result<void> run_gait(const Options& options) {
     }
     if (gait.pram && (gait.cane || !gait.stairs.empty()))
         return Error{"Who pushes a --pram has no --cane, and takes no --stairs."};
-    if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !is_stream(gait.strip))
-        return Error{"--strip draws a .png, which " + gait.strip + " is not called."};
+    if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !has_ending(gait.strip, ".mp4") &&
+        !is_stream(gait.strip))
+        return Error{"--strip draws a .png or an .mp4, which " + gait.strip + " is not called."};
     const auto as_file = is_glb ? motion_glb : bvh_text;
     std::vector<Report> reports;
     Recording motion;

@@ -1,6 +1,6 @@
 #!/bin/bash
 # pictures.sh FLANEUR: a picture, numbered pictures and a film have the size and length that was asked for; a strip has twelve
-# pictures in a row, a sheet of people a cell for each.
+# pictures in a row, or is a film, a sheet of people a cell for each.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -21,7 +21,14 @@ expect "$(probe width,height strip.png)" 2880,420
 "$1" gait --strip change.png --change 3 --moments 6:7 > /dev/null
 "$1" gait --strip same.png --moments 6:7 > /dev/null
 expect "$(probe width,height abreast.png)" 2880,420
-for pair in "strip later" "change same" "abreast same"; do
+"$1" gait --strip walk.mp4 --moments 6:6.5 > /dev/null
+expect "$(probe width,height,r_frame_rate,nb_read_frames walk.mp4)" 480,840,30/1,15
+"$1" gait --strip twelve.mp4 --abreast --moments 6:6.1 > /dev/null
+expect "$(probe width,height,nb_read_frames twelve.mp4)" 2880,420,3
+"$1" gait --stand 12 --strip stands.png --moments 5:7 > /dev/null
+"$1" gait --stand 12 --aside 0.4 --strip aside.png --moments 5:7 > /dev/null
+"$1" gait --stand 12 --turn 120 --strip spot.png --moments 5:7 > /dev/null
+for pair in "strip later" "change same" "abreast same" "stands aside" "stands spot" "aside spot"; do
     read -r a b <<< "$pair"
     if cmp -s "$a.png" "$b.png"; then echo "FAILED: $a.png and $b.png are one picture." && exit 1; fi
 done
@@ -34,4 +41,5 @@ expect "$(probe width,height faces.png)" 260,120
 if cmp -s sheet.png faces.png; then echo "FAILED: --close changes nothing." && exit 1; fi
 if cmp -s sheet.png backs.png; then echo "FAILED: --turn changes nothing." && exit 1; fi
 cmp sheet.png again.png
-expect "$(echo *)" "abreast.png again.png backs.png change.png city.mp4 faces.png later.png many one same.png sheet.png strip.png"
+names="abreast.png again.png aside.png backs.png change.png city.mp4 faces.png later.png many one same.png sheet.png spot.png"
+expect "$(echo *)" "$names stands.png strip.png twelve.mp4 walk.mp4"

@@ -138,7 +138,10 @@ Examples:
   flaneur gait --speed 1.4 --change 3.1 --strip out/run.png --moments 4.8:6.8
   flaneur gait --abreast --strip out/people.png            twelve people, each with a walk of their own
   flaneur gait --stand 60 --style 3 --strip out/stand.png --view front
-                                                           what the hands of one who waits do)";
+                                                           what the hands of one who waits do
+  flaneur gait --stand 12 --aside 0.6 --strip out/aside.png --view front
+  flaneur gait --stairs down --age 80 --strip out/stairs.mp4 --moments 12:20
+                                                           a film of what a strip shows)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
@@ -315,7 +318,10 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
            "Stands for so long instead of walking, and does with its hands what people do");
     number(k_where, "--seconds", gait.seconds, 12, k_longest_walk, "T",
            "On level ground, from standing to standing, or of what is exported, or of a crowd", "25");
-    number(k_where, "--turn", gait.turn, -180, 180, "DEG", "Turn on the way, to the left");
+    number(k_where, "--turn", gait.turn, -180, 180, "DEG",
+           "Turn on the way, to the left, or, with --stand, on the spot after five seconds");
+    number(k_where, "--aside", gait.aside, -1, 1, "M",
+           "With --stand, steps so far to the left after five seconds, in a strip or an export");
     number(k_where, "--change", gait.change, 0.3, 5, "M/S",
            "So fast from the fifth to the tenth second, in a strip or an export");
     add_parsed(*command, "--stairs", parse_stairs, gait.stairs, "A flight up or down", "up|down", "")
@@ -339,7 +345,10 @@ void add_gait(CLI::App& app, SceneWords& words, Options& options) {
     command->add_option("--json", options.json, "The same")->type_name("FILE");
     command->add_option("--svg", gait.svg, "Draw the curves over those of people")->type_name("FILE");
     CLI::Option* strip =
-        command->add_option("--strip", gait.strip, "Draw twelve moments of it, a .png")->type_name("FILE");
+        command
+            ->add_option("--strip", gait.strip,
+                         "Draw twelve moments of it side by side, a .png, or all between, a film, an .mp4")
+            ->type_name("FILE");
     add_parsed(*command, "--view", parse_view, gait.view, "What a strip shows it from: side or front", "VIEW",
                "side")
         ->needs(strip);

@@ -44,6 +44,7 @@ struct GaitOptions {
     uint64_t style = 0;   // draws what differs between people of one body; 0: the middle manner
     double seconds = 25;
     double turn = 0;                    // degrees to the left
+    double aside = 0;                   // metres to the left that one who stands steps
     double change = 0;                  // m/s on the way; 0: as before. Not where bars are held
     std::string stairs;                 // up, down
     double riser = 0.17, tread = 0.29;  // metres

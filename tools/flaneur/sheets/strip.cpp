@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assets/files/file.h"
 #include "assets/outfit.h"
 #include "assets/population.h"
 #include "sim/base/levels.h"
 #include "sim/base/math.h"
 #include "tools/extract/convert.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/gait/people/who.h"
+#include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/take.h"
 #include "tools/flaneur/view/show.h"
@@ -18,8 +22,9 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_pictures = 12;
-constexpr uint32_t k_width = 240, k_height = 420;  // pixels of one
-constexpr double k_abreast_at = 6;                 // seconds, of people at one moment
+constexpr Size k_tile = {240, 420}, k_alone = {480, 840};  // pixels of one; in a film of one
+constexpr uint32_t k_film_step = 2;                        // ticks from picture to picture
+constexpr double k_abreast_at = 6, k_film_abreast = 4;  // seconds, of people at one moment; of a film of it
 constexpr uint64_t k_abreast_seed = 3;
 constexpr float k_around = 0.16f;  // metres from a joint to the end of what it moves, toes of shoes say
 
@@ -35,9 +40,9 @@ Shown show(const GaitOptions& gait, const PersonOptions& who, const Manner& mann
     const Moments& moments = gait.moments;
     if (moments.last > 0 || gait.abreast) {
         shown.take = make_take(gait, person, speed, std::max(gait.seconds, moments.last));
-        double first = gait.abreast && moments.last == 0 ? k_abreast_at : moments.first;
-        shown.take.first = first * shown.take.walk.rate;
-        shown.take.last = moments.last * shown.take.walk.rate;
+        const bool is_free = moments.last == 0;
+        shown.take.first = (is_free ? k_abreast_at : moments.first) * shown.take.walk.rate;
+        shown.take.last = (is_free ? k_abreast_at + k_film_abreast : moments.last) * shown.take.walk.rate;
     } else {
         shown.take = make_moment(gait, person, speed);
     }
@@ -92,7 +97,7 @@ Camera camera_on(const Take& take, const Instant& now, double moment, float tall
     Camera camera;
     camera.eye = to_glm(eye);
     camera.target = to_glm(target);
-    constexpr float k_aspect = static_cast<float>(k_width) / static_cast<float>(k_height);
+    constexpr float k_aspect = static_cast<float>(k_tile.width) / static_cast<float>(k_tile.height);
     const float half = std::max(0.64f * tall, widest(take, target - now.root, view) / k_aspect);
     camera.vertical_fov = 2 * std::atan(half / length(eye - target));
     return camera;
@@ -126,48 +131,120 @@ FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall
     return frame;
 }
 
-}  // namespace
+// Who is drawn, and what with.
+struct Studio {
+    RendererPtr renderer;
+    std::vector<Shown> shown;
+    float tallest = 0;
+    StripView view = StripView::side;
+    PeopleFrame people;
+};
 
-Result<void> draw_strip(const Options& options, double height, double speed, const Manner& manner) {
+Result<Studio> make_studio(const Options& options, std::atomic<uint32_t>& messages, double height,
+                           double speed, const Manner& manner) {
     const GaitOptions& gait = options.gait;
-    Result<PartFilePtr> file = open_file(gait.strip);
-    if (!file) return file.error();
-    std::atomic<uint32_t> messages = 0;
+    Studio studio;
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
+    studio.renderer = std::move(*renderer);
+    studio.view = gait.view;
     PersonOptions who{gait.style, static_cast<float>(height), gait.sex == Sex::woman};
     who.stick = gait.cane;
     who.bag = gait.bag;
     who.pram = gait.pram;
     who.age = static_cast<float>(gait.age);
-    std::vector<Shown> shown =
-        gait.abreast ? twelve_people(gait) : std::vector<Shown>{show(gait, who, manner, speed)};
+    if (gait.abreast) {
+        studio.shown = twelve_people(gait);
+    } else {
+        studio.shown.push_back(show(gait, who, manner, speed));
+    }
     std::vector<Character> characters;
-    float tallest = 0;
-    for (const Shown& s : shown) {
+    for (const Shown& s : studio.shown) {
         characters.push_back(s.character);
-        tallest = std::max(tallest, s.character.body.height);
+        studio.tallest = std::max(studio.tallest, s.character.body.height);
     }
     City city;
-    city.ground = shown.front().take.ground;
+    city.ground = studio.shown.front().take.ground;
     city.ground_axes.assign(city.ground.kinds.size(), {0, 1});
-    Result<void> uploaded = upload_scene(**renderer, extract_scene(city, characters));
-    if (!uploaded) return uploaded;
+    Result<void> uploaded = upload_scene(*studio.renderer, extract_scene(city, characters));
+    if (!uploaded) return uploaded.error();
+    return studio;
+}
 
-    std::vector<uint8_t> rgba(size_t{4} * k_pictures * k_width * k_height);
-    PeopleFrame people;
-    for (uint32_t i = 0; i < k_pictures; ++i) {
-        uint32_t mesh = gait.abreast ? i : 0;
-        double moment = gait.abreast ? 0 : static_cast<double>(i) / k_pictures;
-        FrameInput frame = frame_of(shown[mesh], mesh, moment, tallest, gait.view, people);
-        Result<Image> image = draw_image(**renderer, frame, k_width, k_height);
+// One of those shown, at a moment of the take, 0..1.
+struct Tile {
+    uint32_t who = 0;
+    double moment = 0;
+};
+
+Size row_size(size_t tiles, Size tile) { return {static_cast<int>(tiles) * tile.width, tile.height}; }
+
+// Tiles side by side.
+Result<std::vector<uint8_t>> draw_row(Studio& studio, const std::vector<Tile>& tiles, Size tile) {
+    const size_t row = size_t{4} * static_cast<size_t>(tile.width), whole = tiles.size() * row;
+    std::vector<uint8_t> rgba(whole * static_cast<size_t>(tile.height));
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        FrameInput frame = frame_of(studio.shown[tiles[i].who], tiles[i].who, tiles[i].moment, studio.tallest,
+                                    studio.view, studio.people);
+        Result<Image> image = draw_image(*studio.renderer, frame, static_cast<uint32_t>(tile.width),
+                                         static_cast<uint32_t>(tile.height));
         if (!image) return image.error();
-        for (uint32_t y = 0; y < k_height; ++y) {
-            std::copy_n(image->rgba.begin() + size_t{4} * y * k_width, size_t{4} * k_width,
-                        rgba.begin() + size_t{4} * (y * k_pictures + i) * k_width);
-        }
+        for (size_t y = 0; y < static_cast<size_t>(tile.height); ++y)
+            std::copy_n(image->rgba.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                        rgba.begin() + static_cast<std::ptrdiff_t>(y * whole + i * row));
     }
-    return write_png(std::move(*file), rgba, {k_pictures * k_width, k_height});
+    return rgba;
+}
+
+// Everybody side by side at each moment.
+Result<void> draw_film(Studio& studio, Film& film, Size tile, uint32_t pictures) {
+    std::vector<Tile> tiles(studio.shown.size());
+    for (uint32_t i = 0; i < pictures; ++i) {
+        if (is_stopping()) return interrupted();
+        show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
+        for (uint32_t k = 0; k < tiles.size(); ++k) tiles[k] = {k, static_cast<double>(i) / pictures};
+        Result<std::vector<uint8_t>> rgba = draw_row(studio, tiles, tile);
+        if (!rgba) return rgba.error();
+        if (Result<void> written = write_film(film, *rgba); !written) return written;
+    }
+    clear_progress();
+    return {};
+}
+
+}  // namespace
+
+Result<void> draw_strip(const Options& options, double height, double speed, const Manner& manner) {
+    const GaitOptions& gait = options.gait;
+    const bool is_film = has_ending(gait.strip, ".mp4");
+    const Size tile = is_film && !gait.abreast ? k_alone : k_tile;
+    const size_t in_film = gait.abreast ? k_pictures : 1;
+    PartFilePtr picture;
+    FilmPtr film;
+    if (is_film) {
+        Result<FilmPtr> opened = open_film(gait.strip, row_size(in_film, tile), k_film_step, {}, false);
+        if (!opened) return opened.error();
+        film = std::move(*opened);
+    } else {
+        Result<PartFilePtr> opened = open_file(gait.strip);
+        if (!opened) return opened.error();
+        picture = std::move(*opened);
+    }
+    std::atomic<uint32_t> messages = 0;
+    Result<Studio> studio = make_studio(options, messages, height, speed, manner);
+    if (!studio) return studio.error();
+    if (film) {
+        const Take& take = studio->shown.front().take;
+        auto pictures =
+            static_cast<uint32_t>(std::max(std::lround((take.last - take.first) / k_film_step), 1L));
+        Result<void> drawn = draw_film(*studio, *film, tile, pictures);
+        return drawn ? finish_film(std::move(film)) : drawn;
+    }
+    std::vector<Tile> tiles;
+    for (uint32_t i = 0; i < k_pictures; ++i)
+        tiles.push_back(gait.abreast ? Tile{i, 0} : Tile{0, static_cast<double>(i) / k_pictures});
+    Result<std::vector<uint8_t>> rgba = draw_row(*studio, tiles, tile);
+    if (!rgba) return rgba.error();
+    return write_png(std::move(picture), *rgba, row_size(k_pictures, tile));
 }
 
 }  // namespace flaneur

@@ -13,6 +13,7 @@ namespace {
 
 // Seconds: stands; then turns, changes or leaps; shown of a turn; of a change; of a leap; stands at the end.
 constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_change = 5, k_leap = 1.8, k_stop = 3;
+constexpr double k_turn_standing = 3.6, k_aside = 0.24, k_settle = 1.2;  // seconds; m/s aside; seconds after
 constexpr double k_fastest_walk = 2;  // m/s; who runs slows down before stairs
 constexpr float k_begin = 9;          // metres: where stairs, slopes and kerbs begin
 
@@ -62,16 +63,38 @@ Take take_on(Ground ground, const GaitOptions& gait, const Person& person, doubl
     return take;
 }
 
+// Seconds of stepping aside.
+double steps_aside(const GaitOptions& gait) { return std::fabs(gait.aside) / k_aside; }
+
+Take take_standing(const GaitOptions& gait, const Person& person) {
+    const Vec2 aside{static_cast<float>(gait.aside > 0 ? k_aside : -k_aside), 0};
+    Take take;
+    take.ground = ground_of(gait, 0);
+    take.walk = walk(
+        take.ground, person, gait.stand,
+        [&](double t) { return t >= k_steady && t < k_steady + steps_aside(gait) ? aside : Vec2{}; }, 0,
+        [&](double t) { return gait.turn != 0 && t >= k_steady ? turned_by(gait.turn, 1) : Vec2{}; });
+    take.last = static_cast<double>(take.walk.ticks.size());
+    return take;
+}
+
 }  // namespace
 
 Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds) {
-    if (gait.stand > 0) return take_on(ground_of(gait, 0), gait, person, 0, gait.stand);
+    if (gait.stand > 0) return take_standing(gait, person);
     return take_on(ground_of(gait, static_cast<float>(std::max(speed, gait.change) * seconds)), gait, person,
                    speed, seconds);
 }
 
 Take make_moment(const GaitOptions& gait, const Person& person, double speed) {
-    if (gait.stand > 0) return make_take(gait, person, speed, gait.stand);
+    if (gait.stand > 0) {
+        Take take = take_standing(gait, person);
+        if (gait.turn == 0 && gait.aside == 0) return take;
+        take.first = (k_steady - 0.3) * take.walk.rate;
+        double lasts = gait.turn != 0 ? k_turn_standing : steps_aside(gait) + k_settle;
+        take.last = std::min(take.last, take.first + lasts * take.walk.rate);
+        return take;
+    }
     float from = k_begin + (gait.kerb != 0 ? -0.9f : 4 * static_cast<float>(gait.tread));
     double walked = k_steady + k_turn +
                     static_cast<double>(

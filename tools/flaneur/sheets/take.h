@@ -16,9 +16,9 @@ struct Take {
 
 // All of `seconds` in which the person stands for a second, walks at `speed` m/s as `gait` says, and stands
 // again for the last three. A turn comes after five, or another speed for as long. One who is to stand stands
-// all of GaitOptions::stand.
+// all of GaitOptions::stand, but turns on the spot or steps aside after five.
 Take make_take(const GaitOptions& gait, const Person& person, double speed, double seconds);
-// What tells most of such a walk: a stride, or the turn. All of standing.
+// What tells most of such a walk: a stride, or the turn. All of standing, or the turn or the steps.
 Take make_moment(const GaitOptions& gait, const Person& person, double speed);
 
 }  // namespace flaneur

@@ -114,7 +114,8 @@ Vec2 turned_by(double degrees, double speed) {
     return heading_direction(angle * k_radians) * static_cast<float>(speed);
 }
 
-Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps) {
+Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps,
+          const Wish& look) {
     const uint64_t seed = k_seed + person.draws;
     Walk result{person.body, 1 / static_cast<double>(k_tick), {}, 0};
     std::vector<Body> bodies{person.body};
@@ -138,7 +139,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         Vec2 wished = wish(t / result.rate);
         under = slowing_ground(surroundings_of(ground), under, position, motion.velocity, length(wished));
         wished = wish_on(under, wished, stair_pace(leg_length(person.body)));
-        motion = next_motion(motion, wished, k_tick, {0, 0},
+        motion = next_motion(motion, wished, k_tick, look ? look(t / result.rate) : Vec2{},
                              person.body.pram != Vec3{} ? person.body.pram.z + k_pram_behind : 0);
         position += at_height(motion.velocity * k_tick, 0);
         if (auto hit = ground_at(ground, position)) position.y = hit->height;

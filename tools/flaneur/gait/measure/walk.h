@@ -105,7 +105,9 @@ bool runs_on_stairs(const Person& person, double speed);
 // At `speed` m/s, turned by so many degrees from +z to the left; a half turn goes to its own side too.
 Vec2 turned_by(double degrees, double speed);
 
-// Walks for `seconds` from (0, 0), facing +z, and leaps with the step after `leaps` seconds, if above 0.
-Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps = 0);
+// Walks for `seconds` from (0, 0), facing +z, and leaps with the step after `leaps` seconds, if above 0. One
+// who stands turns to `look` (unit; (0, 0): nowhere in particular), if that is given.
+Walk walk(const Ground& ground, const Person& person, double seconds, const Wish& wish, double leaps = 0,
+          const Wish& look = {});
 
 }  // namespace flaneur
