@@ -14,6 +14,7 @@ static constexpr float k_turning_room = 0.03f;  // and where it rises, if there 
 static constexpr float k_toe_room = 0.045f;     // and before the toes, which roll on when the heel rises
 static constexpr float k_most_shift = 0.22f;    // metres
 static constexpr float k_riser = 0.05f;         // metres; higher edges are steps
+static constexpr float k_soonest_fall = 0.7f, k_latest_fall = 0.17f, k_passes = 0.05f;  // shares of a swing
 static constexpr float k_ledge = 1.1f;          // metres; higher ones cannot be jumped on
 
 FootPlace get_place(const FootPlaces& from, int lane) {
@@ -56,6 +57,8 @@ kernel::SwingEnds<float> ends_between(const FootPlace& from, const FootPlace& to
             to.normal.x - from.normal.x,
             to.normal.z - from.normal.z};
 }
+
+Vec3 position_of(const kernel::V3<float>& v) { return {v.x, v.y, v.z}; }
 
 Vec3 ahead_by(Vec3 from, Vec2 direction, float distance) {
     return {from.x + direction.x * distance, from.y, from.z + direction.z * distance};
@@ -187,7 +190,7 @@ float step_between(const FootPlace& from, const FootPlace& to) {
 }
 
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size) {
-    constexpr float k_room = 0.12f;
+    constexpr float k_room = 0.08f;
     float height = down.place.position.y;
     auto above = [&](float behind) {
         auto hit = under(around, ahead_by(down.place.position, direction, -size.heel - behind));
@@ -206,23 +209,36 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
     return same ? moved : down;
 }
 
-float obstacle_between(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                       const FootSize& size, float running, float pace) {
+Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
+                      const FootSize& size, float running, float pace) {
     constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
     kernel::SwingEnds<float> ends = ends_between(from, to);
     Vec2 ahead = heading_direction(from.yaw + 0.5f * wrap_angle(to.yaw - from.yaw));
-    float most = 0;
+    Clearing clearing;
+    bool is_down = to.position.y < from.position.y - k_riser;
+    if (is_down) {
+        // It may come down as soon as its heel has passed the edge.
+        clearing.falls = k_soonest_fall;
+        for (float u : {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f, 0.82f, 0.88f}) {
+            Vec3 heel = position_of(kernel::swing_path(ends, kernel::swing_time(u), running, pace).place);
+            auto hit = under(around, ahead_by(heel, ahead, -size.heel - k_margin));
+            if (hit && hit->height > to.position.y + k_riser)
+                clearing.falls = std::max(1 - u - k_passes, k_latest_fall);
+        }
+        ends.falls = clearing.falls;
+    }
     for (float u : k_samples) {
         kernel::SwingTime<float> time = kernel::swing_time(u);
-        kernel::V3<float> place = kernel::swing_path(ends, time, running, pace).place;
+        Vec3 place = position_of(kernel::swing_path(ends, time, running, pace).place);
         // The heel is high after it has left, and when it steps down.
         for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
-            auto hit = under(around, ahead_by({place.x, place.y, place.z}, ahead, along));
+            auto hit = under(around, ahead_by(place, ahead, along));
             float lift = along < 0 && to.position.y < from.position.y - 0.07f ? 0.04f : 0;
-            if (hit) most = std::max(most, (hit->height - place.y - lift) / time.hop);
+            if (hit) clearing.obstacle = std::max(clearing.obstacle, (hit->height - place.y - lift) / time.hop);
         }
     }
-    return std::min(most, 0.35f);
+    clearing.obstacle = std::min(clearing.obstacle, 0.35f);
+    return clearing;
 }
 
 Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach) {

@@ -50,10 +50,14 @@ float step_between(const FootPlace& from, const FootPlace& to);
 // edge that it passes, if the ground there lets it.
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size);
 
-// Metres that a swing from one place to the other has to rise above the way that the pose gives it, so that
-// neither toes nor heel meet the ground between; at most 0.35. `running` and `pace` as in GaitBlock.
-float obstacle_between(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                       const FootSize& size, float running, float pace);
+// How a swing keeps clear of the ground.
+struct Clearing {
+    float obstacle = 0;  // metres that it has to rise above the way that the pose gives it, at most 0.35
+    float falls = 0;     // see FootBlock
+};
+// So that neither toes nor heel meet the ground between two places. `running` and `pace` as in GaitBlock.
+Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
+                      const FootSize& size, float running, float pace);
 
 // The first level after the one at `from`, along `direction`, unit, which begins and ends within
 // `reach` metres: distances of its edges from `from`. Empty (begin == end) where the ground ahead has fewer

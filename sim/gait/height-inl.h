@@ -23,6 +23,9 @@ inline constexpr float k_stairs_lets_down = 0.26f;  // but until so many seconds
 inline constexpr float k_farthest_ahead = 0.6f;     // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;           // seconds
 inline constexpr float k_most_effort = 9;           // m/s2
+inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
+inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
+inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that the body is down
 inline constexpr float k_step_most = 0.2f;          // metres
 inline constexpr float k_most_sink = 0.2f;          // legs
 inline constexpr float k_just_landed = 0.1f;        // of the cycle
@@ -94,7 +97,7 @@ struct Climber {
     T speed, leg, dt;
     T swings[2], stands;  // 0 or 1
     Stand<T> from[2], to[2], goal[2];
-    T phase[2], until[2];  // of feet; seconds until one that swings lands
+    T phase[2], rate[2], until[2];  // of feet; of the phase, 1/s; seconds until one that swings lands
     T on_from[2];          // height_on(from) at the root
     T duty, tread, base, base_velocity, rise;
 };
@@ -119,7 +122,8 @@ HWY_INLINE Climber<T> climber_at(const GaitBlock& g, const PersonBlock& p, const
         c.to[side] = stand_at<T>(foot.to, lane);
         c.goal[side] = stand_at<T>(foot.goal, lane);
         c.phase[side] = row<T>(foot.phase, lane);
-        c.until[side] = (T(1.0f) - c.phase[side]) / max(row<T>(foot.rate, lane), frequency);
+        c.rate[side] = max(row<T>(foot.rate, lane), frequency * T(k_least_swing));
+        c.until[side] = (T(1.0f) - c.phase[side]) / c.rate[side];
         c.on_from[side] = height_on(c.from[side], c.root);
     }
     c.duty = row<T>(g.duty, lane);
@@ -174,12 +178,18 @@ HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     T from = select(l, c.on_from[k_right], c.on_from[k_left]);
     T phase = select(l, c.phase[k_left], c.phase[k_right]),
       until = select(l, c.until[k_left], c.until[k_right]);
-    T swing = until * (T(1.0f) - c.duty) / max(T(1.0f) - phase, T(1e-3f));
+    T swing = (T(1.0f) - c.duty) / select(l, c.rate[k_left], c.rate[k_right]);
     T wait = clamp(T(1.0f) - T(k_stairs_lets_down) / max(swing, T(0.1f)), T(0.0f), T(k_stairs_wait));
     T begins = select(c.tread > T(0.0f), lerp(c.duty, T(1.0f), wait), T(0.0f)), by = to - c.base;
     auto lets_down = one_swings & (phase >= begins) & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
-    return select(lets_down, least_effort(by, c.base_velocity, max(until, T(k_soonest))),
-                  w * w * (target - c.base) - T(2.0f) * w * c.base_velocity);
+    T spring = w * w * (target - c.base) - T(2.0f) * w * c.base_velocity;
+    // As late as may be, so that the knee which carries does not bend for long.
+    T later = select(c.tread > T(0.0f), T(0.0f), T(k_lets_down_later));
+    T effort = least_effort(by, c.base_velocity, max(until + later, T(k_soonest)));
+    T waits = w * w * (from - c.base) - T(2.0f) * w * c.base_velocity;
+    T urged = smoothstep(T(0.5f * k_let_down_effort), T(k_let_down_effort), T(0.0f) - effort);
+    urged = select(c.base_velocity < T(-k_lets_down), T(1.0f), urged);
+    return select(lets_down, lerp(min(waits, T(0.0f)), effort, urged), spring);
 }
 
 template <class T>

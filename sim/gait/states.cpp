@@ -30,7 +30,6 @@ static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
 static constexpr float k_aside = 0.5f;  // of the metres aside, that a foot counts as farther from home
 static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
-static constexpr float k_least_swing = 0.7f;                  // likewise
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
@@ -147,7 +146,9 @@ float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s)
     int lane = s.lane;
     if (g.tread[lane] > 0) return 1;
     FootPlace goal = get_place(foot.goal, lane);
-    if (step_between(get_place(foot.from, lane), goal) < -k_drop) return 1;
+    const FootBlock& other = g.feet[&foot == &g.feet[k_left] ? k_right : k_left];
+    bool is_down = step_between(get_place(other.to, lane), goal) > -k_drop;  // the body already
+    if (!is_down && step_between(get_place(foot.from, lane), goal) < -k_drop) return 1;
     Vec3 n = goal.normal;
     float grade = -(n.x * s.facing.x + n.z * s.facing.z) / std::max(n.y, 0.2f);
     return smoothstep(k_steep_0, k_steep_1, grade);

@@ -28,6 +28,7 @@ static constexpr float k_stair = 0.07f;  // metres between feet that begin a fli
 static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
 static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;    // metres
+static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;    // metres
 static constexpr float k_reach_treads = 1.0f;  // metres
 
@@ -241,9 +242,10 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     set_place(foot.goal, s.lane, landing);
     if (leaves) foot.obstacle[s.lane] = 0;
     if (leaves || footing.stepped) {
-        foot.obstacle[s.lane] =
-            std::max(foot.obstacle[s.lane],
-                     obstacle_between(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane]));
+        Clearing clearing = clear_ground(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane]);
+        foot.obstacle[s.lane] = std::max(foot.obstacle[s.lane], clearing.obstacle);
+        // A foot that has begun to come down goes on.
+        if (leaves || g.feet[side].phase[s.lane] < k_still_up) foot.falls[s.lane] = clearing.falls;
     }
     return true;
 }
@@ -274,12 +276,15 @@ bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float fr
 
 void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
     FootBlock& foot = g.feet[side];
-    if (s.replans && seconds > k_settled) {
+    // However slowly it goes on, its place is kept from the same part of its way on.
+    float left = seconds;
+    if (g.jump[s.lane] <= 0) left = std::min(left, (1 - foot.phase[s.lane]) / frequency);
+    if (s.replans && left > k_settled) {
         FootPlace wished = wished_landing(g, s, side, seconds, frequency);
         float moved = std::max(std::fabs(wished.position.x - foot.wished_x[s.lane]),
                                std::fabs(wished.position.z - foot.wished_z[s.lane]));
         float turned = std::fabs(wished.yaw - foot.wished_yaw[s.lane]);
-        if (moved > k_moved || turned > k_turned) plan(g, s, side, wished, false, seconds);
+        if (moved > k_moved || turned > k_turned) plan(g, s, side, wished, false, left);
     }
     // Swiftly enough to be there in time.
     float share = std::min(1.0f, s.dt * std::max(k_following, 2.5f / std::max(seconds, s.dt)));

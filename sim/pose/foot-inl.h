@@ -240,6 +240,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     out.drop = drop;
     pitch_foot(out, time, size, pitch, landing, clearance);
     SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
+    ends.falls = max(at<T>(f.falls + lane), T(0.1f));
     SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
     // Up a step, knees rise high; down, the way itself is clear of the ground left.
     if (any(path.steep > T(0.0f)))

@@ -70,7 +70,7 @@ TEST(Swing, IsPlannedOnTheWayThatThePoseTakes) {
         for (int runs = 0; runs < 2; ++runs) {
             float running = static_cast<float>(runs);
             float lift = lifts[runs] =
-                obstacle_between(surroundings_of(ground), from, to, size, running, 1.0f);
+                clear_ground(surroundings_of(ground), from, to, size, running, 1.0f).obstacle;
             for (float u : {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f}) {
                 SwingTime<float> time = swing_time(u);
                 SwingPath<float> path = swing_path(ends_of(from, to), time, running, 1.0f);
