@@ -15,7 +15,7 @@ static constexpr float k_toe_room = 0.045f;     // and before the toes, which ro
 static constexpr float k_most_shift = 0.22f;    // metres
 static constexpr float k_riser = 0.05f;         // metres; higher edges are steps
 static constexpr float k_soonest_fall = 0.7f, k_latest_fall = 0.17f, k_passes = 0.05f;  // shares of a swing
-static constexpr float k_ledge = 1.1f;          // metres; higher ones cannot be jumped on
+static constexpr float k_ledge = 1.1f;  // metres; higher ones cannot be jumped on
 
 FootPlace get_place(const FootPlaces& from, int lane) {
     float nx = from.normal_x[lane], nz = from.normal_z[lane];
@@ -234,7 +234,8 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
         for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
             auto hit = under(around, ahead_by(place, ahead, along));
             float lift = along < 0 && to.position.y < from.position.y - 0.07f ? 0.04f : 0;
-            if (hit) clearing.obstacle = std::max(clearing.obstacle, (hit->height - place.y - lift) / time.hop);
+            if (hit)
+                clearing.obstacle = std::max(clearing.obstacle, (hit->height - place.y - lift) / time.hop);
         }
     }
     clearing.obstacle = std::min(clearing.obstacle, 0.35f);

@@ -23,13 +23,14 @@ inline constexpr float k_stairs_lets_down = 0.26f;  // but until so many seconds
 inline constexpr float k_farthest_ahead = 0.6f;     // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;           // seconds
 inline constexpr float k_most_effort = 9;           // m/s2
-inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
-inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
-inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that the body is down
-inline constexpr float k_step_most = 0.2f;          // metres
-inline constexpr float k_most_sink = 0.2f;          // legs
-inline constexpr float k_just_landed = 0.1f;        // of the cycle
-inline constexpr float k_bears = 0.36f;             // of the cycle, until a foot need not be flat
+inline constexpr float k_let_down_effort = 5;       // m/s2, from which on one lets the body down
+inline constexpr float k_lets_down = 0.05f;         // m/s, of one who has begun to
+inline constexpr float k_lets_down_later =
+    0.06f;                                    // seconds after a foot lands off a kerb, that the body is down
+inline constexpr float k_step_most = 0.2f;    // metres
+inline constexpr float k_most_sink = 0.2f;    // legs
+inline constexpr float k_just_landed = 0.1f;  // of the cycle
+inline constexpr float k_bears = 0.36f;       // of the cycle, until a foot need not be flat
 // A heel begins to rise at such a time of a natural walk, shares of its cycle, a little before pose_foot lets
 // it, and is tilted by so many radians as the foot leaves.
 inline constexpr float k_heel_gives_from = 0.35f, k_heel_gives = 1.05f;
@@ -98,7 +99,7 @@ struct Climber {
     T swings[2], stands;  // 0 or 1
     Stand<T> from[2], to[2], goal[2];
     T phase[2], rate[2], until[2];  // of feet; of the phase, 1/s; seconds until one that swings lands
-    T on_from[2];          // height_on(from) at the root
+    T on_from[2];                   // height_on(from) at the root
     T duty, tread, base, base_velocity, rise;
 };
 

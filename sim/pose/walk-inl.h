@@ -15,10 +15,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-// m/s2 by which a body falls and is caught, a little less than gravity for what rounding adds.
-inline constexpr float k_falls = 9.7f, k_catches = 20;
-inline constexpr float k_fastest_fall = 0.95f, k_fastest_down = 1.4f;  // m/s, of one on level ground, and not
-inline constexpr float k_slows = 5;  // m/s2, of one who rises from where it has sunk
+// How a body moves up and down, m/s2 and m/s. It falls a little less hard than by gravity, for what rounding
+// adds, and no faster than on level ground, or down steps; legs catch who falls harder than they lift who
+// stands, and gravity alone slows who rises. The flight of a run and its landing are planned.
+inline constexpr float k_falls = 9.7f, k_run_falls = 30;
+inline constexpr float k_fastest_fall = 0.95f, k_fastest_down = 1.4f;
+inline constexpr float k_lifts = 9, k_catches = 20, k_run_catches = 45, k_falls_hard = 0.3f,
+                       k_run_fastest = 4;
+inline constexpr float k_slows = 5;
 
 // The pelvis and the legs that carry it.
 template <class T>
@@ -57,49 +61,51 @@ HWY_INLINE T contact_height(const FootSizes<T>& foot, const LimbSizes<T>& leg, c
 template <class T>
 struct Fall {
     T was, sunk, least, most;
-    T dt, over_dt;  // of the tick, seconds; 0 of one who comes from nowhere, who is where it should be, and
-                    // at rest
+    T fastest;  // way up or down in the tick
+    T over_dt;  // 1/s; 0 of one who comes from nowhere, and is at rest
 };
 
 template <class T>
 HWY_INLINE Fall<T> no_fall() {
     T zero = T(0.0f), any = T(1e9f);
-    return {zero, zero, zero - any, any, zero, zero};
+    return {zero, zero, zero - any, any, any, zero};
 }
 
-// One who runs or leaps, whose flight is planned, may be anywhere, and so may one who has been carried off.
+// `fastest` it goes up and down, m/s. One who leaps may be anywhere, and so may one who has been carried off.
 template <class T>
 HWY_INLINE Fall<T> fall_since(const PoseBlock& before, float dt, const GaitBlock& g, size_t lane, T origin_y,
                               T upright, T fastest) {
-    T zero = T(0.0f);
+    T zero = T(0.0f), running = at<T>(g.running + lane), rising = at<T>(before.rising + lane);
     T was = at<T>(before.position[hips][1] + lane) + (at<T>(before.origin[1] + lane) - origin_y);
-    T even = was + at<T>(before.rising + lane) * T(dt);
+    T even = was + rising * T(dt);
     auto comes_along = abs(even - upright) < upright;
-    auto bound = (at<T>(g.running + lane) <= zero) & (at<T>(g.jump + lane) <= zero) & comes_along;
-    T least = max(even - T(k_falls * dt * dt), was - fastest * T(dt));
+    auto bound = (at<T>(g.flight + lane) <= zero) & (at<T>(g.crouch + lane) <= zero) & comes_along;
+    T falls = lerp(T(k_falls), T(k_run_falls), running) * T(dt * dt);
+    T catches = lerp(T(k_lifts), T(k_catches), smoothstep(zero, T(k_falls_hard), zero - rising));
+    catches = lerp(catches, T(k_run_catches), running) * T(dt * dt);
+    fastest = (fastest + running * T(k_run_fastest)) * T(dt);
     Fall<T> fall = no_fall<T>();
     fall.was = was;
-    fall.sunk = select(bound, max(at<T>(before.sunk + lane), zero), zero);
-    fall.least = select(bound, least, fall.least);
-    fall.most = select(bound, even + T(k_catches * dt * dt), fall.most);
-    fall.dt = select(comes_along, T(dt), zero);
+    fall.sunk = select(comes_along, max(at<T>(before.sunk + lane), zero), zero);
+    fall.least = select(bound, max(even - falls, min(was - fastest, even + catches)), fall.least);
+    fall.most = select(bound, max(min(even + catches, was + fastest), even - falls), fall.most);
+    fall.fastest = fastest;
     fall.over_dt = select(comes_along, T(1 / dt), zero);
     return fall;
 }
 
-// How high they are where they should be at `y`. Who has sunk below that rises in time to stop there: only
-// gravity slows one who rises.
+// How high they are where they should be at `y`. Who has sunk below that rises in time to stop there.
 template <class T>
-HWY_INLINE T height_after(const Fall<T>& fall, T y) {
-    T rest = max(fall.sunk - sqrt(fall.sunk * T(2 * k_slows)) * fall.dt, T(0.0f));
-    return clamp(y - rest, fall.least, max(fall.most, fall.least));
+HWY_INLINE T height_after(const Fall<T>& fall, float dt, T y) {
+    T rest = fall.sunk - min(sqrt(fall.sunk * T(2 * k_slows)) * T(dt), fall.fastest);
+    return clamp(y - max(rest, T(0.0f)), fall.least, fall.most);
 }
 
 // The pelvis goes its own smooth way, as far as legs reach and as it can fall.
 template <class T>
 HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSizes<T>& foot_size,
                              const LimbSizes<T>& leg, const WalkNow<T>& walk, const Height<T>& height,
-                             const Fall<T>& fall) {
+                             const Fall<T>& fall, float dt) {
     T least = leg.upper * leg.upper * T(0.8f);
     T full = (leg.upper + leg.lower) * T(k_straightest), full2 = full * full;
     auto limit_of = [&](int side) {
@@ -120,7 +126,7 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
     for (int side = 0; side < 2; ++side)
         y = soft_min(y, min(limits[side] - walk.lift + feet[side].slack, y + T(0.3f)), T(k_straight));
     pelvis.wanted = y + walk.lift;
-    pelvis.place_os.y = height_after(fall, pelvis.wanted);
+    pelvis.place_os.y = height_after(fall, dt, pelvis.wanted);
     for (int side = 0; side < 2; ++side) {
         V3<T> hip_os = pelvis.place_os + pelvis.to_hip_ws[side];
         auto gave = raise_heel(feet[side], foot_size, hip_os, full);
@@ -128,7 +134,7 @@ HWY_INLINE void raise_pelvis(Pelvis<T>& pelvis, Foot<T> (&feet)[2], const FootSi
         raise_heel(feet[side], foot_size, hip_os, full);
         // What a heel cannot give the pelvis does.
         pelvis.wanted = select(gave, min(pelvis.wanted, limit_of(side)), pelvis.wanted);
-        pelvis.place_os.y = height_after(fall, pelvis.wanted);
+        pelvis.place_os.y = height_after(fall, dt, pelvis.wanted);
     }
 }
 
@@ -301,7 +307,7 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, float dt, c
     Heading<T> heading{half, doubled(half)};
     Pelvis<T> pelvis = turned_pelvis(curves, heading, hips_ms, hip_ms);
     raise_pelvis(pelvis, feet, foot_size, leg, walk,
-                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y), fall);
+                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y), fall, dt);
     store((pelvis.place_os.y - fall.was) * fall.over_dt, out.rising + lane);
     store(pelvis.wanted - pelvis.place_os.y, out.sunk + lane);
     set_joint(out, hips, lane, pelvis.place_os, pelvis.rotation_ws);
