@@ -30,7 +30,7 @@ namespace {
 struct Contacts {
     HalfPlane planes[k_contacts];
     int count = 0;
-    HalfPlane brakes[k_contacts];  // of the wish, that legs can keep to the planes
+    HalfPlane brakes[k_contacts];  // of wish and velocity, ahead of others and of borders, evenly
     int brake_count = 0;
     Vec2 push{0, 0};  // m/s, that parts those who overlap
 };
@@ -105,15 +105,12 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
     out.brakes[out.brake_count++] = {inward, -std::sqrt(2 * k_comfortable * std::max(room, 0.0f))};
 }
 
-// What the brakes leave of velocity `v`, which was `before` a tick ago, as hard as one can stop.
-static Vec2 braked(const Contacts& near, Vec2 before, Vec2 v) {
-    Vec2 left = v;
-    for (int k = 0; k < near.brake_count; ++k) {
-        const HalfPlane& brake = near.brakes[k];
-        left += brake.normal * std::max(brake.offset - dot(left, brake.normal), 0.0f);
-    }
-    const float change = length(left - before), most = std::max(k_hardest * k_tick, length(v - before));
-    return change > most ? before + (left - before) * (most / change) : left;
+// What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
+static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v) {
+    if (near.brake_count == 0) return v;
+    const Vec2 left = best_velocity(near.brakes, near.brake_count, near.brake_count, length(v), v);
+    const float change = length(left - was), most = std::max(k_hardest * k_tick, length(v - was));
+    return change > most ? was + (left - was) * (most / change) : left;
 }
 
 // The largest share, 0..1, of velocity `v` that keeps to all planes.
@@ -154,7 +151,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
-    Vec2 v = braked(near, m.velocity[i], motion.velocity);
+    Vec2 v = pushes ? motion.velocity : braked(near, m.velocity[i], motion.velocity);
     float speed = length(v);
 
     Vec2 step = v + near.push;

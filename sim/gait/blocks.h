@@ -75,6 +75,7 @@ struct alignas(64) GaitBlock {
                                // foot's, and between both where these differ
     float duty[k_block];       // share of the cycle that a foot stands
     float load[k_block];       // share of the body that the left leg carries
+    float load_rate[k_block];  // how fast it changes, 1/s
     float amplitude[k_block];  // 0 standing .. 1 walking: scales all that belongs to walking alone
     float running[k_block];    // 0 walking .. 1 running
     float pace[k_block];       // speed over sqrt(g leg), smoothed: by it amplitudes grow

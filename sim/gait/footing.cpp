@@ -134,7 +134,8 @@ Footing with_room(const Surroundings& around, const Footing& found, Vec2 ahead, 
 
 }  // namespace
 
-Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size) {
+Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size,
+                     float outward) {
     Vec2 ahead = heading_direction(wanted.yaw);
     Sampled s = sample(around, wanted.position, ahead, size);
     if (s.one) {
@@ -163,8 +164,8 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         return with_room(around, found, ahead, size);
     }
     // An edge along the foot, or the corner of one: beside it.
-    for (float aside : {0.06f, -0.06f, 0.12f, -0.12f}) {
-        Vec3 at = ahead_by(wanted.position, {ahead.z, -ahead.x}, aside);
+    for (float aside : {0.06f, 0.12f, -0.06f}) {
+        Vec3 at = ahead_by(wanted.position, {ahead.z, -ahead.x}, outward * aside);
         Sampled moved = sample(around, at, ahead, size);
         if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
     }
@@ -189,7 +190,8 @@ float step_between(const FootPlace& from, const FootPlace& to) {
     return kernel::step_between(ends_between(from, to));
 }
 
-Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size) {
+Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size,
+                      float outward) {
     constexpr float k_room = 0.08f;
     float height = down.place.position.y;
     auto above = [&](float behind) {
@@ -204,7 +206,7 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
     }
     FootPlace place = down.place;
     place.position = ahead_by(place.position, direction, k_room - low);
-    Footing moved = find_footing(around, place, size);
+    Footing moved = find_footing(around, place, size, outward);
     bool same = moved.found && std::fabs(moved.place.position.y - height) < k_level;
     return same ? moved : down;
 }

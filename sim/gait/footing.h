@@ -35,10 +35,12 @@ struct Footing {
     bool whole = false;    // one surface carries the whole sole
     bool stepped = false;  // an edge of a kerb or step lies near
 };
-// The place nearest to `wanted` where a whole foot finds one surface, shifted along the foot by 0.22 m at
-// most to keep off an edge, else beside it by 0.12 m. On a tread too short for the foot, the one that ends
-// highest: the heel or the toes hang over.
-Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size);
+// A place near `wanted` where a whole foot finds one surface: shifted along the foot by 0.22 m at most to
+// keep off an edge, and by 0.03 more from what rises just behind it or before it, or else, from an edge that
+// runs along it, by 0.12 m outward (+1: to the left of where it points, -1: to its right) or 0.06 inward. On
+// a tread too short for the foot, the one that ends highest: the heel or the toes hang over.
+Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size,
+                     float outward);
 
 // Whether a step or kerb rises where the heel or the toes of a foot at `place` are.
 bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size);
@@ -48,7 +50,8 @@ float step_between(const FootPlace& from, const FootPlace& to);
 
 // `down`, a footing below the one before, moved along `direction` until its heel stands well clear of the
 // edge that it passes, if the ground there lets it.
-Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size);
+Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size,
+                      float outward);
 
 // How a swing keeps clear of the ground.
 struct Clearing {
@@ -64,7 +67,7 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
 // than two edges.
 struct Tread {
     float begin = 0, end = 0;
-    float height = 0;
+    float height = 0;   // metres, in the world, just beyond its first edge
     bool down = false;  // it lies lower than `from`
 };
 Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach);

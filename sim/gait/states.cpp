@@ -34,6 +34,7 @@ static constexpr float k_quicken = 10;                        // 1/s2, of the ra
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
 static constexpr float k_close = 2;                           // 1/s, the least such rate when standing
 static constexpr float k_comes_down = 0.05f, k_effort = 8;    // metres, m/s2; see time_to_come_down
+static constexpr float k_shift = 16, k_shift_starting = 32, k_shift_walking = 1e6f;  // 1/s2, of the load
 static constexpr float k_drop = 0.07f;  // metres down, from which on a foot lands on its ball
 static constexpr float k_steep_0 = 0.2f, k_steep_1 = 0.36f;            // rise of the ground, likewise
 static constexpr float k_just_below = 1e-4f;                           // of the phase
@@ -154,9 +155,8 @@ float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s)
     return smoothstep(k_steep_0, k_steep_1, grade);
 }
 
-// Seconds in which a body comes down to the landing of a foot, as gently as it can: of such an effort, and as
-// least_effort in height-inl.h has it, whose square is
-// (6 by / t - 4 velocity) / t.
+// Seconds in which least_effort (height-inl.h) lets a body down to the landing of a foot if it begins with
+// k_effort: the root of (6 by / t - 4 falls) / t = k_effort, all downward. 0: it is there.
 float time_to_come_down(const GaitBlock& g, const FootBlock& foot, const Stepper& s) {
     int lane = s.lane;
     float by = g.base[lane] - height_on(foot.goal, lane, on_ground(s.root)), falls = -g.base_velocity[lane];
@@ -274,7 +274,14 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
         if (g.jump[lane] > 0 && other.swinging[lane]) share = 1;  // the other one is still in flight
         target = left ? share : 1 - share;
     }
-    approach(g.load[lane], target, rate * s.dt);
+    // Who walks hands the body over as the feet do; else it is moved gently, and comes to rest.
+    float& load = g.load[lane];
+    float shift = g.standing[lane] && g.first[lane] >= 0 && g.restless[lane] < 0 ? k_shift_starting : k_shift;
+    float gentle = lerp(shift, k_shift_walking, smoothstep(0.8f, 1, g.amplitude[lane]));
+    float rest = target - load,
+          most = std::min({rate, std::sqrt(2 * gentle * std::fabs(rest)), std::fabs(rest) / s.dt});
+    approach(g.load_rate[lane], rest > 0 ? most : -most, gentle * s.dt);
+    load = clamp(load + g.load_rate[lane] * s.dt, 0, 1);
 }
 
 // Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996): as far ahead of

@@ -30,6 +30,7 @@ static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a
 static constexpr float k_over_edge = 0.06f;    // metres
 static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;    // metres
+static constexpr float k_same_level = 0.02f;   // metres up or down
 static constexpr float k_reach_treads = 1.0f;  // metres
 
 Vec2 expected_velocity(const Stepper& s, float seconds) {
@@ -57,6 +58,7 @@ float Misfit::amount(float slack) const {
 namespace {
 
 Side other(Side side) { return side == k_left ? k_right : k_left; }
+float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
 
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
 FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
@@ -152,13 +154,13 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
 bool bears_tip(const Stepper& s, const FootPlace& place, const FootSize& size, float height) {
     Vec3 tip = place.position + at_height(heading_direction(place.yaw) * size.tip, 0);
     auto hit = ground_at(s.around, tip, k_step_up, k_step_down);
-    return hit && std::fabs(hit->height - height) < k_off_riser;
+    return hit && std::fabs(hit->height - height) < k_same_level;
 }
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
-Footing down_or_before(const Stepper& s, const Footing& down, const FootPlace& wished, Vec2 direction,
-                       const FootSize& size) {
-    Footing over = clear_of_edge(s.around, down, direction, size);
+Footing down_or_before(const Stepper& s, Side side, const Footing& down, const FootPlace& wished,
+                       Vec2 direction, const FootSize& size) {
+    Footing over = clear_of_edge(s.around, down, direction, size, outward_of(side));
     float level = s.root.y - k_stair;
     float shift = dot(on_ground(over.place.position - wished.position), direction);
     if (shift < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
@@ -166,7 +168,7 @@ Footing down_or_before(const Stepper& s, const Footing& down, const FootPlace& w
         if (back > shift + k_over_edge) break;  // the longer step is less of a change
         FootPlace nearer = wished;
         nearer.position += at_height(direction * -back, 0);
-        Footing before = find_footing(s.around, nearer, size);
+        Footing before = find_footing(s.around, nearer, size, outward_of(side));
         if (before.found && before.whole && before.place.position.y > level) return before;
     }
     return over;
@@ -190,16 +192,16 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     }
     std::optional<float> climbs_to;
     if (g.tread[s.lane] > 0) climbs_to = keep_to_treads(g, s, side, size, wished);
-    Footing footing = find_footing(s.around, wished, size);
+    Footing footing = find_footing(s.around, wished, size, outward_of(side));
     if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
         std::fabs(step_between(there, footing.place)) > k_stair) {
         climbs_to = keep_to_treads(g, s, side, size, wished);
-        if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size);
+        if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size, outward_of(side));
     }
     // Up treads shorter than the foot, heels hang over.
     if (climbs_to && footing.found && footing.place.position.y < *climbs_to - k_stair &&
         bears_tip(s, wished, size, *climbs_to)) {
-        footing.place = wished;
+        footing = {wished, true, false, true};
         footing.place.position.y = *climbs_to;
         footing.place.normal = {0, 1, 0};
     }
@@ -209,11 +211,11 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         std::fabs(step_between(there, footing.place)) < k_stair) {
         FootPlace nearer = wished;
         nearer.position = lerp(there.position, wished.position, deepest / down);
-        Footing shorter = find_footing(s.around, nearer, size);
+        Footing shorter = find_footing(s.around, nearer, size, outward_of(side));
         if (shorter.found) footing = shorter, wished = nearer;
     }
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
-        footing = down_or_before(s, footing, wished, direction, size);
+        footing = down_or_before(s, side, footing, wished, direction, size);
     // A body cannot be let down, or lifted, in no time.
     bool committed = !leaves && seconds < k_committed && g.flight[s.lane] <= 0;
     auto is_near = [&](const Footing& f) {
@@ -231,7 +233,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         for (float pull : {0.35f, 0.7f, 1.0f}) {
             FootPlace nearer = wished;
             nearer.position = lerp(wished.position, known, pull);
-            footing = find_footing(s.around, nearer, size);
+            footing = find_footing(s.around, nearer, size, outward_of(side));
             if (is_near(footing)) break;
         }
         if (committed && !is_near(footing)) return true;
@@ -256,7 +258,7 @@ bool stays(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
     FootPlace is = get_place(foot.from, s.lane), wished = home(g, s.person, s.lane, side, s.root, s.heading);
     wished.position.y = is.position.y;
-    Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane));
+    Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane), outward_of(side));
     bool moves = footing.found && length(footing.place.position - is.position) > k_worth_it;
     if (moves || std::fabs(wrap_angle(wished.yaw - is.yaw)) > k_home_twist) return false;
     foot.wished_x[s.lane] = wished.position.x;
@@ -309,7 +311,7 @@ void touch_down(GaitBlock& g, const Stepper& s, Side side) {
 
 void replant(GaitBlock& g, const Stepper& s, Side side) {
     Footing footing = find_footing(s.around, home(g, s.person, s.lane, side, s.root, s.heading),
-                                   foot_size(s.person, s.lane));
+                                   foot_size(s.person, s.lane), outward_of(side));
     set_place(g.feet[side].goal, s.lane, footing.place);
     touch_down(g, s, side);
 }

@@ -300,7 +300,7 @@ HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size,
     foot.ankle_ahead = select(turns, lerp(foot.ankle_ahead, ahead, share), foot.ankle_ahead);
 }
 
-// Reaches along the ground from which on a leg bends, and by how much of what is beyond.
+// Reaches along the ground, whichever way, from which on a leaving leg bends, by so much of what is beyond.
 inline constexpr float k_back = 0.55f, k_back_bends = 0.15f;
 
 // Turns a leaving foot further over its ball until the ankle is within `reach` of the hip: one Newton step on
@@ -309,7 +309,7 @@ template <class T>
 HWY_INLINE auto raise_heel(Foot<T>& foot, const FootSizes<T>& size, V3<T> hip_os, T reach) {
     V3<T> to_hip = hip_os - ankle_of(foot);
     T distance2 = dot(to_hip, to_hip);
-    // Hips reach only so far back: a leg that points farther bends its knee.
+    // Hips turn only so far: a leg that points farther bends its knee.
     T back = sqrt(to_hip.x * to_hip.x + to_hip.z * to_hip.z) - reach * T(k_back);
     reach = reach - max(back, T(0.0f)) * T(k_back_bends);
     auto short_leg = (foot.leaving > T(0.0f)) & (foot.half.sine >= T(0.0f)) & (distance2 > reach * reach);

@@ -38,11 +38,12 @@ inline constexpr JointLimits k_toes = {{-45, 85}, {-20, 20}, {-20, 20}};
 // second of a walker, whose knee reaches 430 in steady steps, 1250 of a runner.
 inline constexpr float k_fastest_walking = 14.835f, k_fastest_running = 21.817f;
 
-// Poses are found anew each tick; where a plan was poor (a foot left far behind by a sudden start, a push) a
-// hip or an ankle may end beyond its range, or two poses in a row differ by more than a leg can move in `dt`
-// seconds. Such a leg goes as far and as fast as it can, and its foot is late: by millimetres as a rule, by
-// centimetres at worst, and then a planted foot slips. Changes legs of `now` in blocks [begin, end); `before`
-// holds the poses of `dt` earlier. The same bits on every instruction set.
+// Poses are found anew each tick, but for the height of the hips; where a plan was poor (a foot left far
+// behind by a sudden start, a push) a hip or an ankle may end beyond its range, or two poses in a row differ
+// by more than a leg can move in `dt` seconds. Such a leg goes as far and as fast as it can, and its foot is
+// late: by millimetres as a rule, by centimetres at worst, and then a planted foot slips. Changes legs of
+// `now` in blocks [begin, end); `before` holds the poses of `dt` earlier. The same bits on every instruction
+// set.
 void restrain_legs(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
                    std::vector<PoseBlock>& now);
 

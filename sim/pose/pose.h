@@ -16,13 +16,14 @@ struct alignas(64) PoseBlock {
                   [k_block];  // from the origin: as exact far out in a city as at its middle
     float rotation[k_joint_count][4][k_block];  // unit quaternions, vector part first
     float rising[k_block];                      // m/s, of the hips
-    float sunk[k_block];                        // metres by which they are below where legs let them be
+    float sunk[k_block];                        // metres by which they are below where they should be
 };
 
 // Poses blocks [begin, end) of `gait` into `poses`, with the widest instruction set that the CPU has, a tick
-// of `dt` seconds after the poses `before`, which may be `poses`. A body falls no faster than gravity makes
-// it, and is caught no harder than legs can: where legs are too short for that, their heels rise, and then
-// feet leave the ground. A pure function of its input, the same bits on every one.
+// of `dt` > 0 seconds after the poses `before`, which may be `poses`. With a foot on the ground hips fall no
+// faster than gravity makes them, by 0.95 m/s at most on level ground and 1.4 on steps, and are caught and
+// lifted no harder than legs can: where legs are too short for that, heels rise, and then feet leave the
+// ground. Runs have wider bounds, leaps none. A pure function of its input, the same bits on every one.
 void pose_blocks(const Gait& gait, size_t begin, size_t end, float dt, const std::vector<PoseBlock>& before,
                  std::vector<PoseBlock>& poses);
 // The same of people without a past: as high as their legs let them be, and at rest.

@@ -49,7 +49,7 @@ inline constexpr float k_behind_0 = 0.45f, k_behind_1 = 0.6f, k_behind_slack = 0
 inline constexpr float k_let_go = 0.6f;
 
 // Share of a foot's time on the ground before the hip passes it.
-inline constexpr float k_lead = 0.3959f;
+inline constexpr float k_lead = 0.3960f;
 
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;

@@ -65,6 +65,7 @@ Watched watch(const Ground& ground, float seconds, const std::function<Drive(flo
     Manner middle;
     start_gait(gait, 1, bodies, &body, &scale, root, surroundings_of(ground), 11, &middle);
     std::vector<PoseBlock> poses(1);
+    pose_blocks(gait, 0, 1, poses);
 
     Watched seen;
     Sole soles[2], last_soles[2];

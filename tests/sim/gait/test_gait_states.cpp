@@ -60,6 +60,7 @@ Tried make_tried(Ground ground, float height = 1.72f) {
     start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, surroundings_of(t.ground), 5,
                &short_steps);
     t.poses.resize(1);
+    pose_blocks(t.gait, 0, 1, t.poses);
     return t;
 }
 
@@ -415,7 +416,9 @@ TEST(GaitStates, RunsFromFroudeOneHalf) {
         steps += t.landed[0] + t.landed[1];
         flight += t.in_air(0) && t.in_air(1);
         stance += !t.in_air(0);
-        EXPECT_LT(t.drift, 5e-4f);
+        // A body that is caught no harder than legs can may lift a foot a little.
+        EXPECT_LT(t.slide, 1e-3f);
+        EXPECT_LT(t.drift, 3e-3f);
     });
     EXPECT_NEAR(static_cast<float>(steps) * 6, 155, 10);
     EXPECT_NEAR(static_cast<float>(stance) / static_cast<float>(ticks), 0.43f, 0.04f);
