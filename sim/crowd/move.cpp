@@ -107,8 +107,13 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
 
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
 static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v) {
-    if (near.brake_count == 0) return v;
-    const Vec2 left = best_velocity(near.brakes, near.brake_count, near.brake_count, length(v), v);
+    Vec2 left = v;
+    // Twice, since what keeps to one may press against another.
+    for (int pass = 0; pass < 2; ++pass)
+        for (int k = 0; k < near.brake_count; ++k) {
+            const HalfPlane& brake = near.brakes[k];
+            left += brake.normal * std::max(brake.offset - dot(left, brake.normal), 0.0f);
+        }
     const float change = length(left - was), most = std::max(k_hardest * k_tick, length(v - was));
     return change > most ? was + (left - was) * (most / change) : left;
 }
@@ -151,7 +156,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
-    Vec2 v = pushes ? motion.velocity : braked(near, m.velocity[i], motion.velocity);
+    Vec2 v = braked(near, m.velocity[i], motion.velocity);
     float speed = length(v);
 
     Vec2 step = v + near.push;

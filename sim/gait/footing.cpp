@@ -164,10 +164,17 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         return with_room(around, found, ahead, size);
     }
     // An edge along the foot, or the corner of one: beside it.
-    for (float aside : {0.06f, 0.12f, -0.06f}) {
-        Vec3 at = ahead_by(wanted.position, {ahead.z, -ahead.x}, outward * aside);
-        Sampled moved = sample(around, at, ahead, size);
-        if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+    const Vec2 beside{ahead.z, -ahead.x};
+    auto height_beside = [&](float aside) {
+        auto hit = under(around, ahead_by(wanted.position, beside, aside));
+        return hit ? hit->height : -1e9f;
+    };
+    if (std::fabs(height_beside(0.06f) - height_beside(-0.06f)) > k_riser) {
+        for (float aside : {0.06f, 0.12f, -0.06f}) {
+            Vec3 at = ahead_by(wanted.position, beside, outward * aside);
+            Sampled moved = sample(around, at, ahead, size);
+            if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+        }
     }
     if (s.highest < -1e8f) return {wanted, false, false, false};
     FootPlace place = wanted;
@@ -192,7 +199,7 @@ float step_between(const FootPlace& from, const FootPlace& to) {
 
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size,
                       float outward) {
-    constexpr float k_room = 0.08f;
+    constexpr float k_room = 0.10f;
     float height = down.place.position.y;
     auto above = [&](float behind) {
         auto hit = under(around, ahead_by(down.place.position, direction, -size.heel - behind));

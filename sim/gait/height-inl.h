@@ -19,7 +19,7 @@ namespace flaneur::HWY_NAMESPACE {
 inline constexpr float k_base_stiffness = 12;       // 1/s, critically damped
 inline constexpr float k_step_down_least = 0.03f;   // metres
 inline constexpr float k_stairs_wait = 0.4f;        // of the swing,
-inline constexpr float k_stairs_lets_down = 0.26f;  // but until so many seconds before it lands
+inline constexpr float k_stairs_lets_down = 0.25f;  // but until so many seconds before it lands
 inline constexpr float k_farthest_ahead = 0.6f;     // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;           // seconds
 inline constexpr float k_most_effort = 9;           // m/s2

@@ -277,7 +277,7 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     // Who walks hands the body over as the feet do; else it is moved gently, and comes to rest.
     float& load = g.load[lane];
     float shift = g.standing[lane] && g.first[lane] >= 0 && g.restless[lane] < 0 ? k_shift_starting : k_shift;
-    float gentle = lerp(shift, k_shift_walking, smoothstep(0.8f, 1, g.amplitude[lane]));
+    float gentle = lerp(shift, k_shift_walking, smoothstep(0.4f, 0.6f, g.amplitude[lane]));
     float rest = target - load,
           most = std::min({rate, std::sqrt(2 * gentle * std::fabs(rest)), std::fabs(rest) / s.dt});
     approach(g.load_rate[lane], rest > 0 ? most : -most, gentle * s.dt);

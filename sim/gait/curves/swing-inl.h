@@ -29,7 +29,8 @@ HWY_INLINE SwingTime<T> swing_time(T u) {
 }
 
 // Both ends of a swing: the place left, and from there to the place of landing; likewise the unit normals of
-// the ground, whose x and z are given. And the last share of its time in which it comes down onto lower ground.
+// the ground, whose x and z are given. And the last share of its time in which it comes down onto lower
+// ground.
 template <class T>
 struct SwingEnds {
     V3<T> from, far;
@@ -123,7 +124,7 @@ HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>&
         T far2 = far.x * far.x + far.z * far.z + T(0.01f);
         T waits = select(up, steep, min(T(k_step_waits) * step * step / far2, one) * steep);
         T climbs = min(T(k_step_climbs) + height, one);
-        climbs = select(up, climbs, lerp(ends.falls, max(climbs, ends.falls), waits));
+        climbs = select(up, climbs, lerp(ends.falls, climbs, waits));
         T onward = smoothstep((v - T(k_step_wait)) * T(1 / (1 - k_step_wait)));
         T upward = smoothstep(v / climbs);
         progress = select(steps, lerp(progress, select(up, onward, one - onward), waits), progress);
