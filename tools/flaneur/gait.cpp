@@ -16,6 +16,7 @@
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/motion/bvh.h"
 #include "tools/flaneur/motion/glb.h"
+#include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/sheets/strip.h"
 #include "tools/flaneur/sheets/take.h"
@@ -176,7 +177,7 @@ Result<void> run_gait(const Options& options) {
     }
     if (gait.pram && (gait.cane || !gait.stairs.empty()))
         return Error{"Who pushes a --pram has no --cane, and takes no --stairs."};
-    if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !has_ending(gait.strip, ".mp4") &&
+    if (!gait.strip.empty() && !has_ending(gait.strip, ".png") && !is_film(gait.strip) &&
         !is_stream(gait.strip))
         return Error{"--strip draws a .png or an .mp4, which " + gait.strip + " is not called."};
     const auto as_file = is_glb ? motion_glb : bvh_text;

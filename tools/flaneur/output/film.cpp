@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "assets/files/file.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
 
@@ -196,6 +197,8 @@ void FilmDelete::operator()(Film* film) const {
     end_ffmpeg(*film);
     delete film;
 }
+
+bool is_film(const std::string& path) { return has_ending(path, ".mp4"); }
 
 Result<FilmPtr> open_film(const std::string& path, Size size, uint32_t step, const std::string& record,
                           bool resume) {

@@ -17,6 +17,9 @@ struct FilmDelete {
 };
 using FilmPtr = std::unique_ptr<Film, FilmDelete>;
 
+// Whether a file of that name is a film.
+bool is_film(const std::string& path);
+
 // H.264 in an .mp4, one picture for every `step` ticks, in real time. Odd sizes are padded by a black line.
 // The film keeps the record. `resume` goes on with a film that is there, which stays as it is until both are
 // one; refuses what is no film, or one of another record, size or rate.

@@ -301,7 +301,7 @@ void OutputDelete::operator()(Output* output) const { delete output; }
 
 std::string picture_path(const std::string& path, uint32_t tick) {
     std::optional<Numbered> numbered = numbered_of(path);
-    return numbered && !has_ending(path, ".mp4") ? path_for(*numbered, tick) : path;
+    return numbered && !is_film(path) ? path_for(*numbered, tick) : path;
 }
 
 // Whether the numbered pictures that are there were drawn by the same command.
@@ -326,7 +326,7 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
     output->size = size;
     output->record = record;
     output->resume = resume;
-    if (has_ending(path, ".mp4")) {
+    if (is_film(path)) {
         Result<FilmPtr> film = open_film(path, size, ticks.step, record, resume);
         if (!film) return film.error();
         output->film = std::move(*film);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assets/files/file.h"
 #include "assets/outfit.h"
 #include "assets/population.h"
 #include "sim/base/levels.h"
@@ -215,12 +214,11 @@ Result<void> draw_film(Studio& studio, Film& film, Size tile, uint32_t pictures)
 
 Result<void> draw_strip(const Options& options, double height, double speed, const Manner& manner) {
     const GaitOptions& gait = options.gait;
-    const bool is_film = has_ending(gait.strip, ".mp4");
-    const Size tile = is_film && !gait.abreast ? k_alone : k_tile;
+    const Size tile = is_film(gait.strip) && !gait.abreast ? k_alone : k_tile;
     const size_t in_film = gait.abreast ? k_pictures : 1;
     PartFilePtr picture;
     FilmPtr film;
-    if (is_film) {
+    if (is_film(gait.strip)) {
         Result<FilmPtr> opened = open_film(gait.strip, row_size(in_film, tile), k_film_step, {}, false);
         if (!opened) return opened.error();
         film = std::move(*opened);
