@@ -115,16 +115,19 @@ FootPlace on_surface(Vec3 at, float yaw, Vec2 ahead, const Sampled& s) {
     return {{at.x, mid.height + 0.5f * (low + high) - slope * s.along[1], at.z}, yaw, mid.normal};
 }
 
+// Metres by which the ground `along` the foot from a place lies above the slope there; 0 where there is none.
+float rise_over(const Surroundings& around, const FootPlace& place, Vec2 ahead, float along) {
+    auto hit = under(around, ahead_by(place.position, ahead, along));
+    if (!hit) return 0;
+    float slope = -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
+    return hit->height - place.position.y - slope * along;
+}
+
 // A foot turns over heel and toes, which then reach a little farther than when it is flat: one that has come
 // too near to what rises behind it or before it moves away from there, if it finds room.
 Footing with_room(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
     const FootPlace& place = found.place;
-    auto rises = [&](float along) {
-        auto hit = under(around, ahead_by(place.position, ahead, along));
-        if (!hit) return false;
-        float slope = -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
-        return hit->height - place.position.y - slope * along > k_level;
-    };
+    auto rises = [&](float along) { return rise_over(around, place, ahead, along) > k_level; };
     bool behind = rises(-size.heel - k_turning_room), before = rises(size.tip + k_turning_room);
     if (behind == before) return found;
     Vec3 at = ahead_by(place.position, ahead, behind ? k_turning_room : -k_turning_room);
@@ -185,12 +188,15 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
 
 bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size) {
     Vec2 ahead = heading_direction(place.yaw);
-    float slope = -(place.normal.x * ahead.x + place.normal.z * ahead.z) / std::max(place.normal.y, 0.2f);
     for (float along : {-size.heel, size.tip}) {
-        auto hit = under(around, ahead_by(place.position, ahead, along));
-        if (hit && hit->height - place.position.y - slope * along > k_riser) return true;
+        if (rise_over(around, place, ahead, along) > k_riser) return true;
     }
     return false;
+}
+
+bool bears_tip(const Surroundings& around, const FootPlace& place, const FootSize& size, float height) {
+    auto hit = under(around, ahead_by(place.position, heading_direction(place.yaw), size.tip));
+    return hit && std::fabs(hit->height - height) < k_level;
 }
 
 float step_between(const FootPlace& from, const FootPlace& to) {

@@ -45,6 +45,9 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
 // Whether a step or kerb rises where the heel or the toes of a foot at `place` are.
 bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size);
 
+// Whether the tip of a foot at `place` has ground below it at such a height.
+bool bears_tip(const Surroundings& around, const FootPlace& place, const FootSize& size, float height);
+
 // Metres by which a foot at `to` stands above the slope of the ground at `from`.
 float step_between(const FootPlace& from, const FootPlace& to);
 

@@ -143,11 +143,11 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
 }
 
 // How far a foot comes down on its ball: on stairs, off a kerb and up a steep slope.
-float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s) {
+float lands_on_ball(const GaitBlock& g, Side side, const Stepper& s) {
     int lane = s.lane;
+    const FootBlock &foot = g.feet[side], &other = g.feet[1 - side];
     if (g.tread[lane] > 0) return 1;
     FootPlace goal = get_place(foot.goal, lane);
-    const FootBlock& other = g.feet[&foot == &g.feet[k_left] ? k_right : k_left];
     bool is_down = step_between(get_place(other.to, lane), goal) > -k_drop;  // the body already
     if (!is_down && step_between(get_place(foot.from, lane), goal) < -k_drop) return 1;
     Vec3 n = goal.normal;
@@ -156,9 +156,10 @@ float lands_on_ball(const GaitBlock& g, const FootBlock& foot, const Stepper& s)
 }
 
 // Seconds in which least_effort (height-inl.h) lets a body down to the landing of a foot if it begins with
-// k_effort: the root of (6 by / t - 4 falls) / t = k_effort, all downward. 0: it is there.
+// k_effort: the root of (6 by / t - 4 falls) / t = k_effort, all downward. 0: it is there, or runs.
 float time_to_come_down(const GaitBlock& g, const FootBlock& foot, const Stepper& s) {
     int lane = s.lane;
+    if (g.running[lane] > 0) return 0;
     float by = g.base[lane] - height_on(foot.goal, lane, on_ground(s.root)), falls = -g.base_velocity[lane];
     if (by < k_comes_down) return 0;
     return (std::sqrt(4 * falls * falls + 6 * k_effort * by) - 2 * falls) / k_effort;
@@ -192,12 +193,11 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];
         if (foot.swinging[lane]) {
-            float forefoot = lands_on_ball(g, foot, s);
+            float forefoot = lands_on_ball(g, side, s);
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             float& rate = foot.rate[lane];
             float wanted = swing_rate(side, phase), down = time_to_come_down(g, foot, s);
-            if (g.running[lane] <= 0 && down > 0)
-                wanted = std::max(std::min(wanted, (1 - phase) / down), k_least_swing * f);
+            if (down > 0) wanted = std::max(std::min(wanted, (1 - phase) / down), k_least_swing * f);
             approach(rate, wanted, k_quicken * s.dt);
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {

@@ -30,8 +30,10 @@ static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a
 static constexpr float k_over_edge = 0.06f;    // metres
 static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;    // metres
-static constexpr float k_same_level = 0.02f;   // metres up or down
 static constexpr float k_reach_treads = 1.0f;  // metres
+
+// Which way is outward: +1, to the left, or -1.
+static float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
 
 Vec2 expected_velocity(const Stepper& s, float seconds) {
     Vec2 change = s.wish - s.velocity;
@@ -41,7 +43,7 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
 
 FootPlace home(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     const FootBlock& foot = g.feet[side];
-    float outward = side == k_left ? 1.0f : -1.0f;
+    float outward = outward_of(side);
     float across = outward * (0.5f * person.step_width[lane] + foot.stance_out[lane]);
     Vec2 ahead = heading_direction(heading);
     Vec3 left{ahead.z, 0, -ahead.x};
@@ -58,7 +60,6 @@ float Misfit::amount(float slack) const {
 namespace {
 
 Side other(Side side) { return side == k_left ? k_right : k_left; }
-float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
 
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
 FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
@@ -113,7 +114,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     place.position.z = there.z + apart.z;
     place.position.y = to.y[s.lane];
 
-    float out = side == k_left ? 1.0f : -1.0f, yaw = wrap_angle(place.yaw - s.heading) * out;
+    float out = outward_of(side), yaw = wrap_angle(place.yaw - s.heading) * out;
     place.yaw = s.heading + out * clamp(yaw, -k_inward, k_outward);
     return place;
 }
@@ -148,13 +149,6 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     if (tread <= 0) return {};
     wished.position += at_height(direction * (fit - along), 0);
     return next.down ? std::nullopt : std::optional(next.height);
-}
-
-// Whether the tip of a foot at `place` has ground below it at such a height.
-bool bears_tip(const Stepper& s, const FootPlace& place, const FootSize& size, float height) {
-    Vec3 tip = place.position + at_height(heading_direction(place.yaw) * size.tip, 0);
-    auto hit = ground_at(s.around, tip, k_step_up, k_step_down);
-    return hit && std::fabs(hit->height - height) < k_same_level;
 }
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
@@ -200,7 +194,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     }
     // Up treads shorter than the foot, heels hang over.
     if (climbs_to && footing.found && footing.place.position.y < *climbs_to - k_stair &&
-        bears_tip(s, wished, size, *climbs_to)) {
+        bears_tip(s.around, wished, size, *climbs_to)) {
         footing = {wished, true, false, true};
         footing.place.position.y = *climbs_to;
         footing.place.normal = {0, 1, 0};
