@@ -16,17 +16,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-inline constexpr float k_base_stiffness = 12;       // 1/s, critically damped
-inline constexpr float k_step_down_least = 0.03f;   // metres
-inline constexpr float k_stairs_wait = 0.4f;        // of the swing,
-inline constexpr float k_stairs_lets_down = 0.25f;  // but until so many seconds before it lands
-inline constexpr float k_farthest_ahead = 0.6f;     // seconds that are foreseen
-inline constexpr float k_soonest = 0.08f;           // seconds
-inline constexpr float k_most_effort = 9;           // m/s2
-inline constexpr float k_let_down_effort = 5;       // m/s2, from which on one lets the body down
-inline constexpr float k_lets_down = 0.05f;         // m/s, of one who has begun to
-inline constexpr float k_lets_down_later =
-    0.06f;                                    // seconds after a foot lands off a kerb, that the body is down
+inline constexpr float k_base_stiffness = 12;      // 1/s, critically damped
+inline constexpr float k_step_down_least = 0.03f;  // metres
+inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
+inline constexpr float k_soonest = 0.08f;          // seconds
+inline constexpr float k_most_effort = 9;          // m/s2
+inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
+inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
+inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that it is down
+// Down stairs the leg that lands takes up the rest of the fall: over so much of the time that both feet
+// stand, but what is left is a share of the way, whose square times the way is so many legs.
+inline constexpr float k_stairs_later = 0.75f, k_stairs_rest = 0.0125f;
 inline constexpr float k_step_most = 0.2f;    // metres
 inline constexpr float k_most_sink = 0.2f;    // legs
 inline constexpr float k_just_landed = 0.1f;  // of the cycle
@@ -169,7 +169,7 @@ HWY_INLINE T carrying_height(const Climber<T>& c, T load) {
 }
 
 // What speeds the body up or down with the ground: a spring, or what lets it down onto a lower foot by the
-// time that it lands. On stairs the foot goes ahead, so that its knee need not bend far.
+// time that it has landed.
 template <class T>
 HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     T half = T(0.5f), w = T(k_base_stiffness);
@@ -177,25 +177,30 @@ HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     auto one_swings = abs(c.swings[k_left] - c.swings[k_right]) > half;
     T to = height_on(select(l, c.goal[k_left], c.goal[k_right]), c.root);
     T from = select(l, c.on_from[k_right], c.on_from[k_left]);
-    T phase = select(l, c.phase[k_left], c.phase[k_right]),
-      until = select(l, c.until[k_left], c.until[k_right]);
-    T swing = (T(1.0f) - c.duty) / select(l, c.rate[k_left], c.rate[k_right]);
-    T wait = clamp(T(1.0f) - T(k_stairs_lets_down) / max(swing, T(0.1f)), T(0.0f), T(k_stairs_wait));
-    T begins = select(c.tread > T(0.0f), lerp(c.duty, T(1.0f), wait), T(0.0f)), by = to - c.base;
-    auto lets_down = one_swings & (phase >= begins) & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
+    T until = select(l, c.until[k_left], c.until[k_right]);
+    auto stairs = c.tread > T(0.0f);
+    T by = to - c.base;
+    auto lets_down = one_swings & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
     T spring = w * w * (target - c.base) - T(2.0f) * w * c.base_velocity;
-    // As late as may be, so that the knee which carries does not bend for long.
-    T later = select(c.tread > T(0.0f), T(0.0f), T(k_lets_down_later));
+    // Off a kerb as late as may be, so that the knee which carries does not bend for long; down stairs
+    // evenly.
+    T rate = select(l, c.rate[k_left], c.rate[k_right]), both = max(c.duty - half, T(0.0f));
+    T share = min(sqrt(T(k_stairs_rest) * c.leg / max(from - to, T(k_step_down_least))), half);
+    T stairs_later = min(both * T(k_stairs_later), (T(1.0f) - c.duty) * share / (T(1.0f) - share)) / rate;
+    stairs_later = select(c.leg < T(k_both_feet_leg), T(0.0f), stairs_later);
+    T later = select(stairs, stairs_later, T(k_lets_down_later));
     T effort = least_effort(by, c.base_velocity, max(until + later, T(k_soonest)));
     T waits = w * w * (from - c.base) - T(2.0f) * w * c.base_velocity;
     T urged = smoothstep(T(0.5f * k_let_down_effort), T(k_let_down_effort), T(0.0f) - effort);
-    urged = select(c.base_velocity < T(-k_lets_down), T(1.0f), urged);
+    urged = select(stairs | (c.base_velocity < T(-k_lets_down)), T(1.0f), urged);
     return select(lets_down, lerp(min(waits, T(0.0f)), effort, urged), spring);
 }
 
 template <class T>
 HWY_INLINE void advance_base(Climber<T>& c, T load) {
-    T target = carrying_height(c, load) + T(1.2f / k_base_stiffness) * c.rise * c.speed;
+    // Slopes are met ahead of the spring. Down stairs it is not the spring that leads.
+    T leads = select(c.tread > T(0.0f), max(c.rise, T(0.0f)), c.rise);
+    T target = carrying_height(c, load) + T(1.2f / k_base_stiffness) * leads * c.speed;
     c.base_velocity = c.base_velocity + base_drive(c, target) * c.dt;
     c.base = c.base + c.base_velocity * c.dt;
     T rise =
@@ -225,7 +230,11 @@ HWY_INLINE T too_high(const GaitBlock& g, const PersonBlock& p, const Climber<T>
     T amplitude = row<T>(g.amplitude, lane);
     SinCosOf<T> yaw = sin_cos(b.place.yaw);
     V2<T> ahead{yaw.sine, yaw.cosine}, at{b.place.place.x, b.place.place.z};
-    T up = ankle, by = zero;  // of the ankle over the foot's place, and ahead of it
+    T forefoot =
+        row<T>(g.feet[b.side].forefoot, lane) *
+        select(c.swings[b.side] > T(0.5f), one, heel_up_after(c.phase[b.side] * T(k_norm_toe_off) / c.duty));
+    T up = ankle + ball * T(k_tiptoe_sine) * forefoot;  // of the ankle over the foot's place
+    T by = ankle * T(k_tiptoe_sine) * forefoot;         // and ahead of it
     if (any(b.leaves)) {
         // The heel may rise as high as it is when the foot leaves.
         T ball_height = row<T>(p.joints[left_toes][1], lane), instep = ankle - ball_height;
@@ -239,12 +248,11 @@ HWY_INLINE T too_high(const GaitBlock& g, const PersonBlock& p, const Climber<T>
         by = select(b.leaves, forward, by);
     }
     if (any(b.lands)) {
-        T onward = amplitude * max(row<T>(g.course, lane), zero),
-          forefoot = row<T>(g.feet[b.side].forefoot, lane);
+        T onward = amplitude * max(row<T>(g.course, lane), zero);
         T pitch = T(k_contact_pitch_sine) * row<T>(p.strike, lane) * onward;
         T heel_up = row<T>(p.heel, lane) * pitch;
-        up = select(b.lands, up + lerp(heel_up, ball * T(k_tiptoe_sine), forefoot), up);
-        by = select(b.lands, zero - lerp(ankle * pitch, ankle * T(-k_tiptoe_sine), forefoot), by);
+        up = select(b.lands, up + heel_up * (one - forefoot), up);
+        by = select(b.lands, by - ankle * pitch * (one - forefoot), by);
     }
     V2<T> hip = b.root + V2<T>{c.facing.z, zero - c.facing.x} * hip_x;
     V2<T> off = at + ahead * by - hip;

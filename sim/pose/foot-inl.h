@@ -106,9 +106,7 @@ HWY_INLINE V3<T> ball_of(const Foot<T>& foot, const FootSizes<T>& size, V3<T> an
 // sets the heel down after.
 template <class T>
 HWY_INLINE T landing_on_ball(const FootTime<T>& time, T forefoot) {
-    T one = T(1.0f);
-    return select(time.planted, one - smoothstep(T(0.0f), T(0.16f), time.norm),
-                  smoothstep(T(0.45f), T(0.9f), time.swing.u)) *
+    return select(time.planted, heel_up_after(time.norm), smoothstep(T(0.45f), T(0.9f), time.swing.u)) *
            forefoot;
 }
 

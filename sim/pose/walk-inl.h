@@ -200,7 +200,7 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     curves.surge = curves.surge + tilt;
     curves.nod = curves.nod + tilt;
     curves.breath = at<T>(g.inhaled + lane) * stands;
-    curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.3f), T(0.6f)) * T(0.3f) +
+    curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.12f), T(0.6f)) * T(0.3f) +
                   at<T>(g.drive + lane) * T(k_drive_lean) + walk.running * T(k_run_lean);
     return curves;
 }

@@ -28,6 +28,13 @@ HWY_INLINE SwingTime<T> swing_time(T u) {
     return {u, rest, product * product, T(16.0f) * product * product};
 }
 
+// How much of the height at which a heel comes down, of who lands on the ball, is left at this phase of the
+// norms' stance.
+template <class T>
+HWY_INLINE T heel_up_after(T norm) {
+    return T(1.0f) - smoothstep(T(0.0f), T(0.16f), norm);
+}
+
 // Both ends of a swing: the place left, and from there to the place of landing; likewise the unit normals of
 // the ground, whose x and z are given. And the last share of its time in which it comes down onto lower
 // ground.
