@@ -26,7 +26,7 @@ inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun 
 inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that it is down
 // Down stairs the leg that lands takes up the rest of the fall: over so much of the time that both feet
 // stand, but what is left is a share of the way, whose square times the way is so many legs.
-inline constexpr float k_stairs_later = 0.75f, k_stairs_rest = 0.0125f;
+inline constexpr float k_stairs_later = 1.2f, k_stairs_rest = 0.015f;
 inline constexpr float k_step_most = 0.2f;    // metres
 inline constexpr float k_most_sink = 0.2f;    // legs
 inline constexpr float k_just_landed = 0.1f;  // of the cycle
@@ -168,32 +168,60 @@ HWY_INLINE T carrying_height(const Climber<T>& c, T load) {
     return select(l | r, swinging, on_both);
 }
 
-// What speeds the body up or down with the ground: a spring, or what lets it down onto a lower foot by the
-// time that it has landed.
+// How a body is let down onto the lower foot that swings.
+template <class T, class M>
+struct Descent {
+    M begins;        // that foot is to land lower than the one that carries, and than the body is
+    T by;            // metres up that the body moves: 0 or less
+    T until, later;  // seconds until the foot lands, and from then on until the body is down
+    T from;          // height of the foot that carries
+};
+
+// Seconds from a landing, `drop` below the foot that carries, until the body is down: on stairs and off a
+// kerb.
+template <class T>
+HWY_INLINE T down_later(const Climber<T>& c, T drop, T rate) {
+    T both = max(c.duty - T(0.5f), T(0.0f));
+    T rest = min(sqrt(T(k_stairs_rest) * c.leg / max(drop, T(k_step_down_least))), T(0.5f));
+    T stairs = min(both * T(k_stairs_later), (T(1.0f) - c.duty) * rest / (T(1.0f) - rest)) / rate;
+    stairs = select(c.leg < T(k_both_feet_leg), T(0.0f), stairs);
+    return select(c.tread > T(0.0f), stairs, T(k_lets_down_later));
+}
+
+template <class T>
+HWY_INLINE auto descent_of(const Climber<T>& c) {
+    auto l = c.swings[k_left] > T(0.5f);
+    auto one_swings = abs(c.swings[k_left] - c.swings[k_right]) > T(0.5f);
+    T to = height_on(select(l, c.goal[k_left], c.goal[k_right]), c.root);
+    T from = select(l, c.on_from[k_right], c.on_from[k_left]), by = to - c.base;
+    auto begins = one_swings & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
+    T rate = select(l, c.rate[k_left], c.rate[k_right]);
+    T until = select(l, c.until[k_left], c.until[k_right]);
+    return Descent<T, decltype(begins)>{begins, by, until, down_later(c, from - to, rate), from};
+}
+
+// Metres that the body is still above where it is let down to as the foot lands: what least_effort leaves.
+template <class T, class M>
+HWY_INLINE T left_at_landing(const Descent<T, M>& d, T velocity) {
+    T whole = max(d.until + d.later, T(k_soonest)), share = min(d.later / whole, T(1.0f));
+    T left = (T(0.0f) - d.by) * (T(3.0f) - T(2.0f) * share) + velocity * whole * (T(1.0f) - share);
+    return max(left * share * share, T(0.0f));
+}
+
+// What speeds the body up or down with the ground: a spring, or what lets it down onto a lower foot.
 template <class T>
 HWY_INLINE T base_drive(const Climber<T>& c, T target) {
-    T half = T(0.5f), w = T(k_base_stiffness);
-    auto l = c.swings[k_left] > half;
-    auto one_swings = abs(c.swings[k_left] - c.swings[k_right]) > half;
-    T to = height_on(select(l, c.goal[k_left], c.goal[k_right]), c.root);
-    T from = select(l, c.on_from[k_right], c.on_from[k_left]);
-    T until = select(l, c.until[k_left], c.until[k_right]);
+    T w = T(k_base_stiffness);
     auto stairs = c.tread > T(0.0f);
-    T by = to - c.base;
-    auto lets_down = one_swings & (to <= from - T(k_step_down_least)) & (by <= T(0.0f));
+    auto d = descent_of(c);
     T spring = w * w * (target - c.base) - T(2.0f) * w * c.base_velocity;
     // Off a kerb as late as may be, so that the knee which carries does not bend for long; down stairs
     // evenly.
-    T rate = select(l, c.rate[k_left], c.rate[k_right]), both = max(c.duty - half, T(0.0f));
-    T share = min(sqrt(T(k_stairs_rest) * c.leg / max(from - to, T(k_step_down_least))), half);
-    T stairs_later = min(both * T(k_stairs_later), (T(1.0f) - c.duty) * share / (T(1.0f) - share)) / rate;
-    stairs_later = select(c.leg < T(k_both_feet_leg), T(0.0f), stairs_later);
-    T later = select(stairs, stairs_later, T(k_lets_down_later));
-    T effort = least_effort(by, c.base_velocity, max(until + later, T(k_soonest)));
-    T waits = w * w * (from - c.base) - T(2.0f) * w * c.base_velocity;
+    T effort = least_effort(d.by, c.base_velocity, max(d.until + d.later, T(k_soonest)));
+    T waits = w * w * (d.from - c.base) - T(2.0f) * w * c.base_velocity;
     T urged = smoothstep(T(0.5f * k_let_down_effort), T(k_let_down_effort), T(0.0f) - effort);
     urged = select(stairs | (c.base_velocity < T(-k_lets_down)), T(1.0f), urged);
-    return select(lets_down, lerp(min(waits, T(0.0f)), effort, urged), spring);
+    return select(d.begins, lerp(min(waits, T(0.0f)), effort, urged), spring);
 }
 
 template <class T>
@@ -281,6 +309,8 @@ HWY_INLINE void advance_sink(GaitBlock& g, const PersonBlock& p, const Climber<T
     Harmonics<T, 2> wave = harmonics<2>(row<T>(g.phase, lane));
     T rise_now = rise_at({wave.sine[1], wave.cosine[1]}), rise_then = rise_at({zero, T(1.0f)});
     T load = row<T>(g.load, lane);
+    auto descent = descent_of(c);
+    T left = left_at_landing(descent, c.base_velocity);
     // What the legs that carry need now, and what the next landing does in so many seconds.
     T now = zero, coming = zero, until = T(k_soonest);
     for (int side = 0; side < 2; ++side) {
@@ -294,6 +324,7 @@ HWY_INLINE void advance_sink(GaitBlock& g, const PersonBlock& p, const Climber<T
         V2<T> root = c.root + (c.velocity + expected) * (half * seconds);
         T base = min(height_on(c.goal[side], root), height_on(other, root));
         base = base + max(c.base - max(c.on_from[1 - side], base), zero);
+        base = base + select(descent.begins, left, zero);
         // Or where it stands.
         auto landed = stands & (c.phase[side] < T(k_just_landed)) & (c.stands < half);
         V2<T> ahead = c.root - V2<T>{c.from[side].place.x, c.from[side].place.z};

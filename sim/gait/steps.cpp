@@ -31,6 +31,7 @@ static constexpr float k_over_edge = 0.06f;    // metres
 static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;    // metres
 static constexpr float k_reach_treads = 1.0f;  // metres
+static constexpr float k_one_step = 0.45f;     // metres, of a tread that nobody takes in two
 
 // Which way is outward: +1, to the left, or -1.
 static float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
@@ -144,8 +145,11 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     // On a tread shorter than the foot, toes hang over down, heels up.
     float fit = next.down ? clamp(along + k_clear_of_edge, low, std::max(low, high))
                           : clamp(along, std::min(low, high), high);
-    // Long treads take two steps.
-    tread = fit - along < k_farthest_shift ? next.end - next.begin : 0;
+    // Long treads take two steps, and so may the one before a flight; on it, who slows down waits for the
+    // next.
+    const float depth = next.end - next.begin;
+    const bool goes_on = tread > 0 && depth < k_one_step;
+    tread = goes_on || fit - along < k_farthest_shift ? depth : 0;
     if (tread <= 0) return {};
     wished.position += at_height(direction * (fit - along), 0);
     return next.down ? std::nullopt : std::optional(next.height);
