@@ -15,8 +15,9 @@ static constexpr float k_sideways = 2.2f;                        // m/s2, turn r
 static constexpr float k_turn_gain = 4;                          // turn rate for each radian to turn, 1/s
 static constexpr float k_turning_speed = 0.25f;                  // m/s; slower wishes do not turn a body
 static constexpr float k_forward = 24 * k_radians;               // velocity keeps this near the heading
-static constexpr float k_any_way = 0.3f;                         // m/s; so slow a step may go any way
-static constexpr float k_pivot_speed = 0.15f;                    // m/s, at least, of one who turns under way
+static constexpr float k_any_way = 0.3f,
+                       k_bound = 0.6f;         // m/s: so slow a step may go any way, and so fast not
+static constexpr float k_pivot_speed = 0.15f;  // m/s, at least, of one who turns under way
 static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
@@ -119,9 +120,12 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? k_braking : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
-    if (speed > k_any_way)
+    if (speed > k_any_way) {
+        // Little by little, so that nobody who gets faster is thrown round.
+        float bound = lever > 0 ? k_most_outward : nimble, any_way = k_pi / k_forward;
         v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
-                           lever > 0 ? k_most_outward : nimble);
+                           lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
+    }
     return {v, heading, rate, aim};
 }
 

@@ -123,6 +123,25 @@ float rise_over(const Surroundings& around, const FootPlace& place, Vec2 ahead, 
     return hit->height - place.position.y - slope * along;
 }
 
+// Half a sole's width, metres, by which its middle keeps off edges beside it.
+static constexpr float k_half_width = 0.045f;
+
+// A foot whose side would stand in what rises beside it, or over what falls away, moves off there.
+Footing off_edge_beside(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
+    const FootPlace& place = found.place;
+    const Vec2 left{ahead.z, -ahead.x};
+    auto is_edge = [&](float aside) {
+        const FootPlace beside{ahead_by(place.position, left, aside), place.yaw, place.normal};
+        return std::fabs(rise_over(around, beside, ahead, size.ball)) > k_riser ||
+               std::fabs(rise_over(around, beside, ahead, -size.heel)) > k_riser;
+    };
+    bool edge_left = is_edge(k_half_width), edge_right = is_edge(-k_half_width);
+    if (edge_left == edge_right) return found;
+    Vec3 at = ahead_by(place.position, left, edge_left ? -k_half_width : k_half_width);
+    Sampled moved = sample(around, at, ahead, size);
+    return moved.one ? Footing{on_surface(at, place.yaw, ahead, moved), true, true, true} : found;
+}
+
 // A foot turns over heel and toes, which then reach a little farther than when it is flat: one that has come
 // too near to what rises behind it or before it moves away from there, if it finds room.
 Footing with_room(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
@@ -143,7 +162,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
     Sampled s = sample(around, wanted.position, ahead, size);
     if (s.one) {
         Footing found{on_surface(wanted.position, wanted.yaw, ahead, s), true, true, false};
-        return with_room(around, found, ahead, size);
+        return off_edge_beside(around, with_room(around, found, ahead, size), ahead, size);
     }
 
     // The edge lies between two of the points: halve its place, then stand on the nearer side of it.
@@ -164,7 +183,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         Sampled moved = sample(around, at, ahead, size);
         if (!moved.one) continue;
         Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
-        return with_room(around, found, ahead, size);
+        return off_edge_beside(around, with_room(around, found, ahead, size), ahead, size);
     }
     // An edge along the foot, or the corner of one: beside it.
     const Vec2 beside{ahead.z, -ahead.x};
@@ -257,33 +276,42 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
     return clearing;
 }
 
-Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach) {
-    constexpr float k_stride = 0.06f;
+Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float aside, float reach) {
+    constexpr float k_stride = 0.06f, k_back = 0.24f;
+    const Vec3 lane = ahead_by(from, {direction.z, -direction.x}, aside);
     Tread tread;
-    Vec3 at = from;
-    for (float d = k_stride; d < reach; d += k_stride) {
-        auto hit = under(around, ahead_by(at, direction, d));
-        if (!hit) return {};
-        float step = hit->height - at.y;
+    float at = 0;
+    bool on_level = false, begun = false;
+    for (float d = -k_back; d < reach; d += k_stride) {
+        auto hit = under(around, ahead_by(lane, direction, d));
+        if (!on_level) {
+            // The edge before it may lie behind `from`, or the last one ahead, where edges run aslant.
+            on_level = hit && std::fabs(hit->height - from.y) < k_riser;
+            if (on_level) at = hit->height, tread.level = d;
+            continue;
+        }
+        if (!hit) return tread;
+        float step = hit->height - at;
         if (std::fabs(step) >= k_riser) {
             float low = d - k_stride, high = d;
             for (int i = 0; i < 4; ++i) {
                 float middle = (low + high) * 0.5f;
-                auto between = under(around, ahead_by(at, direction, middle));
-                bool before = !between || std::fabs(between->height - at.y) < k_riser;
+                auto between = under(around, ahead_by(lane, direction, middle));
+                bool before = !between || std::fabs(between->height - at) < k_riser;
                 (before ? low : high) = middle;
             }
-            if (tread.begin > 0) {
+            if (begun) {
                 tread.end = low;
                 return tread;
             }
-            tread.begin = high;
+            begun = true;
+            tread.begin = tread.end = high;
             tread.height = hit->height;
             tread.down = step < 0;
         }
-        at.y = hit->height;
+        at = hit->height;
     }
-    return {};
+    return tread;
 }
 
 FarSide far_side(const Surroundings& around, Vec3 from, Vec2 direction, float reach) {

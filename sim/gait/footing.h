@@ -37,8 +37,9 @@ struct Footing {
 };
 // A place near `wanted` where a whole foot finds one surface: shifted along the foot by 0.22 m at most to
 // keep off an edge, and by 0.03 more from what rises just behind it or before it, or else, from an edge that
-// runs along it, by 0.12 m outward (+1: to the left of where it points, -1: to its right) or 0.06 inward. On
-// a tread too short for the foot, the one that ends highest: the heel or the toes hang over.
+// runs along it, by 0.12 m outward (+1: to the left of where it points, -1: to its right) or 0.06 inward, and
+// by half a sole's width, 0.045 m, from one beside it. On a tread too short for the foot, the one that ends
+// highest: the heel or the toes hang over.
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size,
                      float outward);
 
@@ -65,15 +66,17 @@ struct Clearing {
 Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
                       const FootSize& size, float running, float pace);
 
-// The first level after the one at `from`, along `direction`, unit, which begins and ends within
-// `reach` metres: distances of its edges from `from`. Empty (begin == end) where the ground ahead has fewer
-// than two edges.
+// The first level after the one at `from`, along `direction`, unit, and `aside` metres to the left of there,
+// which begins and ends within `reach` metres: distances of its edges from `from` along `direction`. Empty
+// (begin == end) where the ground ahead has fewer than two edges, and all 0 where it has none.
 struct Tread {
+    float level =
+        0;  // from where on the ground there is as high as `from`, a quarter of a metre behind at most
     float begin = 0, end = 0;
     float height = 0;   // metres, in the world, just beyond its first edge
     bool down = false;  // it lies lower than `from`
 };
-Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float reach);
+Tread next_tread(const Surroundings& around, Vec3 from, Vec2 direction, float aside, float reach);
 
 // The first ground ahead after a gap, or on a ledge too high to step on: metres along
 // `direction`, unit, and its height. Distance 0: there is nothing to jump to, or nothing to jump over.

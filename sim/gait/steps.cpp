@@ -123,32 +123,37 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
 // On stairs one tread is a step: the foot lands on the next one after the other foot's; of small children,
 // beside the other foot where that has gone ahead. The height of a tread that it climbs to, if it does.
 std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, const FootSize& size,
-                                    FootPlace& wished) {
+                                    FootPlace& wished, float seconds) {
     FootPlace from = get_place(g.feet[side].from, s.lane), there = get_place(g.feet[other(side)].to, s.lane);
     Vec2 direction = normalize_or(s.velocity, s.facing);
     bool both = sets_both_feet(s.leg_length);
+    const Vec2 to = on_ground(wished.position - there.position);
+    const float along = dot(to, direction), aside = to.x * direction.z - to.z * direction.x;
+    Tread next = next_tread(s.around, there.position, direction, aside, k_reach_treads);
     if (both && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
-        float ahead = dot(on_ground(there.position - wished.position), direction);
-        wished.position += at_height(direction * ahead, 0);
+        // Where edges run aslant, what lies beside that foot may be another tread.
+        float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
+        float beside = next.begin > next.level ? std::max(std::min(0.0f, high), low) : 0;
+        wished.position += at_height(direction * (beside - along), 0);
         return {};
     }
-    Tread next = next_tread(s.around, there.position, direction, k_reach_treads);
     float& tread = g.tread[s.lane];
     if (next.end <= next.begin) {
         tread = 0;
         return {};
     }
-    float along = dot(on_ground(wished.position - there.position), direction);
     float low = next.begin + size.heel + k_off_riser,
           high = next.end - size.tip - (next.down ? 0 : k_off_riser);
     // Down, the toes come near the next edge, and the heel passes clear of the last one.
     // On a tread shorter than the foot, toes hang over down, heels up.
     float fit = next.down ? clamp(along + k_clear_of_edge, low, std::max(low, high))
                           : clamp(along, std::min(low, high), high);
-    // Long treads take two steps, and so may the one before a flight; on it, who slows down waits for the
-    // next.
+    // Long treads take two steps, and so may the one before a flight; on it, who slows down goes on to the
+    // next if the body comes after.
     const float depth = next.end - next.begin;
-    const bool goes_on = tread > 0 && depth < k_one_step;
+    const Vec2 body = on_ground(s.root) + s.velocity * seconds;
+    const float lead = dot(on_ground(there.position) - body, direction) + fit;
+    const bool goes_on = tread > 0 && depth < k_one_step && lead < k_longest_lead * s.leg_length;
     tread = goes_on || fit - along < k_farthest_shift ? depth : 0;
     if (tread <= 0) return {};
     wished.position += at_height(direction * (fit - along), 0);
@@ -189,11 +194,11 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         if (far.distance > 0 && short_of > 0) wished.position += at_height(direction * short_of, 0);
     }
     std::optional<float> climbs_to;
-    if (g.tread[s.lane] > 0) climbs_to = keep_to_treads(g, s, side, size, wished);
+    if (g.tread[s.lane] > 0) climbs_to = keep_to_treads(g, s, side, size, wished, seconds);
     Footing footing = find_footing(s.around, wished, size, outward_of(side));
     if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
         std::fabs(step_between(there, footing.place)) > k_stair) {
-        climbs_to = keep_to_treads(g, s, side, size, wished);
+        climbs_to = keep_to_treads(g, s, side, size, wished, seconds);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size, outward_of(side));
     }
     // Up treads shorter than the foot, heels hang over.
