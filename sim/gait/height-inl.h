@@ -30,7 +30,10 @@ inline constexpr float k_stairs_later = 1.2f, k_stairs_rest = 0.015f;
 inline constexpr float k_step_most = 0.2f;    // metres
 inline constexpr float k_most_sink = 0.2f;    // legs
 inline constexpr float k_just_landed = 0.1f;  // of the cycle
-inline constexpr float k_bears = 0.36f;       // of the cycle, until a foot need not be flat
+// Of the cycle, until which a foot is flat; sine and cosine of twice that angle; seconds before it, in which
+// what the leg then lets the pelvis is met.
+inline constexpr float k_bears = 0.36f, k_bears_sine = -0.98229f, k_bears_cosine = -0.18738f;
+inline constexpr float k_gives_soon = 0.2f;
 // A heel begins to rise at such a time of a natural walk, shares of its cycle, a little before pose_foot lets
 // it, and is tilted by so many radians as the foot leaves.
 inline constexpr float k_heel_gives_from = 0.35f, k_heel_gives = 1.05f;
@@ -258,11 +261,14 @@ HWY_INLINE T too_high(const GaitBlock& g, const PersonBlock& p, const Climber<T>
     T amplitude = row<T>(g.amplitude, lane);
     SinCosOf<T> yaw = sin_cos(b.place.yaw);
     V2<T> ahead{yaw.sine, yaw.cosine}, at{b.place.place.x, b.place.place.z};
-    T forefoot =
-        row<T>(g.feet[b.side].forefoot, lane) *
-        select(c.swings[b.side] > T(0.5f), one, heel_up_after(c.phase[b.side] * T(k_norm_toe_off) / c.duty));
-    T up = ankle + ball * T(k_tiptoe_sine) * forefoot;  // of the ankle over the foot's place
-    T by = ankle * T(k_tiptoe_sine) * forefoot;         // and ahead of it
+    T up = ankle, by = zero;  // of the ankle over the foot's place, and ahead of it
+    T forefoot = row<T>(g.feet[b.side].forefoot, lane);
+    if (any(forefoot > zero)) {
+        T after = heel_up_after(c.phase[b.side] * T(k_norm_toe_off) / c.duty);
+        forefoot = forefoot * select(c.swings[b.side] > T(0.5f), one, after);
+        up = up + ball * T(k_tiptoe_sine) * forefoot;
+        by = by + ankle * T(k_tiptoe_sine) * forefoot;
+    }
     if (any(b.leaves)) {
         // The heel may rise as high as it is when the foot leaves.
         T ball_height = row<T>(p.joints[left_toes][1], lane), instep = ankle - ball_height;
@@ -308,52 +314,57 @@ HWY_INLINE void advance_sink(GaitBlock& g, const PersonBlock& p, const Climber<T
     auto walks = (row<T>(g.running, lane) <= half) & (row<T>(g.jump, lane) <= zero);
     Harmonics<T, 2> wave = harmonics<2>(row<T>(g.phase, lane));
     T rise_now = rise_at({wave.sine[1], wave.cosine[1]}), rise_then = rise_at({zero, T(1.0f)});
+    T rise_given = rise_at({T(k_bears_sine), T(k_bears_cosine)});
     T load = row<T>(g.load, lane);
     auto descent = descent_of(c);
     T left = left_at_landing(descent, c.base_velocity);
-    // What the legs that carry need now, and what the next landing does in so many seconds.
-    T now = zero, coming = zero, until = T(k_soonest);
+    // What the legs that carry need now, and how hard one has to sink for what they and the next landing
+    // will.
+    T now = zero, effort = T(-k_most_effort), most = T(k_most_sink) * c.leg, w = T(k_sink_release);
+    T frequency = max(row<T>(g.frequency, lane), T(0.1f));
     for (int side = 0; side < 2; ++side) {
         auto swings = c.swings[side] > half, stands = c.swings[side] <= half;
         const Stand<T>& other = c.from[1 - side];
         // At its landing.
         T seconds = min(c.until[side], T(k_farthest_ahead));
         V2<T> change = c.wish - c.velocity;
-        T missing = sqrt(dot(change, change)), most = T(k_reaction) * seconds;
-        V2<T> expected = c.velocity + change * (min(missing, most) / max(missing, T(1e-6f)));
+        T missing = sqrt(dot(change, change)), most_change = T(k_reaction) * seconds;
+        V2<T> expected = c.velocity + change * (min(missing, most_change) / max(missing, T(1e-6f)));
         V2<T> root = c.root + (c.velocity + expected) * (half * seconds);
         T base = min(height_on(c.goal[side], root), height_on(other, root));
         base = base + max(c.base - max(c.on_from[1 - side], base), zero);
         base = base + select(descent.begins, left, zero);
-        // Or where it stands.
+        // Or where it stands: now, or as soon as its heel gives.
         auto landed = stands & (c.phase[side] < T(k_just_landed)) & (c.stands < half);
         V2<T> ahead = c.root - V2<T>{c.from[side].place.x, c.from[side].place.z};
-        T flat = select((c.phase[side] < T(k_bears)) & (dot(ahead, c.facing) < T(k_behind_0) * c.leg),
-                        T(1.0f), select(landed, T(1.0f), zero));
+        auto bears = stands & (c.phase[side] < T(k_bears)) & (dot(ahead, c.facing) < T(k_behind_0) * c.leg);
+        T gives_in = (T(k_bears) - c.phase[side]) / frequency;
+        auto soon = bears & (gives_in < T(k_gives_soon)) & (c.stands < half);
+        T flat = select(bears | landed, T(1.0f), zero);
+        gives_in = select(soon, gives_in, zero);
+        V2<T> here = c.root + c.velocity * gives_in;
         Bound<T, decltype(swings)> bound{side,
                                          select(swings, c.goal[side], c.from[side]),
                                          other,
                                          swings | landed,
                                          stands & (flat < half),
-                                         {select(swings, root.x, c.root.x), select(swings, root.z, c.root.z)},
+                                         {select(swings, root.x, here.x), select(swings, root.z, here.z)},
                                          select(swings, base, c.base),
-                                         select(swings, rise_then, rise_now)};
+                                         select(swings, rise_then, select(soon, rise_given, rise_now))};
         T amount = select(walks, too_high(g, p, c, bound, lane), zero);
         // A leg that rests bends instead.
         T carries = side == k_left ? load : T(1.0f) - load;
-        amount = amount * select(c.stands > half, smoothstep(T(0.2f), half, carries), T(1.0f));
-        until = select(swings & (amount > coming), max(seconds, T(k_soonest)), until);
-        coming = select(swings, max(coming, amount), coming);
-        now = select(stands, max(now, amount), now);
+        amount = min(amount * select(c.stands > half, smoothstep(T(0.2f), half, carries), T(1.0f)), most);
+        T until = max(select(swings, seconds, gives_in), T(k_soonest));
+        T needs = select((swings | soon) & (amount > sink), least_effort(amount - sink, velocity, until),
+                         T(-k_most_effort));
+        effort = max(effort, needs);
+        now = select(stands & (gives_in <= zero), max(now, amount), now);
     }
-    T most = T(k_most_sink) * c.leg, w = T(k_sink_release);
-    now = min(now, most), coming = min(coming, most);
     T a = select(now > sink, least_effort(now - sink, velocity, T(k_soonest)),
                  w * w * (now - sink) - T(2.0f) * w * velocity);
     // As late as may be, so that knees do not bend for a landing that is far.
-    T effort = least_effort(coming - sink, velocity, until);
-    T urged = lerp(a, max(a, effort), smoothstep(T(0.5f * k_sink_effort), T(k_sink_effort), effort));
-    a = select(coming > sink, urged, a);
+    a = lerp(a, max(a, effort), smoothstep(T(0.5f * k_sink_effort), T(k_sink_effort), effort));
     velocity = velocity + a * c.dt;
     sink = sink + velocity * c.dt;
 }

@@ -19,7 +19,7 @@ inline constexpr float k_soft = 0.01195f, k_droop = -0.101f, k_toes = 0.4717f;
 // by which it rises further before toe-off, and by which it pushes off more for each pace over the natural
 // one; pitch of a foot that lands on its ball.
 inline constexpr float k_heel_strike = 0.8393f, k_heel_off_0 = 0.05908f, k_heel_off_1 = 0.5633f;
-inline constexpr float k_heel_rise = 0.1185f, k_push_pace = 0.3158f, k_forefoot_pitch = -0.25f;
+inline constexpr float k_heel_rise = 0.1200f, k_push_pace = 0.3158f, k_forefoot_pitch = -0.25f;
 
 // Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
 // metres.
@@ -36,7 +36,7 @@ inline constexpr float k_sink = -0.0008523f, k_sink_step = 0.04754f, k_stand = 0
 inline constexpr float k_uphill = 12.28f, k_downstep = 0.1942f, k_spare_slow = 0.07006f;
 // The pelvis comes down for a landing once that asks for some such acceleration, m/s2, and goes up again at
 // this rate, 1/s, critically damped.
-inline constexpr float k_sink_effort = 4.929f, k_sink_release = 9.636f;
+inline constexpr float k_sink_effort = 5.2f, k_sink_release = 9.636f;
 
 // The straightest leg, as a share of its length, rounded over so many metres; metres that a leg may fall
 // short as it leaves, and before `landing`, a share of the swing, and by which a foot in mid-swing gives way.
@@ -49,7 +49,7 @@ inline constexpr float k_behind_0 = 0.45f, k_behind_1 = 0.6f, k_behind_slack = 0
 inline constexpr float k_let_go = 0.6f;
 
 // Share of a foot's time on the ground before the hip passes it.
-inline constexpr float k_lead = 0.3960f;
+inline constexpr float k_lead = 0.3959f;
 
 // Share of double support in which the body goes over to the foot that has landed.
 inline constexpr float k_shift_width = 0.9136f;
