@@ -23,6 +23,7 @@ namespace {
 constexpr uint32_t k_pictures = 12;
 constexpr Size k_tile = {240, 420}, k_alone = {480, 840};  // pixels of one; in a film of one
 constexpr uint32_t k_film_step = 2;                        // ticks from picture to picture
+constexpr double k_evened = 0.6;                           // seconds to each side
 constexpr double k_abreast_at = 6, k_film_abreast = 4;  // seconds, of people at one moment; of a film of it
 constexpr uint64_t k_abreast_seed = 3;
 constexpr float k_around = 0.16f;  // metres from a joint to the end of what it moves, toes of shoes say
@@ -76,14 +77,21 @@ float widest(const Take& take, Vec3 off, StripView view) {
     return far + k_around;
 }
 
-// Keeps at the person's middle, as tall as the ground on the whole is; far away, so that nothing is much
-// nearer, and not below stairs that lie ahead. So far away that all pictures hold whoever is taken whole.
-Camera camera_on(const Take& take, const Instant& now, double moment, float tall, StripView view) {
+// Metres, the ground's height about a tick, evened over the time that somebody takes for two steps.
+float height_about(const Take& take, size_t tick) {
     const std::vector<Instant>& ticks = take.walk.ticks;
-    auto height_at = [&](double tick) {
-        return ticks[std::min(static_cast<size_t>(tick), ticks.size() - 1)].root.y;
-    };
-    float climbed = lerp(height_at(take.first), height_at(take.last), static_cast<float>(moment));
+    const auto half = static_cast<size_t>(k_evened * take.walk.rate);
+    const size_t first = tick > half ? tick - half : 0, last = std::min(tick + half, ticks.size() - 1);
+    float sum = 0;
+    for (size_t i = first; i <= last; ++i) sum += ticks[i].root.y;
+    return sum / static_cast<float>(last - first + 1);
+}
+
+// Keeps at the person's middle, as tall as the ground thereabouts; far away, so that nothing is much nearer,
+// and not below stairs that lie ahead. So far away that all pictures hold whoever is taken whole.
+Camera camera_on(const Take& take, size_t tick, float tall, StripView view) {
+    const Instant& now = take.walk.ticks[tick];
+    const float climbed = height_about(take, tick);
     constexpr float k_away = 12, k_above = 0.6f, k_any = 50;
     Vec3 target{now.root.x, climbed + 0.47f * tall, now.root.z};
     // A pram reaches farther ahead than one is wide.
@@ -106,8 +114,9 @@ Camera camera_on(const Take& take, const Instant& now, double moment, float tall
 FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall, StripView view,
                     PeopleFrame& people) {
     const auto& [character, take] = shown;
-    auto tick = static_cast<size_t>(std::lround(take.first + moment * (take.last - take.first)));
-    const Instant& now = take.walk.ticks[std::min(tick, take.walk.ticks.size() - 1)];
+    const auto at = static_cast<size_t>(std::lround(take.first + moment * (take.last - take.first)));
+    const size_t tick = std::min(at, take.walk.ticks.size() - 1);
+    const Instant& now = take.walk.ticks[tick];
     people.walkers.resize(1);
     people.palette.resize(k_palette_joints);
     pose_character(character, 1, now.joints.data(), people.palette.data(), &now.trail,
@@ -122,7 +131,7 @@ FrameInput frame_of(const Shown& shown, uint32_t mesh, double moment, float tall
     auto tints = outfit(character.person, character.person.seed, mesh);
     std::copy(tints.begin(), tints.end(), std::begin(draw.instance.tints));
     FrameInput frame;
-    frame.camera = camera_on(take, now, moment, tall, view);
+    frame.camera = camera_on(take, tick, tall, view);
     frame.sun.direction = glm::normalize(glm::vec3(-0.5f, 0.7f, 0.55f));
     frame.walkers = people.walkers;
     frame.palette = people.palette;
