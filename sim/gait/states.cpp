@@ -24,6 +24,7 @@ static constexpr float k_shuffle = 0.95f;            // cycles/s of stepping on 
 static constexpr float k_hasty = 1.5f;               // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;       // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;                // legs; one farther than this is set down anew
+static constexpr float k_inner_first = 1;  // steps off, that the inner foot of a turn counts as farther
 static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_hurry =
@@ -91,7 +92,10 @@ Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
     Vec2 motion = length_squared(s.velocity) > length_squared(s.wish) ? s.velocity : s.wish;
     float bias = 0.15f * dot(normalize_or(motion, {0, 0}), left) + 0.05f * clamp(s.turn_rate, -1, 1);
     float l = off[k_left].behind, r = off[k_right].behind;
-    if (length_squared(motion) < 0.01f) l = off[k_left].amount(slack), r = off[k_right].amount(slack);
+    if (length_squared(motion) < 0.01f) {
+        l = off[k_left].amount(slack), r = off[k_right].amount(slack);
+        bias += k_inner_first * clamp(s.turn_rate, -1, 1);
+    }
     return l - r + bias >= 0 ? k_left : k_right;
 }
 
@@ -319,7 +323,9 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
     float worst = std::max(off[k_left].amount(slack), off[k_right].amount(slack));
     bool slow = speed < k_standing_speed;
     if (!slow || worst > 1) g.restless[lane] = -1;
-    bool wants_step = !slow || worst > 1 || g.restless[lane] >= 0;
+    // Who turns begins to step before legs are wrung.
+    float twist = std::max(off[k_left].twist, off[k_right].twist) + std::fabs(s.turn_rate) * k_turn_ahead;
+    bool wants_step = !slow || worst > 1 || twist > k_home_twist || g.restless[lane] >= 0;
     if (advance_jump(g, s)) {
         // The jump has moved the feet.
     } else if (g.standing[lane]) {

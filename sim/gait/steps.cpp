@@ -9,7 +9,6 @@
 
 namespace flaneur {
 
-static constexpr float k_home_twist = 0.55f;                // radians; a standing foot turned farther steps
 static constexpr float k_longest_lead = 0.46f;              // legs, from the root to a landing foot
 static constexpr float k_leap_lead = 0.36f;                 // likewise, where it lands from a leap
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
@@ -259,7 +258,8 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 
 bool stays(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
-    FootPlace is = get_place(foot.from, s.lane), wished = home(g, s.person, s.lane, side, s.root, s.heading);
+    FootPlace is = get_place(foot.from, s.lane),
+              wished = home(g, s.person, s.lane, side, s.root, s.heading + s.turn_rate * k_turn_ahead);
     wished.position.y = is.position.y;
     Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane), outward_of(side));
     bool moves = footing.found && length(footing.place.position - is.position) > k_worth_it;

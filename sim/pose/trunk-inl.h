@@ -277,6 +277,11 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     }
 }
 
+// Radians that a head is bowed to see where it treads, coming down stairs and climbing them, from the second
+// climb on, metres for each metre ahead; and the neck's share of that.
+inline constexpr float k_watch_down = 0.32f, k_watch_up = 0.17f, k_watch_neck = 0.5f;
+inline constexpr float k_watch_0 = 0.2f, k_watch_1 = 0.5f;
+
 // Chest, neck and head share the turn to what is looked at.
 inline constexpr AimJoint k_look[3] = {
     {0.08f, 0.30f, 0.2f, 0.2f}, {0.37f, 0.55f, 0.4f, 0.4f}, {0.55f, 0.80f, 0.5f, 0.5f}};
@@ -296,10 +301,16 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     Q4<T> chest_ws = turned_yzx(
         plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
         sin_cos_half(trunk.curves.list * T(-0.35f) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
-    Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one}, sin_cos_half(lean * T(0.55f) + stoops));
+    // On stairs one watches them.
+    T rise = at<T>(g.rise + lane);
+    T watches = T(k_watch_down) * smoothstep(T(k_watch_0), T(k_watch_1), T(0.0f) - rise) +
+                T(k_watch_up) * smoothstep(T(k_watch_0), T(k_watch_1), rise);
+    Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one},
+                             sin_cos_half(lean * T(0.55f) + stoops + watches * T(k_watch_neck)));
     neck_ws = after_y(plus(trunk.heading.half, sin_cos_half(look[1])), neck_ws);
     // Down as the body rises, so that the eyes keep to what they look at.
-    T nods = cycle.cosine[1] * trunk.amplitude * T(-k_head_nod), rolls = trunk.curves.list * T(k_head_roll);
+    T nods = cycle.cosine[1] * trunk.amplitude * T(-k_head_nod) + watches,
+      rolls = trunk.curves.list * T(k_head_roll);
     Q4<T> head_ws =
         turned_yzx(plus(trunk.heading.half, sin_cos_half(look[2] + trunk.curves.twist * T(k_head_turn))),
                    sin_cos_half(rolls), sin_cos_half(nods));
