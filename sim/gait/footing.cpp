@@ -12,6 +12,7 @@ static constexpr float k_level = 0.02f;         // metres; heights this near are
 static constexpr float k_margin = 0.012f;       // metres between a sole and an edge
 static constexpr float k_turning_room = 0.03f;  // and where it rises, if there is that much
 static constexpr float k_toe_room = 0.045f;     // and before the toes, which roll on when the heel rises
+static constexpr float k_half_width = 0.045f;   // and beside its middle
 static constexpr float k_most_shift = 0.22f;    // metres
 static constexpr float k_riser = 0.05f;         // metres; higher edges are steps
 static constexpr float k_soonest_fall = 0.7f, k_latest_fall = 0.17f, k_passes = 0.05f;  // shares of a swing
@@ -123,9 +124,6 @@ float rise_over(const Surroundings& around, const FootPlace& place, Vec2 ahead, 
     return hit->height - place.position.y - slope * along;
 }
 
-// Half a sole's width, metres, by which its middle keeps off edges beside it.
-static constexpr float k_half_width = 0.045f;
-
 // A foot whose side would stand in what rises beside it, or over what falls away, moves off there.
 Footing off_edge_beside(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
     const FootPlace& place = found.place;
@@ -154,6 +152,10 @@ Footing with_room(const Surroundings& around, const Footing& found, Vec2 ahead, 
     return moved.one ? Footing{on_surface(at, place.yaw, ahead, moved), true, true, true} : found;
 }
 
+Footing with_room_around(const Surroundings& around, const Footing& found, Vec2 ahead, const FootSize& size) {
+    return off_edge_beside(around, with_room(around, found, ahead, size), ahead, size);
+}
+
 }  // namespace
 
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size,
@@ -162,7 +164,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
     Sampled s = sample(around, wanted.position, ahead, size);
     if (s.one) {
         Footing found{on_surface(wanted.position, wanted.yaw, ahead, s), true, true, false};
-        return off_edge_beside(around, with_room(around, found, ahead, size), ahead, size);
+        return with_room_around(around, found, ahead, size);
     }
 
     // The edge lies between two of the points: halve its place, then stand on the nearer side of it.
@@ -183,7 +185,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         Sampled moved = sample(around, at, ahead, size);
         if (!moved.one) continue;
         Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
-        return off_edge_beside(around, with_room(around, found, ahead, size), ahead, size);
+        return with_room_around(around, found, ahead, size);
     }
     // An edge along the foot, or the corner of one: beside it.
     const Vec2 beside{ahead.z, -ahead.x};

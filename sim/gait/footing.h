@@ -70,8 +70,7 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
 // which begins and ends within `reach` metres: distances of its edges from `from` along `direction`. Empty
 // (begin == end) where the ground ahead has fewer than two edges, and all 0 where it has none.
 struct Tread {
-    float level =
-        0;  // from where on the ground there is as high as `from`, a quarter of a metre behind at most
+    float level = 0;  // where the ground as high as `from` begins, a quarter of a metre behind it at most
     float begin = 0, end = 0;
     float height = 0;   // metres, in the world, just beyond its first edge
     bool down = false;  // it lies lower than `from`

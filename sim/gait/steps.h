@@ -27,7 +27,7 @@ inline constexpr float k_reaction = 2.2f;         // m/s2, with which velocity i
 inline constexpr float k_standing_speed = 0.08f;  // m/s; who is slower stands
 inline constexpr float k_goes = 0.1f;             // m/s, of a wish that turns the body
 inline constexpr float k_home_twist = 0.55f;      // radians; a standing foot turned farther steps,
-inline constexpr float k_turn_ahead = 0.4f;      // foreseen for so many seconds
+inline constexpr float k_turn_ahead = 0.4f;       // foreseen for so many seconds
 inline constexpr float k_least_swing = 0.7f;      // of the frequency, at which a swing advances at least
 inline constexpr float k_longest_jump = 1.8f;     // metres from the root to ground on the far side
 
