@@ -1,6 +1,6 @@
-// replay FOLDER MEGABYTES: feeds a target the files of a folder, without libFuzzer. One that keeps a core
-// busy for longer than k_most_seconds, or takes more memory than that, ends it as one that crashes does; the
-// last name printed is its.
+// replay FOLDER MEGABYTES SECONDS: feeds a target the files of a folder, without libFuzzer. One that keeps a
+// core busy for longer, or takes more memory than that, ends it as one that crashes does; the last name
+// printed is its.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -15,8 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size);
 
 namespace {
 
-constexpr rlim_t k_most_seconds = 10;
-
 rusage used() {
     rusage so_far{};
     getrusage(RUSAGE_SELF, &so_far);
@@ -26,8 +24,8 @@ rusage used() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3 || !std::filesystem::is_directory(argv[1])) {
-        std::fprintf(stderr, "%s FOLDER MEGABYTES\n", argv[0]);
+    if (argc != 4 || !std::filesystem::is_directory(argv[1])) {
+        std::fprintf(stderr, "%s FOLDER MEGABYTES SECONDS\n", argv[0]);
         return 2;
     }
     std::vector<std::filesystem::path> files;
@@ -39,7 +37,8 @@ int main(int argc, char** argv) {
         std::ifstream file(path, std::ios::binary);
         std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
         rusage before = used();
-        rlim_t end = static_cast<rlim_t>(before.ru_utime.tv_sec + before.ru_stime.tv_sec) + k_most_seconds;
+        rlim_t end =
+            static_cast<rlim_t>(before.ru_utime.tv_sec + before.ru_stime.tv_sec + std::atol(argv[3]));
         rlimit limit{end, RLIM_INFINITY};
         setrlimit(RLIMIT_CPU, &limit);
         LLVMFuzzerTestOneInput(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
