@@ -20,6 +20,8 @@ static constexpr float k_ahead = 0.0065f, k_aside = 0.004f;
 static constexpr float k_comes_to_stand = 0.7f;  // m/s
 static constexpr float k_turns = 0.8f;           // rad/s; who turns on the spot gathers the feet
 static constexpr float k_narrowest = 0.08f, k_widest = 0.16f, k_farthest_apart = 0.064f;
+static constexpr float k_leads = 0.02f;                 // metres ahead, of the last step, that are kept
+static constexpr float k_most_lead = 0.026f;            // and at most, of the height
 static constexpr float k_most_turned = 20 * k_radians;  // outward
 static constexpr float k_rests = 0.35f;                 // of the body, at most, on a leg that rests
 
@@ -52,6 +54,14 @@ namespace {
 float draw_ahead(const Stepper& s) {
     float ahead = s.person.stance_ahead[s.lane] * random_between(s.chance, 0.4f, 1.6f, 100);
     return std::min(ahead, k_farthest_apart * s.person.height[s.lane]);
+}
+
+// Metres along the heading, by which a foot that stands is ahead of where one who slows down will stand.
+float stands_ahead(const GaitBlock& g, const Stepper& s, Side side) {
+    const FootBlock& foot = g.feet[side];
+    if (foot.swinging[s.lane]) return 0;
+    Vec2 comes = s.velocity * (length(s.velocity) / (2 * k_reaction));
+    return dot(Vec2{foot.to.x[s.lane], foot.to.z[s.lane]} - on_ground(s.root) - comes, s.facing);
 }
 
 void place_foot(GaitBlock& g, const Stepper& s, Side side, bool rests, float ahead) {
@@ -93,6 +103,10 @@ void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
     if (relaxed == rests) return;
     if (relaxed < 0) {
         float ahead = draw_ahead(s) * (random_unit(s.chance, 101) < 0.75f ? 0.5f : -0.5f);
+        // The foot of the last step stays where it is, if it may.
+        for (Side side : {stands, rests})
+            if (float lead = stands_ahead(g, s, side); lead > k_leads && !g.standing[lane])
+                ahead = std::min(lead, k_most_lead * s.person.height[lane]) * (side == rests ? 1.0f : -1.0f);
         place_foot(g, s, stands, false, -ahead);
         place_foot(g, s, rests, true, ahead);
     } else {

@@ -41,6 +41,14 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
     return l > most ? s.velocity + change * (most / l) : s.wish;
 }
 
+// The way that a body goes in so many seconds from `velocity` on, if it slows down towards its wish.
+static Vec2 way_under(const Stepper& s, Vec2 velocity, float seconds) {
+    float speed = length(velocity), less = speed - length(s.wish);
+    if (less <= 0) return velocity * seconds;
+    float until = std::min(less / k_reaction, seconds), slower = speed - k_reaction * until;
+    return velocity * ((0.5f * (speed + slower) * until + slower * (seconds - until)) / speed);
+}
+
 FootPlace home(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
     const FootBlock& foot = g.feet[side];
     float outward = outward_of(side);
@@ -84,7 +92,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     // No farther ahead of the root than the other foot will be behind it: so high does the pelvis stand.
     const FootPlaces& to = g.feet[other(side)].to;
     Vec2 there{to.x[s.lane], to.z[s.lane]};
-    Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = later * stands;
+    Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = way_under(s, later, stands);
     float leads = length(lead),
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
     float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f;

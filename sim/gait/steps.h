@@ -23,7 +23,7 @@ struct Stepper {
     bool replans = false;  // looks at the landing place anew in this tick
 };
 
-inline constexpr float k_reaction = 2.2f;         // m/s2, with which velocity is expected to follow the wish
+inline constexpr float k_reaction = 2.5f;         // m/s2, with which velocity is expected to follow the wish
 inline constexpr float k_standing_speed = 0.08f;  // m/s; who is slower stands
 inline constexpr float k_goes = 0.1f;             // m/s, of a wish that turns the body
 inline constexpr float k_home_twist = 0.55f;      // radians; a standing foot turned farther steps,
