@@ -193,8 +193,10 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
         idle * T(k_idle_sway);
     curves.aside = at<T>(g.tilt_aside + lane) * stands;
+    // Who speeds up or slows down does so by these surges.
+    T even = max(T(1.0f) - T(k_drive_evens) * abs(at<T>(g.drive + lane)), T(0.0f));
     curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude *
-                   (T(1.0f) - walk.running);
+                   (T(1.0f) - walk.running) * even;
     curves.nod = curves.surge * T(-k_nod);
     T tilt = at<T>(g.tilt_ahead + lane) * stands;
     curves.surge = curves.surge + tilt;
