@@ -174,10 +174,10 @@ HWY_INLINE WalkNow<T> walk_now(const GaitBlock& g, const PersonBlock& p, size_t 
 }
 
 // List, turn and sway from the curves, `cycle` being at the phase of the pelvis. One who stands leans over
-// the leg that carries most.
+// the leg that carries most, the feet being `astride` metres apart.
 template <class T>
 HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& p, size_t lane,
-                                         const WalkNow<T>& walk, const Harmonics<T, 3>& cycle) {
+                                         const WalkNow<T>& walk, const Harmonics<T, 3>& cycle, T astride) {
     T style = at<T>(p.sway + lane), share = walk.amplitude * style;
     T stands = (T(1.0f) - walk.amplitude) * (T(1.0f) - walk.amplitude);
     T more = at<T>(g.load + lane) - T(0.5f), idle = more * stands;
@@ -191,7 +191,7 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     curves.slow = walk.duty - T(k_norm_duty);
     curves.sway =
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
-        idle * T(k_idle_sway);
+        idle * T(k_idle_sway) * clamp(astride, T(0.0f), T(k_widest_sway));
     curves.aside = at<T>(g.tilt_aside + lane) * stands;
     // Who speeds up or slows down does so by these surges.
     T even = max(T(1.0f) - T(k_drive_evens) * abs(at<T>(g.drive + lane)), T(0.0f));
@@ -304,9 +304,10 @@ HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, float dt, c
     store_place(origin_ws, out.origin, lane);
 
     Harmonics<T, 3> cycle = harmonics<3>(at<T>(g.phase + lane));
-    PelvisCurves<T> curves = pelvis_curves(g, p, lane, walk, cycle);
     SinCosOf<T> half = sin_cos(at<T>(g.heading + lane) * T(0.5f));
     Heading<T> heading{half, doubled(half)};
+    T astride = bs_of_os(heading, feet[k_left].place_os - feet[k_right].place_os).x;
+    PelvisCurves<T> curves = pelvis_curves(g, p, lane, walk, cycle, astride);
     Pelvis<T> pelvis = turned_pelvis(curves, heading, hips_ms, hip_ms);
     raise_pelvis(pelvis, feet, foot_size, leg, walk,
                  pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y), fall, dt);

@@ -63,13 +63,16 @@ inline constexpr float k_surge_cosine = 0.006715f, k_surge_sine = -0.01728f;
 // Trunk: radians by which it nods for each leg that the pelvis goes ahead, its turn over the pelvis's; head:
 // radians that it nods, rolls over the pelvis's list, its turn over the chest's.
 inline constexpr float k_nod = 1.84f, k_chest_turn = 0.64f;
-inline constexpr float k_drive_evens = 8;  // share of its surge that the pelvis loses for each gravity that drives it
+inline constexpr float k_drive_evens =
+    8;  // share of its surge that the pelvis loses for each gravity that drives it
 inline constexpr float k_drive_lean = 0.5f, k_bank_lean = 0.35f;  // radians over gravity
 inline constexpr float k_head_nod = 0.039f, k_head_roll = 0.3f, k_head_turn = 0.5f;
 
-// One who stands: pelvis to the side and its list for all of the body on one leg, metres and radians (twice
-// that once at rest); how far the chest goes back at the height of a breath.
-inline constexpr float k_idle_sway = 0.08f, k_idle_list = 0.12f, k_breath_lean = 0.014f;
+// One who stands: pelvis to the side, for all of the body on one leg, in what the feet are apart, at most so
+// many metres; its list then, radians (twice that once at rest); how far the chest goes back at the height of
+// a breath.
+inline constexpr float k_idle_sway = 0.5f, k_widest_sway = 0.3f;
+inline constexpr float k_idle_list = 0.12f, k_breath_lean = 0.014f;
 
 // Knees that a manner keeps bent are straight in standing, and bent again from 1 / crouches of a walk on.
 inline constexpr float k_crouches = 1.6f;
