@@ -9,8 +9,10 @@
 
 namespace flaneur {
 
-static constexpr float k_longest_lead = 0.46f;              // legs, from the root to a landing foot
-static constexpr float k_leap_lead = 0.36f;                 // likewise, where it lands from a leap
+static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
+static constexpr float k_aside_lead = 0.2f,
+                       k_most_aside = 0.06f;  // of its stance, metres; added by one who goes aside
+static constexpr float k_leap_lead = 0.36f;   // likewise, where it lands from a leap
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
@@ -72,8 +74,11 @@ Side other(Side side) { return side == k_left ? k_right : k_left; }
 // Where the foot should land if the walker goes on towards its wish, before the ground is asked.
 FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float seconds, float frequency) {
     float duty = g.duty[s.lane];
-    float stands = lerp(k_lead * s.person.lead[s.lane], k_run_lead, g.running[s.lane]) * duty / frequency,
-          until = seconds + stands;
+    // Who steps aside has the body between the feet, not beyond them.
+    float aside = (1 - std::fabs(g.course[s.lane])) * (1 - g.amplitude[s.lane]);
+    float lead_time =
+        lerp(k_lead * s.person.lead[s.lane], k_run_lead, g.running[s.lane]) + k_aside_lead * aside * aside;
+    float stands = lead_time * duty / frequency, until = seconds + stands;
     Vec2 later = expected_velocity(s, seconds);
     // Who walks turns by turning, below. Steps get quicker with the root of the speed.
     float speed2 = length_squared(s.velocity);
@@ -95,7 +100,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     Vec2 ahead = (s.velocity + later) * (0.5f * seconds), lead = way_under(s, later, stands);
     float leads = length(lead),
           behind = dot(on_ground(s.root) + ahead - there, lead) / std::max(leads, 1e-4f);
-    float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f;
+    float most_lead = 0.96f * std::max(behind, 0.0f) + 0.01f + k_most_aside * aside * aside;
     bool alone = !g.feet[other(side)].swinging[s.lane] && g.flight[s.lane] <= 0;
     most_lead = std::min(most_lead, lerp(k_longest_lead, 1.0f, g.running[s.lane]) * s.leg_length);
     if (alone && leads > most_lead) lead = lead * (most_lead / leads);
