@@ -285,16 +285,17 @@ HWY_INLINE void turn_if(M turns, SinCosOf<T>& half, SinCosOf<T> by) {
     half = {select(turns, turned.sine, half.sine), select(turns, turned.cosine, half.cosine)};
 }
 
-// Turns a foot on the ground toes down over its ball, by twice `half`.
+// Turns a foot toes down over its ball, by twice `half`; neither ball nor toes come below its way.
 template <class T, class M>
 HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SinCosOf<T> half) {
     turn_if(turns, foot.half, half);
-    SinCosOf<T> tilt = doubled(foot.half);
+    SinCosOf<T> tilt = doubled(foot.half), toes = doubled(foot.toe_half);
     T instep = size.ankle - size.ball_height;
-    T up = instep * tilt.cosine + size.ball * tilt.sine + size.ball_height;
+    T up = instep * tilt.cosine + size.ball * tilt.sine + size.ball_height * toes.cosine +
+           max(size.toe * toes.sine, T(0.0f));
     T ahead = size.ball - size.ball * tilt.cosine + instep * tilt.sine;
     T share = select(foot.swings > T(0.0f), foot.rolls, T(1.0f));
-    foot.ankle_up = select(turns, lerp(foot.ankle_up, up, share), foot.ankle_up);
+    foot.ankle_up = select(turns, max(lerp(foot.ankle_up, up, share), up), foot.ankle_up);
     foot.ankle_ahead = select(turns, lerp(foot.ankle_ahead, ahead, share), foot.ankle_ahead);
 }
 

@@ -269,7 +269,6 @@ HWY_INLINE void pose_leg(PoseBlock& out, size_t lane, int side, const Pelvis<T>&
         }
         auto hangs = tilted & (foot.swings > zero);
         turn_if(hangs, foot.half, over);
-        turn_if(hangs, foot.toe_half, over);
         break;
     }
     V3<T> ankle_os = hip_os + limb.end;
