@@ -69,7 +69,8 @@ std::optional<GroundHit> under(const Surroundings& around, Vec3 point) {
     return ground_at(around, point, k_step_up, k_step_down);
 }
 
-// The ground under four points of a sole.
+// The ground under four points of a sole, of which one is the ball.
+constexpr int k_ball = 2;
 struct Sampled {
     float along[4];
     std::optional<GroundHit> hits[4];
@@ -200,7 +201,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
             if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
         }
     }
-    if (s.highest < -1e8f) return {wanted, false, false, false};
+    if (!s.hits[k_ball]) return {wanted, false, false, false};  // heels alone bear nobody
     FootPlace place = wanted;
     place.position.y = s.highest;
     place.normal = {0, 1, 0};

@@ -31,7 +31,7 @@ inline constexpr float k_step_up = 0.45f, k_step_down = 0.8f;
 
 struct Footing {
     FootPlace place;
-    bool found = false;    // else there is no ground within k_step_up and k_step_down
+    bool found = false;    // else no ground within k_step_up and k_step_down is below its ball
     bool whole = false;    // one surface carries the whole sole
     bool stepped = false;  // an edge of a kerb or step lies near
 };

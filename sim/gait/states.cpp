@@ -21,6 +21,8 @@ static constexpr float k_quickest_before = 1.3f,
                        k_quickest_on_stairs = 2.4f;  // cycles/s, where the way rises or falls
 static constexpr float k_climbs = 0.15f;             // so much for each metre
 static constexpr float k_shuffle = 0.95f;            // cycles/s of stepping on the spot, aside and back
+static constexpr float k_starts = 0.2f;              // seconds ahead, for whose speed a start is quick,
+static constexpr float k_started = 1.4f;             // m/s, at most
 static constexpr float k_hasty = 1.5f;               // cycles/s of catching a push
 static constexpr float k_out_of_reach = 0.74f;       // legs; a foot farther from home leaves at once
 static constexpr float k_lost = 1.3f;                // legs; one farther than this is set down anew
@@ -86,6 +88,12 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
     return pushed ? std::max(f, k_hasty) : f;
 }
 
+// Who starts takes the first step as quickly as the next.
+float speed_soon(const Stepper& s) {
+    float speed = length(s.velocity);
+    return std::max(speed, std::min(length(expected_velocity(s, k_starts)), k_started));
+}
+
 // The foot that begins: the one left behind, the inner one of a turn, the one on the side of a step aside.
 Side first_foot(const Stepper& s, const Misfit (&off)[2], float slack) {
     Vec2 left{s.facing.z, -s.facing.x};
@@ -142,7 +150,7 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     g.first[lane] = g.restless[lane] = -1;
     if (length(s.velocity) < k_standing_speed && stays(g, s, side)) return;
     g.standing[lane] = 0;
-    g.frequency[lane] = wanted_frequency(g, s, length(s.velocity), off);
+    g.frequency[lane] = wanted_frequency(g, s, speed_soon(s), off);
     leave(g, s, side, g.frequency[lane]);
 }
 
@@ -332,7 +340,7 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
         stand(g, s, wants_step, worst > 2.2f || speed > 0.45f, off, slack);
     } else {
         // Steps stay quick while one slows down.
-        float f = wanted_frequency(g, s, speed, off);
+        float f = wanted_frequency(g, s, speed_soon(s), off);
         approach(g.frequency[lane], f, (f > g.frequency[lane] ? 6 : 2) * s.dt);
         advance_feet(g, s, wants_step, slow, off, slack);
     }
