@@ -32,6 +32,9 @@ HWY_INLINE T at(const float* values) {
     return v;
 }
 
+// One who stands lifts a foot by so many metres, and more for steps up to so long.
+inline constexpr float k_small_lift = 0.015f, k_small_more = 0.035f, k_small_step = 0.25f;
+
 template <class T>
 struct FootSizes {
     T ankle;        // height of the ankle over the sole
@@ -140,12 +143,13 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
     return lerp(pitch, T(k_forefoot_pitch), landing);
 }
 
-// Metres between the lowest point of a swinging foot and the ground below its way.
+// Metres between the lowest point of a swinging foot and the ground below its way, whose square is `far2`.
 template <class T>
-HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk) {
+HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk, T far2) {
     T u = swing.u, rest = swing.rest;
+    T small = T(k_small_lift) + T(k_small_more) * smoothstep(far2 * T(1 / (k_small_step * k_small_step)));
     T clearance = lerp(
-        swing.hop * T(0.05f),
+        swing.hop * small,
         T(k_clear_early) * (T(1.0f) + T(k_clear_pace) * walk.over) * swing.product2 * rest * rest * rest +
             (T(k_clear) + walk.clearance) * swing.hop + T(k_clear_late) * u * u * u * rest,
         walk.amplitude);
@@ -232,12 +236,12 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     T forefoot = at<T>(f.forefoot + lane), landing = landing_on_ball(time, forefoot);
     T drop = T(0.0f) - step_between(swing_ends(f.from, other.to, lane, origin_ws));
     T pitch = foot_pitch(time, walk, drop, landing);
-    T clearance = swing_clearance(time.swing, walk);
+    SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
+    T clearance = swing_clearance(time.swing, walk, ends.far.x * ends.far.x + ends.far.z * ends.far.z);
 
     Foot<T> out;
     out.drop = drop;
     pitch_foot(out, time, size, pitch, landing, clearance);
-    SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
     ends.falls = max(at<T>(f.falls + lane), T(0.1f));
     SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
     // Up a step, knees rise high; down, the way itself is clear of the ground left.

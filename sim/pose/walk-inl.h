@@ -246,7 +246,7 @@ HWY_INLINE Height<T> pelvis_height(const GaitBlock& g, const PersonBlock& p, siz
 
 // One leg from the pelvis to its foot. The knee looks where pelvis and foot do; never backwards in the frame
 // of the body. Where the shin tilts too far, the heel of a foot on the ground comes up, which bends the knee
-// anew; in the air the toes hang.
+// anew; in the air it hangs, and the toes point on.
 template <class T>
 HWY_INLINE void pose_leg(PoseBlock& out, size_t lane, int side, const Pelvis<T>& pelvis,
                          const Heading<T>& heading, const LimbSizes<T>& leg, const FootSizes<T>& foot_size,

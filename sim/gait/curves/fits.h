@@ -10,7 +10,7 @@ namespace flaneur {
 // heel, ball and tip with corners rounded over soft h metres, stays clear_early u^2 r^5 + clear h +
 // clear_late u^3 r metres above the ground; its toes hang droop h radians lower than in the norm and have a
 // share of its pitch, so that they stay bent up.
-inline constexpr float k_progress_late = 3.064f, k_progress_hop = -0.0318f;
+inline constexpr float k_progress_late = 3.22f, k_progress_hop = -0.0318f;
 inline constexpr float k_clear_early = 1.46f, k_clear = 0.001033f, k_clear_late = 0.03f;
 inline constexpr float k_pitch_pace = 0.04627f, k_clear_pace = 1.219f;
 inline constexpr float k_soft = 0.01195f, k_droop = -0.101f, k_toes = 0.4717f;
