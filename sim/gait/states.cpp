@@ -148,7 +148,7 @@ void stand(GaitBlock& g, const Stepper& s, bool wants_step, bool in_haste, const
     float carried = side == k_left ? g.load[lane] : 1 - g.load[lane];
     if ((carried > 0.15f && !in_haste) || g.feet[side].phase[lane] < g.duty[lane] - 1e-3f) return;
     g.first[lane] = g.restless[lane] = -1;
-    if (length(s.velocity) < k_standing_speed && stays(g, s, side)) return;
+    if (length(s.velocity) < k_standing_speed && !astride(g, s) && stays(g, s, side)) return;
     g.standing[lane] = 0;
     g.frequency[lane] = wanted_frequency(g, s, speed_soon(s), off);
     leave(g, s, side, g.frequency[lane]);
@@ -333,6 +333,8 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
     if (!slow || worst > 1) g.restless[lane] = -1;
     // Who turns begins to step before legs are wrung.
     float twist = std::max(off[k_left].twist, off[k_right].twist) + std::fabs(s.turn_rate) * k_turn_ahead;
+    const std::optional<Side> gathers = slow ? astride(g, s) : std::nullopt;
+    if (gathers && g.standing[lane]) g.restless[lane] = *gathers;
     bool wants_step = !slow || worst > 1 || twist > k_home_twist || g.restless[lane] >= 0;
     if (advance_jump(g, s)) {
         // The jump has moved the feet.

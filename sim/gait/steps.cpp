@@ -32,6 +32,8 @@ static constexpr float k_over_edge = 0.06f;    // metres
 static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;    // metres
 static constexpr float k_reach_treads = 1.0f;  // metres
+static constexpr float k_beside = 0.1f;        // metres from foot to foot, of one that has come beside
+static constexpr float k_over_foot = 0.65f;    // treads from a foot, on which one who stands still can stand
 static constexpr float k_one_step = 0.45f;     // metres, of a tread that nobody takes in two
 
 // Which way is outward: +1, to the left, or -1.
@@ -142,10 +144,13 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const Vec2 to = on_ground(wished.position - there.position);
     const float along = dot(to, direction), aside = to.x * direction.z - to.z * direction.x;
     Tread next = next_tread(s.around, there.position, direction, aside, k_reach_treads);
-    if (both && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
+    const bool stands =
+        length(s.velocity) < k_standing_speed &&
+        std::fabs(dot(on_ground(s.root - there.position), direction)) < k_over_foot * g.tread[s.lane];
+    if ((both || stands) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
         // Where edges run aslant, what lies beside that foot may be another tread.
         float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
-        float beside = next.begin > next.level ? std::max(std::min(0.0f, high), low) : 0;
+        float beside = both && next.begin > next.level ? std::max(std::min(0.0f, high), low) : 0;
         wished.position += at_height(direction * (beside - along), 0);
         return {};
     }
@@ -268,6 +273,18 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
 }
 
 }  // namespace
+
+std::optional<Side> astride(const GaitBlock& g, const Stepper& s) {
+    const FootBlock &l = g.feet[k_left], &r = g.feet[k_right];
+    if (g.tread[s.lane] <= 0 || l.swinging[s.lane] || r.swinging[s.lane]) return {};
+    if (std::fabs(l.to.y[s.lane] - r.to.y[s.lane]) < k_stair) return {};
+    auto ahead = [&](const FootBlock& foot) {
+        return dot(Vec2{foot.to.x[s.lane], foot.to.z[s.lane]} - on_ground(s.root), s.facing);
+    };
+    // Where it has not found room beside the other one, it has not.
+    if (std::fabs(ahead(l) - ahead(r)) < k_beside) return {};
+    return std::fabs(ahead(l)) > std::fabs(ahead(r)) ? k_left : k_right;
+}
 
 bool stays(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];

@@ -1,6 +1,8 @@
 // One foot's step: when it is due, where it goes, and its way there.
 #pragma once
 
+#include <optional>
+
 #include "sim/base/rng.h"
 #include "sim/gait/footing.h"
 #include "sim/gait/gait.h"
@@ -49,6 +51,9 @@ struct Misfit {
     float amount(float slack) const;
 };
 
+// The foot that one who stands on stairs with the feet on two treads is to set beside the other one: that
+// which is farther from the body.
+std::optional<Side> astride(const GaitBlock& gait, const Stepper& s);
 // Whether the ground has no better place for a foot of one who stands than where it is: then it is not asked
 // to step any more.
 bool stays(GaitBlock& gait, const Stepper& s, Side side);
