@@ -333,9 +333,9 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
     if (!slow || worst > 1) g.restless[lane] = -1;
     // Who turns begins to step before legs are wrung.
     float twist = std::max(off[k_left].twist, off[k_right].twist) + std::fabs(s.turn_rate) * k_turn_ahead;
-    const std::optional<Side> gathers = slow ? astride(g, s) : std::nullopt;
-    if (gathers && g.standing[lane]) g.restless[lane] = *gathers;
-    bool wants_step = !slow || worst > 1 || twist > k_home_twist || g.restless[lane] >= 0;
+    const std::optional<Side> gathers = slow && g.standing[lane] ? astride(g, s) : std::nullopt;
+    if (gathers) g.first[lane] = *gathers, g.restless[lane] = -1;
+    bool wants_step = !slow || gathers || worst > 1 || twist > k_home_twist || g.restless[lane] >= 0;
     if (advance_jump(g, s)) {
         // The jump has moved the feet.
     } else if (g.standing[lane]) {

@@ -144,10 +144,10 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const Vec2 to = on_ground(wished.position - there.position);
     const float along = dot(to, direction), aside = to.x * direction.z - to.z * direction.x;
     Tread next = next_tread(s.around, there.position, direction, aside, k_reach_treads);
-    const bool stands =
-        length(s.velocity) < k_standing_speed &&
-        std::fabs(dot(on_ground(s.root - there.position), direction)) < k_over_foot * g.tread[s.lane];
-    if ((both || stands) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
+    const bool stands = length(s.velocity) < k_standing_speed;
+    const bool gathers = stands && std::fabs(dot(on_ground(s.root - there.position), direction)) <
+                                       k_over_foot * g.tread[s.lane];
+    if ((both || gathers) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
         // Where edges run aslant, what lies beside that foot may be another tread.
         float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
         float beside = both && next.begin > next.level ? std::max(std::min(0.0f, high), low) : 0;
@@ -171,8 +171,9 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const Vec2 body = on_ground(s.root) + s.velocity * seconds;
     const float lead = dot(on_ground(there.position) - body, direction) + fit;
     const bool goes_on = tread > 0 && depth < k_one_step && lead < k_longest_lead * s.leg_length;
-    tread = goes_on || fit - along < k_farthest_shift ? depth : 0;
-    if (tread <= 0) return {};
+    const bool steps = goes_on || fit - along < k_farthest_shift;
+    if (steps || !stands) tread = steps ? depth : 0;
+    if (!steps) return {};
     wished.position += at_height(direction * (fit - along), 0);
     return next.down ? std::nullopt : std::optional(next.height);
 }

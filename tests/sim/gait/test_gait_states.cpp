@@ -351,6 +351,21 @@ TEST(GaitStates, ClimbsOneTreadAStep) {
     }
 }
 
+TEST(GaitStates, WhoStopsOnStairsGathersTheFeet) {
+    for (float sign : {1.0f, -1.0f}) {
+        int on_stairs = 0;
+        for (int stop = 0; stop < 24; ++stop) {
+            Tried t = make_tried(flight_of_14(sign), stop % 2 == 0 ? 1.75f : 1.6f);
+            for_seconds(t, 4.5f + 0.07f * static_cast<float>(stop), {0, 1.0f});
+            for_seconds(t, 3, {0, 0});
+            on_stairs += t.position.z > 3.4f && t.position.z < 7;
+            EXPECT_TRUE(t.block().standing[0]) << stop;
+            EXPECT_NEAR(t.foot(0).to.y[0], t.foot(1).to.y[0], 0.02f) << sign << " " << stop;
+        }
+        EXPECT_GE(on_stairs, 12);
+    }
+}
+
 TEST(GaitStates, SmallChildrenSetBothFeetOnEachTread) {
     for (float sign : {1.0f, -1.0f}) {
         Tried t = make_tried(flight_of_14(sign), 1.03f);
