@@ -91,6 +91,7 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
 // Who starts takes the first step as quickly as the next.
 float speed_soon(const Stepper& s) {
     float speed = length(s.velocity);
+    if (speed >= k_started) return speed;
     return std::max(speed, std::min(length(expected_velocity(s, k_starts)), k_started));
 }
 
