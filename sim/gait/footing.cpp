@@ -69,8 +69,9 @@ std::optional<GroundHit> under(const Surroundings& around, Vec3 point) {
     return ground_at(around, point, k_step_up, k_step_down);
 }
 
-// The ground under four points of a sole, of which one is the ball.
-constexpr int k_ball = 2;
+constexpr int k_ball = 2;  // of the four points
+
+// The ground under four points of a sole.
 struct Sampled {
     float along[4];
     std::optional<GroundHit> hits[4];

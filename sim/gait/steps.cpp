@@ -10,9 +10,9 @@
 namespace flaneur {
 
 static constexpr float k_longest_lead = 0.46f;  // legs, from the root to a landing foot
-static constexpr float k_aside_lead = 0.2f,
-                       k_most_aside = 0.06f;  // of its stance, metres; added by one who goes aside
-static constexpr float k_leap_lead = 0.36f;   // likewise, where it lands from a leap
+// Added by one who goes aside: to the share of the stance that it leads, and metres to the most.
+static constexpr float k_aside_lead = 0.2f, k_most_aside = 0.06f;
+static constexpr float k_leap_lead = 0.36f;                 // likewise, where it lands from a leap
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot

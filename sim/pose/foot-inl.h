@@ -143,7 +143,7 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
     return lerp(pitch, T(k_forefoot_pitch), landing);
 }
 
-// Metres between the lowest point of a swinging foot and the ground below its way, whose square is `far2`.
+// Metres between the lowest point of a swinging foot and the ground; `far2` is the square of its way.
 template <class T>
 HWY_INLINE T swing_clearance(const SwingTime<T>& swing, const WalkNow<T>& walk, T far2) {
     T u = swing.u, rest = swing.rest;

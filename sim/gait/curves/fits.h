@@ -63,8 +63,8 @@ inline constexpr float k_surge_cosine = 0.006715f, k_surge_sine = -0.01728f;
 // Trunk: radians by which it nods for each leg that the pelvis goes ahead, its turn over the pelvis's; head:
 // radians that it nods, rolls over the pelvis's list, its turn over the chest's.
 inline constexpr float k_nod = 1.84f, k_chest_turn = 0.64f;
-inline constexpr float k_drive_evens =
-    8;  // share of its surge that the pelvis loses for each gravity that drives it
+// The share of its surge that the pelvis loses for each gravity that drives it.
+inline constexpr float k_drive_evens = 8;
 inline constexpr float k_drive_lean = 0.5f, k_bank_lean = 0.35f;  // radians over gravity
 inline constexpr float k_head_nod = 0.039f, k_head_roll = 0.3f, k_head_turn = 0.5f;
 
