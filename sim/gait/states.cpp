@@ -202,6 +202,10 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         float left = std::max(behind_at_contact - off[1 - side].behind, 0.01f);
         return clamp((1 - phase) * speed / left, f, k_hasty_swing * f);
     };
+    // The body of one who walks comes to a foot ahead.
+    auto left_behind = [&](Side side) {
+        return slow || off[side].behind > 0 ? off[side].distance : off[side].aside();
+    };
     for (Side side : {k_left, k_right}) {
         FootBlock& foot = g.feet[side];
         float& phase = foot.phase[lane];
@@ -222,11 +226,11 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             continue;
         }
         // In time with the other foot, at once where the body has left it behind.
-        bool worse = off[side].distance >= off[1 - side].distance;
+        bool worse = left_behind(side) >= left_behind(static_cast<Side>(1 - side));
         float ahead = wrap_difference(phases[1 - side] + 0.5f - phase);
         float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
         if (worse && may_leave(g, s, side)) {
-            rate += std::max(off[side].distance + k_aside * off[side].aside() - reach, 0.0f) *
+            rate += std::max(left_behind(side) + k_aside * off[side].aside() - reach, 0.0f) *
                     (k_hurry / s.leg_length);
             if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);
         }

@@ -25,16 +25,17 @@ static constexpr float k_committed = 0.3f;     // seconds before contact in whic
 static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
 static constexpr float k_most_twist = 0.75f, k_easy_twist = 0.3f;  // radians of a leg, before its foot turns
                                                                    // on the ball; with its heel up
-static constexpr float k_stair = 0.07f;  // metres between feet that begin a flight of steps
-static constexpr float k_clear_of_edge = 0.1f, k_farthest_shift = 0.3f;  // metres
-static constexpr float k_deepest = 0.22f;      // legs from foot to foot, down a slope
-static constexpr float k_over_edge = 0.06f;    // metres
-static constexpr float k_still_up = 0.72f;     // phase of a swing, until which it may come down later
-static constexpr float k_off_riser = 0.02f;    // metres
-static constexpr float k_reach_treads = 1.0f;  // metres
-static constexpr float k_beside = 0.1f;        // metres from foot to foot, of one that has come beside
-static constexpr float k_over_foot = 0.65f;    // treads from a foot, on which one who stands still can stand
-static constexpr float k_one_step = 0.45f;     // metres, of a tread that nobody takes in two
+static constexpr float k_stair = 0.07f;           // metres between feet that begin a flight of steps
+static constexpr float k_clear_of_edge = 0.1f;    // metres
+static constexpr float k_farthest_shift = 0.34f;  // legs
+static constexpr float k_deepest = 0.22f;         // legs from foot to foot, down a slope
+static constexpr float k_over_edge = 0.06f;       // metres
+static constexpr float k_still_up = 0.72f;        // phase of a swing, until which it may come down later
+static constexpr float k_off_riser = 0.02f;       // metres
+static constexpr float k_reach_treads = 1.0f;     // metres
+static constexpr float k_beside = 0.1f;           // metres from foot to foot, of one that has come beside
+static constexpr float k_over_foot = 0.65f;  // treads from a foot, on which one who stands still can stand
+static constexpr float k_one_step = 0.45f;   // metres, of a tread that nobody takes in two
 
 // Which way is outward: +1, to the left, or -1.
 static float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
@@ -171,7 +172,7 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const Vec2 body = on_ground(s.root) + s.velocity * seconds;
     const float lead = dot(on_ground(there.position) - body, direction) + fit;
     const bool goes_on = tread > 0 && depth < k_one_step && lead < k_longest_lead * s.leg_length;
-    const bool steps = goes_on || fit - along < k_farthest_shift;
+    const bool steps = goes_on || fit - along < k_farthest_shift * s.leg_length;
     if (steps || !stands) tread = steps ? depth : 0;
     if (!steps) return {};
     wished.position += at_height(direction * (fit - along), 0);

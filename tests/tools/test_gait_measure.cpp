@@ -270,7 +270,8 @@ TEST(GaitCrowd, TellsTheWorstAndWhoseItIs) {
     velocity = {0, 1};
     for (w.tick = 1; w.tick < 80; ++w.tick)
         for (WalkerWatch& watch : watches) watch_walker(watch, w, 0);
-    for (const WorstWatch& worst : watches[1].worst) EXPECT_LT(worst.most, 0.01f);
+    for (int kind = 0; kind < worst_count; ++kind)
+        EXPECT_LT(watches[1].worst[kind].most, kind == worst_low ? 1 : 0.01f);
 
     auto lower = [&](float by) {
         for (Joint joint : {hips, head}) w.poses[0].position[joint][1][0] -= by;
@@ -290,6 +291,17 @@ TEST(GaitCrowd, TellsTheWorstAndWhoseItIs) {
     w.poses[0].position[left_toes][1][0] -= 0.04f;
     watch_walker(watches[1], w, 0);
     EXPECT_NEAR(worst[worst_below].most, 40, 1);
+
+    w.tick = 82;
+    float upright = w.gait.people[0].joints[hips][1][0], fell = worst[worst_low].most;
+    EXPECT_LT(fell, 5);
+    lower(0.3f);
+    watch_walker(watches[1], w, 0);
+    EXPECT_NEAR(worst[worst_low].most, fell + 30 / upright, 0.1);
+    w.gait.blocks[0].feet[k_left].from.y[0] -= 0.3f;  // the other foot is low as well: one steps up
+    w.poses[0].position[hips][1][0] += 0.01f;
+    watch_walker(watches[1], w, 0);
+    EXPECT_NEAR(worst[worst_low].most, fell + 30 / upright, 0.1);
 
     bool is_told = false;
     for (const std::string& line : worst_places(watches))

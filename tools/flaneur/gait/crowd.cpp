@@ -96,6 +96,17 @@ void note_worst(WalkerWatch& watch, Worst which, float value, uint32_t tick) {
     if (value > worst.most) worst = {value, tick};
 }
 
+// Percent; see worst_low.
+float pelvis_low(const World& world, size_t i, float pelvis_y) {
+    const GaitBlock& gait = world.gait.blocks[i / k_block];
+    size_t lane = i % k_block;
+    if (gait.running[lane] > 0 || gait.jump[lane] > 0) return 0;
+    float ground = std::numeric_limits<float>::max();
+    for (const FootBlock& foot : gait.feet) ground = std::min({ground, foot.from.y[lane], foot.to.y[lane]});
+    float upright = world.gait.people[i / k_block].joints[hips][1][lane];
+    return 100 * (1 - (pelvis_y - ground) / upright);
+}
+
 // How evenly the body moves, but in its first second, in which it takes its place.
 void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInstant (&feet)[2]) {
     Vec2 velocity = world.crowd.motion.velocity[i];
@@ -113,6 +124,7 @@ void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInst
         float falls = (2 * watch.pelvis[1] - watch.pelvis[0] - pelvis_y) / (k_tick * k_tick);
         if (!feet[k_left].swinging || !feet[k_right].swinging)
             note_worst(watch, worst_fall, falls, world.tick);
+        note_worst(watch, worst_low, pelvis_low(world, i, pelvis_y), world.tick);
     }
     watch.velocity = velocity;
     watch.head = head_y;

@@ -30,17 +30,22 @@ enum Worst : int {
     worst_head_rise,  // up or down, of one who walks on level ground, m/s
     worst_head_step,  // the same on any other ground
     worst_fall,       // of the pelvis while a foot stands, m/s2 down
+    worst_low,        // of the pelvis of one who walks or stands, below its upright height over the lower
+                      // foot, or over where that is about to land, percent of that height
     worst_count
 };
 struct WorstKind {
     const char* name;
     float goal;  // that nobody should be beyond
 };
-inline constexpr WorstKind k_worst[worst_count] = {
-    {"drift_max.mm", 10},           {"penetration_max.mm", 20},
-    {"float_max.mm", 30},           {"root_slowing_max.m_s2", 3.5f},
-    {"head_rise_max.m_s", 1},       {"head_rise_steps_max.m_s", 1.6f},
-    {"pelvis_fall_max.m_s2", 9.81f}};
+inline constexpr WorstKind k_worst[worst_count] = {{"drift_max.mm", 10},
+                                                   {"penetration_max.mm", 20},
+                                                   {"float_max.mm", 30},
+                                                   {"root_slowing_max.m_s2", 3.5f},
+                                                   {"head_rise_max.m_s", 1},
+                                                   {"head_rise_steps_max.m_s", 1.6f},
+                                                   {"pelvis_fall_max.m_s2", 9.81f},
+                                                   {"pelvis_low_max.percent", 20}};
 struct WorstWatch {
     float most = 0;
     uint32_t tick = 0;
