@@ -179,16 +179,6 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
             hit ? a && (!b || std::fabs(hit->height - a->height) < std::fabs(hit->height - b->height)) : !a;
         (before ? low : high) = middle;
     }
-    float over = high + size.heel + k_margin, back = low - size.tip - k_toe_room;
-    if (std::fabs(back) < std::fabs(over)) std::swap(over, back);
-    for (float shift : {over, back}) {
-        if (std::fabs(shift) > k_most_shift) continue;
-        Vec3 at = ahead_by(wanted.position, ahead, shift);
-        Sampled moved = sample(around, at, ahead, size);
-        if (!moved.one) continue;
-        Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
-        return with_room_around(around, found, ahead, size);
-    }
     // An edge along the foot, or the corner of one: beside it.
     const Vec2 beside{ahead.z, -ahead.x};
     auto height_beside = [&](float aside) {
@@ -199,8 +189,20 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
         for (float aside : {0.06f, 0.12f, -0.06f}) {
             Vec3 at = ahead_by(wanted.position, beside, outward * aside);
             Sampled moved = sample(around, at, ahead, size);
-            if (moved.one) return {on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+            if (!moved.one) continue;
+            Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+            return with_room_around(around, found, ahead, size);
         }
+    }
+    float over = high + size.heel + k_margin, back = low - size.tip - k_toe_room;
+    if (std::fabs(back) < std::fabs(over)) std::swap(over, back);
+    for (float shift : {over, back}) {
+        if (std::fabs(shift) > k_most_shift) continue;
+        Vec3 at = ahead_by(wanted.position, ahead, shift);
+        Sampled moved = sample(around, at, ahead, size);
+        if (!moved.one) continue;
+        Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
+        return with_room_around(around, found, ahead, size);
     }
     if (!s.hits[k_ball]) return {wanted, false, false, false};  // heels alone bear nobody
     FootPlace place = wanted;
@@ -211,7 +213,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
 
 bool meets_edge(const Surroundings& around, const FootPlace& place, const FootSize& size) {
     Vec2 ahead = heading_direction(place.yaw);
-    for (float along : {-size.heel, size.tip}) {
+    for (float along : {-size.heel - k_margin, size.tip + k_margin}) {
         if (rise_over(around, place, ahead, along) > k_riser) return true;
     }
     return false;

@@ -60,13 +60,13 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
         stride = sets_both_feet(s.leg_length) ? g.tread[lane] : 2 * g.tread[lane];
         bool climbs = std::fabs(g.rise[lane]) > k_climbs;
         if (speed > (climbs ? k_quickest_on_stairs : k_quickest_before) * stride) stride *= 2;
-        // A tread that lies farther than the foot would go is reached later.
-        Vec2 direction = normalize_or(s.velocity, s.facing);
-        for (const FootBlock& foot : g.feet) {
-            if (!foot.swinging[lane]) continue;
-            Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
-            stride *= 1 + clamp(1.5f * dot(beyond, direction) / stride, -0.25f, 0.25f);
-        }
+    }
+    // A place that lies farther than the foot would go is reached later.
+    Vec2 direction = normalize_or(s.velocity, s.facing);
+    for (const FootBlock& foot : g.feet) {
+        if (!foot.swinging[lane]) continue;
+        Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
+        stride *= 1 + clamp(1.5f * dot(beyond, direction) / stride, -0.25f, 0.25f);
     }
     float f =
         lerp(speed / stride, run_frequency(speed, s.leg_length), g.running[lane]) * (1 + g.quicker[lane]);

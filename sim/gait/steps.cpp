@@ -30,6 +30,7 @@ static constexpr float k_clear_of_edge = 0.1f;    // metres
 static constexpr float k_farthest_shift = 0.34f;  // legs
 static constexpr float k_deepest = 0.22f;         // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;       // metres
+static constexpr float k_lunge = 0.52f;           // legs, from the body ahead to a foot as it lands
 static constexpr float k_still_up = 0.72f;        // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;       // metres
 static constexpr float k_reach_treads = 1.0f;     // metres
@@ -181,13 +182,15 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
 Footing down_or_before(const Stepper& s, Side side, const Footing& down, const FootPlace& wished,
-                       Vec2 direction, const FootSize& size) {
+                       Vec2 direction, const FootSize& size, float seconds) {
     Footing over = clear_of_edge(s.around, down, direction, size, outward_of(side));
     float level = s.root.y - k_stair;
     float shift = dot(on_ground(over.place.position - wished.position), direction);
     if (shift < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
+    Vec2 body = on_ground(s.root) + s.velocity * seconds;
+    bool lunges = dot(on_ground(over.place.position) - body, direction) > k_lunge * s.leg_length;
     for (float back : {0.08f, 0.16f, 0.24f, 0.32f}) {
-        if (back > shift + k_over_edge) break;  // the longer step is less of a change
+        if (!lunges && back > shift + k_over_edge) break;  // the longer step is less of a change
         FootPlace nearer = wished;
         nearer.position += at_height(direction * -back, 0);
         Footing before = find_footing(s.around, nearer, size, outward_of(side));
@@ -237,7 +240,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         if (shorter.found) footing = shorter, wished = nearer;
     }
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
-        footing = down_or_before(s, side, footing, wished, direction, size);
+        footing = down_or_before(s, side, footing, wished, direction, size, seconds);
     // A body cannot be let down, or lifted, in no time.
     bool committed = !leaves && seconds < k_committed && g.flight[s.lane] <= 0;
     auto is_near = [&](const Footing& f) {
