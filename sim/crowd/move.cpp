@@ -19,7 +19,7 @@ static constexpr float k_sees_coming = 0.6f;  // metres between bodies from whic
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metres out
 static constexpr float k_hardest = 3.2f;      // m/s2, of one who brakes for a border or for others
-static constexpr float k_slow = 0.2f, k_foresees = 0.05f;       // m/s, seconds
+static constexpr float k_slow = 0.05f, k_foresees = 0.05f;      // m/s, seconds
 static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;  // metres, of one with a pram
 static constexpr size_t k_together = 64;                        // walkers whose ground is asked for at once
 static constexpr int k_contacts = 48;
@@ -37,8 +37,15 @@ struct Contacts {
 
 }  // namespace
 
+// The speed from which one who brakes comfortably, tick by tick, stops in so many metres.
+static float fastest_within(float room) {
+    constexpr float k_last = 0.5f * k_comfortable * k_tick;
+    return std::sqrt(2 * k_comfortable * room + k_last * k_last) - k_last;
+}
+
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
 static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Contacts& out) {
+    const Vec2 velocity = c.motion.velocity[me.id];
     Vec3 middle = me.position + at_height(me.ahead, 0);
     for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming,
                   [&](uint32_t begin, uint32_t end) {
@@ -50,8 +57,9 @@ static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Cont
                           if (std::fabs(middle.y - other.position.y) > k_other_level) continue;
                           Vec2 direction = away / d;
                           float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
-                          float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
-                          if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
+                          float nearing = fastest_within(room) + std::max(leaves, 0.0f);
+                          if (std::max(-dot(wish, direction), -dot(velocity, direction)) > nearing &&
+                              out.brake_count < k_contacts)
                               out.brakes[out.brake_count++] = {direction, -nearing};
                           if (d < touching + k_step_reach && out.count < k_contacts)
                               out.planes[out.count++] = {direction, -0.5f * room / k_tick};
@@ -62,6 +70,7 @@ static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Cont
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
 static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
+    const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
     float reach = me.radius + c.widest + k_sees_coming;
     for_seen_near(c.scratch, me.position, reach, [&](uint32_t begin, uint32_t end) {
@@ -77,8 +86,9 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
             // No faster towards the other than one can stop, or than it goes away.
             float leaves = -dot(other.velocity, direction);
             float room = std::max(d - touching, 0.0f) * (leaves < 0 ? 0.5f : 1.0f);
-            float nearing = std::sqrt(2 * k_comfortable * room) + std::max(leaves, 0.0f);
-            if (-dot(wish, direction) > nearing && out.brake_count < k_contacts)
+            float nearing = fastest_within(room) + std::max(leaves, 0.0f);
+            if (std::max(-dot(wish, direction), -dot(velocity, direction)) > nearing &&
+                out.brake_count < k_contacts)
                 out.brakes[out.brake_count++] = {direction, -nearing};
             if (d > touching + k_step_reach) continue;
             assert(out.count < k_contacts);  // more do not fit round one body
@@ -99,10 +109,10 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
                                 By by, Contacts& out) {
     NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
     const Vec2 moved = on_ground(end.position - from.position);
-    if (length(ahead - moved) < 0.01f || out.brake_count == k_contacts) return;
+    if (length(ahead - moved) < 0.002f || out.brake_count == k_contacts) return;
     const Vec2 inward = normalize_or(moved - ahead, {0, 0});
     const float room = -dot(moved, inward) - before;
-    out.brakes[out.brake_count++] = {inward, -std::sqrt(2 * k_comfortable * std::max(room, 0.0f))};
+    out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room, 0.0f))};
 }
 
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
@@ -115,7 +125,10 @@ static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v) {
             left += brake.normal * std::max(brake.offset - dot(left, brake.normal), 0.0f);
         }
     const float change = length(left - was), most = std::max(k_hardest * k_tick, length(v - was));
-    return change > most ? was + (left - was) * (most / change) : left;
+    if (change > most) left = was + (left - was) * (most / change);
+    // Who turns quickly does not brake as quickly.
+    const float speed = length(left), least = std::min(length(v), length(was) - k_hardest * k_tick);
+    return speed < least && speed > 0 ? left * (least / speed) : left;
 }
 
 // The largest share, 0..1, of velocity `v` that keeps to all planes.
