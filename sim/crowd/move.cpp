@@ -186,8 +186,13 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
                       : from;
         real = on_ground(to.position - from.position) / k_tick;
     }
-    // Stopped or turned aside by the border or by others: velocity is what became of it.
-    if (length_squared(real - v - near.push) > 1e-4f * 0.36f) {
+    // Stopped or turned aside by the border or by others: velocity is what became of it, but for what only
+    // kept one from being pushed.
+    Vec2 change = real - v - near.push;
+    if (length_squared(change) > 1e-4f * 0.36f) {
+        const float push = length(near.push);
+        const Vec2 pushed = normalize_or(near.push, {0, 0});
+        real = v + change + pushed * clamp(-dot(change, pushed), 0, push);
         float r = length(real);
         v = r > speed ? real * (speed / r) : real;
     }
