@@ -297,8 +297,10 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
     float gentle = lerp(shift, k_shift_walking, smoothstep(0.4f, 0.6f, g.amplitude[lane]));
     float rest = target - load,
           most = std::min({rate, std::sqrt(2 * gentle * std::fabs(rest)), std::fabs(rest) / s.dt});
+    float was = load;
     approach(g.load_rate[lane], rest > 0 ? most : -most, gentle * s.dt);
     load = clamp(load + g.load_rate[lane] * s.dt, 0, 1);
+    g.load_rate[lane] = (load - was) / s.dt;
 }
 
 // Heads turn to where the body is about to turn, some 200 ms before it (Grasso et al. 1996): as far ahead of
