@@ -8,7 +8,7 @@
 namespace flaneur {
 
 static constexpr float k_acceleration = 1.5f, k_braking = 2.6f;  // m/s2
-static constexpr float k_quickening = 16, k_slowing = 20;        // 1/s, of the rest of a change of speed
+static constexpr float k_quickening = 16, k_slowing = 10;        // 1/s, of the rest of a change of speed
 static constexpr float k_turn_acceleration = 7;                  // rad/s2
 static constexpr float k_fastest_turn = 2.35f;                   // rad/s
 static constexpr float k_sideways = 2.2f;                        // m/s2, turn rate times speed
