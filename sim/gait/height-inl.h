@@ -21,6 +21,7 @@ inline constexpr float k_step_down_least = 0.03f;  // metres
 inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;          // seconds
 inline constexpr float k_most_effort = 9;          // m/s2
+inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;
 inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
 inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
 inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that it is down
@@ -157,9 +158,10 @@ HWY_INLINE T carrying_height(const Climber<T>& c, T load) {
     T last_left = select(c.phase[k_left] < c.phase[k_right], one, T(0.0f)),
       left_high = select(is_left_high, one, T(0.0f));
     auto has_stepped_down = (c.stands < half) & (abs(last_left - left_high) > half);
-    auto waits = (high - low > T(k_step_down_least)) & (c.leg < T(k_both_feet_leg));
-    T share = T(0.6f) * select(is_left_high, load, one - load);
-    T on_both = select(has_stepped_down | waits, low, lerp(low, high, share));
+    auto is_child = c.leg < T(k_both_feet_leg);
+    T share = select(is_left_high, load, one - load);
+    share = share * select(is_child, T(k_child_rises), T(0.6f));
+    T on_both = select(has_stepped_down, low, lerp(low, high, share));
 
     auto l = c.swings[k_left] > half, r = c.swings[k_right] > half, flies = l & r;
     T to_left = height_on(c.to[k_left], c.root), to_right = height_on(c.to[k_right], c.root);
@@ -168,6 +170,12 @@ HWY_INLINE T carrying_height(const Climber<T>& c, T load) {
     T phase = select(l, c.phase[k_left], c.phase[k_right]);
     T u = smoothstep(c.duty, lerp(c.duty, one, T(0.6f)), phase);
     T swinging = select(flies | (to < from), lerp(from, to, u), from);
+    // A child lifts itself onto a step for most of the swing.
+    auto climbs =
+        is_child & (abs(c.swings[k_left] - c.swings[k_right]) > half) & (from - low > T(k_step_down_least));
+    T up = smoothstep(c.duty, lerp(c.duty, one, T(k_child_lifts)), phase);
+    swinging = select(climbs & (to >= from - T(k_step_down_least)),
+                      lerp(low, from, lerp(T(k_child_rises), one, up)), swinging);
     return select(l | r, swinging, on_both);
 }
 
