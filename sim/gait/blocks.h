@@ -23,7 +23,7 @@ struct FootBlock {
     FootPlaces to;            // where it stands, or will land
     float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
                               // way
-    float falls[k_block];     // share of a swing onto lower ground in which the foot comes down
+    float edge[k_block];      // how the swing passes the edge of a step: see SwingEnds in curves/swing-inl.h
     float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
     float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
     int32_t swinging[k_block];  // 1 from toe-off to contact

@@ -16,6 +16,7 @@ static constexpr float k_half_width = 0.045f;   // and beside its middle
 static constexpr float k_most_shift = 0.22f;    // metres
 static constexpr float k_riser = 0.05f;         // metres; higher edges are steps
 static constexpr float k_soonest_fall = 0.7f, k_latest_fall = 0.17f, k_passes = 0.05f;  // shares of a swing
+static constexpr float k_easily_higher = 0.03f;                                         // metres
 static constexpr float k_ledge = 1.1f;  // metres; higher ones cannot be jumped on
 
 FootPlace get_place(const FootPlaces& from, int lane) {
@@ -249,36 +250,58 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
     return same ? moved : down;
 }
 
-Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                      const FootSize& size, float running, float pace) {
-    constexpr float k_samples[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
-    kernel::SwingEnds<float> ends = ends_between(from, to);
-    Vec2 ahead = heading_direction(from.yaw + 0.5f * wrap_angle(to.yaw - from.yaw));
-    Clearing clearing;
-    bool is_down = to.position.y < from.position.y - k_riser;
-    if (is_down) {
-        // It may come down as soon as its heel has passed the edge.
-        clearing.falls = k_soonest_fall;
-        for (float u : {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f, 0.82f, 0.88f}) {
-            Vec3 heel = position_of(kernel::swing_path(ends, kernel::swing_time(u), running, pace).place);
-            auto hit = under(around, ahead_by(heel, ahead, -size.heel - k_margin));
-            if (hit && hit->height > to.position.y + k_riser)
-                clearing.falls = std::max(1 - u - k_passes, k_latest_fall);
-        }
-        ends.falls = clearing.falls;
-    }
-    for (float u : k_samples) {
+namespace {
+
+// Metres that the way between these ends has to be higher in its middle, with toes and heel at some shares of
+// its time, for these to pass.
+template <size_t N>
+float missing_height(const Surroundings& around, const kernel::SwingEnds<float>& ends, Vec2 ahead,
+                     const FootSize& size, float running, float pace, const float (&times)[N]) {
+    float missing = 0;
+    for (float u : times) {
         kernel::SwingTime<float> time = kernel::swing_time(u);
         Vec3 place = position_of(kernel::swing_path(ends, time, running, pace).place);
         // The heel is high after it has left, and when it steps down.
         for (float along : {size.tip, u < 0.45f ? size.ball : -size.heel}) {
             auto hit = under(around, ahead_by(place, ahead, along));
-            float lift = along < 0 && to.position.y < from.position.y - 0.07f ? 0.04f : 0;
-            if (hit)
-                clearing.obstacle = std::max(clearing.obstacle, (hit->height - place.y - lift) / time.hop);
+            float lift = along < 0 && ends.far.y < -0.07f ? 0.04f : 0;
+            if (hit) missing = std::max(missing, (hit->height - place.y - lift) / time.hop);
         }
     }
-    clearing.obstacle = std::min(clearing.obstacle, 0.35f);
+    return missing;
+}
+
+}  // namespace
+
+Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
+                      const FootSize& size, float running, float pace) {
+    constexpr float k_early[] = {0.06f, 0.1f, 0.15f, 0.2f},
+                    k_later[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
+    kernel::SwingEnds<float> ends = ends_between(from, to);
+    Vec2 ahead = heading_direction(from.yaw + 0.5f * wrap_angle(to.yaw - from.yaw));
+    auto missing = [&](const auto& times, const FootSize& sole) {
+        return missing_height(around, ends, ahead, sole, running, pace, times);
+    };
+    Clearing clearing;
+    float rise = to.position.y - from.position.y;
+    if (rise < -k_riser) {
+        // It may come down as soon as its heel has passed the edge.
+        ends.edge = k_soonest_fall;
+        for (float u : {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f, 0.82f, 0.88f}) {
+            Vec3 heel = position_of(kernel::swing_path(ends, kernel::swing_time(u), running, pace).place);
+            auto hit = under(around, ahead_by(heel, ahead, -size.heel - k_margin));
+            if (hit && hit->height > to.position.y + k_riser)
+                ends.edge = std::max(1 - u - k_passes, k_latest_fall);
+        }
+    } else if (rise > k_riser) {
+        const FootSize roomy{size.heel, size.ball, size.tip + k_toe_room};
+        for (float waits : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
+            ends.edge = waits;
+            if (missing(k_early, roomy) <= 0 && missing(k_later, roomy) < k_easily_higher) break;
+        }
+    }
+    clearing.edge = ends.edge;
+    clearing.obstacle = std::min(missing(k_later, size), 0.35f);
     return clearing;
 }
 

@@ -60,7 +60,7 @@ Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 dire
 // How a swing keeps clear of the ground.
 struct Clearing {
     float obstacle = 0;  // metres that it has to rise above the way that the pose gives it, at most 0.35
-    float falls = 0;     // see FootBlock
+    float edge = 0;      // see FootBlock
 };
 // So that neither toes nor heel meet the ground between two places. `running` and `pace` as in GaitBlock.
 Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,

@@ -272,7 +272,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         Clearing clearing = clear_ground(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane]);
         foot.obstacle[s.lane] = std::max(foot.obstacle[s.lane], clearing.obstacle);
         // A foot that has begun to come down goes on.
-        if (leaves || g.feet[side].phase[s.lane] < k_still_up) foot.falls[s.lane] = clearing.falls;
+        if (leaves || g.feet[side].phase[s.lane] < k_still_up) foot.edge[s.lane] = clearing.edge;
     }
     return true;
 }

@@ -242,7 +242,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Foot<T> out;
     out.drop = drop;
     pitch_foot(out, time, size, pitch, landing, clearance);
-    ends.falls = max(at<T>(f.falls + lane), T(0.1f));
+    ends.edge = at<T>(f.edge + lane);
     SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
     // Up a step, knees rise high; down, the way itself is clear of the ground left.
     if (any(path.steep > T(0.0f)))

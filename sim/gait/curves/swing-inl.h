@@ -36,13 +36,13 @@ HWY_INLINE T heel_up_after(T norm) {
 }
 
 // Both ends of a swing: the place left, and from there to the place of landing; likewise the unit normals of
-// the ground, whose x and z are given. And the last share of its time in which it comes down onto lower
-// ground.
+// the ground, whose x and z are given. And how it passes the edge of a step: the last share of its time in
+// which it comes down onto lower ground; how much it climbs before it goes on onto higher, 0..1.
 template <class T>
 struct SwingEnds {
     V3<T> from, far;
     T from_nx, from_nz, far_nx, far_nz;
-    T falls = T(k_step_falls);
+    T edge = T(k_step_falls);
 };
 
 // Where the foot is on its way.
@@ -110,8 +110,8 @@ HWY_INLINE T step_between(const SwingEnds<T>& ends) {
 
 // Over even ground the foot follows its slope, at the progress 3u^2 - 2u^3, less what the fits take off and
 // with what a run adds at this pace. What the slope does not explain is a step, with h metres to climb: a
-// foot climbs before it goes on, so that its toes pass the edges, and goes on before it comes down, so that
-// its heel does. Down is up played backwards, and sooner where the edge lies behind.
+// foot climbs before it goes on, as far as its toes need that to pass the edge, and goes on before it comes
+// down, so that its heel does. Down is up played backwards, and sooner where the edge lies behind.
 template <class T>
 HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>& time, T running, T pace) {
     T one = T(1.0f), u = time.u, rest = time.rest;
@@ -129,9 +129,9 @@ HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>&
         auto up = step > T(0.0f);
         T v = select(up, u, rest);  // of the climb, or of the descent backwards
         T far2 = far.x * far.x + far.z * far.z + T(0.01f);
-        T waits = select(up, steep, min(T(k_step_waits) * step * step / far2, one) * steep);
+        T waits = select(up, ends.edge, min(T(k_step_waits) * step * step / far2, one)) * steep;
         T climbs = min(T(k_step_climbs) + height, one);
-        climbs = select(up, climbs, lerp(ends.falls, climbs, waits));
+        climbs = select(up, climbs, lerp(ends.edge, climbs, waits));
         T onward = smoothstep((v - T(k_step_wait)) * T(1 / (1 - k_step_wait)));
         T upward = smoothstep(v / climbs);
         progress = select(steps, lerp(progress, select(up, onward, one - onward), waits), progress);
