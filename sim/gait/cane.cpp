@@ -27,7 +27,7 @@ constexpr float k_highest = 0.15f;
 constexpr float k_fastest = 4;  // m/s, of the tip
 constexpr float k_touches =
     0.018f;                       // metres from its goal, from where a tip that is late comes down at once,
-constexpr float k_slows = 0.25f;  // and before, the share of its way that it goes in a tick
+constexpr float k_slows = 0.15f;  // and before, the share of its way that it goes in a tick
 constexpr float k_skin = 0.002f;  // metres
 // Of a tip that is carried: metres above the ground, and ahead or behind where ground is looked for; of cane
 // and arm together, how high the shoulder is over it at least; 1/s, critically damped.

@@ -43,9 +43,12 @@ void advance_rest(GaitBlock& g, const Stepper& s) {
 }
 
 float resting_load(const GaitBlock& g, int lane, RandomKey chance) {
-    chance.when = static_cast<uint32_t>(g.breath[lane] / k_breaths_to_shift);
-    float shift = random_between(chance, k_least_shift, k_most_shift, 2);
-    return random_unit(chance, 3) < 0.5f ? 0.5f - shift : 0.5f + shift;
+    const auto turn = static_cast<uint32_t>(g.breath[lane] / k_breaths_to_shift);
+    chance.when = 0;
+    const bool left = random_unit(chance, 3) < 0.5f;
+    chance.when = turn;
+    const float shift = random_between(chance, k_least_shift, k_most_shift, 2);
+    return left == (turn % 2 == 0) ? 0.5f - shift : 0.5f + shift;
 }
 
 namespace {
@@ -103,6 +106,10 @@ void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
     if (relaxed == rests) return;
     if (relaxed < 0) {
         float ahead = draw_ahead(s) * (random_unit(s.chance, 101) < 0.75f ? 0.5f : -0.5f);
+        // A foot in the air that comes from a walk is set down ahead of the other one.
+        if (length_squared(s.velocity) > k_goes * k_goes &&
+            g.feet[rests].swinging[lane] != g.feet[stands].swinging[lane])
+            ahead = g.feet[rests].swinging[lane] ? std::fabs(ahead) : -std::fabs(ahead);
         // The foot of the last step stays where it is, if it may.
         for (Side side : {stands, rests})
             if (float lead = stands_ahead(g, s, side); lead > k_leads && !g.standing[lane])
