@@ -11,6 +11,7 @@ static constexpr float k_acceleration = 1.5f, k_braking = 2.6f;  // m/s2
 static constexpr float k_quickening = 16, k_slowing = 10;        // 1/s, of the rest of a change of speed
 static constexpr float k_turn_acceleration = 7;                  // rad/s2
 static constexpr float k_fastest_turn = 2.35f;                   // rad/s
+static constexpr float k_spot_turn = 1.7f;                       // rad/s, of one who hardly goes
 static constexpr float k_sideways = 2.2f;                        // m/s2, turn rate times speed
 static constexpr float k_turn_gain = 4;                          // turn rate for each radian to turn, 1/s
 static constexpr float k_turning_speed = 0.25f;                  // m/s; slower wishes do not turn a body
@@ -57,7 +58,8 @@ GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec
 
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
 static float next_turn_rate(float rate, float to_turn, float speed, float dt, float nimble) {
-    float most = nimble * std::min(k_fastest_turn, k_sideways / std::max(speed, 0.1f));
+    float fastest = lerp(k_spot_turn, k_fastest_turn, smoothstep(k_pivot_speed, k_bound, speed));
+    float most = nimble * std::min(fastest, k_sideways / std::max(speed, 0.1f));
     float brake = std::sqrt(2 * 0.7f * (nimble * nimble * k_turn_acceleration) * std::fabs(to_turn));
     float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
     float change = nimble * nimble * k_turn_acceleration * dt;

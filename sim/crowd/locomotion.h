@@ -27,7 +27,7 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 //   steps, a stop in two.
 // - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 135 deg/s at
 //   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
-//   spot.
+//   spot, at 97 deg/s.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).

@@ -233,6 +233,10 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             rate += std::max(left_behind(side) + k_aside * off[side].aside() - reach, 0.0f) *
                     (k_hurry / s.leg_length);
             if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);
+            // A child does not linger on the step that it has left.
+            bool left_above = g.tread[lane] > 0 && sets_both_feet(s.leg_length) &&
+                              foot.to.y[lane] > g.feet[1 - side].to.y[lane] + k_drop;
+            if (left_above) rate = std::max(rate, k_close);
         }
         if (wants_step) {
             phase += rate * s.dt;
