@@ -95,6 +95,7 @@ struct alignas(64) GaitBlock {
     float inhaled[k_block];                          // -1: breathed out .. 1: in
     float tilt_ahead[k_block], tilt_aside[k_block];  // radians that one who stands sways ahead, to the left
     float look[k_block];                             // yaw of the head against the body
+    float interest[k_block];                         // the same of what it would look at
     int32_t standing[k_block];                       // 1: both feet down and the phases at rest
     float frequency[k_block];                        // cycles a second
     float quicker[k_block];                          // share by which this step is

@@ -203,6 +203,8 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.dt = dt;
         stepper.chance = {seed, walker, tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;
+        // Every two seconds, not all at once.
+        stepper.glances = (tick + i * 37) % 120 == 0;
         return stepper;
     };
     for (size_t first = begin; first < end;) {
@@ -214,9 +216,8 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         find_misfits(g, people, rows);
         advance_paces(g, people, rows, dt);
         for (; first < last; ++first) {
-            // What a walker looks at changes every two seconds, not for all at once.
             const auto i = static_cast<uint32_t>(first);
-            const RandomKey look{seed, i, (tick + i * 37) / 120, Purpose::look};
+            const RandomKey look{seed, i, tick, Purpose::look};
             const size_t lane = first % k_block;
             const Stepper stepper = stepper_of(first, {rows.facing_x[lane], rows.facing_z[lane]});
             advance_walker(g, rows, stepper, look);

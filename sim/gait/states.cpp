@@ -62,11 +62,11 @@ float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const 
         if (speed > (climbs ? k_quickest_on_stairs : k_quickest_before) * stride) stride *= 2;
     }
     // A place that lies farther than the foot would go is reached later.
-    Vec2 direction = normalize_or(s.velocity, s.facing);
     for (const FootBlock& foot : g.feet) {
-        if (!foot.swinging[lane]) continue;
         Vec2 beyond{foot.goal.x[lane] - foot.wished_x[lane], foot.goal.z[lane] - foot.wished_z[lane]};
-        stride *= 1 + clamp(1.5f * dot(beyond, direction) / stride, -0.25f, 0.25f);
+        if (!foot.swinging[lane] || (beyond.x == 0 && beyond.z == 0)) continue;
+        float farther = dot(beyond, normalize_or(s.velocity, s.facing));
+        stride *= 1 + clamp(1.5f * farther / stride, -0.25f, 0.25f);
     }
     float f =
         lerp(speed / stride, run_frequency(speed, s.leg_length), g.running[lane]) * (1 + g.quicker[lane]);
@@ -314,7 +314,8 @@ void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     if (length_squared(s.wish) > k_goes * k_goes) coming = wrap_angle(heading_of(s.wish) - s.heading);
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
-    float interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
+    float& interest = g.interest[s.lane];
+    if (s.glances) interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
     float& look = g.look[s.lane];
     float change = (coming + interest * (1 - turns) - look) * lerp(3.5f, 9.0f, turns);
     look += clamp(change, -k_fastest_look, k_fastest_look) * s.dt;

@@ -23,6 +23,7 @@ struct Stepper {
     float dt = 0;
     RandomKey chance{};    // of this tick
     bool replans = false;  // looks at the landing place anew in this tick
+    bool glances = false;  // chooses anew what to look at in this tick
 };
 
 inline constexpr float k_reaction = 2.5f;         // m/s2, with which velocity is expected to follow the wish
