@@ -78,7 +78,7 @@ std::optional<Touch> find_touch(const Surroundings& around, const ReachingArm& a
     float distance = length(touch.palm - arm.shoulder);
     if (gap < 0.04f || distance > (held ? 1.0f : 0.93f) * arm.length) return std::nullopt;
     // An arm straight at the wall would bend the wrist farther than it goes.
-    if (gap > (held ? 0.92f : 0.85f) * distance) return std::nullopt;
+    if (gap > (held ? 0.85f : 0.8f) * distance) return std::nullopt;
     // Beside the body, and neither behind it nor where the wall has already ended.
     float along = dot(on_ground(touch.palm - arm.shoulder), arm.ahead);
     bool beside = -dot(touch.normal, arm.outward) > (held ? 0.5f : 0.7f);
