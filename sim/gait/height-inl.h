@@ -21,6 +21,8 @@ inline constexpr float k_step_down_least = 0.03f;  // metres
 inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;          // seconds
 inline constexpr float k_most_effort = 9;          // m/s2
+// Of a step that a small child climbs: share by which it rises while both feet stand, and share of the swing
+// until which it has risen.
 inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;
 inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
 inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
@@ -153,7 +155,7 @@ template <class T>
 HWY_INLINE T carrying_height(const Climber<T>& c, T load) {
     T half = T(0.5f), one = T(1.0f), left = c.on_from[k_left], right = c.on_from[k_right];
     T low = min(left, right), high = max(left, right);
-    // Whoever has stepped down stays down, and small children are below until the other foot comes after.
+    // Whoever has stepped down stays down.
     auto is_left_high = left > right;
     T last_left = select(c.phase[k_left] < c.phase[k_right], one, T(0.0f)),
       left_high = select(is_left_high, one, T(0.0f));

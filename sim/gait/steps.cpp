@@ -22,7 +22,8 @@ static constexpr float k_worth_it = 0.05f;     // metres, of a step of one who s
 static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
 static constexpr float k_about_there = 0.25f;  // metres between a landing that is kept and what is wished
 static constexpr float k_committed = 0.3f;     // seconds before contact in which it stays on its level
-static constexpr float k_following = 13;       // 1/s, of the landing place towards its goal
+static constexpr float k_committed_stopping = 0.15f;  // and of one who stops on stairs
+static constexpr float k_following = 13;              // 1/s, of the landing place towards its goal
 static constexpr float k_most_twist = 0.75f, k_easy_twist = 0.3f;  // radians of a leg, before its foot turns
                                                                    // on the ball; with its heel up
 static constexpr float k_stair = 0.07f;           // metres between feet that begin a flight of steps
@@ -147,8 +148,11 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const float along = dot(to, direction), aside = to.x * direction.z - to.z * direction.x;
     Tread next = next_tread(s.around, there.position, direction, aside, k_reach_treads);
     const bool stands = length(s.velocity) < k_standing_speed;
-    const bool gathers = stands && std::fabs(dot(on_ground(s.root - there.position), direction)) <
-                                       k_over_foot * g.tread[s.lane];
+    // Who stops sets the feet on the tread over which the body comes to rest.
+    const bool stops = length_squared(s.wish) < k_goes * k_goes;
+    const Vec2 rests = on_ground(s.root) + s.velocity * (length(s.velocity) / (2 * k_reaction));
+    const bool gathers =
+        stops && std::fabs(dot(rests - on_ground(there.position), direction)) < k_over_foot * g.tread[s.lane];
     if ((both || gathers) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
         // Where edges run aslant, what lies beside that foot may be another tread.
         float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
@@ -242,7 +246,9 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
         footing = down_or_before(s, side, footing, wished, direction, size, seconds);
     // A body cannot be let down, or lifted, in no time.
-    bool committed = !leaves && seconds < k_committed && g.flight[s.lane] <= 0;
+    bool goes = g.tread[s.lane] <= 0 || length_squared(s.wish) > k_goes * k_goes;
+    bool committed =
+        !leaves && seconds < (goes ? k_committed : k_committed_stopping) && g.flight[s.lane] <= 0;
     auto is_near = [&](const Footing& f) {
         return f.found && (!committed || std::fabs(f.place.position.y - foot.goal.y[s.lane]) < k_stair);
     };

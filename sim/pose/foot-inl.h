@@ -289,18 +289,30 @@ HWY_INLINE void turn_if(M turns, SinCosOf<T>& half, SinCosOf<T> by) {
     half = {select(turns, turned.sine, half.sine), select(turns, turned.cosine, half.cosine)};
 }
 
+// Where the ankle is of a foot whose ball stands on its way.
+template <class T>
+struct OverBall {
+    T up, ahead;
+};
+template <class T>
+HWY_INLINE OverBall<T> over_ball(const Foot<T>& foot, const FootSizes<T>& size) {
+    SinCosOf<T> tilt = doubled(foot.half), toes = doubled(foot.toe_half);
+    T instep = size.ankle - size.ball_height;
+    return {instep * tilt.cosine + size.ball * tilt.sine + size.ball_height * toes.cosine +
+                max(size.toe * toes.sine, T(0.0f)),
+            size.ball - size.ball * tilt.cosine + instep * tilt.sine};
+}
+
 // Turns a foot toes down over its ball, by twice `half`; neither ball nor toes come below its way.
 template <class T, class M>
 HWY_INLINE void turn_over_ball(M turns, Foot<T>& foot, const FootSizes<T>& size, SinCosOf<T> half) {
+    OverBall<T> was = over_ball(foot, size);
     turn_if(turns, foot.half, half);
-    SinCosOf<T> tilt = doubled(foot.half), toes = doubled(foot.toe_half);
-    T instep = size.ankle - size.ball_height;
-    T up = instep * tilt.cosine + size.ball * tilt.sine + size.ball_height * toes.cosine +
-           max(size.toe * toes.sine, T(0.0f));
-    T ahead = size.ball - size.ball * tilt.cosine + instep * tilt.sine;
+    OverBall<T> is = over_ball(foot, size);
     T share = select(foot.swings > T(0.0f), foot.rolls, T(1.0f));
-    foot.ankle_up = select(turns, max(lerp(foot.ankle_up, up, share), up), foot.ankle_up);
-    foot.ankle_ahead = select(turns, lerp(foot.ankle_ahead, ahead, share), foot.ankle_ahead);
+    T up = max(foot.ankle_up + (is.up - was.up) * share, is.up);
+    foot.ankle_up = select(turns, up, foot.ankle_up);
+    foot.ankle_ahead = select(turns, foot.ankle_ahead + (is.ahead - was.ahead) * share, foot.ankle_ahead);
 }
 
 // Reaches along the ground, whichever way, from which on a leaving leg bends, by so much of what is beyond.
