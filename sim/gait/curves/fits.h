@@ -23,7 +23,7 @@ inline constexpr float k_heel_rise = 0.1200f, k_push_pace = 0.3158f, k_forefoot_
 
 // Radians by which the heel rises while the body comes down to the other foot, whole from the second drop on,
 // metres.
-inline constexpr float k_tiptoe = 0.52f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
+inline constexpr float k_tiptoe = 0.66f, k_tiptoe_soft = 0.15f, k_drop_0 = 0.08f, k_drop_1 = 0.15f;
 
 // Height of the pelvis, see rise-inl.h: speed over sqrt(g leg) at a natural speed, harmonics there and by how
 // much they grow with the pace, the mean below upright; of one who stands.
