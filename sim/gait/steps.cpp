@@ -222,8 +222,8 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     std::optional<float> climbs_to;
     if (g.tread[s.lane] > 0) climbs_to = keep_to_treads(g, s, side, size, wished, seconds);
     Footing footing = find_footing(s.around, wished, size, outward_of(side));
-    if (footing.found && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f &&
-        std::fabs(step_between(there, footing.place)) > k_stair) {
+    const bool begins = !footing.found || std::fabs(step_between(there, footing.place)) > k_stair;
+    if (begins && g.tread[s.lane] <= 0 && g.running[s.lane] < 0.5f && g.flight[s.lane] <= 0) {
         climbs_to = keep_to_treads(g, s, side, size, wished, seconds);
         if (g.tread[s.lane] > 0) footing = find_footing(s.around, wished, size, outward_of(side));
     }

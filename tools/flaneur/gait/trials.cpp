@@ -193,12 +193,12 @@ Report try_bends(const Person& person, double speed) {
 }
 
 Report try_stairs(const Person& person, double speed, bool up, double riser, double tread) {
-    // Who runs has room to.
+    // Who runs has room to; on the level everybody goes at that speed.
     const bool runs = runs_on_stairs(person, speed);
     const float k_begin = runs ? 9 : 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
     Course course = stairs_course(k_begin, rise, run);
-    if (runs) course.ends = Surface::sidewalk;
+    course.ends = Surface::sidewalk;
     Ground ground = ground_of(course);
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_flight_steps - 4) * run));
