@@ -233,32 +233,6 @@ void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
     const FootInstant feet[2] = {foot_instant(*world.ground, world.gait, world.poses, i, k_left),
                                  foot_instant(*world.ground, world.gait, world.poses, i, k_right)};
     watch_feet(watch, feet, world.tick);
-    if (const char* dh = std::getenv("DH")) {
-        unsigned id, a, b;
-        if (std::sscanf(dh, "%u %u %u", &id, &a, &b) == 3 && id == i && world.tick >= a && world.tick <= b) {
-            const GaitBlock& g = world.gait.blocks[i / k_block];
-            size_t l = i % k_block;
-            bool cane = false;
-            for (auto& c : world.gait.canes)
-                if (c.walker == i) {
-                    cane = true;
-                    std::fprintf(stderr, "cane share %.2f held %.2f lost %u tip %.2f %.2f %.2f ",
-                                 (double)c.share, (double)c.held, c.lost,
-                                 (double)(c.tip.x - world.crowd.motion.position[i].x),
-                                 (double)(c.tip.y - world.crowd.motion.position[i].y),
-                                 (double)(c.tip.z - world.crowd.motion.position[i].z));
-                }
-            std::fprintf(stderr,
-                         "%u posture %d next %d hold %d %.2f %d %.2f reach %.2f %.2f pram %d bag %d standing "
-                         "%d v %.2f\n",
-                         world.tick, g.posture[l], g.next_posture[l], g.holds[0].kind[l],
-                         (double)g.holds[0].weight[l], g.holds[1].kind[l], (double)g.holds[1].weight[l],
-                         (double)g.hands[0].reach[l], (double)g.hands[1].reach[l],
-                         world.crowd.identity.ahead[i] > 0, world.gait.people[i / k_block].bag[l],
-                         g.standing[l], (double)length(world.crowd.motion.velocity[i]));
-            (void)cane;
-        }
-    }
     watch_body(watch, world, i, feet);
     watch_leg(watch, world, i, feet[k_left]);
 }
