@@ -43,6 +43,13 @@ static float fastest_within(float room) {
     return std::sqrt(2 * k_comfortable * room + k_last * k_last) - k_last;
 }
 
+// Nobody goes faster than `nearing` towards somebody, who is against `direction`.
+static void add_brake(Contacts& out, Vec2 direction, float nearing, Vec2 wish, Vec2 velocity) {
+    const float wished = -dot(wish, direction), is = -dot(velocity, direction);
+    if (std::max(wished, is) > nearing && out.brake_count < k_contacts)
+        out.brakes[out.brake_count++] = {direction, -nearing};
+}
+
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
 static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Contacts& out) {
     const Vec2 velocity = c.motion.velocity[me.id];
@@ -58,9 +65,7 @@ static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Cont
                           Vec2 direction = away / d;
                           float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
                           float nearing = fastest_within(room) + std::max(leaves, 0.0f);
-                          if (std::max(-dot(wish, direction), -dot(velocity, direction)) > nearing &&
-                              out.brake_count < k_contacts)
-                              out.brakes[out.brake_count++] = {direction, -nearing};
+                          add_brake(out, direction, nearing, wish, velocity);
                           if (d < touching + k_step_reach && out.count < k_contacts)
                               out.planes[out.count++] = {direction, -0.5f * room / k_tick};
                       }
@@ -87,9 +92,7 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
             float leaves = -dot(other.velocity, direction);
             float room = std::max(d - touching, 0.0f) * (leaves < 0 ? 0.5f : 1.0f);
             float nearing = fastest_within(room) + std::max(leaves, 0.0f);
-            if (std::max(-dot(wish, direction), -dot(velocity, direction)) > nearing &&
-                out.brake_count < k_contacts)
-                out.brakes[out.brake_count++] = {direction, -nearing};
+            add_brake(out, direction, nearing, wish, velocity);
             if (d > touching + k_step_reach) continue;
             assert(out.count < k_contacts);  // more do not fit round one body
             if (out.count < k_contacts) out.planes[out.count++] = {direction, -0.5f * gap / k_tick};

@@ -180,6 +180,12 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
             hit ? a && (!b || std::fabs(hit->height - a->height) < std::fabs(hit->height - b->height)) : !a;
         (before ? low : high) = middle;
     }
+    auto stands_at = [&](Vec3 at) -> std::optional<Footing> {
+        Sampled moved = sample(around, at, ahead, size);
+        if (!moved.one) return {};
+        return with_room_around(around, {on_surface(at, wanted.yaw, ahead, moved), true, true, true}, ahead,
+                                size);
+    };
     // An edge along the foot, or the corner of one: beside it.
     const Vec2 beside{ahead.z, -ahead.x};
     auto height_beside = [&](float aside) {
@@ -189,10 +195,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
     if (std::fabs(height_beside(0.06f) - height_beside(-0.06f)) > k_riser) {
         for (float aside : {0.06f, 0.12f, -0.06f}) {
             Vec3 at = ahead_by(wanted.position, beside, outward * aside);
-            Sampled moved = sample(around, at, ahead, size);
-            if (!moved.one) continue;
-            Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
-            return with_room_around(around, found, ahead, size);
+            if (auto found = stands_at(at)) return *found;
         }
     }
     float over = high + size.heel + k_margin, back = low - size.tip - k_toe_room;
@@ -200,10 +203,7 @@ Footing find_footing(const Surroundings& around, const FootPlace& wanted, const 
     for (float shift : {over, back}) {
         if (std::fabs(shift) > k_most_shift) continue;
         Vec3 at = ahead_by(wanted.position, ahead, shift);
-        Sampled moved = sample(around, at, ahead, size);
-        if (!moved.one) continue;
-        Footing found{on_surface(at, wanted.yaw, ahead, moved), true, true, true};
-        return with_room_around(around, found, ahead, size);
+        if (auto found = stands_at(at)) return *found;
     }
     if (!s.hits[k_ball]) return {wanted, false, false, false};  // heels alone bear nobody
     FootPlace place = wanted;

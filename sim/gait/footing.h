@@ -35,10 +35,11 @@ struct Footing {
     bool whole = false;    // one surface carries the whole sole
     bool stepped = false;  // an edge of a kerb or step lies near
 };
-// A place near `wanted` where a whole foot finds one surface: shifted along the foot by 0.22 m at most to
-// keep off an edge, and by 0.03 more from what rises just behind it or before it, or else, from an edge that
-// runs along it, by 0.12 m outward (+1: to the left of where it points, -1: to its right) or 0.06 inward, and
-// by half a sole's width, 0.045 m, from one beside it. On a tread too short for the foot, the one that ends
+// A place near `wanted` where a whole foot finds one surface: off an edge that runs along it, by 0.12 m
+// outward
+// (+1: to the left of where it points, -1: to its right) or 0.06 inward, or else shifted along the foot by
+// 0.22 m at most to keep off an edge; and by 0.03 more from what rises just behind it or before it, and by
+// half a sole's width, 0.045 m, from an edge beside it. On a tread too short for the foot, the one that ends
 // highest: the heel or the toes hang over.
 Footing find_footing(const Surroundings& around, const FootPlace& wanted, const FootSize& size,
                      float outward);

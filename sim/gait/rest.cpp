@@ -63,8 +63,7 @@ float draw_ahead(const Stepper& s) {
 float stands_ahead(const GaitBlock& g, const Stepper& s, Side side) {
     const FootBlock& foot = g.feet[side];
     if (foot.swinging[s.lane]) return 0;
-    Vec2 comes = s.velocity * (length(s.velocity) / (2 * k_reaction));
-    return dot(Vec2{foot.to.x[s.lane], foot.to.z[s.lane]} - on_ground(s.root) - comes, s.facing);
+    return dot(Vec2{foot.to.x[s.lane], foot.to.z[s.lane]} - on_ground(s.root) - stopping_way(s), s.facing);
 }
 
 void place_foot(GaitBlock& g, const Stepper& s, Side side, bool rests, float ahead) {
@@ -87,8 +86,7 @@ void place_foot(GaitBlock& g, const Stepper& s, Side side, bool rests, float ahe
 void advance_stance(GaitBlock& g, const Stepper& s, RandomKey chance) {
     int lane = s.lane;
     int32_t& relaxed = g.relaxed[lane];
-    bool goes = length_squared(s.wish) > k_goes * k_goes ||
-                length_squared(s.velocity) > k_comes_to_stand * k_comes_to_stand ||
+    bool goes = wishes_to_go(s) || length_squared(s.velocity) > k_comes_to_stand * k_comes_to_stand ||
                 std::fabs(s.turn_rate) > k_turns || g.jump[lane] > 0;
     if (goes) {
         if (relaxed < 0) return;

@@ -311,7 +311,7 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
 // the body as that is at the rate of its turns. And now and then to something of interest.
 void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     float coming = s.turn_rate * 0.2f;
-    if (length_squared(s.wish) > k_goes * k_goes) coming = wrap_angle(heading_of(s.wish) - s.heading);
+    if (wishes_to_go(s)) coming = wrap_angle(heading_of(s.wish) - s.heading);
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float& interest = g.interest[s.lane];

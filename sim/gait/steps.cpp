@@ -94,7 +94,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     }
 
     float turn = s.turn_rate * until;
-    if (length_squared(s.wish) > k_goes * k_goes) {
+    if (wishes_to_go(s)) {
         float rest = wrap_angle(heading_of(s.wish) - s.heading);
         turn = rest > 0 ? std::min(turn, rest) : std::max(turn, rest);
     }
@@ -149,10 +149,9 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     Tread next = next_tread(s.around, there.position, direction, aside, k_reach_treads);
     const bool stands = length(s.velocity) < k_standing_speed;
     // Who stops sets the feet on the tread over which the body comes to rest.
-    const bool stops = length_squared(s.wish) < k_goes * k_goes;
-    const Vec2 rests = on_ground(s.root) + s.velocity * (length(s.velocity) / (2 * k_reaction));
-    const bool gathers =
-        stops && std::fabs(dot(rests - on_ground(there.position), direction)) < k_over_foot * g.tread[s.lane];
+    const Vec2 rests = on_ground(s.root) + stopping_way(s);
+    const bool gathers = !wishes_to_go(s) && std::fabs(dot(rests - on_ground(there.position), direction)) <
+                                                 k_over_foot * g.tread[s.lane];
     if ((both || gathers) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
         // Where edges run aslant, what lies beside that foot may be another tread.
         float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
@@ -246,7 +245,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
         footing = down_or_before(s, side, footing, wished, direction, size, seconds);
     // A body cannot be let down, or lifted, in no time.
-    bool goes = g.tread[s.lane] <= 0 || length_squared(s.wish) > k_goes * k_goes;
+    bool goes = g.tread[s.lane] <= 0 || wishes_to_go(s);
     bool committed =
         !leaves && seconds < (goes ? k_committed : k_committed_stopping) && g.flight[s.lane] <= 0;
     auto is_near = [&](const Footing& f) {

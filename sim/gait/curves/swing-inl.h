@@ -131,7 +131,7 @@ HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>&
         T far2 = far.x * far.x + far.z * far.z + T(0.01f);
         T waits = select(up, ends.edge, min(T(k_step_waits) * step * step / far2, one)) * steep;
         T climbs = min(T(k_step_climbs) + height, one);
-        climbs = select(up, climbs, lerp(ends.edge, climbs, waits));
+        climbs = select(up, climbs, lerp(max(ends.edge, T(0.1f)), climbs, waits));
         T onward = smoothstep((v - T(k_step_wait)) * T(1 / (1 - k_step_wait)));
         T upward = smoothstep(v / climbs);
         progress = select(steps, lerp(progress, select(up, onward, one - onward), waits), progress);
