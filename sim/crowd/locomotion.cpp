@@ -113,8 +113,10 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
                         out = clamp(rate * lever, -most, most);
             const Vec2 way = heading_direction(heading);
             wish = wish - Vec2{way.z, -way.x} * out;
+            aim = wish;  // feet go where the body does
+        } else {
+            aim = aim * left;
         }
-        aim = aim * left;
     }
     Vec2 change = wish - v;
     bool brakes = dot(change, v) < 0;

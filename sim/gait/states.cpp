@@ -311,7 +311,9 @@ void advance_load(GaitBlock& g, const Stepper& s, RandomKey chance) {
 // the body as that is at the rate of its turns. And now and then to something of interest.
 void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     float coming = s.turn_rate * 0.2f;
-    if (wishes_to_go(s)) coming = wrap_angle(heading_of(s.wish) - s.heading);
+    const float off = wrap_angle(heading_of(s.wish) - s.heading);
+    // Who goes aside as he turns a pram looks where it turns to.
+    if (wishes_to_go(s) && off * s.turn_rate >= 0) coming = off;
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float& interest = g.interest[s.lane];

@@ -15,6 +15,7 @@ static constexpr float k_aside_lead = 0.2f, k_most_aside = 0.06f;
 static constexpr float k_leap_lead = 0.36f;                 // likewise, where it lands from a leap
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
+static constexpr float k_beside_most = 0.05f, k_crosses = 0.15f, k_crosses_before = 0.2f;  // metres
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
@@ -22,6 +23,7 @@ static constexpr float k_worth_it = 0.05f;     // metres, of a step of one who s
 static constexpr float k_settled = 0.09f;      // seconds before contact in which the landing place is kept
 static constexpr float k_about_there = 0.25f;  // metres between a landing that is kept and what is wished
 static constexpr float k_committed = 0.3f;     // seconds before contact in which it stays on its level
+static constexpr float k_at_hand = 0.04f;      // metres from the body's, of a level that it may change to
 static constexpr float k_committed_stopping = 0.15f;  // and of one who stops on stairs
 static constexpr float k_following = 13;              // 1/s, of the landing place towards its goal
 static constexpr float k_most_twist = 0.75f, k_easy_twist = 0.3f;  // radians of a leg, before its foot turns
@@ -123,7 +125,12 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     Vec2 outward = side == k_left ? Vec2{facing.z, -facing.x} : Vec2{-facing.z, facing.x};
     Vec2 apart = on_ground(place.position) - there + outward * g.feet[side].beside[s.lane];
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
-    if (missing > 0) apart += outward * missing;
+    if (missing > 0) {
+        // Where that would lead far beside the body, it crosses over in front of the other one.
+        const bool before = dot(apart, facing) > k_crosses_before;
+        apart +=
+            outward * (before ? std::max(std::min(missing, k_beside_most), missing - k_crosses) : missing);
+    }
     float step = length(apart);
     float longest = g.flight[s.lane] > 0 ? 1.6f : lerp(k_longest_step, k_longest_run_step, g.running[s.lane]);
     longest *= s.leg_length;
@@ -249,11 +256,21 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     bool committed =
         !leaves && seconds < (goes ? k_committed : k_committed_stopping) && g.flight[s.lane] <= 0;
     auto is_near = [&](const Footing& f) {
-        return f.found && (!committed || std::fabs(f.place.position.y - foot.goal.y[s.lane]) < k_stair);
+        const float y = f.place.position.y;
+        return f.found && (!committed || std::fabs(y - foot.goal.y[s.lane]) < k_stair ||
+                           std::fabs(y - g.base[s.lane]) < k_at_hand);
     };
-    Vec2 goal{foot.goal.x[s.lane], foot.goal.z[s.lane]};
-    if (committed && !is_near(footing) && length(on_ground(wished.position) - goal) < k_about_there)
-        return true;
+    if (committed && !is_near(footing)) {
+        // As near to there as its level goes.
+        const Vec3 kept{foot.goal.x[s.lane], wished.position.y, foot.goal.z[s.lane]};
+        for (float pull : {0.25f, 0.5f, 0.75f}) {
+            FootPlace nearer = wished;
+            nearer.position = lerp(wished.position, kept, pull);
+            footing = find_footing(s.around, nearer, size, outward_of(side));
+            if (is_near(footing)) break;
+        }
+        if (!is_near(footing) && length(on_ground(wished.position - kept)) < k_about_there) return true;
+    }
     if (!is_near(footing)) {
         bool jumps = leaves && g.flight[s.lane] <= 0 && g.amplitude[s.lane] > 0.3f;
         if (jumps && far_side(s.around, here, direction, k_longest_jump).distance > 0) return false;

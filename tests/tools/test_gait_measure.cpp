@@ -303,6 +303,22 @@ TEST(GaitCrowd, TellsTheWorstAndWhoseItIs) {
     watch_walker(watches[1], w, 0);
     EXPECT_NEAR(worst[worst_low].most, fell + 30 / upright, 0.1);
 
+    // Both feet to the right of the pelvis: of one who goes straight on, and of one whom a turn to the left
+    // leans.
+    const Vec2 facing = heading_direction(w.crowd.motion.heading[0]), left{facing.z, -facing.x};
+    const Vec3 pelvis = joint_pose(w.poses, 0, hips).position;
+    const float out = dot(on_ground(joint_pose(w.poses, 0, left_foot).position - pelvis), left);
+    EXPECT_LT(worst[worst_beside].most, 0.01f);
+    w.poses[0].position[hips][0][0] += 0.3f * left.x;
+    w.poses[0].position[hips][2][0] += 0.3f * left.z;
+    watch_walker(watches[1], w, 0);
+    EXPECT_NEAR(worst[worst_beside].most, 1000 * (0.3f - out), 1);
+    w.crowd.motion.turn_rate[0] = 1;
+    WalkerWatch turns = watches[0];
+    watch_walker(turns, w, 0);
+    const float leans = (pelvis.y - w.crowd.motion.position[0].y) * 0.9f / k_gravity;
+    EXPECT_NEAR(turns.worst[worst_beside].most, 1000 * (0.3f - out - leans), 1);
+
     bool is_told = false;
     for (const std::string& line : worst_places(watches))
         is_told =

@@ -107,6 +107,21 @@ float pelvis_low(const World& world, size_t i, float pelvis_y) {
     return 100 * (1 - (pelvis_y - ground) / upright);
 }
 
+// Metres; see worst_beside.
+float feet_beside(const World& world, size_t i) {
+    const CrowdMotion& motion = world.crowd.motion;
+    const Vec2 ahead = heading_direction(motion.heading[i]), left{ahead.z, -ahead.x};
+    auto at = [&](Joint joint) { return joint_pose(world.poses, i, joint).position; };
+    const Vec3 pelvis = at(hips);
+    auto beside = [&](Joint foot) { return dot(on_ground(at(foot) - pelvis), left); };
+    const float l = beside(left_foot), r = beside(right_foot);
+    // Who turns to the left has them on the right.
+    const float turns = length(motion.velocity[i]) * motion.turn_rate[i] / k_gravity;
+    const float outside = turns * (pelvis.y - motion.position[i].y);
+    return std::max(
+        {std::min(l, r) + std::min(outside, 0.0f), -std::max(l, r) - std::max(outside, 0.0f), 0.0f});
+}
+
 // How evenly the body moves, but in its first second, in which it takes its place.
 void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInstant (&feet)[2]) {
     Vec2 velocity = world.crowd.motion.velocity[i];
@@ -125,6 +140,7 @@ void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInst
         if (!feet[k_left].swinging || !feet[k_right].swinging)
             note_worst(watch, worst_fall, falls, world.tick);
         note_worst(watch, worst_low, pelvis_low(world, i, pelvis_y), world.tick);
+        note_worst(watch, worst_beside, 1000 * feet_beside(world, i), world.tick);
     }
     watch.velocity = velocity;
     watch.head = head_y;

@@ -32,6 +32,7 @@ enum Worst : int {
     worst_fall,       // of the pelvis while a foot stands, m/s2 down
     worst_low,        // of the pelvis of one who walks or stands, below its upright height over the lower
                       // foot, or over where that is about to land, percent of that height
+    worst_beside,     // of the pelvis to one side of both feet, beyond what the turn leans it, mm
     worst_count
 };
 struct WorstKind {
@@ -45,7 +46,8 @@ inline constexpr WorstKind k_worst[worst_count] = {{"drift_max.mm", 10},
                                                    {"head_rise_max.m_s", 1},
                                                    {"head_rise_steps_max.m_s", 1.6f},
                                                    {"pelvis_fall_max.m_s2", 9.81f},
-                                                   {"pelvis_low_max.percent", 20}};
+                                                   {"pelvis_low_max.percent", 20},
+                                                   {"feet_beside_max.mm", 150}};
 struct WorstWatch {
     float most = 0;
     uint32_t tick = 0;

@@ -197,9 +197,7 @@ Report try_stairs(const Person& person, double speed, bool up, double riser, dou
     const bool runs = runs_on_stairs(person, speed);
     const float k_begin = runs ? 9 : 3;
     auto rise = static_cast<float>(up ? riser : -riser), run = static_cast<float>(tread);
-    Course course = stairs_course(k_begin, rise, run);
-    course.ends = Surface::sidewalk;
-    Ground ground = ground_of(course);
+    Ground ground = ground_of(stairs_course(k_begin, rise, run));
     Walk w = walk(ground, person, 40, [&](double t) { return onward(t < k_stand ? 0 : speed); });
     Report r = steady(w, tick_past(w, k_begin + 4 * run), tick_past(w, k_begin + (k_flight_steps - 4) * run));
     double stairs = 0, odd = 0, steps = 0, leg = static_cast<double>(leg_length(person.body));

@@ -14,17 +14,12 @@ namespace {
 // Seconds: stands; then turns, changes or leaps; shown of a turn; of a change; of a leap; stands at the end.
 constexpr double k_stand = 1, k_steady = 5, k_turn = 2.7, k_change = 5, k_leap = 1.8, k_stop = 3;
 constexpr double k_turn_standing = 3.6, k_aside = 0.24, k_settle = 1.2;  // seconds; m/s aside; seconds after
-constexpr double k_fastest_walk = 2;  // m/s; who runs slows down before stairs
-constexpr float k_begin = 9;          // metres: where stairs, slopes and kerbs begin
+constexpr float k_begin = 9;  // metres: where stairs, slopes and kerbs begin
 
 Course course_of(const GaitOptions& gait) {
-    if (!gait.stairs.empty()) {
-        Course course =
-            stairs_course(k_begin, static_cast<float>(gait.stairs == "up" ? gait.riser : -gait.riser),
-                          static_cast<float>(gait.tread));
-        if (gait.speed > k_fastest_walk) course.ends = Surface::sidewalk;
-        return course;
-    }
+    if (!gait.stairs.empty())
+        return stairs_course(k_begin, static_cast<float>(gait.stairs == "up" ? gait.riser : -gait.riser),
+                             static_cast<float>(gait.tread));
     if (gait.slope != 0) return slope_course(k_begin, static_cast<float>(gait.slope / 100));
     if (gait.kerb != 0) return kerb_course(k_begin, static_cast<float>(gait.kerb));
     return level_course(0);

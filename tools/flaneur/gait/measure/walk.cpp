@@ -56,6 +56,7 @@ Course stairs_course(float begin, float rise, float tread) {
     };
     course.is_stepped = true;
     course.kind = Surface::steps;
+    course.ends = Surface::sidewalk;
     return course;
 }
 

@@ -76,7 +76,8 @@ inline constexpr int k_flight_steps = 40;
 
 // Level ground that one who begins at (0, 0) and goes so many metres, wherever, does not leave.
 Course level_course(float way);
-// A flight of k_flight_steps whose risers are `rise` high: down where that is negative.
+// A flight of k_flight_steps whose risers are `rise` high, down where that is negative, between level
+// sidewalks.
 Course stairs_course(float begin, float rise, float tread);
 // 60 m that rise by `grade` metres in one.
 Course slope_course(float begin, float grade);
