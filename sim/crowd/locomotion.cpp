@@ -8,7 +8,7 @@
 namespace flaneur {
 
 static constexpr float k_acceleration = 1.5f, k_braking = 2.6f;  // m/s2
-static constexpr float k_quickening = 16, k_slowing = 10;        // 1/s, of the rest of a change of speed
+static constexpr float k_quickening = 16, k_slowing = 6;         // 1/s, of the rest of a change of speed
 static constexpr float k_turn_acceleration = 7;                  // rad/s2
 static constexpr float k_fastest_turn = 2.35f;                   // rad/s
 static constexpr float k_spot_turn = 1.7f;                       // rad/s, of one who hardly goes

@@ -52,10 +52,12 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
 
 // The way that a body goes in so many seconds from `velocity` on, if it slows down towards its wish.
 static Vec2 way_under(const Stepper& s, Vec2 velocity, float seconds) {
-    float speed = length(velocity), less = speed - length(s.wish);
+    const float speed = length(velocity), to = std::min(length(s.wish), speed), less = speed - to;
     if (less <= 0) return velocity * seconds;
-    float until = std::min(less / k_reaction, seconds), slower = speed - k_reaction * until;
-    return velocity * ((0.5f * (speed + slower) * until + slower * (seconds - until)) / speed);
+    const float hard = std::min(std::max(less / k_reaction - 1 / k_gentle, 0.0f), seconds),
+                rest = less - k_reaction * hard,
+                gently = (1 - exponential(-k_gentle * (seconds - hard))) / k_gentle;
+    return velocity * ((to * seconds + 0.5f * (less + rest) * hard + rest * gently) / speed);
 }
 
 FootPlace home(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {

@@ -26,7 +26,8 @@ struct Stepper {
     bool glances = false;  // chooses anew what to look at in this tick
 };
 
-inline constexpr float k_reaction = 2.5f;         // m/s2, with which velocity is expected to follow the wish
+inline constexpr float k_reaction = 2.5f;         // m/s2, with which velocity is expected to follow the wish,
+inline constexpr float k_gentle = 6;              // 1/s, and at most so much of what is left
 inline constexpr float k_standing_speed = 0.08f;  // m/s; who is slower stands
 inline constexpr float k_goes = 0.1f;             // m/s, of a wish that turns the body
 inline constexpr float k_home_twist = 0.55f;      // radians; a standing foot turned farther steps,
@@ -36,7 +37,11 @@ inline constexpr float k_longest_jump = 1.8f;     // metres from the root to gro
 
 inline bool wishes_to_go(const Stepper& s) { return length_squared(s.wish) > k_goes * k_goes; }
 // The way that the body still goes if it stops.
-inline Vec2 stopping_way(const Stepper& s) { return s.velocity * (length(s.velocity) / (2 * k_reaction)); }
+inline Vec2 stopping_way(const Stepper& s) {
+    const float speed = length(s.velocity), hard = std::max(speed / k_reaction - 1 / k_gentle, 0.0f);
+    const float rest = std::min(speed, k_reaction / k_gentle);
+    return s.velocity * ((0.5f * (speed + rest) * hard + rest / k_gentle) / std::max(speed, 1e-4f));
+}
 // The velocity in so many seconds, as it is expected to follow the wish.
 Vec2 expected_velocity(const Stepper& s, float seconds);
 

@@ -211,6 +211,10 @@ HWY_INLINE void turn_held_hand(const HoldBlock& hold, size_t lane, T weight, Q4<
     hand_ws = select(holds, bent_ws, hand_ws);
 }
 
+// Ways are stairs that rise from the first to the second of these, metres for each metre ahead. The least
+// that arms swing there, of a natural walk's, and radians that those of the slow are spread.
+inline constexpr float k_stairs_0 = 0.2f, k_stairs_1 = 0.5f, k_stair_arms = 0.5f, k_stair_carriage = 0.13f;
+
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, a place on the body, or one on a wall; two-bone IK
 // brings it there.
@@ -225,14 +229,18 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     LimbSizes<T> size = limb_sizes(shoulder_ms.y - elbow_height, elbow_height - wrist_height);
     T elbow =
         lerp(lerp(T(0.22f), T(0.56f) + T(0.3f) * trunk.over, trunk.amplitude), T(k_run_elbow), trunk.running);
-    ArmSwing<T> swing{{trunk.amplitude * at<T>(p.arm_swing[k_left] + lane),
-                       trunk.amplitude * at<T>(p.arm_swing[k_right] + lane)},
-                      max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)) + trunk.running * T(k_run_arms),
-                      clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
-                      {at<T>(p.elbow[k_left] + lane) + elbow, at<T>(p.elbow[k_right] + lane) + elbow},
-                      at<T>(p.stoop + lane),
-                      smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
-                      doubled(sin_cos_half(at<T>(p.carriage + lane) + trunk.running * T(k_run_carriage)))};
+    // Who goes up or down steps slowly keeps the balance with the arms.
+    T balances = smoothstep(T(k_stairs_0), T(k_stairs_1), abs(at<T>(g.rise + lane)));
+    T swings = max(trunk.amplitude, balances * T(k_stair_arms));
+    T spread = balances * (T(1.0f) - trunk.amplitude) * T(k_stair_carriage);
+    ArmSwing<T> swing{
+        {swings * at<T>(p.arm_swing[k_left] + lane), swings * at<T>(p.arm_swing[k_right] + lane)},
+        max(T(0.85f) + T(1.85f) * trunk.over, T(0.3f)) + trunk.running * T(k_run_arms),
+        clamp(T(1.0f) + T(4.2f) * trunk.over, T(0.25f), T(2.0f)),
+        {at<T>(p.elbow[k_left] + lane) + elbow, at<T>(p.elbow[k_right] + lane) + elbow},
+        at<T>(p.stoop + lane),
+        smoothstep(T(k_arms_twice_0), T(k_arms_twice_1), trunk.curves.slow),
+        doubled(sin_cos_half(at<T>(p.carriage + lane) + spread + trunk.running * T(k_run_carriage)))};
     Axes<T> chest = axes_of(chest_ws);
     V3<T> to_clavicle_ws = chest.y * (clavicle_ms.y - chest_ms.y) + chest.z * (clavicle_ms.z - chest_ms.z);
     V3<T> to_shoulder_ws = chest.y * (shoulder_ms.y - chest_ms.y) + chest.z * (shoulder_ms.z - chest_ms.z);
@@ -277,10 +285,9 @@ HWY_INLINE void pose_arms(const GaitBlock& g, const PersonBlock& p, PoseBlock& o
     }
 }
 
-// Radians that a head is bowed to see where it treads, coming down stairs and climbing them, from the second
-// climb on, metres for each metre ahead; and the neck's share of that.
+// Radians that a head is bowed to see where it treads, coming down stairs and climbing them; and the neck's
+// share of that.
 inline constexpr float k_watch_down = 0.32f, k_watch_up = 0.17f, k_watch_neck = 0.5f;
-inline constexpr float k_watch_0 = 0.2f, k_watch_1 = 0.5f;
 
 // Chest, neck and head share the turn to what is looked at.
 inline constexpr AimJoint k_look[3] = {
@@ -303,8 +310,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
         sin_cos_half(trunk.curves.list * T(-0.35f) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
     // On stairs one watches them.
     T rise = at<T>(g.rise + lane);
-    T watches = T(k_watch_down) * smoothstep(T(k_watch_0), T(k_watch_1), T(0.0f) - rise) +
-                T(k_watch_up) * smoothstep(T(k_watch_0), T(k_watch_1), rise);
+    T watches = T(k_watch_down) * smoothstep(T(k_stairs_0), T(k_stairs_1), T(0.0f) - rise) +
+                T(k_watch_up) * smoothstep(T(k_stairs_0), T(k_stairs_1), rise);
     Q4<T> neck_ws = turned_x(Q4<T>{T(0.0f), T(0.0f), T(0.0f), one},
                              sin_cos_half(lean * T(0.55f) + stoops + watches * T(k_watch_neck)));
     neck_ws = after_y(plus(trunk.heading.half, sin_cos_half(look[1])), neck_ws);

@@ -194,7 +194,7 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
         idle * T(k_idle_sway) * clamp(astride, T(0.0f), T(k_widest_sway));
     curves.aside = at<T>(g.tilt_aside + lane) * stands;
     // Who speeds up or slows down does so by these surges.
-    T even = max(T(1.0f) - T(k_drive_evens) * abs(at<T>(g.drive + lane)), T(0.0f));
+    T even = T(1.0f) - smoothstep(abs(at<T>(g.drive + lane)) * T(k_drive_evens));
     curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude *
                    (T(1.0f) - walk.running) * even;
     curves.nod = curves.surge * T(-k_nod);

@@ -140,7 +140,7 @@ Examples:
   flaneur gait --stand 60 --style 3 --strip out/stand.png --view front
                                                            what the hands of one who waits do
   flaneur gait --stand 12 --aside 0.6 --strip out/aside.png --view front
-  flaneur gait --stairs down --age 80 --strip out/stairs.mp4 --moments 18:26
+  flaneur gait --stairs down --age 80 --strip out/stairs.mp4 --moments 9:17
                                                            a film of what a strip shows)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
