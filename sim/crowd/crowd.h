@@ -50,7 +50,7 @@ struct CrowdMotion {
     std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;   // of the heading, radians a second
     std::vector<uint32_t> polygon;  // of the mesh, under the position
-    std::vector<GroundHit> under;   // the ground there, or of one who hurries steps ahead: see slowing_ground
+    std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground
 };
 
 // Whether a walker waits for a path to be found: to its goal, or to one that is chosen first.

@@ -23,7 +23,7 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
-static constexpr float k_hurries = 1.45f;   // m/s, from which on steps are slowed down for ahead of them
+static constexpr float k_slows_for_steps = 1.8f;  // m/s2, of one who walks up to them
 // Of one with a pram: how nimble it is, 0..1; how fast at most the turn carries the pram's axle aside, of the
 // speed and in m/s where that is slow; how far the body goes outward for that, of the speed, and as
 // turned_forward bounds it.
@@ -37,16 +37,17 @@ float stair_speed(float speed, float stair_pace) {
     return std::min(speed, stair_pace * (walk + run));
 }
 
-float braking_way(float wished) {
+float braking_way(float wished, float stair_pace) {
     constexpr float k_before = 0.25f;  // seconds
-    float slow = stair_speed(wished);
-    if (wished <= k_hurries) return 0;
-    return (wished * wished - slow * slow) / (2 * k_braking) + k_before * wished;
+    const float slow = stair_speed(wished, stair_pace);
+    if (wished <= slow) return 0;
+    const float brakes = wished > k_runs ? k_braking : k_slows_for_steps;
+    return (wished * wished - slow * slow) / (2 * brakes) + k_before * wished;
 }
 
 GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec3 place, Vec2 velocity,
-                         float wished) {
-    float way = braking_way(wished);
+                         float wished, float stair_pace) {
+    float way = braking_way(wished, stair_pace);
     if (way <= 0 || under.kind == Surface::steps) return under;
     Vec2 ahead = normalize_or(velocity, {0, 0});
     for (float share : {1.0f, 0.5f}) {

@@ -43,13 +43,13 @@ inline constexpr float k_axle_to_middle = 0.2f;  // metres, of a pram (CrowdIden
 // who walks; of one who runs up to 1.1.
 float stair_speed(float speed, float stair_pace = 1);
 
-// Metres before steps from which on one who would like to go at `wished` slows down to that speed; 0 of one
-// who does not hurry, who slows down on the first.
-float braking_way(float wished);
+// Metres before steps from which on one who would like to go at `wished` slows down to the speed on them: who
+// walks a step or two before, to set the feet.
+float braking_way(float wished, float stair_pace = 1);
 
-// The ground that bounds how fast one may go at `place`: that `under` it or, of one who hurries, steps that
-// its `velocity` leads to within braking_way(wished), looked for at the end of that way and half-way.
+// The ground that bounds how fast one may go at `place`: that `under` it or steps that its `velocity` leads
+// to within braking_way(wished), looked for at the end of that way and half-way.
 GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec3 place, Vec2 velocity,
-                         float wished);
+                         float wished, float stair_pace = 1);
 
 }  // namespace flaneur

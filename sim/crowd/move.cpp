@@ -222,8 +222,9 @@ void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& wo
                 if (!hits[k]) continue;
                 uint32_t i = c.scratch.sorted[first + k].id;
                 c.scratch.next_position[i].y = hits[k]->height;
-                c.motion.under[i] = slowing_ground(around, *hits[k], c.scratch.next_position[i],
-                                                   c.scratch.next_velocity[i], length(c.decision.chosen[i]));
+                c.motion.under[i] =
+                    slowing_ground(around, *hits[k], c.scratch.next_position[i], c.scratch.next_velocity[i],
+                                   length(c.decision.chosen[i]), c.identity.stair_pace[i]);
             }
         }
     };

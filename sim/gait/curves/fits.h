@@ -33,7 +33,7 @@ inline constexpr float k_rise_c2 = -0.01225f, k_rise_c2_pace = -0.03913f, k_rise
 inline constexpr float k_rise_c4 = 0.0006924f, k_rise_s4 = -0.0004007f, k_rise_c6 = -0.001759f,
                        k_rise_s6 = -0.000178f;
 inline constexpr float k_sink = -0.0008523f, k_sink_step = 0.04754f, k_stand = 0.001f, k_steepest = 0.12f;
-inline constexpr float k_uphill = 12.28f, k_downstep = 0.1942f, k_spare_slow = 0.07006f;
+inline constexpr float k_uphill = 12.28f, k_downstep = 0.1f, k_spare_slow = 0.07006f;
 // The pelvis comes down for a landing once that asks for some such acceleration, m/s2, and goes up again at
 // this rate, 1/s, critically damped.
 inline constexpr float k_sink_effort = 5.2f, k_sink_release = 9.636f;

@@ -138,8 +138,10 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     for (uint32_t t = 0; t < ticks; ++t) {
         GroundHit under = ground_at(ground, position).value_or(GroundHit{});
         Vec2 wished = wish(t / result.rate);
-        under = slowing_ground(surroundings_of(ground), under, position, motion.velocity, length(wished));
-        wished = wish_on(under, wished, stair_pace(leg_length(person.body)));
+        const float pace = stair_pace(leg_length(person.body));
+        under =
+            slowing_ground(surroundings_of(ground), under, position, motion.velocity, length(wished), pace);
+        wished = wish_on(under, wished, pace);
         motion = next_motion(motion, wished, k_tick, look ? look(t / result.rate) : Vec2{},
                              person.body.pram != Vec3{} ? person.body.pram.z + k_pram_behind : 0);
         position += at_height(motion.velocity * k_tick, 0);
