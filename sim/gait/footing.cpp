@@ -231,7 +231,7 @@ float step_between(const FootPlace& from, const FootPlace& to) {
 
 Footing clear_of_edge(const Surroundings& around, const Footing& down, Vec2 direction, const FootSize& size,
                       float outward) {
-    constexpr float k_room = 0.10f;
+    constexpr float k_room = 0.06f;
     float height = down.place.position.y;
     auto above = [&](float behind) {
         auto hit = under(around, ahead_by(down.place.position, direction, -size.heel - behind));
