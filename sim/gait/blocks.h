@@ -82,7 +82,8 @@ struct alignas(64) GaitBlock {
     float step[k_block];       // length of a step over that of the leg, smoothed
     float course[k_block];     // cosine between the way walked and the heading: 1 ahead, 0 aside, -1 back
     float forward[k_block];    // m/s, along the heading
-    float drive[k_block];      // what speeds the body up, ahead, over gravity, smoothed
+    float push[k_block];       // what speeds the body up, ahead, over gravity, smoothed,
+    float drive[k_block];      // and smoothed again, so that nothing that goes by it begins with a jerk
     float bank[k_block];       // what turns it, to the left, over gravity, smoothed
     float rise[k_block];       // metres climbed for each metre walked, smoothed
     float lift[k_block];       // metres that a jump carries the body and both feet above their ways

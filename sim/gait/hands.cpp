@@ -11,14 +11,15 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_people = 0.5f;         // share of the people who touch walls at all
-constexpr float k_mood = 0.7f;           // share of the time that these do
-constexpr uint32_t k_mood_ticks = 480;   // how long a mood lasts
-constexpr uint32_t k_ask_ticks = 8;      // an idle hand looks for a wall every so many ticks
-constexpr float k_start_speed = 1.4f;    // m/s; a faster walker does not begin to touch,
-constexpr float k_hold_speed = 1.6f;     // nor goes on
-constexpr float k_catch_up = 0.6f;       // m/s that the palm moves over its walker
-constexpr float k_lift_off = 0.1f;       // m/s away from the wall after letting go
+constexpr float k_people = 0.5f;                       // share of the people who touch walls at all
+constexpr float k_mood = 0.7f;                         // share of the time that these do
+constexpr uint32_t k_mood_ticks = 480;                 // how long a mood lasts
+constexpr uint32_t k_ask_ticks = 8;                    // an idle hand looks for a wall every so many ticks
+constexpr float k_start_speed = 1.4f;                  // m/s; a faster walker does not begin to touch,
+constexpr float k_hold_speed = 1.6f;                   // nor goes on
+constexpr float k_catch_up = 0.6f;                     // m/s that the palm moves over its walker
+constexpr float k_lift_off = 0.1f;                     // m/s away from the wall after letting go
+constexpr float k_straight = 0.92f, k_onward = 0.38f;  // of an arm's length; of its reach, ahead
 constexpr float k_below_coping = 0.06f;  // of the palm on a wall lower than where it would rest, metres
 
 // What an arm needs to know of its walker.
@@ -82,7 +83,9 @@ std::optional<Touch> find_touch(const Surroundings& around, const ReachingArm& a
     // Beside the body, and neither behind it nor where the wall has already ended.
     float along = dot(on_ground(touch.palm - arm.shoulder), arm.ahead);
     bool beside = -dot(touch.normal, arm.outward) > (held ? 0.5f : 0.7f);
-    return beside && along > 0 && along < 0.5f ? std::optional(touch) : std::nullopt;
+    // Nor does the wrist of an arm that is nearly straight bend from there to fingers that point ahead.
+    const bool bends = distance > k_straight * arm.length && along < k_onward * distance;
+    return beside && !bends && along > 0 && along < 0.5f ? std::optional(touch) : std::nullopt;
 }
 
 Vec3 get_palm(const HandBlock& h, int lane) { return {h.x[lane], h.y[lane], h.z[lane]}; }

@@ -24,7 +24,9 @@ inline constexpr float k_most_effort = 9;          // m/s2
 // Of a step that a small child climbs: share by which it rises while both feet stand, and share of the swing
 // until which it has risen.
 inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;
-inline constexpr float k_let_down_effort = 5;      // m/s2, from which on one lets the body down
+inline constexpr float k_let_down_effort = 5,
+                       k_first_effort = 8;  // m/s2, from which on one lets the body down
+inline constexpr float k_descends = 0.1f;  // metres for each metre ahead, of one who goes down stairs already
 inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
 inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that it is down
 // Down stairs the leg that lands takes up the rest of the fall: over so much of the time that both feet
@@ -225,14 +227,15 @@ HWY_INLINE T left_at_landing(const Descent<T, M>& d, T velocity) {
 template <class T>
 HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     T w = T(k_base_stiffness);
-    auto stairs = c.tread > T(0.0f);
+    auto stairs = (c.tread > T(0.0f)) & (c.rise < T(-k_descends));
     auto d = descent_of(c);
     T spring = w * w * (target - c.base) - T(2.0f) * w * c.base_velocity;
-    // Off a kerb as late as may be, so that the knee which carries does not bend for long; down stairs
-    // evenly.
+    // Off a kerb, and onto the first stair, as late as may be, so that the knee which carries does not bend
+    // for long; down stairs evenly.
     T effort = least_effort(d.by, c.base_velocity, max(d.until + d.later, T(k_soonest)));
     T waits = w * w * (d.from - c.base) - T(2.0f) * w * c.base_velocity;
-    T urged = smoothstep(T(0.5f * k_let_down_effort), T(k_let_down_effort), T(0.0f) - effort);
+    T hard = select(c.tread > T(0.0f), T(k_first_effort), T(k_let_down_effort));
+    T urged = smoothstep(T(0.5f), T(1.0f), (T(0.0f) - effort) / hard);
     urged = select(stairs | (c.base_velocity < T(-k_lets_down)), T(1.0f), urged);
     return select(d.begins, lerp(min(waits, T(0.0f)), effort, urged), spring);
 }

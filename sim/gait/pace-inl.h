@@ -18,7 +18,7 @@ namespace flaneur::HWY_NAMESPACE {
 inline constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 inline constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
 inline constexpr float k_turning = 3.2f;              // and shares of it a second
-inline constexpr float k_leaning = 5;                 // 1/s
+inline constexpr float k_leaning = 5, k_driving = 6;  // 1/s
 
 // As in gait.h.
 template <class T>
@@ -78,16 +78,17 @@ HWY_INLINE void advance_paces(GaitBlock& g, const PersonBlock& p, const StepperR
     T bank = clamp(speed * row<T>(s.turn_rate, lane) / T(k_gravity), zero - most, most);
     T course = select(speed > T(k_standing_speed), forward / max(speed, T(k_standing_speed)), one);
     auto follow = [&](float* to, T target, T step) { keep(approached(row<T>(to, lane), target, step), to); };
-    auto lean = [&](float* to, T target) {
+    auto lean = [&](float* to, T target, float quickly) {
         T is = row<T>(to, lane);
-        keep(is + (target - is) * T(k_leaning) * dt, to);
+        keep(is + (target - is) * T(quickly) * dt, to);
     };
     follow(g.amplitude, smoothstep(T(0.1f), T(0.85f), speed), T(2.6f) * dt);
     follow(g.pace, sqrt(froude), T(0.9f) * dt);
     follow(g.step, speed / (T(2.0f) * leg * frequency), lerp(T(1.2f), T(4.0f), running) * dt);
     follow(g.course, course, T(4.0f) * dt);
-    lean(g.drive, drive);
-    lean(g.bank, bank);
+    lean(g.drive, row<T>(g.push, lane), k_driving);
+    lean(g.push, drive, k_driving);
+    lean(g.bank, bank, k_leaning);
     keep(running, g.running);
     keep(duty, g.duty);
     keep(forward, g.forward);

@@ -34,6 +34,7 @@ static constexpr float k_farthest_shift = 0.34f;  // legs
 static constexpr float k_deepest = 0.22f;         // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;       // metres
 static constexpr float k_lunge = 0.52f;           // legs, from the body ahead to a foot as it lands
+static constexpr float k_first_lead = 0.36f;      // and onto the first stair down
 static constexpr float k_still_up = 0.72f;        // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;       // metres
 static constexpr float k_reach_treads = 1.0f;     // metres
@@ -182,10 +183,11 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     // Long treads take two steps, and so may the one before a flight; on it, who slows down goes on to the
     // next if the body comes after.
     const float depth = next.end - next.begin;
-    const Vec2 body = on_ground(s.root) + s.velocity * seconds;
+    const Vec2 body = on_ground(s.root) + way_under(s, s.velocity, seconds);
     const float lead = dot(on_ground(there.position) - body, direction) + fit;
     const bool goes_on = tread > 0 && depth < k_one_step && lead < k_longest_lead * s.leg_length;
-    const bool steps = goes_on || fit - along < k_farthest_shift * s.leg_length;
+    const bool begins = tread > 0 || !next.down || lead < k_first_lead * s.leg_length;
+    const bool steps = goes_on || (begins && fit - along < k_farthest_shift * s.leg_length);
     if (steps || !stands) tread = steps ? depth : 0;
     if (!steps) return {};
     wished.position += at_height(direction * (fit - along), 0);
@@ -199,7 +201,7 @@ Footing down_or_before(const Stepper& s, Side side, const Footing& down, const F
     float level = s.root.y - k_stair;
     float shift = dot(on_ground(over.place.position - wished.position), direction);
     if (shift < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
-    Vec2 body = on_ground(s.root) + s.velocity * seconds;
+    Vec2 body = on_ground(s.root) + way_under(s, s.velocity, seconds);
     bool lunges = dot(on_ground(over.place.position) - body, direction) > k_lunge * s.leg_length;
     for (float back : {0.08f, 0.16f, 0.24f, 0.32f}) {
         if (!lunges && back > shift + k_over_edge) break;  // the longer step is less of a change

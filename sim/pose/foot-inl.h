@@ -131,7 +131,7 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
     // Who lets the body down onto a lower step stands on the ball meanwhile: shins tilt only so far.
     auto lets_down = time.planted & (drop > T(k_drop_0));
     if (any(lets_down)) {
-        T down = smoothstep(T(0.18f), T(0.42f), norm) * T(k_tiptoe);
+        T down = smoothstep(T(0.32f), T(0.50f), norm) * T(k_tiptoe);
         T share = smoothstep(T(k_drop_0), T(k_drop_1), drop);
         pitch = select(lets_down, lerp(pitch, soft_min(pitch, zero - down, down * T(k_tiptoe_soft)), share),
                        pitch);
