@@ -41,7 +41,7 @@ float braking_way(float wished, float stair_pace) {
     constexpr float k_before = 0.25f;  // seconds
     const float slow = stair_speed(wished, stair_pace);
     if (wished <= slow) return 0;
-    const float brakes = wished > k_runs ? k_braking : k_slows_for_steps;
+    const float brakes = wished >= k_runs ? k_braking : k_slows_for_steps;
     return (wished * wished - slow * slow) / (2 * brakes) + k_before * wished;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "sim/base/math.h"
 #include "sim/body/body.h"
@@ -264,15 +265,18 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         return f.found && (!committed || std::fabs(y - foot.goal.y[s.lane]) < k_stair ||
                            std::fabs(y - g.base[s.lane]) < k_at_hand);
     };
+    auto find_towards = [&](Vec3 to, std::initializer_list<float> pulls) {
+        for (float pull : pulls) {
+            FootPlace nearer = wished;
+            nearer.position = lerp(wished.position, to, pull);
+            footing = find_footing(s.around, nearer, size, outward_of(side));
+            if (is_near(footing)) return;
+        }
+    };
     if (committed && !is_near(footing)) {
         // As near to there as its level goes.
         const Vec3 kept{foot.goal.x[s.lane], wished.position.y, foot.goal.z[s.lane]};
-        for (float pull : {0.25f, 0.5f, 0.75f}) {
-            FootPlace nearer = wished;
-            nearer.position = lerp(wished.position, kept, pull);
-            footing = find_footing(s.around, nearer, size, outward_of(side));
-            if (is_near(footing)) break;
-        }
+        find_towards(kept, {0.25f, 0.5f, 0.75f});
         if (!is_near(footing) && length(on_ground(wished.position - kept)) < k_about_there) return true;
     }
     if (!is_near(footing)) {
@@ -281,12 +285,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         // Nearer to the root, which is known to stand on ground.
         Vec2 root = on_ground(s.root) + s.velocity * (committed ? seconds : 0);
         Vec3 known = at_height(root, wished.position.y);
-        for (float pull : {0.35f, 0.7f, 1.0f}) {
-            FootPlace nearer = wished;
-            nearer.position = lerp(wished.position, known, pull);
-            footing = find_footing(s.around, nearer, size, outward_of(side));
-            if (is_near(footing)) break;
-        }
+        find_towards(known, {0.35f, 0.7f, 1.0f});
         if (committed && !is_near(footing)) return true;
         if (!footing.found) footing.place.position.y = s.root.y;
     }

@@ -138,7 +138,8 @@ TEST(Locomotion, RunnersTakeStairsInTwiceTheRhythmOfAWalk) {
             walked += length(m.velocity) * k_tick;
         }
         EXPECT_LT(walked, way) << speed;
-        EXPECT_GT(walked, 0.35f * way) << speed;
+        // Who walks brakes early, to set the feet.
+        EXPECT_GT(walked, (speed < 2 ? 0.35f : 0.5f) * way) << speed;
     }
 }
 
