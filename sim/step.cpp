@@ -42,7 +42,7 @@ void for_those_there(const Crowd& crowd, size_t begin, size_t end, const Work& w
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
-        const CrowdMotion& m = w.crowd.motion;
+        CrowdMotion& m = w.crowd.motion;
         RootMotion root{m.position.data(), m.velocity.data(), m.heading.data(), m.turn_rate.data(),
                         m.wish.data()};
         parallel_for(*w.workers, w.crowd.count, k_blocks_a_chunk * k_block,
@@ -51,6 +51,7 @@ void step_bodies(World& w) {
                              advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
                              reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
                              advance_holds(w.gait, first, last, root, w.seed, w.tick, k_tick);
+                             for (size_t i = first; i < last; ++i) m.lands[i] = next_landing(w.gait, i);
                          });
                      });
     });

@@ -49,6 +49,8 @@ struct CrowdMotion {
     std::vector<Vec2> wish;         // what it is led to: as decided, as fast as ground and turns let one go
     std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;   // of the heading, radians a second
+    std::vector<float> lands;       // seconds until the foot in the air comes down, as the gait says; 0: none is
+    std::vector<uint8_t> brakes;    // 1: it slows down already
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground
 };

@@ -30,6 +30,8 @@ static constexpr float k_slows_for_steps = 1.8f;  // m/s2, of one who walks up t
 static constexpr float k_pushing = 0.35f, k_rolls_on = 0.41f, k_round = 0.3f;
 static constexpr float k_outward = 0.26f, k_most_outward = 0.63f;
 static constexpr float k_bend = 0.4f;  // 1/m; narrower bends are taken slower
+// m/s, of speed to lose: one slows down; all at once. Seconds before a landing that are not worth a wait.
+static constexpr float k_slows = 0.1f, k_at_once = 0.35f, k_about_down = 0.03f;
 
 float stair_speed(float speed, float stair_pace) {
     float walk = clamp(0.42f * speed, 0.5f, 0.6f), run = clamp(k_stair_run * (speed - k_runs), 0.0f, 0.5f);
@@ -88,6 +90,9 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
+    const bool slows = speed - wished > k_slows, goes_on = wished < k_turning_speed || dot(wish, v) > 0.9f * wished * speed;
+    const bool finishes_step = slows && !motion.brakes && goes_on && speed - wished > k_at_once && speed < k_runs && motion.lands > k_about_down;
+    if (finishes_step) wish = v, wished = speed;
     Vec2 aim = wish;
 
     bool turns = wished > k_turning_speed;
@@ -131,7 +136,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
         v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
                            lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
     }
-    return {v, heading, rate, aim};
+    return {v, heading, rate, aim, 0, slows && !finishes_step};
 }
 
 }  // namespace flaneur

@@ -112,9 +112,18 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
                                 By by, Contacts& out) {
     NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
     const Vec2 moved = on_ground(end.position - from.position);
-    if (length(ahead - moved) < 0.002f || out.brake_count == k_contacts) return;
-    const Vec2 inward = normalize_or(moved - ahead, {0, 0});
-    const float room = -dot(moved, inward) - before;
+    if (out.brake_count == k_contacts) return;
+    Vec2 inward = normalize_or(moved - ahead, {0, 0});
+    float room = -dot(moved, inward) - before;
+    if (length(ahead - moved) < 0.002f) {
+        // It comes there, but maybe round a corner.
+        if (end.polygon == from.polygon) return;
+        const auto border = first_border(mesh, from.position, end.position);
+        if (!border) return;
+        const Vec2 a = on_ground(border->a), ab = on_ground(border->b) - a;
+        inward = normalize_or(Vec2{-ab.z, ab.x}, {0, 0});
+        room = dot(on_ground(from.position) - a, inward) - before;
+    }
     out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room, 0.0f))};
 }
 
@@ -164,14 +173,24 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
         add_brake_at_border(mesh, thread, from, ahead, 0, by, near);
     }
-    if (near.brake_count > 0)
+    bool hurries = false;  // has no time to finish a step
+    if (near.brake_count > 0) {
+        const Vec2 wished = wish;
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
-    Motion motion = next_motion({m.velocity[i], m.heading[i], m.turn_rate[i], {}}, wish, k_tick,
+        hurries = wish.x != wished.x || wish.z != wished.z;
+    }
+    Motion motion = next_motion({.velocity = m.velocity[i],
+                                 .heading = m.heading[i],
+                                 .turn_rate = m.turn_rate[i],
+                                 .lands = hurries ? 0 : m.lands[i],
+                                 .brakes = m.brakes[i] != 0},
+                                wish, k_tick,
                                 c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
+    m.brakes[i] = motion.brakes;
     Vec2 v = braked(near, m.velocity[i], motion.velocity);
     float speed = length(v);
 

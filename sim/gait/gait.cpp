@@ -236,6 +236,18 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
     }
 }
 
+float next_landing(const Gait& gait, size_t walker) {
+    const GaitBlock& g = gait.blocks[walker / k_block];
+    const size_t lane = walker % k_block;
+    float soonest = 0;
+    for (const FootBlock& foot : g.feet) {
+        if (!foot.swinging[lane]) continue;
+        const float seconds = (1 - foot.phase[lane]) / std::max(foot.rate[lane], k_least_swing * g.frequency[lane]);
+        if (soonest == 0 || seconds < soonest) soonest = seconds;
+    }
+    return soonest;
+}
+
 void jump(Gait& gait, size_t walker) {
     begin_jump(gait.blocks[walker / k_block], static_cast<int>(walker % k_block));
 }

@@ -73,6 +73,9 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt);
 
+// Seconds until a foot of the walker that is in the air comes down; 0: both stand.
+float next_landing(const Gait& gait, size_t walker);
+
 // Jumps, over a gap or up a ledge say: crouch, flight with both feet, crouch, up again; nothing while a jump
 // is under way. Whoever moves the root goes on as before. Walkers also jump by themselves where the next step
 // finds no ground, or one more than 0.45 m higher, but ground within 1.8 m.

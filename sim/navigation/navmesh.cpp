@@ -146,31 +146,38 @@ static bool is_beyond(const Navmesh& m, Vec3 p, float reach, float most) {
 }
 
 // Not Detour's raycast: it can run for ever along an edge that the ray touches.
-bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
-    constexpr float k_forgiven_start = 0.02f, k_forgiven_end = 0.05f;
+std::optional<BorderLine> first_border(const Navmesh& m, Vec3 from, Vec3 to, float forgiven_start, float forgiven_end) {
     Vec2 p = on_ground(from), way = on_ground(to) - p;
-    float distance = length(way);
-    if (distance <= k_forgiven_end) return true;
-    Vec2 direction = way / distance;
-    // From a place on the border straight out over it, maybe to another place on the border.
-    constexpr float k_look = 0.1f, k_beyond = 0.015f;
-    if (is_beyond(m, lerp(from, to, std::min(k_look / distance, 0.5f)), k_look + 0.05f, k_beyond))
-        return false;
-    bool clear = true;
-    for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float) {
+    const float distance = length(way);
+    if (distance <= forgiven_end) return {};
+    const Vec2 direction = way / distance;
+    float first = distance - forgiven_end;
+    std::optional<BorderLine> found;
+    for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float exit) {
         for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
             const BorderLine& line = m.borders[m.border_grid.items[k]];
             Vec2 ab = on_ground(line.b - line.a), to_a = on_ground(line.a) - p;
             float outward = cross(direction, ab);  // positive when the way leaves the mesh here
             if (outward <= 1e-6f) continue;
             float t = cross(to_a, ab) / outward, s = cross(to_a, direction) / outward;
-            if (t <= k_forgiven_start || t >= distance - k_forgiven_end || s < 0 || s > 1) continue;
+            if (t <= forgiven_start || t >= first || s < 0 || s > 1) continue;
             float rise = lerp(line.a.y, line.b.y, s) - lerp(from.y, to.y, t / distance);
-            if (std::fabs(rise) < k_same_level) clear = false;
+            if (std::fabs(rise) < k_same_level) first = t, found = line;
         }
-        return clear;
+        return first > exit;
     });
-    return clear;
+    return found;
+}
+
+bool is_clear(const Navmesh& m, Vec3 from, Vec3 to) {
+    constexpr float k_forgiven_start = 0.02f, k_forgiven_end = 0.05f;
+    const float distance = length(on_ground(to - from));
+    if (distance <= k_forgiven_end) return true;
+    // From a place on the border straight out over it, maybe to another place on the border.
+    constexpr float k_look = 0.1f, k_beyond = 0.015f;
+    if (is_beyond(m, lerp(from, to, std::min(k_look / distance, 0.5f)), k_look + 0.05f, k_beyond))
+        return false;
+    return !first_border(m, from, to, k_forgiven_start, k_forgiven_end);
 }
 
 int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, int capacity) {

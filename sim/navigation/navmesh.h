@@ -91,15 +91,20 @@ int find_path(const Navmesh& mesh, int thread, NavPoint from, NavPoint to, Vec3*
 // result's height is the mesh's, coarse; ask `ground_at` for the surface.
 NavPoint move_along(const Navmesh& mesh, int thread, NavPoint from, Vec3 to, By by = By::feet);
 
-// Whether the straight way between two places of the mesh does not leave it. Its first 2 cm and last 5 cm are
-// forgiven, for places on the border.
-bool is_clear(const Navmesh& mesh, Vec3 from, Vec3 to);
-
 // A straight piece of the mesh's border. Walking from `a` to `b` has the mesh on the side where cross(b - a,
 // p - a) > 0.
 struct BorderLine {
     Vec3 a, b;
 };
+
+// The first border over which the straight way between two places of the mesh leaves it, if any does. So
+// many of its first and last metres are not looked at.
+std::optional<BorderLine> first_border(const Navmesh& mesh, Vec3 from, Vec3 to, float forgiven_start = 0,
+                                       float forgiven_end = 0);
+
+// Whether the straight way between two places of the mesh does not leave it. Its first 2 cm and last 5 cm are
+// forgiven, for places on the border.
+bool is_clear(const Navmesh& mesh, Vec3 from, Vec3 to);
 
 // The border lines within `radius` of `point` and near its height, nearest first (ties by order in the mesh),
 // at most `capacity` (up to 32); returns how many.

@@ -35,6 +35,9 @@ HWY_INLINE T at(const float* values) {
 // One who stands lifts a foot by so many metres, and more for steps up to so long.
 inline constexpr float k_small_lift = 0.015f, k_small_more = 0.035f, k_small_step = 0.25f;
 
+// Metres that a foot swings higher up a step, and a small child's down one.
+inline constexpr float k_lifts_up = 0.02f, k_child_lifts_down = 0.018f;
+
 template <class T>
 struct FootSizes {
     T ankle;        // height of the ankle over the sole
@@ -245,10 +248,12 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     pitch_foot(out, time, size, pitch, landing, clearance);
     ends.edge = at<T>(f.edge + lane);
     SwingPath<T> path = swing_path(ends, time.swing, walk.running, walk.pace);
-    // Up a step, knees rise high; down, the way itself is clear of the ground left.
-    if (any(path.steep > T(0.0f)))
-        out.ankle_up = out.ankle_up - select(path.step > T(0.0f), time.swing.hop * path.steep * T(-0.02f),
-                                             clearance * path.steep);
+    // Up a step, knees rise high; down, the way itself is clear of the ground left, but for short legs.
+    if (any(path.steep > T(0.0f))) {
+        T zero = T(0.0f), lifts = time.swing.hop * path.steep;
+        T small = select(walk.leg < T(k_both_feet_leg), lifts * T(k_child_lifts_down), zero);
+        out.ankle_up = out.ankle_up + select(path.step > zero, lifts * T(k_lifts_up), small - clearance * path.steep);
+    }
     out.place_os = path.place;
     out.place_os.y = path.place.y + at<T>(f.obstacle + lane) * time.swing.hop + walk.lift;
 

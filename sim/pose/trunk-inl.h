@@ -49,6 +49,7 @@ struct PelvisCurves {
     T twist;             // of the chest, the other way than the pelvis turns
     T sway;              // to the left, metres
     T surge, aside;      // ahead; to the left of one who sways: legs
+    T climb;             // forward, of one who climbs stairs
     T nod;               // forward, of pelvis and trunk: keeps the head from the surge
     T breath;            // -1 .. 1, of one who stands
     T slow;              // how much longer feet stand than at a natural speed, as a share of the cycle
@@ -214,6 +215,8 @@ HWY_INLINE void turn_held_hand(const HoldBlock& hold, size_t lane, T weight, Q4<
 // Ways are stairs that rise from the first to the second of these, metres for each metre ahead. The least
 // that arms swing there, of a natural walk's, and radians that those of the slow are spread.
 inline constexpr float k_stairs_0 = 0.2f, k_stairs_1 = 0.5f, k_stair_arms = 0.5f, k_stair_carriage = 0.13f;
+// Radians that the slow lean ahead more as they climb stairs; of a small child, for whom they are high.
+inline constexpr float k_climb_lean = 0.07f, k_child_climb_lean = 0.28f;
 
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, a place on the body, or one on a wall; two-bone IK
@@ -301,8 +304,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     T one = T(1.0f);
     T look[3];  // of chest, neck and head
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
-    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.nod -
-             trunk.curves.breath * T(k_breath_lean);
+    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.climb +
+             trunk.curves.nod - trunk.curves.breath * T(k_breath_lean);
     T stoops = at<T>(p.stoop + lane);
     SinCosOf<T> half_lean = sin_cos_half(lean + stoops);
     Q4<T> chest_ws = turned_yzx(

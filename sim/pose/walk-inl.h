@@ -204,6 +204,9 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     curves.breath = at<T>(g.inhaled + lane) * stands;
     curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.12f), T(0.6f)) * T(0.3f) +
                   at<T>(g.drive + lane) * T(k_drive_lean) + walk.running * T(k_run_lean);
+    curves.climb = smoothstep(T(k_stairs_0), T(k_stairs_1), at<T>(g.rise + lane)) *
+                   select(walk.leg < T(k_both_feet_leg), T(k_child_climb_lean), T(k_climb_lean)) *
+                   (T(1.0f) - walk.amplitude);
     return curves;
 }
 
@@ -215,7 +218,7 @@ HWY_INLINE Pelvis<T> turned_pelvis(const PelvisCurves<T>& curves, const Heading<
     Pelvis<T> pelvis;
     pelvis.rotation_ws =
         turned_yzx(plus(heading.half, sin_cos_half(zero - curves.turn)), sin_cos_half(curves.list),
-                   sin_cos_half(curves.lean * T(0.6f) + curves.nod));
+                   sin_cos_half((curves.lean + curves.climb) * T(0.6f) + curves.nod));
     pelvis.axes_ws = axes_of(pelvis.rotation_ws);
     pelvis.place_os = os_of_bs(heading, V3<T>{curves.sway + curves.aside * leg, zero, curves.surge * leg});
     V3<T> aside_ws = pelvis.axes_ws.x * left_hip_ms.x;

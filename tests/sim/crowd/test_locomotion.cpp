@@ -44,6 +44,24 @@ TEST(Locomotion, StartsWithinThreeStepsAndStopsWithinTwo) {
     }
 }
 
+TEST(Locomotion, BrakesOverTheFootThatHasComeDown) {
+    Motion m{.velocity = {0, 1.3f}};
+    for (int ticks_left = 20; ticks_left > 0; --ticks_left) {
+        m.lands = static_cast<float>(ticks_left) * k_tick;
+        m = next_motion(m, {}, k_tick);
+        if (ticks_left <= 2) continue;
+        ASSERT_FLOAT_EQ(length(m.velocity), 1.3f) << ticks_left;
+        ASSERT_FLOAT_EQ(length(m.aim), 1.3f) << "so far feet go on too";
+    }
+    EXPECT_LT(length(m.velocity), 1.3f);
+    // The other foot leaves the ground meanwhile.
+    m.lands = 0.4f;
+    EXPECT_LT(length(next_motion(m, {}, k_tick).velocity), length(m.velocity));
+    // Who slows down little by little does not wait.
+    m = {.velocity = {0, 1.3f}, .lands = 0.4f};
+    EXPECT_LT(length(next_motion(m, {0, 1.1f}, k_tick).velocity), 1.3f);
+}
+
 TEST(Locomotion, HalfTurnTakesItsTimeAndKeepsMoving) {
     for (float speed : {0.95f, 1.3f, 1.5f}) {
         auto all = drive({{0, speed}, 0, 0}, 6, [&](float) { return Vec2{0.001f, -speed}; });

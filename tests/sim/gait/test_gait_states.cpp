@@ -104,6 +104,7 @@ void advance(Tried& t, Vec2 wish) {
     if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
     RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim};
     advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
+    t.motion.lands = next_landing(t.gait, 0);
     observe(t);
     ++t.tick;
 }
