@@ -12,7 +12,7 @@
 
 namespace flaneur {
 
-static constexpr float k_slack = 0.13f, k_stopping_slack = 0.05f;  // metres that a standing foot may be off
+static constexpr float k_slack = 0.13f, k_stopping_slack = 0.08f;  // metres that a standing foot may be off
 static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float
     k_steep_steps = 0.8f,
