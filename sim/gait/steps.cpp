@@ -35,6 +35,7 @@ static constexpr float k_farthest_shift = 0.34f;  // legs
 static constexpr float k_deepest = 0.22f;         // legs from foot to foot, down a slope
 static constexpr float k_over_edge = 0.06f;       // metres
 static constexpr float k_lunge = 0.52f;           // legs, from the body ahead to a foot as it lands
+static constexpr float k_longest_down = 0.84f;    // from the other foot
 static constexpr float k_first_lead = 0.36f;      // and onto the first stair down
 static constexpr float k_still_up = 0.72f;        // phase of a swing, until which it may come down later
 static constexpr float k_off_riser = 0.02f;       // metres
@@ -197,13 +198,15 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
 Footing down_or_before(const Stepper& s, Side side, const Footing& down, const FootPlace& wished,
-                       Vec2 direction, const FootSize& size, float seconds) {
+                       Vec3 there, Vec2 direction, const FootSize& size, float seconds) {
     Footing over = clear_of_edge(s.around, down, direction, size, outward_of(side));
     float level = s.root.y - k_stair;
     float shift = dot(on_ground(over.place.position - wished.position), direction);
     if (shift < k_over_edge || s.root.y < down.place.position.y + k_stair) return over;
     Vec2 body = on_ground(s.root) + way_under(s, s.velocity, seconds);
-    bool lunges = dot(on_ground(over.place.position) - body, direction) > k_lunge * s.leg_length;
+    const float step = dot(on_ground(over.place.position - there), direction);
+    bool lunges = dot(on_ground(over.place.position) - body, direction) > k_lunge * s.leg_length ||
+                  step > k_longest_down * s.leg_length;
     for (float back : {0.08f, 0.16f, 0.24f, 0.32f}) {
         if (!lunges && back > shift + k_over_edge) break;  // the longer step is less of a change
         FootPlace nearer = wished;
@@ -255,7 +258,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         if (shorter.found) footing = shorter, wished = nearer;
     }
     if (footing.found && g.tread[s.lane] <= 0 && step_between(there, footing.place) < -k_stair)
-        footing = down_or_before(s, side, footing, wished, direction, size, seconds);
+        footing = down_or_before(s, side, footing, wished, there.position, direction, size, seconds);
     // A body cannot be let down, or lifted, in no time.
     bool goes = g.tread[s.lane] <= 0 || wishes_to_go(s);
     bool committed =
