@@ -75,8 +75,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.motion.velocity[i] = {};
     c.motion.heading[i] = w.heading;
     c.motion.wish[i] = {0, 0};
-    c.motion.turn_rate[i] = c.motion.lands[i] = 0;
-    c.motion.brakes[i] = 0;
+    c.motion.turn_rate[i] = c.motion.lands[i] = c.motion.brakes[i] = 0;
     c.motion.polygon[i] = w.place.polygon;
     c.identity.preferred_speed[i] = w.preferred_speed;
     c.identity.radius[i] = w.radius;

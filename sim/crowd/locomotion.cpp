@@ -23,7 +23,8 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
-static constexpr float k_slows_for_steps = 1.8f;  // m/s2, of one who walks up to them
+// 1/s, of the speed to lose, with which one brakes over a foot that has come down; m/s2, at least.
+static constexpr float k_stops = 1.75f, k_gentlest = 1.2f;
 // Of one with a pram: how nimble it is, 0..1; how fast at most the turn carries the pram's axle aside, of the
 // speed and in m/s where that is slow; how far the body goes outward for that, of the speed, and as
 // turned_forward bounds it.
@@ -39,11 +40,15 @@ float stair_speed(float speed, float stair_pace) {
     return std::min(speed, stair_pace * (walk + run));
 }
 
+static float braking_over_a_foot(float speed_to_lose) {
+    return clamp(k_stops * speed_to_lose, k_gentlest, k_braking);
+}
+
 float braking_way(float wished, float stair_pace) {
-    constexpr float k_before = 0.25f;  // seconds
+    constexpr float k_before = 0.5f;  // seconds, in which the step is finished
     const float slow = stair_speed(wished, stair_pace);
     if (wished <= slow) return 0;
-    const float brakes = wished >= k_runs ? k_braking : k_slows_for_steps;
+    const float brakes = wished >= k_runs ? k_braking : braking_over_a_foot(wished - slow);
     return (wished * wished - slow * slow) / (2 * brakes) + k_before * wished;
 }
 
@@ -90,8 +95,12 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
-    const bool slows = speed - wished > k_slows, goes_on = wished < k_turning_speed || dot(wish, v) > 0.9f * wished * speed;
-    const bool finishes_step = slows && !motion.brakes && goes_on && speed - wished > k_at_once && speed < k_runs && motion.lands > k_about_down;
+    const float to_lose = speed - wished;
+    const bool goes_on = wished < k_turning_speed || dot(wish, v) > 0.9f * wished * speed;
+    const bool at_once = motion.brakes == 0 && goes_on && to_lose > k_at_once && speed < k_runs;
+    const bool finishes_step = at_once && motion.lands > k_about_down;
+    float slowing = motion.brakes > 0 ? motion.brakes : at_once ? braking_over_a_foot(to_lose) : k_braking;
+    if (finishes_step || to_lose < k_slows) slowing = 0;
     if (finishes_step) wish = v, wished = speed;
     Vec2 aim = wish;
 
@@ -126,8 +135,8 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     }
     Vec2 change = wish - v;
     bool brakes = dot(change, v) < 0;
-    float l = length(change);
-    float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? k_braking : k_acceleration) * dt;
+    float l = length(change), hardest = slowing > 0 ? slowing : k_braking;
+    float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? hardest : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
     if (speed > k_any_way) {
@@ -136,7 +145,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
         v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
                            lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
     }
-    return {v, heading, rate, aim, 0, slows && !finishes_step};
+    return {v, heading, rate, aim, 0, slowing};
 }
 
 }  // namespace flaneur

@@ -15,7 +15,7 @@ struct Motion {
     float turn_rate = 0;  // of the heading, rad/s
     Vec2 aim{};           // the way wished for, at the speed that turning leaves: what feet plan by, m/s
     float lands = 0;      // seconds until the foot in the air comes down; 0: none is
-    bool brakes = false;  // it slows down already
+    float brakes = 0;     // m/s2, with which it slows down; 0: it does not
 };
 
 // What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
@@ -26,8 +26,9 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 // The motion `dt` seconds later of one who would like to go at `wish` (m/s).
 //
 // - Speed follows within 1.5 m/s2, braking within 2.6, both easing in at the end: 90 % of a walk after two
-//   steps, a stop in two. Who is to slow down all at once finishes the step first, and brakes over the foot
-//   that has come down (`lands`, which the gait knows: next_landing).
+//   steps, a stop in two. Who is to slow down all at once finishes the step first (`lands`, which the gait
+//   knows: next_landing), and brakes so that a body which stops comes to rest over the foot that has come
+//   down.
 // - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 135 deg/s at
 //   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
 //   spot, at 97 deg/s.

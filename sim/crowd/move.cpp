@@ -183,7 +183,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],
                                  .lands = hurries ? 0 : m.lands[i],
-                                 .brakes = m.brakes[i] != 0},
+                                 .brakes = m.brakes[i]},
                                 wish, k_tick,
                                 c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);

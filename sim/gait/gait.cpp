@@ -200,6 +200,7 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
         stepper.velocity = root.velocity[i];
         stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
         stepper.turn_rate = root.turn_rate[i];
+        if (root.brakes && root.brakes[i] > 0) stepper.brakes = root.brakes[i];
         stepper.dt = dt;
         stepper.chance = {seed, walker, tick, Purpose::step};
         stepper.replans = (tick + i) % 3 == 0;

@@ -49,7 +49,7 @@ static float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
 
 Vec2 expected_velocity(const Stepper& s, float seconds) {
     Vec2 change = s.wish - s.velocity;
-    float l = length(change), most = k_reaction * seconds;
+    float l = length(change), most = s.brakes * seconds;
     return l > most ? s.velocity + change * (most / l) : s.wish;
 }
 
@@ -57,8 +57,8 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
 static Vec2 way_under(const Stepper& s, Vec2 velocity, float seconds) {
     const float speed = length(velocity), to = std::min(length(s.wish), speed), less = speed - to;
     if (less <= 0) return velocity * seconds;
-    const float hard = std::min(std::max(less / k_reaction - 1 / k_gentle, 0.0f), seconds),
-                rest = less - k_reaction * hard,
+    const float hard = std::min(std::max(less / s.brakes - 1 / k_gentle, 0.0f), seconds),
+                rest = less - s.brakes * hard,
                 gently = (1 - exponential(-k_gentle * (seconds - hard))) / k_gentle;
     return velocity * ((to * seconds + 0.5f * (less + rest) * hard + rest * gently) / speed);
 }
