@@ -86,6 +86,7 @@ struct alignas(64) GaitBlock {
     float drive[k_block];      // and smoothed again, so that nothing that goes by it begins with a jerk
     float bank[k_block];       // what turns it, to the left, over gravity, smoothed
     float rise[k_block];       // metres climbed for each metre walked, smoothed
+    float climb[k_block];      // 0 .. 1: how far it is about climbing stairs, over several of them
     float lift[k_block];       // metres that a jump carries the body and both feet above their ways
     float crouch[k_block];     // metres that the pelvis sinks, before and after a jump
     float base[k_block];       // smoothed height of the ground that the pelvis rides on

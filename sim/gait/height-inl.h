@@ -25,7 +25,7 @@ inline constexpr float k_most_effort = 9;          // m/s2
 // until which it has risen.
 inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;
 inline constexpr float k_let_down_effort = 5,
-                       k_first_effort = 8;  // m/s2, from which on one lets the body down
+                       k_first_effort = 6;  // m/s2, from which on one lets the body down
 inline constexpr float k_descends = 0.1f;  // metres for each metre ahead, of one who goes down stairs already
 inline constexpr float k_lets_down = 0.05f;        // m/s, of one who has begun to
 inline constexpr float k_lets_down_later = 0.06f;  // seconds after a foot lands off a kerb, that it is down

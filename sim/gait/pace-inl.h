@@ -18,7 +18,8 @@ namespace flaneur::HWY_NAMESPACE {
 inline constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a walk becomes a run and back
 inline constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
 inline constexpr float k_turning = 3.2f;              // and shares of it a second
-inline constexpr float k_leaning = 5, k_driving = 6;  // 1/s
+inline constexpr float k_leaning = 5, k_driving = 6, k_climbing = 1.2f;  // 1/s
+inline constexpr float k_climbs_0 = 0.05f, k_climbs_1 = 0.3f;             // rises, of one who begins to climb, and does
 
 // As in gait.h.
 template <class T>
@@ -89,6 +90,7 @@ HWY_INLINE void advance_paces(GaitBlock& g, const PersonBlock& p, const StepperR
     lean(g.drive, row<T>(g.push, lane), k_driving);
     lean(g.push, drive, k_driving);
     lean(g.bank, bank, k_leaning);
+    lean(g.climb, smoothstep(T(k_climbs_0), T(k_climbs_1), row<T>(g.rise, lane)), k_climbing);
     keep(running, g.running);
     keep(duty, g.duty);
     keep(forward, g.forward);

@@ -216,7 +216,7 @@ HWY_INLINE void turn_held_hand(const HoldBlock& hold, size_t lane, T weight, Q4<
 // that arms swing there, of a natural walk's, and radians that those of the slow are spread.
 inline constexpr float k_stairs_0 = 0.2f, k_stairs_1 = 0.5f, k_stair_arms = 0.5f, k_stair_carriage = 0.13f;
 // Radians that the slow lean ahead more as they climb stairs; of a small child, for whom they are high.
-inline constexpr float k_climbs_0 = 0.02f, k_climb_lean = 0.07f, k_child_climb_lean = 0.28f;
+inline constexpr float k_climb_lean = 0.07f, k_child_climb_lean = 0.36f;
 
 // Arms swing with the leg of the other side, or both twice a stride in a slow walk. The wrist's target is
 // where the curves of shoulder and elbow would have it, a place on the body, or one on a wall; two-bone IK

@@ -204,7 +204,7 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     curves.breath = at<T>(g.inhaled + lane) * stands;
     curves.lean = at<T>(p.lean + lane) + clamp(at<T>(g.rise + lane), T(-0.12f), T(0.6f)) * T(0.3f) +
                   at<T>(g.drive + lane) * T(k_drive_lean) + walk.running * T(k_run_lean);
-    curves.climb = smoothstep(T(k_climbs_0), T(k_stairs_0), at<T>(g.rise + lane)) *
+    curves.climb = at<T>(g.climb + lane) *
                    select(walk.leg < T(k_both_feet_leg), T(k_child_climb_lean), T(k_climb_lean)) *
                    (T(1.0f) - walk.amplitude);
     return curves;
