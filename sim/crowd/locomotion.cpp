@@ -96,8 +96,9 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
     const float to_lose = speed - wished;
+    const bool was_asked = length(motion.aim) > speed - k_at_once;  // to go as fast as that; else it was pushed
     const bool goes_on = wished < k_turning_speed || dot(wish, v) > 0.9f * wished * speed;
-    const bool at_once = motion.brakes == 0 && goes_on && to_lose > k_at_once && speed < k_runs;
+    const bool at_once = motion.brakes == 0 && was_asked && goes_on && to_lose > k_at_once && speed < k_runs;
     const bool finishes_step = at_once && motion.lands > k_about_down;
     float slowing = motion.brakes > 0 ? motion.brakes : at_once ? braking_over_a_foot(to_lose) : k_braking;
     if (finishes_step || to_lose < k_slows) slowing = 0;
