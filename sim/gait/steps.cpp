@@ -164,7 +164,8 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
     const Vec2 rests = on_ground(s.root) + stopping_way(s);
     const bool gathers = !wishes_to_go(s) && std::fabs(dot(rests - on_ground(there.position), direction)) <
                                                  k_over_foot * g.tread[s.lane];
-    if ((both || gathers) && g.tread[s.lane] > 0 && std::fabs(step_between(from, there)) > k_stair) {
+    const bool apart = std::fabs(step_between(from, there)) > k_stair;
+    if (g.tread[s.lane] > 0 && (gathers || (both && apart))) {
         // Where edges run aslant, what lies beside that foot may be another tread.
         float low = next.level + size.heel + k_off_riser, high = next.begin - size.tip;
         float beside = both && next.begin > next.level ? std::max(std::min(0.0f, high), low) : 0;
@@ -326,6 +327,10 @@ bool stays(GaitBlock& g, const Stepper& s, Side side) {
     wished.position.y = is.position.y;
     Footing footing = find_footing(s.around, wished, foot_size(s.person, s.lane), outward_of(side));
     bool moves = footing.found && length(footing.place.position - is.position) > k_worth_it;
+    // Who stands on one stair with both feet does not go to another one for it.
+    const bool beside = std::fabs(is.position.y - g.feet[other(side)].to.y[s.lane]) < k_stair;
+    if (g.tread[s.lane] > 0 && beside && std::fabs(footing.place.position.y - is.position.y) > k_stair)
+        moves = false;
     if (moves || std::fabs(wrap_angle(wished.yaw - is.yaw)) > k_home_twist) return false;
     foot.wished_x[s.lane] = wished.position.x;
     foot.wished_z[s.lane] = wished.position.z;
