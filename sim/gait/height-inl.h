@@ -21,6 +21,7 @@ inline constexpr float k_step_down_least = 0.03f;  // metres
 inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;          // seconds
 inline constexpr float k_most_effort = 9;          // m/s2
+inline constexpr float k_most_lift = 5;              // m/s2, with which one lifts oneself
 // Of a step that a small child climbs: share by which it rises while both feet stand, and share of the swing
 // until which it has risen.
 inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;
@@ -229,7 +230,7 @@ HWY_INLINE T base_drive(const Climber<T>& c, T target) {
     T w = T(k_base_stiffness);
     auto stairs = (c.tread > T(0.0f)) & (c.rise < T(-k_descends));
     auto d = descent_of(c);
-    T spring = w * w * (target - c.base) - T(2.0f) * w * c.base_velocity;
+    T spring = min(w * w * (target - c.base) - T(2.0f) * w * c.base_velocity, T(k_most_lift));
     // Off a kerb, and onto the first stair, as late as may be, so that the knee which carries does not bend
     // for long; down stairs evenly.
     T effort = least_effort(d.by, c.base_velocity, max(d.until + d.later, T(k_soonest)));

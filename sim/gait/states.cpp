@@ -214,7 +214,7 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             approach(foot.forefoot[lane], forefoot, 5 * s.dt);
             float& rate = foot.rate[lane];
             float wanted = swing_rate(side, phase), down = time_to_come_down(g, foot, s);
-            if (down > 0) wanted = std::max(std::min(wanted, (1 - phase) / down), k_least_swing * f);
+            if (down > 0) wanted = std::max(std::min(wanted, (1 - phase) / down), k_least_swing * k_slowest);
             approach(rate, wanted, k_quicken * s.dt);
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {

@@ -20,7 +20,7 @@ namespace flaneur::HWY_NAMESPACE {
 // stands, and gravity alone slows who rises. The flight of a run and its landing are planned.
 inline constexpr float k_falls = 9.7f, k_run_falls = 19;
 inline constexpr float k_fastest_fall = 0.95f, k_fastest_down = 1.4f;
-inline constexpr float k_lifts = 9, k_catches = 20, k_run_catches = 45, k_falls_hard = 0.3f,
+inline constexpr float k_lifts = 6, k_catches = 20, k_run_catches = 45, k_falls_hard = 0.3f,
                        k_run_fastest = 4;
 inline constexpr float k_slows = 5;
 
