@@ -32,8 +32,10 @@ HWY_INLINE T at(const float* values) {
     return v;
 }
 
-// One who stands lifts a foot by so many metres, and more for steps up to so long.
-inline constexpr float k_small_lift = 0.015f, k_small_more = 0.035f, k_small_step = 0.25f;
+// One who stands lifts a foot by so many metres, and more for steps up to so long; its toes hang by so many
+// radians.
+inline constexpr float k_small_lift = 0.015f, k_small_more = 0.035f, k_small_step = 0.25f,
+                       k_small_droop = 0.2f, k_small_droop_level = 4;
 
 // Metres that a foot swings higher up a step, and a small child's down one.
 inline constexpr float k_lifts_up = 0.02f, k_child_lifts_down = 0.018f;
@@ -124,7 +126,10 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
     T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead * (one + T(k_pitch_pace) * walk.over);
     T rolling = select(pitch > zero, one - smoothstep(T(0.06f), T(0.12f), norm),
                        smoothstep(T(k_heel_off_0), T(k_heel_off_1), norm));
-    pitch = select(time.planted, pitch * rolling, pitch - T(k_droop) * time.swing.hop * walk.ahead);
+    // The toes hang, but over steps.
+    T level = one - smoothstep(abs(walk.climb) * T(k_small_droop_level));
+    T droop = T(k_droop) * walk.ahead + T(k_small_droop) * (one - walk.amplitude) * level;
+    pitch = select(time.planted, pitch * rolling, pitch - droop * time.swing.hop);
     pitch = select(pitch > zero, pitch * T(k_heel_strike) * walk.strike, pitch);
     T before_toe_off = one - smoothstep(T(0.5f), T(k_norm_toe_off), norm);
     T rises = smoothstep(T(0.36f), T(0.48f), norm) * before_toe_off;
