@@ -274,7 +274,7 @@ float missing_height(const Surroundings& around, const kernel::SwingEnds<float>&
 }  // namespace
 
 Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                      const FootSize& size, float running, float pace) {
+                      const FootSize& size, float running, float pace, bool slowly) {
     constexpr float k_early[] = {0.06f, 0.1f, 0.15f, 0.2f},
                     k_later[] = {0.25f, 0.35f, 0.45f, 0.55f, 0.65f, 0.75f};
     kernel::SwingEnds<float> ends = ends_between(from, to);
@@ -296,7 +296,7 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
     } else if (rise > k_riser) {
         const FootSize roomy{size.heel, size.ball, size.tip + k_toe_room};
         for (float waits : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
-            ends.edge = waits;
+            ends.edge = waits + (slowly ? waits : 0);
             if (missing(k_early, roomy) <= 0 && missing(k_later, roomy) < k_easily_higher) break;
         }
     }

@@ -65,7 +65,7 @@ struct Clearing {
 };
 // So that neither toes nor heel meet the ground between two places. `running` and `pace` as in GaitBlock.
 Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
-                      const FootSize& size, float running, float pace);
+                      const FootSize& size, float running, float pace, bool slowly = false);
 
 // The first level after the one at `from`, along `direction`, unit, and `aside` metres to the left of there,
 // which begins and ends within `reach` metres: distances of its edges from `from` along `direction`. Empty

@@ -298,7 +298,8 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     set_place(foot.goal, s.lane, landing);
     if (leaves) foot.obstacle[s.lane] = 0;
     if (leaves || footing.stepped) {
-        Clearing clearing = clear_ground(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane]);
+        Clearing clearing = clear_ground(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane],
+                                         sets_both_feet(s.leg_length));
         foot.obstacle[s.lane] = std::max(foot.obstacle[s.lane], clearing.obstacle);
         // A foot that has begun to come down goes on.
         if (leaves || g.feet[side].phase[s.lane] < k_still_up) foot.edge[s.lane] = clearing.edge;

@@ -85,6 +85,7 @@ inline constexpr float k_arms_twice_0 = 0.028f, k_arms_twice_1 = 0.036f;
 // before it goes on; the other way round down, where it waits only where the way is steep (times its slope
 // squared) and otherwise comes down in a last share, falls. From these heights on (metres) it is one.
 inline constexpr float k_step_climbs = 0.32f, k_step_wait = 0.22f, k_step_waits = 20, k_step_falls = 0.25f;
+inline constexpr float k_slow_climbs = 0.8f, k_slow_wait = 0.5f;  // of a small child's climb
 inline constexpr float k_step_0 = 0.03f, k_step_1 = 0.09f;
 
 // A run, see swing-inl.h and rise-inl.h, fitted to legs that move as runners' do (Novacheck 1998; Fukuchi,

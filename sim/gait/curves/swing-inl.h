@@ -129,10 +129,12 @@ HWY_INLINE SwingPath<T> swing_path(const SwingEnds<T>& ends, const SwingTime<T>&
         auto up = step > T(0.0f);
         T v = select(up, u, rest);  // of the climb, or of the descent backwards
         T far2 = far.x * far.x + far.z * far.z + T(0.01f);
-        T waits = select(up, ends.edge, min(T(k_step_waits) * step * step / far2, one)) * steep;
-        T climbs = min(T(k_step_climbs) + height, one);
+        T waits = select(up, min(ends.edge, one), min(T(k_step_waits) * step * step / far2, one)) * steep;
+        T slowly = select(up, max(ends.edge - one, T(0.0f)), T(0.0f));
+        T climbs = lerp(min(T(k_step_climbs) + height, one), T(k_slow_climbs), slowly);
+        T wait = lerp(T(k_step_wait), T(k_slow_wait), slowly);
         climbs = select(up, climbs, lerp(max(ends.edge, T(0.1f)), climbs, waits));
-        T onward = smoothstep((v - T(k_step_wait)) * T(1 / (1 - k_step_wait)));
+        T onward = smoothstep((v - wait) / (one - wait));
         T upward = smoothstep(v / climbs);
         progress = select(steps, lerp(progress, select(up, onward, one - onward), waits), progress);
         climbed = select(steps, lerp(climbed, select(up, upward, one - upward), steep), climbed);
