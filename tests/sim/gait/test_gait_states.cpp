@@ -151,9 +151,15 @@ TEST(GaitStates, StopsWithTheFeetSideBySide) {
         Tried t = make_tried(wide_floor());
         for_seconds(t, 4, {0, speed});
         int steps = 0;
-        for_seconds(t, 2.5f, {0, 0}, [&] { steps += t.landed[0] + t.landed[1]; });
+        float foremost = t.position.z;
+        for_seconds(t, 2.5f, {0, 0}, [&] {
+            steps += t.landed[0] + t.landed[1];
+            for (int side : {0, 1})
+                if (t.landed[side]) foremost = std::max(foremost, t.foot_place(side).z);
+        });
         EXPECT_TRUE(t.block().standing[0]);
-        EXPECT_LE(steps, 4);
+        EXPECT_LE(steps, 3);
+        EXPECT_NEAR(t.position.z, foremost, 0.12f) << speed << ": over the foot that it stops on";
         EXPECT_LT(std::fabs(t.foot_place(0).z - t.foot_place(1).z), 0.1f) << speed;
     }
 }
@@ -361,8 +367,13 @@ TEST(GaitStates, WhoStopsOnStairsGathersTheFeet) {
         for (int stop = 0; stop < 24; ++stop) {
             Tried t = make_tried(flight_of_14(sign), stop % 2 == 0 ? 1.75f : 1.6f);
             for_seconds(t, 4.5f + 0.07f * static_cast<float>(stop), {0, 1.0f});
-            for_seconds(t, 3, {0, 0});
+            float farthest = -9;
+            for_seconds(t, 3, {0, 0}, [&] {
+                for (int side : {0, 1})
+                    if (t.landed[side]) farthest = std::max(farthest, sign * t.foot(side).to.y[0]);
+            });
             on_stairs += t.position.z > 3.4f && t.position.z < 7;
+            EXPECT_LT(farthest, sign * t.foot(0).to.y[0] + 0.02f) << sign << " " << stop << ": on and back";
             EXPECT_TRUE(t.block().standing[0]) << stop;
             EXPECT_NEAR(t.foot(0).to.y[0], t.foot(1).to.y[0], 0.02f) << sign << " " << stop;
         }

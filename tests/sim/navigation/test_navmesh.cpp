@@ -268,6 +268,12 @@ TEST(Navmesh, ClearViews) {
     EXPECT_FALSE(is_clear(*mesh, {28.5f, 0, 28}, {1, 0, 1.5f}));
     EXPECT_FALSE(is_clear(*mesh, {15, 0, 1.5f}, {15, 0, 3}));
     EXPECT_TRUE(is_clear(*mesh, {15, 0, 1.5f}, {15, 0, 1.5f}));
+    // Over the corner's inner border, where the mesh goes on behind.
+    const auto border = first_border(*mesh, {25, 0, 1.5f}, {28.5f, 0, 6});
+    ASSERT_TRUE(border);
+    EXPECT_NEAR(border->a.z, border->b.z, 0.05f) << "the street's that it leaves";
+    EXPECT_GT(border->a.z, 2);
+    EXPECT_FALSE(first_border(*mesh, {25, 0, 1.5f}, {28.5f, 0, 1.5f}));
     // Along each border line, and from its ends into the mesh.
     BorderLine lines[32];
     int n = borders_near(*mesh, {28, 0, 3}, 20, lines, 32);
