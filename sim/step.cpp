@@ -43,8 +43,8 @@ void for_those_there(const Crowd& crowd, size_t begin, size_t end, const Work& w
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] {
         CrowdMotion& m = w.crowd.motion;
-        RootMotion root{m.position.data(), m.velocity.data(), m.heading.data(), m.turn_rate.data(),
-                        m.wish.data(),     m.brakes.data()};
+        RootMotion root{m.position.data(),  m.velocity.data(), m.heading.data(),
+                        m.turn_rate.data(), m.wish.data(),     m.brakes.data()};
         parallel_for(*w.workers, w.crowd.count, k_blocks_a_chunk * k_block,
                      [&](size_t begin, size_t end, int) {
                          for_those_there(w.crowd, begin, end, [&](size_t first, size_t last) {

@@ -151,7 +151,8 @@ uint64_t hash_crowd(const Crowd& c) {
         if (!is_there(c, i)) continue;
         const GroundHit& under = m.under[i];
         add(who.preferred_speed[i], who.radius[i], who.lateral[i], who.body[i], who.scale[i]);
-        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.lands[i], m.brakes[i], m.polygon[i]);
+        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.lands[i], m.brakes[i],
+            m.polygon[i]);
         add(under.height, under.normal, under.kind);
         add(d.wanted[i], d.looks[i], d.chosen[i], d.claim[i]);
         h = hash_journey(h, c.journeys[i], &c.corners[size_t{i} * k_corners]);

@@ -44,13 +44,13 @@ struct CrowdIdentity {
 
 // Where they are and how they move, at the end of the last tick. Gait and pictures read it.
 struct CrowdMotion {
-    std::vector<Vec3> position;     // on the ground, between the feet
-    std::vector<Vec2> velocity;     // metres a second
-    std::vector<Vec2> wish;         // what it is led to: as decided, as fast as ground and turns let one go
-    std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
-    std::vector<float> turn_rate;   // of the heading, radians a second
-    std::vector<float> lands;       // seconds until the foot in the air comes down, as the gait says; 0: none is
-    std::vector<float> brakes;      // m/s2, with which it slows down; 0: it does not
+    std::vector<Vec3> position;    // on the ground, between the feet
+    std::vector<Vec2> velocity;    // metres a second
+    std::vector<Vec2> wish;        // what it is led to: as decided, as fast as ground and turns let one go
+    std::vector<float> heading;    // where the body faces: yaw about +y, 0 = +z, growing towards +x
+    std::vector<float> turn_rate;  // of the heading, radians a second
+    std::vector<float> lands;   // seconds until the foot in the air comes down, as the gait says; 0: none is
+    std::vector<float> brakes;  // m/s2, with which it slows down; 0: it does not
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground
 };

@@ -31,8 +31,9 @@ static constexpr float k_stops = 1.75f, k_gentlest = 1.2f;
 static constexpr float k_pushing = 0.35f, k_rolls_on = 0.41f, k_round = 0.3f;
 static constexpr float k_outward = 0.26f, k_most_outward = 0.63f;
 static constexpr float k_bend = 0.4f;  // 1/m; narrower bends are taken slower
-// m/s, of speed to lose: one slows down; all at once. Seconds before a landing that are not worth a wait.
-static constexpr float k_slows = 0.1f, k_at_once = 0.35f, k_about_down = 0.03f;
+// m/s, of speed to lose: one slows down; all at once. Seconds before a landing that are not worth a wait. The
+// cosine of a way that is the same.
+static constexpr float k_slows = 0.1f, k_at_once = 0.35f, k_about_down = 0.03f, k_same_way = 0.9f;
 
 float stair_speed(float speed, float stair_pace) {
     float walk = clamp(0.42f * speed, 0.5f, 0.6f), run = clamp(k_stair_run * (speed - k_runs), 0.0f, 0.5f);
@@ -91,18 +92,30 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
     return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
 }
 
+// How one slows down to a wish: whether one finishes the step before, and Motion::brakes.
+struct Slowing {
+    bool finishes_step = false;
+    float brakes = 0;
+};
+
+static Slowing slowing_down(const Motion& motion, Vec2 wish) {
+    const float speed = length(motion.velocity), wished = length(wish), to_lose = speed - wished;
+    if (to_lose < k_slows) return {};
+    if (motion.brakes > 0) return {false, motion.brakes};
+    const bool was_asked = length(motion.aim) > speed - k_at_once;  // to go as fast; else it was pushed
+    const bool same_way =
+        wished < k_turning_speed || dot(wish, motion.velocity) > k_same_way * wished * speed;
+    if (!was_asked || !same_way || to_lose < k_at_once || speed >= k_runs) return {false, k_braking};
+    if (motion.lands > k_about_down) return {true, 0};
+    return {false, braking_over_a_foot(to_lose)};
+}
+
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float lever) {
     const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
     float wished = length(wish), speed = length(v);
-    const float to_lose = speed - wished;
-    const bool was_asked = length(motion.aim) > speed - k_at_once;  // to go as fast as that; else it was pushed
-    const bool goes_on = wished < k_turning_speed || dot(wish, v) > 0.9f * wished * speed;
-    const bool at_once = motion.brakes == 0 && was_asked && goes_on && to_lose > k_at_once && speed < k_runs;
-    const bool finishes_step = at_once && motion.lands > k_about_down;
-    float slowing = motion.brakes > 0 ? motion.brakes : at_once ? braking_over_a_foot(to_lose) : k_braking;
-    if (finishes_step || to_lose < k_slows) slowing = 0;
-    if (finishes_step) wish = v, wished = speed;
+    const Slowing slowing = slowing_down(motion, wish);
+    if (slowing.finishes_step) wish = v, wished = speed;
     Vec2 aim = wish;
 
     bool turns = wished > k_turning_speed;
@@ -136,7 +149,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     }
     Vec2 change = wish - v;
     bool brakes = dot(change, v) < 0;
-    float l = length(change), hardest = slowing > 0 ? slowing : k_braking;
+    float l = length(change), hardest = slowing.brakes > 0 ? slowing.brakes : k_braking;
     float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? hardest : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
@@ -146,7 +159,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
         v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
                            lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
     }
-    return {v, heading, rate, aim, 0, slowing};
+    return {v, heading, rate, aim, 0, slowing.brakes};
 }
 
 }  // namespace flaneur

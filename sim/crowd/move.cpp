@@ -173,21 +173,19 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
         add_brake_at_border(mesh, thread, from, ahead, 0, by, near);
     }
-    // Who slows down for others, or pushes something, does not finish a step before.
-    bool hurries = pushes || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
-    if (near.brake_count > 0) {
-        const Vec2 wished = wish;
+    const Vec2 wished = wish;
+    if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
-        hurries = hurries || wish.x != wished.x || wish.z != wished.z;
-    }
+    // Who slows down for others, or pushes something, does not finish a step before.
+    const bool hurries = pushes || wish.x != wished.x || wish.z != wished.z ||
+                         length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
     Motion motion = next_motion({.velocity = m.velocity[i],
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],
                                  .aim = hurries ? Vec2{} : m.wish[i],
                                  .lands = m.lands[i],
                                  .brakes = m.brakes[i]},
-                                wish, k_tick,
-                                c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
+                                wish, k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;

@@ -63,7 +63,8 @@ struct Clearing {
     float obstacle = 0;  // metres that it has to rise above the way that the pose gives it, at most 0.35
     float edge = 0;      // see FootBlock
 };
-// So that neither toes nor heel meet the ground between two places. `running` and `pace` as in GaitBlock.
+// So that neither toes nor heel meet the ground between two places. `running` and `pace` as in GaitBlock;
+// small children climb `slowly`.
 Clearing clear_ground(const Surroundings& around, const FootPlace& from, const FootPlace& to,
                       const FootSize& size, float running, float pace, bool slowly = false);
 

@@ -243,7 +243,8 @@ float next_landing(const Gait& gait, size_t walker) {
     float soonest = 0;
     for (const FootBlock& foot : g.feet) {
         if (!foot.swinging[lane]) continue;
-        const float seconds = (1 - foot.phase[lane]) / std::max(foot.rate[lane], k_least_swing * g.frequency[lane]);
+        const float seconds =
+            (1 - foot.phase[lane]) / std::max(foot.rate[lane], k_least_swing * g.frequency[lane]);
         if (soonest == 0 || seconds < soonest) soonest = seconds;
     }
     return soonest;

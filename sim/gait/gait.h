@@ -52,7 +52,8 @@ struct RootMotion {
     // m/s, what the walker would like its velocity to be: feet land and heads look where it leads. Null: the
     // velocity as it is.
     const Vec2* wish = nullptr;
-    const float* brakes = nullptr;  // m/s2, with which the walker slows down towards it; 0 or null: as people do
+    // m/s2, with which the walker slows down towards it; 0 or null: as people do.
+    const float* brakes = nullptr;
 };
 
 // Walkers standing on both feet. `bodies[body[i]] * scale[i]` is walker i's, and so is `manner[i]`; without

@@ -21,7 +21,7 @@ inline constexpr float k_step_down_least = 0.03f;  // metres
 inline constexpr float k_farthest_ahead = 0.6f;    // seconds that are foreseen
 inline constexpr float k_soonest = 0.08f;          // seconds
 inline constexpr float k_most_effort = 9;          // m/s2
-inline constexpr float k_most_lift = 5;              // m/s2, with which one lifts oneself
+inline constexpr float k_most_lift = 5;            // m/s2, with which one lifts oneself
 // Of a step that a small child climbs: share by which it rises while both feet stand, and share of the swing
 // until which it has risen.
 inline constexpr float k_child_rises = 0.3f, k_child_lifts = 0.8f;

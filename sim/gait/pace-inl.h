@@ -19,7 +19,7 @@ inline constexpr float k_run = 0.5f, k_walk = 0.42f;  // Froude numbers where a 
 inline constexpr float k_turns_within = 0.05f;        // of the cycle after a contact, in which it does,
 inline constexpr float k_turning = 3.2f;              // and shares of it a second
 inline constexpr float k_leaning = 5, k_driving = 6, k_climbing = 1.2f;  // 1/s
-inline constexpr float k_climbs_0 = 0.05f, k_climbs_1 = 0.3f;             // rises, of one who begins to climb, and does
+inline constexpr float k_climbs_0 = 0.05f, k_climbs_1 = 0.3f;  // rises, of one who begins to climb, and does
 
 // As in gait.h.
 template <class T>

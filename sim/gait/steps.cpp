@@ -53,14 +53,24 @@ Vec2 expected_velocity(const Stepper& s, float seconds) {
     return l > most ? s.velocity + change * (most / l) : s.wish;
 }
 
-// The way that a body goes in so many seconds from `velocity` on, if it slows down towards its wish.
-static Vec2 way_under(const Stepper& s, Vec2 velocity, float seconds) {
-    const float speed = length(velocity), to = std::min(length(s.wish), speed), less = speed - to;
+// The way that a body goes in so many seconds from `velocity` on, if it slows down to the speed `to`.
+static Vec2 slowing_way(const Stepper& s, Vec2 velocity, float to, float seconds) {
+    const float speed = length(velocity), less = speed - to;
     if (less <= 0) return velocity * seconds;
     const float hard = std::min(std::max(less / s.brakes - 1 / k_gentle, 0.0f), seconds),
                 rest = less - s.brakes * hard,
                 gently = (1 - exponential(-k_gentle * (seconds - hard))) / k_gentle;
     return velocity * ((to * seconds + 0.5f * (less + rest) * hard + rest * gently) / speed);
+}
+
+// Likewise, towards its wish.
+static Vec2 way_under(const Stepper& s, Vec2 velocity, float seconds) {
+    return slowing_way(s, velocity, std::min(length(s.wish), length(velocity)), seconds);
+}
+
+Vec2 stopping_way(const Stepper& s) {
+    constexpr float k_rests = 3;  // seconds
+    return slowing_way(s, s.velocity, 0, k_rests);
 }
 
 FootPlace home(const GaitBlock& g, const PersonBlock& person, int lane, Side side, Vec3 root, float heading) {
@@ -198,8 +208,8 @@ std::optional<float> keep_to_treads(GaitBlock& g, const Stepper& s, Side side, c
 }
 
 // A step down passes its edge by a little, or stays before it, where the next one begins.
-Footing down_or_before(const Stepper& s, Side side, const Footing& down, const FootPlace& wished,
-                       Vec3 there, Vec2 direction, const FootSize& size, float seconds) {
+Footing down_or_before(const Stepper& s, Side side, const Footing& down, const FootPlace& wished, Vec3 there,
+                       Vec2 direction, const FootSize& size, float seconds) {
     Footing over = clear_of_edge(s.around, down, direction, size, outward_of(side));
     float level = s.root.y - k_stair;
     float shift = dot(on_ground(over.place.position - wished.position), direction);

@@ -9,7 +9,9 @@
 
 namespace flaneur {
 
-inline constexpr float k_reaction = 2.5f;  // m/s2, with which velocity is expected to follow the wish,
+// Velocity is expected to follow the wish with so many m/s2, and at most so much of what is left, 1/s: as
+// next_motion of sim/crowd/locomotion.h does it.
+inline constexpr float k_reaction = 2.5f, k_gentle = 6;
 
 // One walker in this tick: what moves it, what it is, what it walks on. What its gait makes of that is lane
 // `lane` of the block that goes along with it.
@@ -21,15 +23,14 @@ struct Stepper {
     Vec2 velocity{}, wish{};
     float heading, turn_rate = 0;
     float brakes = k_reaction;  // m/s2
-    Vec2 facing;       // of the heading
-    float leg_length;  // metres
+    Vec2 facing;                // of the heading
+    float leg_length;           // metres
     float dt = 0;
     RandomKey chance{};    // of this tick
     bool replans = false;  // looks at the landing place anew in this tick
     bool glances = false;  // chooses anew what to look at in this tick
 };
 
-inline constexpr float k_gentle = 6;              // 1/s, and at most so much of what is left
 inline constexpr float k_standing_speed = 0.08f;  // m/s; who is slower stands
 inline constexpr float k_goes = 0.1f;             // m/s, of a wish that turns the body
 inline constexpr float k_home_twist = 0.55f;      // radians; a standing foot turned farther steps,
@@ -39,11 +40,7 @@ inline constexpr float k_longest_jump = 1.8f;     // metres from the root to gro
 
 inline bool wishes_to_go(const Stepper& s) { return length_squared(s.wish) > k_goes * k_goes; }
 // The way that the body still goes if it stops.
-inline Vec2 stopping_way(const Stepper& s) {
-    const float speed = length(s.velocity), hard = std::max(speed / s.brakes - 1 / k_gentle, 0.0f);
-    const float rest = std::min(speed, s.brakes / k_gentle);
-    return s.velocity * ((0.5f * (speed + rest) * hard + rest / k_gentle) / std::max(speed, 1e-4f));
-}
+Vec2 stopping_way(const Stepper& s);
 // The velocity in so many seconds, as it is expected to follow the wish.
 Vec2 expected_velocity(const Stepper& s, float seconds);
 

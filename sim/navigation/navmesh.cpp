@@ -146,7 +146,8 @@ static bool is_beyond(const Navmesh& m, Vec3 p, float reach, float most) {
 }
 
 // Not Detour's raycast: it can run for ever along an edge that the ray touches.
-std::optional<BorderLine> first_border(const Navmesh& m, Vec3 from, Vec3 to, float forgiven_start, float forgiven_end) {
+std::optional<BorderLine> first_border(const Navmesh& m, Vec3 from, Vec3 to, float forgiven_start,
+                                       float forgiven_end) {
     Vec2 p = on_ground(from), way = on_ground(to) - p;
     const float distance = length(way);
     if (distance <= forgiven_end) return {};

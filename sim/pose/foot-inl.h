@@ -257,7 +257,8 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     if (any(path.steep > T(0.0f))) {
         T zero = T(0.0f), lifts = time.swing.hop * path.steep;
         T small = select(walk.leg < T(k_both_feet_leg), lifts * T(k_child_lifts_down), zero);
-        out.ankle_up = out.ankle_up + select(path.step > zero, lifts * T(k_lifts_up), small - clearance * path.steep);
+        out.ankle_up =
+            out.ankle_up + select(path.step > zero, lifts * T(k_lifts_up), small - clearance * path.steep);
     }
     out.place_os = path.place;
     out.place_os.y = path.place.y + at<T>(f.obstacle + lane) * time.swing.hop + walk.lift;

@@ -304,8 +304,8 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     T one = T(1.0f);
     T look[3];  // of chest, neck and head
     share_turn(k_look, &AimJoint::yaw, &AimJoint::yaw, at<T>(g.look + lane), look);
-    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.climb +
-             trunk.curves.nod - trunk.curves.breath * T(k_breath_lean);
+    T lean = trunk.curves.lean * lerp(T(0.4f), one, trunk.amplitude) + trunk.curves.climb + trunk.curves.nod -
+             trunk.curves.breath * T(k_breath_lean);
     T stoops = at<T>(p.stoop + lane);
     SinCosOf<T> half_lean = sin_cos_half(lean + stoops);
     Q4<T> chest_ws = turned_yzx(

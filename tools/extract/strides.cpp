@@ -45,7 +45,8 @@ Walked walk_ahead(const Body& body) {
     Vec3 position;
     Motion motion;
     Vec2 wish;
-    const RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &motion.aim, &motion.brakes};
+    const RootMotion root{&position,         &motion.velocity, &motion.heading,
+                          &motion.turn_rate, &motion.aim,      &motion.brakes};
     Gait gait;
     start_gait(gait, 1, {body}, &index, &scale, root, around, k_seed, &manner);
     std::vector<PoseBlock> poses(1), before(1);

@@ -37,7 +37,8 @@ HWY_INLINE T heel_up_after(T norm) {
 
 // Both ends of a swing: the place left, and from there to the place of landing; likewise the unit normals of
 // the ground, whose x and z are given. And how it passes the edge of a step: the last share of its time in
-// which it comes down onto lower ground; how much it climbs before it goes on onto higher, 0..1.
+// which it comes down onto lower ground; how much it climbs before it goes on onto higher, 0..1, and up to 2
+// the more slowly.
 template <class T>
 struct SwingEnds {
     V3<T> from, far;

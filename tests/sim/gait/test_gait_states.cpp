@@ -54,7 +54,8 @@ Tried make_tried(Ground ground, float height = 1.72f) {
     uint32_t body = 0;
     float scale = 1;
     if (auto hit = ground_at(t.ground, {0, 1, 0}, 3, 4)) t.position.y = hit->height;
-    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim, &t.motion.brakes};
+    RootMotion root{&t.position,         &t.motion.velocity, &t.motion.heading,
+                    &t.motion.turn_rate, &t.motion.aim,      &t.motion.brakes};
     Manner short_steps;
     short_steps.stride = 0.9f;
     start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, surroundings_of(t.ground), 5,
@@ -102,7 +103,8 @@ void advance(Tried& t, Vec2 wish) {
     t.motion = next_motion(t.motion, t.wish, k_tick, t.look);
     t.position += at_height(t.motion.velocity * k_tick, 0);
     if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
-    RootMotion root{&t.position, &t.motion.velocity, &t.motion.heading, &t.motion.turn_rate, &t.motion.aim, &t.motion.brakes};
+    RootMotion root{&t.position,         &t.motion.velocity, &t.motion.heading,
+                    &t.motion.turn_rate, &t.motion.aim,      &t.motion.brakes};
     advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
     t.motion.lands = next_landing(t.gait, 0);
     observe(t);

@@ -125,7 +125,8 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
     Vec3 position;
     if (auto hit = ground_at(ground, {0, 0, 0}, 100, 100)) position.y = hit->height;
     Motion motion;
-    RootMotion root{&position, &motion.velocity, &motion.heading, &motion.turn_rate, &motion.aim, &motion.brakes};
+    RootMotion root{&position,         &motion.velocity, &motion.heading,
+                    &motion.turn_rate, &motion.aim,      &motion.brakes};
     Gait gait;
     start_gait(gait, 1, bodies, &index, &scale, root, surroundings_of(ground), seed, &person.manner);
     std::vector<PoseBlock> poses(1), before(1);
