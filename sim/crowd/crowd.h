@@ -50,6 +50,7 @@ struct CrowdMotion {
     std::vector<float> heading;    // where the body faces: yaw about +y, 0 = +z, growing towards +x
     std::vector<float> turn_rate;  // of the heading, radians a second
     std::vector<float> lands;   // seconds until the foot in the air comes down, as the gait says; 0: none is
+    std::vector<Vec2> beside;   // metres to the nearest place between its feet, as they stand or will
     std::vector<float> brakes;  // m/s2, with which it slows down; 0: it does not
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground

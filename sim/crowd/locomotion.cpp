@@ -31,6 +31,8 @@ static constexpr float k_stops = 1.75f, k_gentlest = 1.2f;
 static constexpr float k_pushing = 0.35f, k_rolls_on = 0.41f, k_round = 0.3f;
 static constexpr float k_outward = 0.26f, k_most_outward = 0.63f;
 static constexpr float k_bend = 0.4f;  // 1/m; narrower bends are taken slower
+// Metres from the feet, and turn rates, between which one is more and more kept over them.
+static constexpr float k_beside = 0.06f, k_far_beside = 0.14f, k_turns_0 = 0.6f, k_turns_1 = 1.2f;
 // m/s, of speed to lose: one slows down; all at once. Seconds before a landing that are not worth a wait. The
 // cosine of a way that is the same.
 static constexpr float k_slows = 0.1f, k_at_once = 0.35f, k_about_down = 0.03f, k_same_way = 0.9f;
@@ -110,6 +112,17 @@ static Slowing slowing_down(const Motion& motion, Vec2 wish) {
     return {false, braking_over_a_foot(to_lose)};
 }
 
+// Of a velocity `v` that follows motion.velocity, what does not lead one who turns farther from the feet: a
+// turn waits for the step.
+static Vec2 kept_over_feet(const Motion& motion, Vec2 v) {
+    const float off = length(motion.beside);
+    const float bound = smoothstep(k_beside, k_far_beside, off) *
+                        smoothstep(k_turns_0, k_turns_1, std::fabs(motion.turn_rate));
+    if (bound <= 0) return v;
+    const Vec2 away = motion.beside * (-1 / off);
+    return v - away * (bound * std::max(dot(v - motion.velocity, away), 0.0f));
+}
+
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float lever) {
     const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
@@ -159,6 +172,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
         v = turned_forward(v, speed, heading, wrap_angle(heading_of(v) - heading),
                            lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
     }
+    if (lever == 0) v = kept_over_feet(motion, v);
     return {v, heading, rate, aim, 0, slowing.brakes};
 }
 

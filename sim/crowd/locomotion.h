@@ -16,6 +16,7 @@ struct Motion {
     Vec2 aim{};           // the way wished for, at the speed that turning leaves: what feet plan by, m/s
     float lands = 0;      // seconds until the foot in the air comes down; 0: none is
     float brakes = 0;     // m/s2, with which it slows down; 0: it does not
+    Vec2 beside{};  // metres from the body to the nearest place between its feet, as they stand and will
 };
 
 // What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
@@ -34,6 +35,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 //   spot, at 97 deg/s.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
+// - In a turn nobody goes off to where no foot stands or is about to (`beside`, which the gait knows:
+//   beside_feet).
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
 //
 // Who pushes a pram, whose rear axle is `lever` metres ahead (0: nothing), is less nimble: it turns no faster

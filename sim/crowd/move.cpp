@@ -184,7 +184,8 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
                                  .turn_rate = m.turn_rate[i],
                                  .aim = hurries ? Vec2{} : m.wish[i],
                                  .lands = m.lands[i],
-                                 .brakes = m.brakes[i]},
+                                 .brakes = m.brakes[i],
+                                 .beside = m.beside[i]},
                                 wish, k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;

@@ -75,6 +75,9 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt);
 
+// Metres from a walker's root, at `root`, to the nearest place between its feet, as they stand or will.
+Vec2 beside_feet(const Gait& gait, size_t walker, Vec3 root);
+
 // Seconds until a foot of the walker that is in the air comes down; 0: both stand.
 float next_landing(const Gait& gait, size_t walker);
 

@@ -17,8 +17,9 @@ static constexpr float k_leap_lead = 0.36f;                 // likewise, where i
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_beside_most = 0.05f, k_crosses = 0.15f, k_crosses_before = 0.2f;  // metres
-static constexpr float k_converges = 0.1f,
-                       k_shoe = 0.09f;  // radians between feet; metres, how wide a shoe is
+static constexpr float k_converges = 0.1f, k_most_converges = 0.2f,
+                       k_shoe = 0.09f;         // radians between feet; metres, how wide a shoe is
+static constexpr float k_on_the_spot = 0.25f;  // m/s; so slow one turns on the spot
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
@@ -159,10 +160,11 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     float out = outward_of(side), yaw = wrap_angle(place.yaw - s.heading) * out;
     place.yaw = s.heading + out * clamp(yaw, -k_inward, k_outward);
 
-    // Nor do the toes of one who turns come onto the other foot's.
+    // Nor do the toes of one who turns on the spot come onto the other foot's.
     const float other_yaw = g.feet[other(side)].to.yaw[s.lane],
                 inward = out * wrap_angle(other_yaw - place.yaw);
-    if (inward > k_converges) {
+    if (inward > k_converges && speed2 < k_on_the_spot * k_on_the_spot) {
+        place.yaw += out * std::max(inward - k_most_converges, 0.0f);
         const float tip = foot_size(s.person, s.lane).tip;
         const Vec2 toes = on_ground(place.position) - there +
                           (heading_direction(place.yaw) - heading_direction(other_yaw)) * tip;

@@ -107,6 +107,7 @@ void advance(Tried& t, Vec2 wish) {
                     &t.motion.turn_rate, &t.motion.aim,      &t.motion.brakes};
     advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
     t.motion.lands = next_landing(t.gait, 0);
+    t.motion.beside = beside_feet(t.gait, 0, t.position);
     observe(t);
     ++t.tick;
 }
@@ -631,7 +632,7 @@ TEST(GaitStates, HeadLeadsAHalfTurn) {
 
 TEST(GaitStates, WhoTurnsOnTheSpotGathersTheFeet) {
     Tried t = make_tried(wide_floor());
-    float apart = 0;
+    float apart = 0, toes = 9;
     int turning = 0;
     for (int turn = 0; turn < 40; ++turn) {
         t.look = {};
@@ -642,10 +643,14 @@ TEST(GaitStates, WhoTurnsOnTheSpotGathersTheFeet) {
             if (std::fabs(t.motion.turn_rate) < 1 || t.in_air(k_left) || t.in_air(k_right)) return;
             apart += length(t.foot_place(k_left) - t.foot_place(k_right));
             ++turning;
+            const Vec2 left = heading_direction(t.motion.heading);
+            toes =
+                std::min(toes, dot(on_ground(t.soles[k_left].tip - t.soles[k_right].tip), {left.z, -left.x}));
         });
     }
     EXPECT_GT(turning, 150);
     EXPECT_LT(apart, 0.125f * static_cast<float>(turning));
+    EXPECT_GT(toes, 0.05f) << "metres; shoes do not go through each other";
 }
 
 TEST(GaitStates, WeightShiftsWhileStanding) {
