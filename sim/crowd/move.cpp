@@ -110,21 +110,23 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
 // as evenly as one can stop.
 static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead, float before,
                                 By by, Contacts& out) {
-    NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
-    const Vec2 moved = on_ground(end.position - from.position);
     if (out.brake_count == k_contacts) return;
-    Vec2 inward = normalize_or(moved - ahead, {0, 0});
-    float room = -dot(moved, inward) - before;
-    if (length(ahead - moved) < 0.002f) {
+    const NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
+    const Vec2 moved = on_ground(end.position - from.position);
+    Vec2 inward;
+    float room = 0;
+    if (length(ahead - moved) >= 0.002f) {
+        inward = normalize_or(moved - ahead, {0, 0});
+        room = -dot(moved, inward);
+    } else {
         // It comes there, but maybe round a corner.
         if (end.polygon == from.polygon) return;
         const auto border = first_border(mesh, from.position, end.position);
         if (!border) return;
-        const Vec2 a = on_ground(border->a), ab = on_ground(border->b) - a;
-        inward = normalize_or(Vec2{-ab.z, ab.x}, {0, 0});
-        room = dot(on_ground(from.position) - a, inward) - before;
+        inward = inward_of(*border);
+        room = dot(on_ground(from.position) - on_ground(border->a), inward);
     }
-    out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room, 0.0f))};
+    out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room - before, 0.0f))};
 }
 
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
@@ -177,8 +179,8 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     if (near.brake_count > 0)
         wish = best_velocity(near.brakes, near.brake_count, near.brake_count, length(wish), wish);
     // Who slows down for others, or pushes something, does not finish a step before.
-    const bool hurries = pushes || wish.x != wished.x || wish.z != wished.z ||
-                         length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
+    const bool hurries =
+        pushes || wish != wished || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
     Motion motion = next_motion({.velocity = m.velocity[i],
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],

@@ -139,7 +139,7 @@ static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, 
     int borders = borders_near(mesh, middle, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
-        Vec2 inward = normalize_or(Vec2{-ab.z, ab.x}, {0, 0}), p = on_ground(middle) - a;
+        Vec2 inward = inward_of(lines[b]), p = on_ground(middle) - a;
         float along = dot(p, ab) / length_squared(ab), inside = dot(p, inward);
         bool is_mine = dot(on_ground(me.position) - a, inward) > 0;
         if (along < 0 || along > 1 || inside < -k_beyond || !is_mine) continue;
@@ -161,7 +161,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
         float t = clamp(dot(p - a, ab) / length_squared(ab), 0, 1);
-        Vec2 away = p - (a + ab * t), inward = normalize_or(Vec2{-ab.z, ab.x}, {0, 0});
+        Vec2 away = p - (a + ab * t), inward = inward_of(lines[b]);
         if (dot(away, inward) < -0.05f) continue;  // seen from behind: the border of another part of the mesh
         float distance = length(away);
         bool tip = t <= 0 || t >= 1;  // passed to either side

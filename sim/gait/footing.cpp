@@ -296,7 +296,7 @@ Clearing clear_ground(const Surroundings& around, const FootPlace& from, const F
     } else if (rise > k_riser) {
         const FootSize roomy{size.heel, size.ball, size.tip + k_toe_room};
         for (float waits : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
-            ends.edge = waits + (slowly ? waits : 0);
+            ends.edge = (slowly ? 2 : 1) * waits;
             if (missing(k_early, roomy) <= 0 && missing(k_later, roomy) < k_easily_higher) break;
         }
     }

@@ -97,6 +97,12 @@ struct BorderLine {
     Vec3 a, b;
 };
 
+// The unit vector from a border line into the mesh, on the ground plane.
+inline Vec2 inward_of(const BorderLine& line) {
+    const Vec2 ab = on_ground(line.b) - on_ground(line.a);
+    return normalize_or(Vec2{-ab.z, ab.x}, {0, 0});
+}
+
 // The first border over which the straight way between two places of the mesh leaves it, if any does. So
 // many of its first and last metres are not looked at.
 std::optional<BorderLine> first_border(const Navmesh& mesh, Vec3 from, Vec3 to, float forgiven_start = 0,
