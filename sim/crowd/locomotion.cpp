@@ -48,11 +48,13 @@ static float braking_over_a_foot(float speed_to_lose) {
 }
 
 float braking_way(float wished, float stair_pace) {
-    constexpr float k_before = 0.5f;  // seconds, in which the step is finished
+    constexpr float k_before = 0.25f, k_finishes = 0.25f;  // seconds; more, of one who finishes a step before
     const float slow = stair_speed(wished, stair_pace);
     if (wished <= slow) return 0;
-    const float brakes = wished >= k_runs ? k_braking : braking_over_a_foot(wished - slow);
-    return (wished * wished - slow * slow) / (2 * brakes) + k_before * wished;
+    const bool runs = wished >= k_runs;
+    const float brakes = runs ? k_braking : braking_over_a_foot(wished - slow);
+    return (wished * wished - slow * slow) / (2 * brakes) +
+           (runs ? k_before : k_before + k_finishes) * wished;
 }
 
 GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec3 place, Vec2 velocity,

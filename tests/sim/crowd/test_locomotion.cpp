@@ -162,9 +162,14 @@ TEST(Locomotion, RunnersTakeStairsInTwiceTheRhythmOfAWalk) {
                 if (length(m.velocity) < slow + 0.1f) break;
                 walked += length(m.velocity) * k_tick;
             }
+            EXPECT_LT(walked, way) << speed;
+            if (speed >= 2) {
+                EXPECT_GT(walked, 0.5f * way) << speed << ": who runs does not slow down from far";
+                continue;
+            }
             const float longest_step = 0.45f * speed;
             EXPECT_LT(walked + longest_step, way) << speed;
-            EXPECT_GT(walked + longest_step, 0.7f * way) << speed << ": not from far";
+            EXPECT_GT(walked + longest_step, 0.7f * way) << speed << ": nor does who walks";
         }
 }
 
