@@ -51,10 +51,8 @@ void step_bodies(World& w) {
                              advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
                              reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
                              advance_holds(w.gait, first, last, root, w.seed, w.tick, k_tick);
-                             for (size_t i = first; i < last; ++i) {
-                                 m.lands[i] = next_landing(w.gait, i);
-                                 m.beside[i] = beside_feet(w.gait, i, m.position[i]);
-                             }
+                             for (size_t i = first; i < last; ++i)
+                                 m.feet[i] = footwork(w.gait, i, m.position[i]);
                          });
                      });
     });

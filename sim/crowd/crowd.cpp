@@ -17,8 +17,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdIdentity& who = c.identity;
     resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     CrowdMotion& m = c.motion;
-    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.lands, m.beside, m.brakes, m.polygon,
-           m.under);
+    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under);
     CrowdDecision& d = c.decision;
     resize(d.wanted, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
@@ -75,8 +74,9 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.motion.position[i] = p;
     c.motion.velocity[i] = {};
     c.motion.heading[i] = w.heading;
-    c.motion.wish[i] = c.motion.beside[i] = {0, 0};
-    c.motion.turn_rate[i] = c.motion.lands[i] = c.motion.brakes[i] = 0;
+    c.motion.wish[i] = {0, 0};
+    c.motion.turn_rate[i] = c.motion.brakes[i] = 0;
+    c.motion.feet[i] = {};
     c.motion.polygon[i] = w.place.polygon;
     c.identity.preferred_speed[i] = w.preferred_speed;
     c.identity.radius[i] = w.radius;
@@ -152,8 +152,7 @@ uint64_t hash_crowd(const Crowd& c) {
         if (!is_there(c, i)) continue;
         const GroundHit& under = m.under[i];
         add(who.preferred_speed[i], who.radius[i], who.lateral[i], who.body[i], who.scale[i]);
-        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.lands[i], m.beside[i], m.brakes[i],
-            m.polygon[i]);
+        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.feet[i], m.brakes[i], m.polygon[i]);
         add(under.height, under.normal, under.kind);
         add(d.wanted[i], d.looks[i], d.chosen[i], d.claim[i]);
         h = hash_journey(h, c.journeys[i], &c.corners[size_t{i} * k_corners]);

@@ -16,6 +16,7 @@
 #include "sim/base/result.h"
 #include "sim/base/tick.h"
 #include "sim/base/vec.h"
+#include "sim/body/footwork.h"
 #include "sim/crowd/demand.h"
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/surroundings.h"
@@ -44,14 +45,13 @@ struct CrowdIdentity {
 
 // Where they are and how they move, at the end of the last tick. Gait and pictures read it.
 struct CrowdMotion {
-    std::vector<Vec3> position;    // on the ground, between the feet
-    std::vector<Vec2> velocity;    // metres a second
-    std::vector<Vec2> wish;        // what it is led to: as decided, as fast as ground and turns let one go
-    std::vector<float> heading;    // where the body faces: yaw about +y, 0 = +z, growing towards +x
-    std::vector<float> turn_rate;  // of the heading, radians a second
-    std::vector<float> lands;   // seconds until the foot in the air comes down, as the gait says; 0: none is
-    std::vector<Vec2> beside;   // metres to the nearest place between its feet, as they stand or will
-    std::vector<float> brakes;  // m/s2, with which it slows down; 0: it does not
+    std::vector<Vec3> position;     // on the ground, between the feet
+    std::vector<Vec2> velocity;     // metres a second
+    std::vector<Vec2> wish;         // what it is led to: as decided, as fast as ground and turns let one go
+    std::vector<float> heading;     // where the body faces: yaw about +y, 0 = +z, growing towards +x
+    std::vector<float> turn_rate;   // of the heading, radians a second
+    std::vector<Footwork> feet;     // as the gait says
+    std::vector<float> brakes;      // m/s2, with which it slows down; 0: it does not
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground
 };

@@ -10,17 +10,22 @@ namespace flaneur {
 static constexpr float k_acceleration = 1.5f, k_braking = 2.6f;  // m/s2
 static constexpr float k_quickening = 16, k_slowing = 6;         // 1/s, of the rest of a change of speed
 static constexpr float k_turn_acceleration = 7;                  // rad/s2
-static constexpr float k_fastest_turn = 2.35f;                   // rad/s
-static constexpr float k_spot_turn = 1.7f;                       // rad/s, of one who hardly goes
-static constexpr float k_sideways = 2.2f;                        // m/s2, turn rate times speed
-static constexpr float k_turn_gain = 4;                          // turn rate for each radian to turn, 1/s
-static constexpr float k_turning_speed = 0.25f;                  // m/s; slower wishes do not turn a body
-static constexpr float k_forward = 24 * k_radians;               // velocity keeps this near the heading
+static constexpr float k_spot_turn = 1.7f;                       // rad/s, of one who hardly goes,
+static constexpr float k_walks = 0.4f;                           // m/s, slower than this; of one who walks
+static constexpr float k_turn = 1.5f,
+                       k_fastest_turn = 1.75f;  // so much times the root of the speed, and at most
+// Shares of that while the inner, and while the outer foot swings: that lands in front of the inner one's
+// toes and so has to wait in turns, radians, that are no bends.
+static constexpr float k_opening = 1.4f, k_closing = 0.5f, k_bends = 0.3f, k_no_bends = 0.8f;
+static constexpr float k_sideways = 2.2f;           // m/s2, turn rate times speed
+static constexpr float k_turn_gain = 4;             // turn rate for each radian to turn, 1/s
+static constexpr float k_turning_speed = 0.25f;     // m/s; slower wishes do not turn a body
+static constexpr float k_forward = 24 * k_radians;  // velocity keeps this near the heading
 static constexpr float k_any_way = 0.3f,
                        k_bound = 0.6f;         // m/s: so slow a step may go any way, and so fast not
 static constexpr float k_pivot_speed = 0.15f;  // m/s, at least, of one who turns under way
 static constexpr float k_some = 25 * k_radians,
-                       k_far = 95 * k_radians;  // to turn, slows one down: begins, ends
+                       k_far = 110 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
 // 1/s, of the speed to lose, with which one brakes over a foot that has come down; m/s2, at least.
@@ -69,9 +74,17 @@ GroundHit slowing_ground(const Surroundings& around, const GroundHit& under, Vec
     return under;
 }
 
+// How fast one may turn who goes at `speed` and would like to at `wished`.
+static float fastest_turn(const Motion& motion, float to_turn, float speed, float wished) {
+    const float inner = to_turn > 0 ? motion.feet.swings : -motion.feet.swings;
+    const float waits = inner < 0 ? smoothstep(k_bends, k_no_bends, std::fabs(to_turn)) : 0;
+    const float share = inner > 0 ? k_opening : lerp(1, k_closing, waits);
+    const float walking = share * std::min(k_turn * std::sqrt(wished), k_fastest_turn);
+    return lerp(k_spot_turn, walking, smoothstep(k_pivot_speed, k_walks, speed));
+}
+
 // Towards what is left to turn, without overshoot: a rate that can still be braked.
-static float next_turn_rate(float rate, float to_turn, float speed, float dt, float nimble) {
-    float fastest = lerp(k_spot_turn, k_fastest_turn, smoothstep(k_pivot_speed, k_bound, speed));
+static float next_turn_rate(float rate, float fastest, float to_turn, float speed, float dt, float nimble) {
     float most = nimble * std::min(fastest, k_sideways / std::max(speed, 0.1f));
     float brake = std::sqrt(2 * 0.7f * (nimble * nimble * k_turn_acceleration) * std::fabs(to_turn));
     float wished = clamp(to_turn * k_turn_gain, -std::min(most, brake), std::min(most, brake));
@@ -110,18 +123,18 @@ static Slowing slowing_down(const Motion& motion, Vec2 wish) {
     const bool same_way =
         wished < k_turning_speed || dot(wish, motion.velocity) > k_same_way * wished * speed;
     if (!was_asked || !same_way || to_lose < k_at_once || speed >= k_runs) return {false, k_braking};
-    if (motion.lands > k_about_down) return {true, 0};
+    if (motion.feet.lands > k_about_down) return {true, 0};
     return {false, braking_over_a_foot(to_lose)};
 }
 
 // Of a velocity `v` that follows motion.velocity, what does not lead one who turns farther from the feet: a
 // turn waits for the step.
 static Vec2 kept_over_feet(const Motion& motion, Vec2 v) {
-    const float off = length(motion.beside);
+    const float off = length(motion.feet.beside);
     const float bound = smoothstep(k_beside, k_far_beside, off) *
                         smoothstep(k_turns_0, k_turns_1, std::fabs(motion.turn_rate));
     if (bound <= 0) return v;
-    const Vec2 away = motion.beside * (-1 / off);
+    const Vec2 away = motion.feet.beside * (-1 / off);
     return v - away * (bound * std::max(dot(v - motion.velocity, away), 0.0f));
 }
 
@@ -138,7 +151,8 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     float to_turn = turns   ? wrap_angle(heading_of(wish) - motion.heading)
                     : looks ? wrap_angle(heading_of(look) - motion.heading)
                             : 0;
-    float rate = next_turn_rate(motion.turn_rate, to_turn, speed, dt, nimble);
+    float rate = next_turn_rate(motion.turn_rate, fastest_turn(motion, to_turn, speed, wished), to_turn,
+                                speed, dt, nimble);
     if (lever > 0) {
         const float most = std::max(k_round, k_rolls_on * speed) / lever;
         rate = clamp(rate, -most, most);
@@ -150,7 +164,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
         wish = turned_forward(wish, wished, heading, off, nimble);
         float turning = 1 - smoothstep(k_some, k_far, std::fabs(off));
         float bend = std::sqrt(std::min(1.0f, k_bend * wished / std::max(std::fabs(rate), 1e-3f)));
-        float left = std::max(turning * bend, std::min(k_pivot_speed, speed) / wished);
+        float left = std::max(std::min(turning, bend), std::min(k_pivot_speed, speed) / wished);
         wish = wish * left;
         if (lever > 0) {
             const float most = std::max(k_round, k_outward * length(wish)),
@@ -175,7 +189,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
                            lerp(any_way, bound, smoothstep(k_any_way, k_bound, speed)));
     }
     if (lever == 0) v = kept_over_feet(motion, v);
-    return {v, heading, rate, aim, 0, slowing.brakes};
+    return {v, heading, rate, aim, slowing.brakes};
 }
 
 }  // namespace flaneur

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sim/base/vec.h"
+#include "sim/body/footwork.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 
@@ -14,9 +15,8 @@ struct Motion {
     float heading = 0;    // where the body faces: yaw about +y, 0 = +z, growing towards +x, in [-pi, pi]
     float turn_rate = 0;  // of the heading, rad/s
     Vec2 aim{};           // the way wished for, at the speed that turning leaves: what feet plan by, m/s
-    float lands = 0;      // seconds until the foot in the air comes down; 0: none is
     float brakes = 0;     // m/s2, with which it slows down; 0: it does not
-    Vec2 beside{};  // metres from the body to the nearest place between its feet, as they stand and will
+    Footwork feet{};
 };
 
 // What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
@@ -27,16 +27,16 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 // The motion `dt` seconds later of one who would like to go at `wish` (m/s).
 //
 // - Speed follows within 1.5 m/s2, braking within 2.6, both easing in at the end: 90 % of a walk after two
-//   steps, a stop in two. Who is to slow down all at once finishes the step first (`lands`, which the gait
-//   knows: next_landing), and brakes so that a body which stops comes to rest over the foot that has come
+//   steps, a stop in two. Who is to slow down all at once finishes the step first (`feet`, which the gait
+//   knows), and brakes so that a body which stops comes to rest over the foot that has come
 //   down.
-// - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 135 deg/s at
-//   most. Who must turn far slows down for it, a half turn while walking to 0.15 m/s; who stands turns on the
-//   spot, at 97 deg/s.
+// - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 100 deg/s at
+//   most, 140 while the inner foot swings, and 50 while the outer one does, in turns that are no bends: it
+//   lands beside the inner foot, not on its toes. Who must turn far slows down for it, a half turn while
+//   walking to 0.15 m/s; who stands turns on the spot, at 97 deg/s.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
-// - In a turn nobody goes off to where no foot stands or is about to (`beside`, which the gait knows:
-//   beside_feet).
+// - In a turn nobody goes off to where no foot stands or is about to (Footwork::beside).
 // - One who does not wish to go turns to `look` (unit; (0, 0): nowhere in particular).
 //
 // Who pushes a pram, whose rear axle is `lever` metres ahead (0: nothing), is less nimble: it turns no faster

@@ -185,9 +185,8 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],
                                  .aim = hurries ? Vec2{} : m.wish[i],
-                                 .lands = m.lands[i],
                                  .brakes = m.brakes[i],
-                                 .beside = m.beside[i]},
+                                 .feet = m.feet[i]},
                                 wish, k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;

@@ -23,6 +23,7 @@ struct FootBlock {
     FootPlaces to;            // where it stands, or will land
     float obstacle[k_block];  // metres that the swing must rise above the line between both, for kerbs on its
                               // way
+    float round[k_block];     // metres to the left, by which the swing goes round the other foot
     float edge[k_block];      // how the swing passes the edge of a step: see SwingEnds in curves/swing-inl.h
     float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
     float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
@@ -32,7 +33,8 @@ struct FootBlock {
     FootPlaces goal;                             // what `to` moves to, the ground's last word
     float wished_x[k_block], wished_z[k_block];  // the place for which `goal` was found
     float wished_yaw[k_block];
-    float beside[k_block];  // metres outside of its line that this step lands
+    float goal_round[k_block];  // what `round` moves to
+    float beside[k_block];      // metres outside of its line that this step lands
     // How one who stands has taken its place beside the other: metres ahead and outward, and radians outward,
     // of where a walk would set it down. 0 of one who walks.
     float stance_ahead[k_block], stance_out[k_block], stance_turn[k_block];

@@ -237,27 +237,23 @@ void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, 
     }
 }
 
-Vec2 beside_feet(const Gait& gait, size_t walker, Vec3 root) {
+Footwork footwork(const Gait& gait, size_t walker, Vec3 root) {
     const GaitBlock& g = gait.blocks[walker / k_block];
     const size_t lane = walker % k_block;
+    Footwork work;
     const FootPlaces &l = g.feet[k_left].to, &r = g.feet[k_right].to;
     const Vec2 left = Vec2{l.x[lane], l.z[lane]} - on_ground(root),
                way = Vec2{r.x[lane], r.z[lane]} - on_ground(root) - left;
     const float along = clamp(-dot(left, way) / std::max(length_squared(way), 1e-6f), 0, 1);
-    return left + way * along;
-}
-
-float next_landing(const Gait& gait, size_t walker) {
-    const GaitBlock& g = gait.blocks[walker / k_block];
-    const size_t lane = walker % k_block;
-    float soonest = 0;
+    work.beside = left + way * along;
     for (const FootBlock& foot : g.feet) {
         if (!foot.swinging[lane]) continue;
         const float seconds =
             (1 - foot.phase[lane]) / std::max(foot.rate[lane], k_least_swing * g.frequency[lane]);
-        if (soonest == 0 || seconds < soonest) soonest = seconds;
+        if (work.lands == 0 || seconds < work.lands) work.lands = seconds;
     }
-    return soonest;
+    work.swings = static_cast<float>(g.feet[k_left].swinging[lane] - g.feet[k_right].swinging[lane]);
+    return work;
 }
 
 void jump(Gait& gait, size_t walker) {

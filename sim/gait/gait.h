@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
+#include "sim/body/footwork.h"
 #include "sim/body/manner.h"
 #include "sim/gait/blocks.h"
 #include "sim/gait/pram.h"
@@ -75,11 +76,8 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt);
 
-// Metres from a walker's root, at `root`, to the nearest place between its feet, as they stand or will.
-Vec2 beside_feet(const Gait& gait, size_t walker, Vec3 root);
-
-// Seconds until a foot of the walker that is in the air comes down; 0: both stand.
-float next_landing(const Gait& gait, size_t walker);
+// Of a walker whose root is at `root`.
+Footwork footwork(const Gait& gait, size_t walker, Vec3 root);
 
 // Jumps, over a gap or up a ledge say: crouch, flight with both feet, crouch, up again; nothing while a jump
 // is under way. Whoever moves the root goes on as before. Walkers also jump by themselves where the next step

@@ -7,6 +7,7 @@
 #include "sim/base/math.h"
 #include "sim/body/body.h"
 #include "sim/gait/curves/fits.h"
+#include "sim/gait/shoes.h"
 
 namespace flaneur {
 
@@ -17,9 +18,8 @@ static constexpr float k_leap_lead = 0.36f;                 // likewise, where i
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_beside_most = 0.05f, k_crosses = 0.15f, k_crosses_before = 0.2f;  // metres
-static constexpr float k_converges = 0.1f, k_most_converges = 0.2f,
-                       k_shoe = 0.09f;         // radians between feet; metres, how wide a shoe is
-static constexpr float k_on_the_spot = 0.25f;  // m/s; so slow one turns on the spot
+// Radians, most between feet that point to each other, of one who turns as slowly as on the spot, m/s.
+static constexpr float k_converges = 0.1f, k_on_the_spot = 0.25f;
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
@@ -160,17 +160,10 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     float out = outward_of(side), yaw = wrap_angle(place.yaw - s.heading) * out;
     place.yaw = s.heading + out * clamp(yaw, -k_inward, k_outward);
 
-    // Nor do the toes of one who turns on the spot come onto the other foot's.
-    const float other_yaw = g.feet[other(side)].to.yaw[s.lane],
-                inward = out * wrap_angle(other_yaw - place.yaw);
-    if (inward > k_converges && speed2 < k_on_the_spot * k_on_the_spot) {
-        place.yaw += out * std::max(inward - k_most_converges, 0.0f);
-        const float tip = foot_size(s.person, s.lane).tip;
-        const Vec2 toes = on_ground(place.position) - there +
-                          (heading_direction(place.yaw) - heading_direction(other_yaw)) * tip;
-        const float room = std::max(k_shoe - dot(toes, outward), 0.0f);
-        place.position += at_height(outward * std::min(room, k_shoe), 0);
-    }
+    const FootPlace beside = get_place(g.feet[other(side)].to, s.lane);
+    const float inward = out * wrap_angle(beside.yaw - place.yaw);
+    if (speed2 < k_on_the_spot * k_on_the_spot) place.yaw += out * std::max(inward - k_converges, 0.0f);
+    if (g.tread[s.lane] <= 0) keep_shoes_apart(place, beside, foot_size(s.person, s.lane), outward);
     return place;
 }
 
@@ -321,6 +314,9 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
     FootPlace from = get_place(foot.from, s.lane), landing = footing.place;
     landing.yaw = from.yaw + wrap_angle(landing.yaw - from.yaw);
     set_place(foot.goal, s.lane, landing);
+    foot.goal_round[s.lane] =
+        g.running[s.lane] > 0 ? 0
+                              : outward_of(side) * way_round(from, landing, there, size, outward_of(side));
     if (leaves) foot.obstacle[s.lane] = 0;
     if (leaves || footing.stepped) {
         Clearing clearing = clear_ground(s.around, from, landing, size, g.running[s.lane], g.pace[s.lane],
@@ -370,6 +366,7 @@ bool lift_off(GaitBlock& g, const Stepper& s, Side side, float seconds, float fr
     if (!plan(g, s, side, wished_landing(g, s, side, seconds, frequency), true, seconds)) return false;
     foot.swinging[s.lane] = 1;
     set_place(foot.to, s.lane, get_place(foot.goal, s.lane));
+    foot.round[s.lane] = foot.goal_round[s.lane];
     return true;
 }
 
@@ -394,12 +391,13 @@ void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequ
     follow(foot.to.yaw, foot.goal.yaw);
     follow(foot.to.normal_x, foot.goal.normal_x);
     follow(foot.to.normal_z, foot.goal.normal_z);
+    follow(foot.round, foot.goal_round);
 }
 
 void touch_down(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
     foot.swinging[s.lane] = 0;
-    foot.obstacle[s.lane] = 0;
+    foot.obstacle[s.lane] = foot.round[s.lane] = foot.goal_round[s.lane] = 0;
     FootPlace landed = get_place(foot.goal, s.lane);
     landed.yaw = wrap_angle(landed.yaw);
     set_place(foot.from, s.lane, landed);
@@ -415,7 +413,8 @@ void replant(GaitBlock& g, const Stepper& s, Side side) {
 
 void pivot(GaitBlock& g, const Stepper& s, Side side) {
     FootBlock& foot = g.feet[side];
-    FootPlace is = get_place(foot.from, s.lane);
+    const FootPlace was = get_place(foot.from, s.lane);
+    FootPlace is = was;
     float toe_out = s.person.toe_out[s.lane] + foot.stance_turn[s.lane];
     if (side == k_right) toe_out = -toe_out;
     float off = wrap_angle(s.heading + toe_out - is.yaw);
@@ -431,6 +430,8 @@ void pivot(GaitBlock& g, const Stepper& s, Side side) {
     is.position += Vec3{by.x, -(is.normal.x * by.x + is.normal.z * by.z) / std::max(is.normal.y, 0.2f), by.z};
     is.yaw = wrap_angle(is.yaw + excess);
     if (meets_edge(s.around, is, size)) return;
+    const FootBlock& beside = g.feet[other(side)];
+    if (!beside.swinging[s.lane] && turns_onto(was, is, get_place(beside.to, s.lane), size)) return;
     set_place(foot.from, s.lane, is);
     set_place(foot.to, s.lane, is);
     set_place(foot.goal, s.lane, is);

@@ -269,6 +269,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     Axes<T> axes_ws = axes_of(out.flat_ws);
     out.up_ws = axes_ws.y;
     out.ahead_ws = axes_ws.z;
+    out.place_os = out.place_os + axes_ws.x * (at<T>(f.round + lane) * round_at(time.swing.hop));
     bind_leg(out, time, forefoot, walk);
     return out;
 }

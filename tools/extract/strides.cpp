@@ -62,8 +62,7 @@ Walked walk_ahead(const Body& body) {
         position += at_height(motion.velocity * k_tick, 0);
         const bool was_swinging = swinging;
         advance_gait(gait, 0, 1, root, around, k_seed, t, k_tick);
-        motion.lands = next_landing(gait, 0);
-        motion.beside = beside_feet(gait, 0, position);
+        motion.feet = footwork(gait, 0, position);
         poses.swap(before);
         pose_blocks(gait, 0, 1, k_tick, before, poses);
         restrain_legs(gait, 0, 1, k_tick, before, poses);

@@ -28,6 +28,12 @@ HWY_INLINE SwingTime<T> swing_time(T u) {
     return {u, rest, product * product, T(16.0f) * product * product};
 }
 
+// The share of its way round the other foot (FootBlock::round) by which a foot is aside: wider than the hop.
+template <class T>
+HWY_INLINE T round_at(T hop) {
+    return hop * (T(2.0f) - hop);
+}
+
 // How much of the height at which a heel comes down, of who lands on the ball, is left at this phase of the
 // norms' stance.
 template <class T>

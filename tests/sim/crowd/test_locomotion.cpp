@@ -47,7 +47,7 @@ TEST(Locomotion, StartsWithinThreeStepsAndStopsWithinTwo) {
 TEST(Locomotion, BrakesOverTheFootThatHasComeDown) {
     Motion m{.velocity = {0, 1.3f}, .aim = {0, 1.3f}};
     for (int ticks_left = 20; ticks_left > 0; --ticks_left) {
-        m.lands = static_cast<float>(ticks_left) * k_tick;
+        m.feet.lands = static_cast<float>(ticks_left) * k_tick;
         m = next_motion(m, {}, k_tick);
         if (ticks_left <= 2) continue;
         ASSERT_FLOAT_EQ(length(m.velocity), 1.3f) << ticks_left;
@@ -55,19 +55,24 @@ TEST(Locomotion, BrakesOverTheFootThatHasComeDown) {
     }
     EXPECT_LT(length(m.velocity), 1.3f);
     // The other foot leaves the ground meanwhile.
-    m.lands = 0.4f;
+    m.feet.lands = 0.4f;
     EXPECT_LT(length(next_motion(m, {}, k_tick).velocity), length(m.velocity));
     // Who slows down little by little does not wait.
-    m = {.velocity = {0, 1.3f}, .aim = {0, 1.3f}, .lands = 0.4f};
+    m = {.velocity = {0, 1.3f}, .aim = {0, 1.3f}, .feet = {.lands = 0.4f}};
     EXPECT_LT(length(next_motion(m, {0, 1.1f}, k_tick).velocity), 1.3f);
     // Nor does who was pushed.
-    m = {.velocity = {0, 1.3f}, .lands = 0.4f};
+    m = {.velocity = {0, 1.3f}, .feet = {.lands = 0.4f}};
     EXPECT_LT(length(next_motion(m, {}, k_tick).velocity), 1.3f);
 }
 
 TEST(Locomotion, HalfTurnTakesItsTimeAndKeepsMoving) {
     for (float speed : {0.95f, 1.3f, 1.5f}) {
-        auto all = drive({{0, speed}, 0, 0}, 6, [&](float) { return Vec2{0.001f, -speed}; });
+        std::vector<Motion> all{{{0, speed}}};
+        for (int tick = 0; tick < 360; ++tick) {
+            Motion m = all.back();
+            m.feet.swings = tick / 30 % 2 ? 1 : -1;
+            all.push_back(next_motion(m, {0.001f, -speed}, k_tick));
+        }
         float until = settles(
             all, [](const Motion& m) { return std::fabs(wrap_angle(m.heading - k_pi)) < 5 * k_radians; });
         EXPECT_GE(until, 1.6f);

@@ -8,129 +8,12 @@
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/crowd/crowd.h"
-#include "sim/crowd/locomotion.h"
 #include "sim/gait/curves/norms.h"
-#include "sim/gait/gait.h"
-#include "sim/pose/pose.h"
+#include "tests/sim/gait/tried.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {
 namespace {
-
-constexpr float k_leg_share = 0.53f;  // of the height of a standard body
-
-// A walker that wishes, and what was seen of it in the last tick.
-struct Tried {
-    Ground ground;
-    Gait gait;
-    std::vector<PoseBlock> poses;
-    Motion motion;
-    Vec3 position;
-    Vec2 wish, look{};
-    uint32_t tick = 0;
-    float height = 1.72f;
-
-    Sole soles[2];
-    Quat rotations[k_joint_count];
-    Vec3 pelvis, pelvis_before;
-    int swinging[2] = {0, 0};
-
-    float drift = 0;         // of a foot planted in this tick and the one before, metres
-    float slide = 0;         // the same over the ground
-    float fastest = 0;       // turn of any joint, degrees a second
-    float acceleration = 0;  // of the pelvis, m/s2
-    bool landed[2] = {false, false};
-
-    const GaitBlock& block() const { return gait.blocks[0]; }
-    const FootBlock& foot(int side) const { return gait.blocks[0].feet[side]; }
-    Vec2 foot_place(int side) const { return {foot(side).to.x[0], foot(side).to.z[0]}; }
-    bool in_air(int side) const { return foot(side).swinging[0] != 0; }
-};
-
-Tried make_tried(Ground ground, float height = 1.72f) {
-    Tried t;
-    t.ground = std::move(ground);
-    t.height = height;
-    uint32_t body = 0;
-    float scale = 1;
-    if (auto hit = ground_at(t.ground, {0, 1, 0}, 3, 4)) t.position.y = hit->height;
-    RootMotion root{&t.position,         &t.motion.velocity, &t.motion.heading,
-                    &t.motion.turn_rate, &t.motion.aim,      &t.motion.brakes};
-    Manner short_steps;
-    short_steps.stride = 0.9f;
-    start_gait(t.gait, 1, {standard_body(height)}, &body, &scale, root, surroundings_of(t.ground), 5,
-               &short_steps);
-    t.poses.resize(1);
-    pose_blocks(t.gait, 0, 1, t.poses);
-    return t;
-}
-
-void observe(Tried& t) {
-    pose_blocks(t.gait, 0, 1, k_tick, t.poses, t.poses);
-    t.fastest = t.drift = t.slide = 0;
-    for (int j = 0; j < k_joint_count; ++j) {
-        JointPose p = joint_pose(t.poses, 0, static_cast<Joint>(j));
-        ASSERT_TRUE(std::isfinite(dot(p.position, p.position)));
-        float d = std::min(1.0f, std::fabs(dot(p.rotation, t.rotations[j])));
-        if (t.tick > 0) t.fastest = std::max(t.fastest, 2 * std::acos(d) / k_tick / k_radians);
-        t.rotations[j] = p.rotation;
-    }
-    Vec3 pelvis = joint_pose(t.poses, 0, hips).position;
-    Vec3 second = pelvis - t.pelvis * 2 + t.pelvis_before;
-    t.acceleration = t.tick > 1 ? length(second) / (k_tick * k_tick) : 0;
-    t.pelvis_before = t.pelvis;
-    t.pelvis = pelvis;
-    for (Side side : {k_left, k_right}) {
-        Sole now = sole(t.poses, t.gait, 0, side);
-        bool air = t.in_air(side);
-        if (t.tick > 0 && !air && !t.swinging[side]) {
-            const Sole& last = t.soles[side];
-            t.drift = std::max(t.drift, std::min(length(now.heel - last.heel), length(now.ball - last.ball)));
-            t.slide = std::max(t.slide, std::min(length(on_ground(now.heel - last.heel)),
-                                                 length(on_ground(now.ball - last.ball))));
-        }
-        t.landed[side] = !air && t.swinging[side];
-        t.swinging[side] = air;
-        t.soles[side] = now;
-    }
-}
-
-// One tick towards `wish`.
-void advance(Tried& t, Vec2 wish) {
-    GroundHit under;
-    if (auto hit = ground_at(t.ground, t.position)) under = *hit;
-    t.wish = wish_on(under, wish, stair_pace(k_leg_share * t.height));
-    t.motion = next_motion(t.motion, t.wish, k_tick, t.look);
-    t.position += at_height(t.motion.velocity * k_tick, 0);
-    if (auto hit = ground_at(t.ground, t.position, 1)) t.position.y = hit->height;
-    RootMotion root{&t.position,         &t.motion.velocity, &t.motion.heading,
-                    &t.motion.turn_rate, &t.motion.aim,      &t.motion.brakes};
-    advance_gait(t.gait, 0, 1, root, surroundings_of(t.ground), 5, t.tick, k_tick);
-    t.motion.lands = next_landing(t.gait, 0);
-    t.motion.beside = beside_feet(t.gait, 0, t.position);
-    observe(t);
-    ++t.tick;
-}
-
-void for_seconds(Tried& t, float seconds, Vec2 wish, const std::function<void()>& check = {}) {
-    for (int k = 0; k < static_cast<int>(seconds / k_tick); ++k) {
-        advance(t, wish);
-        if (check) check();
-    }
-}
-
-Ground wide_floor() {
-    Ground ground;
-    add_floor(ground, {-150, -150}, {150, 150}, 0, Surface::plaza);
-    index_ground(ground);
-    return ground;
-}
-
-// How far left of the other foot's place a foot lies, as the walker faces.
-float leftward(const Tried& t) {
-    Vec2 facing = heading_direction(t.motion.heading);
-    return dot(t.foot_place(k_left) - t.foot_place(k_right), {facing.z, -facing.x});
-}
 
 TEST(GaitStates, StepsAreEvenFromTheThird) {
     Tried t = make_tried(wide_floor());
@@ -606,51 +489,6 @@ TEST(GaitStates, FeetDoNotTurnIntoKerbs) {
                 }
             });
     }
-}
-
-TEST(GaitStates, HeadLeadsAHalfTurn) {
-    constexpr int k_trials = 12;  // over a stride
-    float leads = 0;
-    for (int trial = 0; trial < k_trials; ++trial) {
-        Tried t = make_tried(wide_floor());
-        for_seconds(t, 4 + 0.09f * static_cast<float>(trial), {0, 1.3f});
-        float head_at = 0, body_at = 0, seconds = 0;
-        for_seconds(t, 3, {0.001f, -1.3f}, [&] {
-            seconds += k_tick;
-            Vec3 ahead = rotate(joint_pose(t.poses, 0, head).rotation, {0, 0, 1});
-            float head_yaw = std::fabs(heading_of(on_ground(ahead)));
-            if (head_at == 0 && head_yaw > 0.5f) head_at = seconds;
-            if (body_at == 0 && std::fabs(t.motion.heading) > 0.5f) body_at = seconds;
-        });
-        EXPECT_GT(body_at - head_at, 0.1f) << trial;
-        EXPECT_LT(body_at - head_at, 0.4f) << trial;
-        leads += (body_at - head_at) / k_trials;
-    }
-    EXPECT_GT(leads, 0.15f);
-    EXPECT_LT(leads, 0.35f);
-}
-
-TEST(GaitStates, WhoTurnsOnTheSpotGathersTheFeet) {
-    Tried t = make_tried(wide_floor());
-    float apart = 0, toes = 9;
-    int turning = 0;
-    for (int turn = 0; turn < 40; ++turn) {
-        t.look = {};
-        for_seconds(t, 2.5f + 0.01f * static_cast<float>(turn), {0, 0});
-        t.look = heading_direction(t.motion.heading + 2.8f);
-        for_seconds(t, 0.7f, {0, 0});
-        for_seconds(t, 1.8f, {0, 0}, [&] {
-            if (std::fabs(t.motion.turn_rate) < 1 || t.in_air(k_left) || t.in_air(k_right)) return;
-            apart += length(t.foot_place(k_left) - t.foot_place(k_right));
-            ++turning;
-            const Vec2 left = heading_direction(t.motion.heading);
-            toes =
-                std::min(toes, dot(on_ground(t.soles[k_left].tip - t.soles[k_right].tip), {left.z, -left.x}));
-        });
-    }
-    EXPECT_GT(turning, 150);
-    EXPECT_LT(apart, 0.125f * static_cast<float>(turning));
-    EXPECT_GT(toes, 0.05f) << "metres; shoes do not go through each other";
 }
 
 TEST(GaitStates, WeightShiftsWhileStanding) {

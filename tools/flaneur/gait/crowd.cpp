@@ -20,6 +20,8 @@ constexpr float k_steady_speed = 0.7f;  // m/s
 constexpr float k_steady_turn = 0.15f;  // rad/s
 constexpr uint32_t k_settles = 60;      // ticks
 constexpr float k_level = 0.02f;        // metres
+constexpr float k_shoe = 0.34f;         // of its length, how wide a shoe is
+constexpr float k_over = 0.05f;         // metres of height, by which one shoe passes over the other
 
 bool finite(const JointPose& p) {
     return std::isfinite(p.position.x + p.position.y + p.position.z + p.rotation.x + p.rotation.y +
@@ -122,6 +124,22 @@ float feet_beside(const World& world, size_t i) {
         {std::min(l, r) + std::min(outside, 0.0f), -std::max(l, r) - std::max(outside, 0.0f), 0.0f});
 }
 
+// Metres; see worst_shoes. Shoes are as long as from heel to tip and of one width.
+float shoes_overlap(const FootInstant (&feet)[2]) {
+    const Sole &l = feet[k_left].sole, &r = feet[k_right].sole;
+    const Vec3 along = l.tip - l.heel, other = r.tip - r.heel;
+    const float wide = k_shoe * length(along);
+    float most = 0;
+    for (int i = 0; i <= 12; ++i) {
+        const Vec3 at = l.heel + along * (static_cast<float>(i) / 12);
+        const Vec2 way = on_ground(other);
+        const float on = clamp(dot(on_ground(at - r.heel), way) / std::max(length_squared(way), 1e-6f), 0, 1);
+        const Vec3 apart = at - r.heel - other * on;
+        if (std::fabs(apart.y) < k_over) most = std::max(most, wide - length(on_ground(apart)));
+    }
+    return most;
+}
+
 // How evenly the body moves, but in its first second, in which it takes its place.
 void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInstant (&feet)[2]) {
     Vec2 velocity = world.crowd.motion.velocity[i];
@@ -141,6 +159,8 @@ void watch_body(WalkerWatch& watch, const World& world, size_t i, const FootInst
             note_worst(watch, worst_fall, falls, world.tick);
         note_worst(watch, worst_low, pelvis_low(world, i, pelvis_y), world.tick);
         note_worst(watch, worst_beside, 1000 * feet_beside(world, i), world.tick);
+        const bool swings = feet[k_left].swinging || feet[k_right].swinging;
+        note_worst(watch, swings ? worst_passing : worst_shoes, 1000 * shoes_overlap(feet), world.tick);
     }
     watch.velocity = velocity;
     watch.head = head_y;

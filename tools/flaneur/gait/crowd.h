@@ -33,6 +33,8 @@ enum Worst : int {
     worst_low,        // of the pelvis of one who walks or stands, below its upright height over the lower
                       // foot, or over where that is about to land, percent of that height
     worst_beside,     // of the pelvis to one side of both feet, beyond what the turn leans it, mm
+    worst_shoes,      // that one shoe stands in the other, mm
+    worst_passing,    // that one goes through the other that stands, mm
     worst_count
 };
 struct WorstKind {
@@ -47,7 +49,9 @@ inline constexpr WorstKind k_worst[worst_count] = {{"drift_max.mm", 10},
                                                    {"head_rise_steps_max.m_s", 1.6f},
                                                    {"pelvis_fall_max.m_s2", 9.81f},
                                                    {"pelvis_low_max.percent", 20},
-                                                   {"feet_beside_max.mm", 150}};
+                                                   {"feet_beside_max.mm", 150},
+                                                   {"shoes_overlap_max.mm", 25},
+                                                   {"shoes_passing_max.mm", 25}};
 struct WorstWatch {
     float most = 0;
     uint32_t tick = 0;

@@ -149,8 +149,7 @@ Walk walk(const Ground& ground, const Person& person, double seconds, const Wish
         if (auto hit = ground_at(ground, position)) position.y = hit->height;
         if (leaps > 0 && t == static_cast<uint32_t>(std::lround(leaps * result.rate))) jump(gait, 0);
         advance_gait(gait, 0, 1, root, surroundings_of(ground), seed, t, k_tick);
-        motion.lands = next_landing(gait, 0);
-        motion.beside = beside_feet(gait, 0, position);
+        motion.feet = footwork(gait, 0, position);
         reach_for_walls(gait, 0, 1, root, surroundings_of(ground), seed, t, k_tick);
         advance_holds(gait, 0, 1, root, seed, t, k_tick);
         poses.swap(before);
