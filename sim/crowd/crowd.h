@@ -12,11 +12,11 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/footwork.h"
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/base/tick.h"
 #include "sim/base/vec.h"
-#include "sim/body/footwork.h"
 #include "sim/crowd/demand.h"
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/surroundings.h"

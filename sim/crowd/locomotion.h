@@ -3,8 +3,8 @@
 // person.
 #pragma once
 
+#include "sim/base/footwork.h"
 #include "sim/base/vec.h"
-#include "sim/body/footwork.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 

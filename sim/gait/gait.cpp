@@ -8,10 +8,9 @@
 #include "sim/gait/curves/fits.h"
 #include "sim/gait/curves/norms.h"
 #include "sim/gait/hands.h"
-#include "sim/gait/height.h"
 #include "sim/gait/jump.h"
-#include "sim/gait/pace.h"
 #include "sim/gait/rest.h"
+#include "sim/gait/rows.h"
 #include "sim/gait/states.h"
 #include "sim/gait/steps.h"
 

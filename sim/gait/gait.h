@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/footwork.h"
 #include "sim/base/vec.h"
-#include "sim/body/footwork.h"
 #include "sim/body/manner.h"
 #include "sim/gait/blocks.h"
 #include "sim/gait/pram.h"

@@ -11,7 +11,7 @@
 #include "sim/gait/curves/norms.h"
 #include "sim/gait/curves/rise-inl.h"
 #include "sim/gait/curves/swing-inl.h"
-#include "sim/gait/height.h"
+#include "sim/gait/rows.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

@@ -10,7 +10,7 @@
 #include "sim/base/rows-inl.h"
 #include "sim/body/body.h"
 #include "sim/gait/curves/fits.h"
-#include "sim/gait/pace.h"
+#include "sim/gait/rows.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {

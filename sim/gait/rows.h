@@ -1,4 +1,4 @@
-// What moves sixteen walkers, side by side, for the parts of the gait that advance them together.
+// Sixteen walkers side by side: what moves them, and the parts of the gait that advance them together.
 #pragma once
 
 #include <cstddef>
@@ -22,6 +22,15 @@ struct alignas(64) StepperRows {
 void set_rows(StepperRows& rows, const GaitBlock& gait, const RootMotion& root, size_t walker);
 // After a walker's feet have moved.
 void set_feet(StepperRows& rows, const GaitBlock& gait, int lane);
+
+// A tick of GaitBlock::amplitude, running, pace, step, duty, forward, drive, bank and course, of a block: how
+// much of a walk it is and of a run, which way, and what bodies lean into. Feet in the air keep their shares
+// of the swing.
+void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
+
+// A tick of GaitBlock::base, rise and sink, of a block: bodies ride on the ground that their feet find, and
+// no higher than their legs will reach.
+void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers);
 // Of one foot anew, where it was set down since.

@@ -1,8 +1,9 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sim/gait/pace.cpp"
+#define HWY_TARGET_INCLUDE "sim/gait/rows.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "sim/gait/height-inl.h"
 #include "sim/gait/pace-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -16,6 +17,10 @@ void find_misfits_here(const GaitBlock& g, const PersonBlock& p, StepperRows& s)
     for (size_t lane = 0; lane < k_block; lane += lane_count()) find_misfits<Lanes>(g, p, s, lane);
 }
 
+void advance_heights_here(GaitBlock& g, const PersonBlock& p, const StepperRows& s, float dt) {
+    for (size_t lane = 0; lane < k_block; lane += lane_count()) advance_heights<Lanes>(g, p, s, dt, lane);
+}
+
 }  // namespace flaneur::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -26,6 +31,7 @@ namespace kernel = HWY_NAMESPACE;
 
 HWY_EXPORT(advance_paces_here);
 HWY_EXPORT(find_misfits_here);
+HWY_EXPORT(advance_heights_here);
 
 float duty_factor(float v) { return kernel::duty_factor(v); }
 float run_frequency(float v, float leg) { return kernel::run_frequency(v, leg); }
@@ -53,6 +59,10 @@ void set_feet(StepperRows& rows, const GaitBlock& g, int lane) {
 
 void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt) {
     HWY_DYNAMIC_DISPATCH(advance_paces_here)(gait, people, steppers, dt);
+}
+
+void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt) {
+    HWY_DYNAMIC_DISPATCH(advance_heights_here)(gait, people, steppers, dt);
 }
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers) {
