@@ -26,6 +26,8 @@ static constexpr float k_any_way = 0.3f,
 static constexpr float k_pivot_speed = 0.15f;  // m/s, at least, of one who turns under way
 static constexpr float k_some = 25 * k_radians,
                        k_far = 110 * k_radians;  // to turn, slows one down: begins, ends
+static constexpr float k_eases = 0.35f;          // 1/s, of the speed, for a small turn
+static constexpr float k_small_turn = 50 * k_radians, k_large_turn = 120 * k_radians;
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
 // 1/s, of the speed to lose, with which one brakes over a foot that has come down; m/s2, at least.
@@ -138,6 +140,11 @@ static Vec2 kept_over_feet(const Motion& motion, Vec2 v) {
     return v - away * (bound * std::max(dot(v - motion.velocity, away), 0.0f));
 }
 
+// How hard one who goes at `speed` brakes for a turn, m/s2: hardly for a small one, which is soon over.
+static float turn_braking(float speed, float to_turn) {
+    return lerp(k_eases * speed, k_braking, smoothstep(k_small_turn, k_large_turn, std::fabs(to_turn)));
+}
+
 Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float lever) {
     const float nimble = lever > 0 ? k_pushing : 1;
     Vec2 v = motion.velocity;
@@ -145,6 +152,7 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     const Slowing slowing = slowing_down(motion, wish);
     if (slowing.finishes_step) wish = v, wished = speed;
     Vec2 aim = wish;
+    const float least = std::min(speed, wished);
 
     bool turns = wished > k_turning_speed;
     bool looks = !turns && speed < k_turning_speed && length_squared(look) > 0;
@@ -182,6 +190,11 @@ Motion next_motion(const Motion& motion, Vec2 wish, float dt, Vec2 look, float l
     float step = std::min(l * (brakes ? k_slowing : k_quickening), brakes ? hardest : k_acceleration) * dt;
     if (l > 1e-6f) v += change * (std::min(step, l) / l);
     speed = length(v);
+    const float keeps = least - turn_braking(least, to_turn) * dt;
+    if (turns && lever == 0 && speed < keeps) {
+        v = speed > 1e-3f ? v * (keeps / speed) : heading_direction(heading) * keeps;
+        speed = keeps;
+    }
     if (speed > k_any_way) {
         // Little by little, so that nobody who gets faster is thrown round.
         float bound = lever > 0 ? k_most_outward : nimble, any_way = k_pi / k_forward;

@@ -18,8 +18,9 @@ static constexpr float k_leap_lead = 0.36f;                 // likewise, where i
 static constexpr float k_outward = 0.95f, k_inward = 0.5f;  // radians, of a landing foot against the heading
 static constexpr float k_apart = 0.75f;  // of the step width, at least, between the lines of both feet
 static constexpr float k_beside_most = 0.05f, k_crosses = 0.15f, k_crosses_before = 0.2f;  // metres
-// Radians, most between feet that point to each other, of one who turns as slowly as on the spot, m/s.
-static constexpr float k_converges = 0.1f, k_on_the_spot = 0.25f;
+static constexpr float k_converges = 0.1f;  // radians between feet, of one who turns on the spot
+static constexpr float k_wide_way =
+    0.1f;  // metres round the other foot, for which one would rather land beside it
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
@@ -161,9 +162,15 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     place.yaw = s.heading + out * clamp(yaw, -k_inward, k_outward);
 
     const FootPlace beside = get_place(g.feet[other(side)].to, s.lane);
+    // Who turns on the spot keeps the feet together, and so from pointing to each other.
     const float inward = out * wrap_angle(beside.yaw - place.yaw);
-    if (speed2 < k_on_the_spot * k_on_the_spot) place.yaw += out * std::max(inward - k_converges, 0.0f);
-    if (g.tread[s.lane] <= 0) keep_shoes_apart(place, beside, foot_size(s.person, s.lane), outward);
+    if (!wishes_to_go(s)) place.yaw += out * std::max(inward - k_converges, 0.0f);
+    if (g.tread[s.lane] <= 0) {
+        const FootSize size = foot_size(s.person, s.lane);
+        keep_shoes_apart(place, beside, size, outward);
+        const float round = way_round(get_place(g.feet[side].from, s.lane), place, beside, size, out);
+        place.position += at_height(outward * clamp(round - k_wide_way, 0, k_beside_most), 0);
+    }
     return place;
 }
 
