@@ -43,9 +43,13 @@ void keep_shoes_apart(FootPlace& landing, const FootPlace& there, const FootSize
     }
 }
 
+float room_between(const FootPlace& a, const FootPlace& b, const FootSize& size) {
+    return length(gap_between(a, b, size));
+}
+
 bool turns_onto(const FootPlace& from, const FootPlace& to, const FootPlace& there, const FootSize& size) {
-    const float room = length(gap_between(to, there, size));
-    return room < k_passing * size.tip && room < length(gap_between(from, there, size));
+    const float room = room_between(to, there, size);
+    return room < k_passing * size.tip && room < room_between(from, there, size);
 }
 
 float way_round(const FootPlace& from, const FootPlace& to, const FootPlace& there, const FootSize& size,

@@ -5,6 +5,9 @@
 
 namespace flaneur {
 
+// Metres between the middle lines of two.
+float room_between(const FootPlace& a, const FootPlace& b, const FootSize& size);
+
 // Moves a landing until the shoe there does not stand on that which is `there`: by as little as that takes,
 // 0.3 m at most, and never away from its own side, `outward` (unit).
 void keep_shoes_apart(FootPlace& landing, const FootPlace& there, const FootSize& size, Vec2 outward);

@@ -243,6 +243,20 @@ Footing down_or_before(const Stepper& s, Side side, const Footing& down, const F
     return over;
 }
 
+// Where the ground has offered a place on the other shoe, one beside it, if there is.
+Footing beside_shoe(const Stepper& s, Side side, const Footing& footing, const FootPlace& there,
+                    const FootSize& size) {
+    FootPlace place = footing.place;
+    const Vec2 facing = heading_direction(place.yaw);
+    keep_shoes_apart(place, there, size, Vec2{facing.z, -facing.x} * outward_of(side));
+    if (place.position == footing.place.position) return footing;
+    const Footing off = find_footing(s.around, place, size, outward_of(side));
+    const bool good =
+        off.found && off.whole && std::fabs(off.place.position.y - footing.place.position.y) < k_stair;
+    return good && room_between(off.place, there, size) > room_between(footing.place, there, size) ? off
+                                                                                                   : footing;
+}
+
 // Finds the landing for `wished`; false if a jump has to.
 bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leaves, float seconds) {
     FootBlock& foot = g.feet[side];
@@ -318,6 +332,7 @@ bool plan(GaitBlock& g, const Stepper& s, Side side, FootPlace wished, bool leav
         if (committed && !is_near(footing)) return true;
         if (!footing.found) footing.place.position.y = s.root.y;
     }
+    if (g.tread[s.lane] <= 0 && footing.found) footing = beside_shoe(s, side, footing, there, size);
     FootPlace from = get_place(foot.from, s.lane), landing = footing.place;
     landing.yaw = from.yaw + wrap_angle(landing.yaw - from.yaw);
     set_place(foot.goal, s.lane, landing);

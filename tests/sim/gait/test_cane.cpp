@@ -81,7 +81,7 @@ TEST(CanesInACrowd, StandOnTheGround) {
     const struct {
         Ground ground;
         int late;  // ticks in a hundred thousand
-    } places[] = {{street(), 0}, {bridge(), 20}, {square(20), 0}, {steps(), 20}};
+    } places[] = {{street(), 0}, {bridge(), 20}, {square(20), 0}, {steps(), 30}};
     for (const auto& place : places) {
         auto w = people_on(place.ground, true);
         int stands = 0, ticks = 0, off = 0;
