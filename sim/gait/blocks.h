@@ -26,6 +26,7 @@ struct FootBlock {
     float round[k_block];     // metres to the left, by which the swing goes round the other foot
     float edge[k_block];      // how the swing passes the edge of a step: see SwingEnds in curves/swing-inl.h
     float phase[k_block];     // of this foot, [0, 1), 0 at its contact; it stands while below `duty`
+    float pivots[k_block];    // 0: rests .. 1: turns on its ball, heel up
     float forefoot[k_block];  // 0: comes down on the heel .. 1: on the ball, as on stairs and in a run
     int32_t swinging[k_block];  // 1 from toe-off to contact
     // The gait's own.

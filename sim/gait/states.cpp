@@ -41,7 +41,7 @@ static constexpr float k_shift = 16, k_shift_starting = 32, k_shift_walking = 1e
 static constexpr float k_drop = 0.07f;  // metres down, from which on a foot lands on its ball
 static constexpr float k_steep_0 = 0.2f, k_steep_1 = 0.36f;            // rise of the ground, likewise
 static constexpr float k_just_below = 1e-4f;                           // of the phase
-static constexpr float k_farthest_look = 0.6f, k_fastest_look = 4.5f;  // rad ahead of the body, rad/s
+static constexpr float k_farthest_look = 0.6f, k_fastest_look = 3.0f;  // rad ahead of the body, rad/s
 
 namespace {
 

@@ -33,6 +33,7 @@ static constexpr float k_committed_stopping = 0.15f;  // and of one who stops on
 static constexpr float k_following = 13;              // 1/s, of the landing place towards its goal
 static constexpr float k_most_twist = 0.75f, k_easy_twist = 0.3f;  // radians of a leg, before its foot turns
                                                                    // on the ball; with its heel up
+static constexpr float k_heel_rises = 6;                           // 1/s, of one that does
 static constexpr float k_stair = 0.07f;           // metres between feet that begin a flight of steps
 static constexpr float k_clear_of_edge = 0.1f;    // metres
 static constexpr float k_farthest_shift = 0.34f;  // legs
@@ -414,6 +415,7 @@ void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequ
     follow(foot.to.normal_x, foot.goal.normal_x);
     follow(foot.to.normal_z, foot.goal.normal_z);
     follow(foot.round, foot.goal_round);
+    foot.pivots[s.lane] = std::max(foot.pivots[s.lane] - k_heel_rises * s.dt, 0.0f);
 }
 
 void touch_down(GaitBlock& g, const Stepper& s, Side side) {
@@ -443,6 +445,8 @@ void pivot(GaitBlock& g, const Stepper& s, Side side) {
     float most = lerp(k_most_twist, k_easy_twist,
                       smoothstep(0.65f * g.duty[s.lane], 0.95f * g.duty[s.lane], foot.phase[s.lane]));
     float excess = off > 0 ? std::max(off - most, 0.0f) : std::min(off + most, 0.0f);
+    float& pivots = foot.pivots[s.lane];
+    pivots += clamp((excess != 0 ? 1.0f : 0.0f) - pivots, -k_heel_rises * s.dt, k_heel_rises * s.dt);
     if (excess == 0) return;
     excess = clamp(excess, -4 * s.dt, 4 * s.dt);
     FootSize size = foot_size(s.person, s.lane);

@@ -37,6 +37,9 @@ HWY_INLINE T at(const float* values) {
 inline constexpr float k_small_lift = 0.015f, k_small_more = 0.035f, k_small_step = 0.25f,
                        k_small_droop = 0.2f, k_small_droop_level = 4;
 
+// Radians by which the heel of a foot is up that turns on its ball.
+inline constexpr float k_pivot_pitch = 0.1f;
+
 // Metres that a foot swings higher up a step, and a small child's down one.
 inline constexpr float k_lifts_up = 0.02f, k_child_lifts_down = 0.018f;
 
@@ -119,9 +122,10 @@ HWY_INLINE T landing_on_ball(const FootTime<T>& time, T forefoot) {
 }
 
 // The pitch of the foot against the flat one, toes up +, radians: the norm's, with what standing flat, steps
-// down (`drop` metres from the slope underfoot to the other foot), a run and landing on the ball make of it.
+// down (`drop` metres from the slope underfoot to the other foot), a run, landing on the ball and turning on
+// it make of it.
 template <class T>
-HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing) {
+HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop, T landing, T pivots) {
     T zero = T(0.0f), one = T(1.0f), norm = time.norm;
     T pitch = curve_at(k_norm_foot_pitch, time.wave) * walk.ahead * (one + T(k_pitch_pace) * walk.over);
     T rolling = select(pitch > zero, one - smoothstep(T(0.06f), T(0.12f), norm),
@@ -149,7 +153,7 @@ HWY_INLINE T foot_pitch(const FootTime<T>& time, const WalkNow<T>& walk, T drop,
         T run = run_pitch(stands, time.swing.u, walk.pace, walk.reach) * walk.ahead;
         pitch = select(walk.running > zero, lerp(pitch, run, walk.running), pitch);
     }
-    return lerp(pitch, T(k_forefoot_pitch), landing);
+    return lerp(pitch, T(k_forefoot_pitch), landing) - pivots * T(k_pivot_pitch);
 }
 
 // Metres between the lowest point of a swinging foot and the ground; `far2` is the square of its way.
@@ -244,7 +248,7 @@ HWY_INLINE Foot<T> pose_foot(const FootBlock& f, const FootBlock& other, size_t 
     FootTime<T> time = foot_time(at<T>(f.phase + lane), walk);
     T forefoot = at<T>(f.forefoot + lane), landing = landing_on_ball(time, forefoot);
     T drop = T(0.0f) - step_between(swing_ends(f.from, other.to, lane, origin_ws));
-    T pitch = foot_pitch(time, walk, drop, landing);
+    T pitch = foot_pitch(time, walk, drop, landing, at<T>(f.pivots + lane));
     SwingEnds<T> ends = swing_ends(f.from, f.to, lane, origin_ws);
     T clearance = swing_clearance(time.swing, walk, ends.far.x * ends.far.x + ends.far.z * ends.far.z);
 
