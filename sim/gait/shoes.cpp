@@ -30,6 +30,8 @@ static Vec2 gap_between(const FootPlace& a, const FootPlace& b, const FootSize& 
 
 void keep_shoes_apart(FootPlace& landing, const FootPlace& there, const FootSize& size, Vec2 outward) {
     const float wide = k_standing * size.tip;
+    const float reach = 2 * size.tip + wide;
+    if (length_squared(on_ground(landing.position - there.position)) > reach * reach) return;
     float may = k_farthest;
     for (int pass = 0; pass < 5; ++pass) {
         const Vec2 gap = gap_between(landing, there, size);
@@ -55,6 +57,13 @@ bool turns_onto(const FootPlace& from, const FootPlace& to, const FootPlace& the
 float way_round(const FootPlace& from, const FootPlace& to, const FootPlace& there, const FootSize& size,
                 float outward) {
     const float wide = k_passing * size.tip, turn = wrap_angle(to.yaw - from.yaw);
+    // Most pass with room on the whole way.
+    const Vec2 facing = heading_direction(there.yaw), own{facing.z * outward, -facing.x * outward};
+    auto room_at = [&](const FootPlace& place) {
+        const float inward = outward * wrap_angle(there.yaw - place.yaw);
+        return dot(on_ground(place.position - there.position), own) - size.tip * std::max(inward, 0.0f);
+    };
+    if (std::min(room_at(from), room_at(to)) >= wide) return 0;
     float most = 0;
     for (float share : {0.15f, 0.3f, 0.45f, 0.6f, 0.75f, 0.9f}) {
         const FootPlace passing{lerp(from.position, to.position, share), from.yaw + turn * share};

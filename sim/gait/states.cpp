@@ -31,7 +31,8 @@ static constexpr float k_early =
     0.009562f;  // of the cycle, by which the body trusts a foot before it is down
 static constexpr float k_hurry =
     25;  // 1/s for each leg that a foot is too far behind, added to its phase's rate
-static constexpr float k_aside = 0.5f;  // of the metres aside, that a foot counts as farther from home
+static constexpr float k_just_landed = 0.25f;  // of the cycle, in which one does not leave again
+static constexpr float k_aside = 0.5f;         // of the metres aside, that a foot counts as farther from home
 static constexpr float k_late = 0.06f, k_hasty_swing = 1.8f;  // metres, behind time; of the frequency
 static constexpr float k_quicken = 10;                        // 1/s2, of the rate of a swing
 static constexpr float k_rise = 4.5f;                         // 1/s, of the phase of a foot that begins
@@ -229,7 +230,9 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
         bool worse = left_behind(side) >= left_behind(static_cast<Side>(1 - side));
         float ahead = wrap_difference(phases[1 - side] + 0.5f - phase);
         float rate = f * (1 + clamp(4 * ahead, -0.7f, 0.7f));
-        if (worse && may_leave(g, s, side)) {
+        const bool just_landed =
+            phase < phases[1 - side] && phase < k_just_landed && !g.feet[1 - side].swinging[lane];
+        if (worse && !just_landed && may_leave(g, s, side)) {
             rate += std::max(left_behind(side) + k_aside * off[side].aside() - reach, 0.0f) *
                     (k_hurry / s.leg_length);
             if (slow && off[side].amount(slack) > 1) rate = std::max(rate, k_close);

@@ -21,6 +21,7 @@ static constexpr float k_beside_most = 0.05f, k_crosses = 0.15f, k_crosses_befor
 static constexpr float k_converges = 0.1f;  // radians between feet, of one who turns on the spot
 static constexpr float k_wide_way =
     0.1f;  // metres round the other foot, for which one would rather land beside it
+static constexpr float k_turns = 0.15f;  // radians until the next step, of one who turns
 static constexpr float k_longest_step = 1.15f, k_longest_run_step = 2.3f;  // legs, from the other foot
 static constexpr float k_moved = 0.02f,
                        k_turned = 0.08f;       // metres, radians; changes that are planned for anew
@@ -169,7 +170,9 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     if (g.tread[s.lane] <= 0) {
         const FootSize size = foot_size(s.person, s.lane);
         keep_shoes_apart(place, beside, size, outward);
-        const float round = way_round(get_place(g.feet[side].from, s.lane), place, beside, size, out);
+        const bool turns = std::fabs(turn) > k_turns;
+        const float round =
+            turns ? way_round(get_place(g.feet[side].from, s.lane), place, beside, size, out) : 0;
         place.position += at_height(outward * clamp(round - k_wide_way, 0, k_beside_most), 0);
     }
     return place;
