@@ -26,8 +26,8 @@ static constexpr float k_any_way = 0.3f,
 static constexpr float k_pivot_speed = 0.15f;  // m/s, at least, of one who turns under way
 static constexpr float k_some = 25 * k_radians,
                        k_far = 110 * k_radians;  // to turn, slows one down: begins, ends
-static constexpr float k_eases = 0.35f;          // 1/s, of the speed, for a small turn
-static constexpr float k_small_turn = 50 * k_radians, k_large_turn = 120 * k_radians;
+static constexpr float k_eases = 0.45f;          // 1/s, of the speed, for a small turn
+static constexpr float k_small_turn = 45 * k_radians, k_large_turn = 115 * k_radians;
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
 // 1/s, of the speed to lose, with which one brakes over a foot that has come down; m/s2, at least.
