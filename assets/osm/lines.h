@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/vec.h"
+#include "sim/base/segment.h"
 
 namespace flaneur {
 
@@ -19,10 +19,7 @@ struct LinePiece {
 };
 
 // The place on a segment that is closest to `p`, 0 at its start and 1 at its end.
-inline float closest_on(const LinePiece& s, Vec2 p) {
-    Vec2 d = s.b - s.a;
-    return clamp(dot(p - s.a, d) / std::max(length_squared(d), 1e-9f), 0, 1);
-}
+inline float closest_on(const LinePiece& s, Vec2 p) { return closest_on(s.a, s.b, p); }
 
 // Where c-d crosses a-b, as a share of a-b; none where they do not or are parallel.
 inline std::optional<float> crossing_on(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {

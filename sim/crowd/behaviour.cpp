@@ -3,6 +3,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/base/segment.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 
@@ -157,9 +158,7 @@ static void get_unstuck(Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t t
 }
 
 static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-    Vec2 ab = b - a;
-    float t = clamp(dot(p - a, ab) / std::max(length_squared(ab), 1e-9f), 0, 1);
-    return length(a + ab * t - p);
+    return length(a + (b - a) * closest_on(a, b, p) - p);
 }
 
 static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick, uint64_t seed) {

@@ -32,8 +32,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 //   down.
 // - Wishes slower than 0.25 m/s do not turn the body: so one steps aside or back. Others do, at 100 deg/s at
 //   most, 140 while the inner foot swings, and 50 while the outer one does, in turns that are no bends: it
-//   lands beside the inner foot, not on its toes. Who must turn far slows down for it, a half turn while
-//   walking to 0.15 m/s; who stands turns on the spot, at 97 deg/s.
+//   lands beside the inner foot, not on its toes. Who must turn far slows down for it, hardly for
+//   what is soon over, in a half turn while walking to 0.15 m/s; who stands turns on the spot, at 97 deg/s.
 // - In a bend speed goes with curvature to the power -1/3 (Vieilledent et al. 2001; Hicheur et al. 2005)
 //   where it is narrower than 2.5 m, as v^2 times turn rate is what is bounded.
 // - In a turn nobody goes off to where no foot stands or is about to (Footwork::beside).

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/segment.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/half_planes.h"
 #include "sim/crowd/places.h"
@@ -160,7 +161,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
     int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
-        float t = clamp(dot(p - a, ab) / length_squared(ab), 0, 1);
+        float t = closest_on(a, on_ground(lines[b].b), p);
         Vec2 away = p - (a + ab * t), inward = inward_of(lines[b]);
         if (dot(away, inward) < -0.05f) continue;  // seen from behind: the border of another part of the mesh
         float distance = length(away);

@@ -5,6 +5,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/base/segment.h"
 #include "sim/gait/curves/fits.h"
 #include "sim/gait/curves/norms.h"
 #include "sim/gait/hands.h"
@@ -242,9 +243,8 @@ Footwork footwork(const Gait& gait, size_t walker, Vec3 root) {
     Footwork work;
     const FootPlaces &l = g.feet[k_left].to, &r = g.feet[k_right].to;
     const Vec2 left = Vec2{l.x[lane], l.z[lane]} - on_ground(root),
-               way = Vec2{r.x[lane], r.z[lane]} - on_ground(root) - left;
-    const float along = clamp(-dot(left, way) / std::max(length_squared(way), 1e-6f), 0, 1);
-    work.beside = left + way * along;
+               right = Vec2{r.x[lane], r.z[lane]} - on_ground(root);
+    work.beside = left + (right - left) * closest_on(left, right, {0, 0});
     for (const FootBlock& foot : g.feet) {
         if (!foot.swinging[lane]) continue;
         const float seconds =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/gait/curves/swing-inl.h"
 
 namespace flaneur {
 
@@ -74,7 +75,7 @@ float way_round(const FootPlace& from, const FootPlace& to, const FootPlace& the
         if (room >= wide && !behind_leg) continue;
         const float missing = beside >= 0 ? wide - room : wide + room;
         const float hop = 4 * share * (1 - share);  // about SwingTime's; see round_at
-        most = std::max(most, missing / (hop * (2 - hop)));
+        most = std::max(most, missing / HWY_NAMESPACE::round_at(hop));
     }
     return std::min(most, k_farthest_round);
 }

@@ -51,8 +51,6 @@ float wrap_phase(float p) { return p >= 0 && p < 1 ? p : p - std::floor(p); }
 // In [-1/2, 1/2).
 float wrap_difference(float d) { return d >= -0.5f && d < 0.5f ? d : d - std::floor(d + 0.5f); }
 
-void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
-
 float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const Misfit (&off)[2]) {
     int lane = s.lane;
     float stride = stride_length(std::max(speed, 0.05f), s.leg_length) * s.person.stride[lane];

@@ -52,6 +52,7 @@ static constexpr float k_one_step = 0.45f;   // metres, of a tread that nobody t
 
 // Which way is outward: +1, to the left, or -1.
 static float outward_of(Side side) { return side == k_left ? 1.0f : -1.0f; }
+static Vec2 outward_from(Vec2 facing, Side side) { return Vec2{facing.z, -facing.x} * outward_of(side); }
 
 Vec2 expected_velocity(const Stepper& s, float seconds) {
     Vec2 change = s.wish - s.velocity;
@@ -142,8 +143,7 @@ FootPlace wished_landing(const GaitBlock& g, const Stepper& s, Side side, float 
     FootPlace place = home(g, s.person, s.lane, side, s.root + at_height(ahead, 0), heading);
 
     // On its own side of the other foot, and within a step of it.
-    Vec2 facing = heading_direction(heading);
-    Vec2 outward = side == k_left ? Vec2{facing.z, -facing.x} : Vec2{-facing.z, facing.x};
+    const Vec2 facing = heading_direction(heading), outward = outward_from(facing, side);
     Vec2 apart = on_ground(place.position) - there + outward * g.feet[side].beside[s.lane];
     float missing = k_apart * s.person.step_width[s.lane] - dot(apart, outward);
     if (missing > 0) {
@@ -251,8 +251,7 @@ Footing down_or_before(const Stepper& s, Side side, const Footing& down, const F
 Footing beside_shoe(const Stepper& s, Side side, const Footing& footing, const FootPlace& there,
                     const FootSize& size) {
     FootPlace place = footing.place;
-    const Vec2 facing = heading_direction(place.yaw);
-    keep_shoes_apart(place, there, size, Vec2{facing.z, -facing.x} * outward_of(side));
+    keep_shoes_apart(place, there, size, outward_from(heading_direction(place.yaw), side));
     if (place.position == footing.place.position) return footing;
     const Footing off = find_footing(s.around, place, size, outward_of(side));
     const bool good =
@@ -418,7 +417,7 @@ void swing(GaitBlock& g, const Stepper& s, Side side, float seconds, float frequ
     follow(foot.to.normal_x, foot.goal.normal_x);
     follow(foot.to.normal_z, foot.goal.normal_z);
     follow(foot.round, foot.goal_round);
-    foot.pivots[s.lane] = std::max(foot.pivots[s.lane] - k_heel_rises * s.dt, 0.0f);
+    approach(foot.pivots[s.lane], 0, k_heel_rises * s.dt);
 }
 
 void touch_down(GaitBlock& g, const Stepper& s, Side side) {
@@ -448,8 +447,7 @@ void pivot(GaitBlock& g, const Stepper& s, Side side) {
     float most = lerp(k_most_twist, k_easy_twist,
                       smoothstep(0.65f * g.duty[s.lane], 0.95f * g.duty[s.lane], foot.phase[s.lane]));
     float excess = off > 0 ? std::max(off - most, 0.0f) : std::min(off + most, 0.0f);
-    float& pivots = foot.pivots[s.lane];
-    pivots += clamp((excess != 0 ? 1.0f : 0.0f) - pivots, -k_heel_rises * s.dt, k_heel_rises * s.dt);
+    approach(foot.pivots[s.lane], excess != 0 ? 1.0f : 0.0f, k_heel_rises * s.dt);
     if (excess == 0) return;
     excess = clamp(excess, -4 * s.dt, 4 * s.dt);
     FootSize size = foot_size(s.person, s.lane);

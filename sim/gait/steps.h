@@ -38,6 +38,9 @@ inline constexpr float k_turn_ahead = 0.4f;       // foreseen for so many second
 inline constexpr float k_least_swing = 0.7f;      // of the frequency, at which a swing advances at least
 inline constexpr float k_longest_jump = 1.8f;     // metres from the root to ground on the far side
 
+// A number that moves to another one by at most `step`.
+inline void approach(float& v, float target, float step) { v += clamp(target - v, -step, step); }
+
 inline bool wishes_to_go(const Stepper& s) { return length_squared(s.wish) > k_goes * k_goes; }
 // The way that the body still goes if it stops.
 Vec2 stopping_way(const Stepper& s);

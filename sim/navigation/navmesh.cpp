@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/segment.h"
 #include "sim/ground/grid.h"
 #include "sim/navigation/navmesh_data.h"
 
@@ -119,9 +120,7 @@ NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by)
 }
 
 static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {
-    Vec2 ab = on_ground(line.b) - on_ground(line.a);
-    float t = clamp(dot(on_ground(p) - on_ground(line.a), ab) / length_squared(ab), 0, 1);
-    return lerp(line.a, line.b, t);
+    return lerp(line.a, line.b, closest_on(on_ground(line.a), on_ground(line.b), on_ground(p)));
 }
 
 // Borders of another level do not count, metres.

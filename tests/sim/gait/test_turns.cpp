@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/base/segment.h"
 #include "sim/gait/shoes.h"
 #include "tests/sim/gait/tried.h"
 
@@ -60,10 +61,9 @@ TEST(Turns, WhoTurnsOnTheSpotGathersTheFeet) {
 float apart(const Sole& a, const Sole& b) {
     float least = 9;
     for (int i = 0; i <= 12; ++i) {
-        const Vec2 at = on_ground(lerp(a.heel, a.tip, static_cast<float>(i) / 12)),
-                   way = on_ground(b.tip - b.heel), to = at - on_ground(b.heel);
-        const float on = clamp(dot(to, way) / std::max(length_squared(way), 1e-6f), 0, 1);
-        least = std::min(least, length(to - way * on));
+        const Vec2 at = on_ground(lerp(a.heel, a.tip, static_cast<float>(i) / 12)), heel = on_ground(b.heel),
+                   tip = on_ground(b.tip);
+        least = std::min(least, length(lerp(heel, tip, closest_on(heel, tip, at)) - at));
     }
     return least;
 }

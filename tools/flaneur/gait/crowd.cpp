@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/base/math.h"
+#include "sim/base/segment.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/gait/measure/limits.h"
 #include "tools/flaneur/gait/measure/signal.h"
@@ -132,8 +133,7 @@ float shoes_overlap(const FootInstant (&feet)[2]) {
     float most = 0;
     for (int i = 0; i <= 12; ++i) {
         const Vec3 at = l.heel + along * (static_cast<float>(i) / 12);
-        const Vec2 way = on_ground(other);
-        const float on = clamp(dot(on_ground(at - r.heel), way) / std::max(length_squared(way), 1e-6f), 0, 1);
+        const float on = closest_on(on_ground(r.heel), on_ground(r.tip), on_ground(at));
         const Vec3 apart = at - r.heel - other * on;
         if (std::fabs(apart.y) < k_over) most = std::max(most, wide - length(on_ground(apart)));
     }
