@@ -7,8 +7,8 @@ namespace {
 
 constexpr std::array<QualityLevel, 4> k_levels = {{{"low", 1, 1024, 0.7f, false, false},
                                                    {"medium", 1, 2048, 1, true, false},
-                                                   {"high", 4, 4096, 1.6f, true, false},
-                                                   {"ultra", 4, 4096, 2.2f, true, true}}};
+                                                   {"high", 2, 4096, 1.6f, true, false},
+                                                   {"ultra", 2, 4096, 2.2f, true, true}}};
 
 }  // namespace
 

@@ -11,7 +11,7 @@ enum class Quality : uint8_t { low, medium, high, ultra };
 
 struct QualityLevel {
     const char* name;
-    uint32_t samples;            // of each pixel, 1 or 4
+    uint32_t samples;            // of each pixel along each edge, 1 or 2
     uint32_t shadow_resolution;  // texels along a map's edge
     float detail;                // people are drawn as finely as if they were so much larger
     bool smooths_edges;          // by FXAA

@@ -32,10 +32,15 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     if (window) FLANEUR_TRY(choose_surface_format(r.device, r.swapchain));
     const bool is_cpu = r.device.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     r.quality = quality_level(options.quality.value_or(is_cpu ? Quality::medium : Quality::ultra));
-    if (options.skins_on_host.value_or(is_cpu)) r.workers = make_workers(0);
-    FLANEUR_TRY(make_pipelines(r.device, r.quality, r.swapchain.format, r.pipelines));
+    r.are_people_skinned_on_host = options.skins_on_host.value_or(is_cpu);
+    const bool can_host_light = can_host_read_surfaces(r.device) && (!window || can_copy_to_window(r.device));
+    r.is_lit_on_host = options.lights_on_host.value_or(is_cpu && can_host_light);
+    if (r.is_lit_on_host && !can_host_light)
+        return Error{"The host cannot read what this device draws: let the device light it (--light device)."};
+    if (r.are_people_skinned_on_host || r.is_lit_on_host) r.workers = make_workers(0);
+    FLANEUR_TRY(make_pipelines(r.device, r.quality, r.is_lit_on_host, r.swapchain.format, r.pipelines));
     FLANEUR_TRY(make_slots(r));
-    FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.shadows));
+    FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.is_lit_on_host, r.shadows));
     FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
     FLANEUR_TRY(warm_up(r, options.warms_up_by_day, options.warms_up_by_night));
     return renderer;
@@ -161,23 +166,31 @@ PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& 
 }
 
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
-    const uint32_t largest =
-        std::min(k_largest_picture, renderer.device.properties.limits.maxImageDimension2D);
+    const uint32_t largest = std::min(
+        k_largest_picture, renderer.device.properties.limits.maxImageDimension2D / renderer.quality.samples);
     if (width < 1 || height < 1 || width > largest || height > largest)
         return Error{"A picture of " + std::to_string(width) + " x " + std::to_string(height) +
                      " cannot be drawn: each side must be 1 to " + std::to_string(largest) + " pixels."};
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
-    FLANEUR_TRY(fit_picture(renderer, width, height));
-    const PictureTarget target{.image = renderer.picture,
-                               .fxaa = renderer.pipelines.fxaa_image,
-                               .after = k_copied_from,
-                               .readback = renderer.readback.handle};
     FrameSlot& slot = renderer.slots[0];
+    Image image{width, height, {}};
+    const size_t bytes = size_t{4} * width * height;
+    PictureTarget target{.extent = {width, height}};
+    if (renderer.is_lit_on_host) {
+        image.rgba.resize(bytes);
+        target.pixels = reinterpret_cast<uint32_t*>(image.rgba.data());
+        FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
+        return image;
+    }
+    FLANEUR_TRY(fit_picture(renderer, width, height));
+    target.image = &renderer.picture;
+    target.smooth = renderer.pipelines.smooth_image;
+    target.after = k_copied_from;
+    target.readback = renderer.readback.handle;
     FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
-    Image image{width, height, {}};
-    const auto* bytes = static_cast<const uint8_t*>(renderer.readback.mapped);
-    image.rgba.assign(bytes, bytes + size_t{4} * width * height);
+    const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
+    image.rgba.assign(first, first + bytes);
     return image;
 }
 
@@ -208,15 +221,27 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
             return vulkan_error(result, "get an image of the window");
     }
     GpuImage& image = swapchain.images[index];
-    // Its semaphore is waited for before colours are written.
-    image.last.assign(1, {k_colour_target.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
-    const PictureTarget target{
-        .image = image,
-        .fxaa = renderer.pipelines.fxaa_window,
-        .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR}};
-    if (Result<void> drawn =
-            draw_frame(renderer, slot, frame, target, slot.image_ready, swapchain.drawn[index]);
-        !drawn) {
+    PictureTarget target{
+        .extent = swapchain.extent,
+        .image = &image,
+        .smooth = renderer.pipelines.smooth_window,
+        .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
+        .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
+    auto draw = [&]() -> Result<void> {
+        if (renderer.is_lit_on_host) {
+            FLANEUR_TRY(reserve_buffer(renderer.device,
+                                       VkDeviceSize{4} * target.extent.width * target.extent.height,
+                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload, slot.picture));
+            target.pixels = static_cast<uint32_t*>(slot.picture.mapped);
+            target.staging = slot.picture.handle;
+        }
+        const Access written = renderer.is_lit_on_host ? k_copied_to : k_colour_target;
+        // Its semaphore is waited for before the picture is written.
+        image.last.assign(1, {written.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
+        return draw_frame(renderer, slot, frame, target, {slot.image_ready, written.stage},
+                          swapchain.drawn[index]);
+    };
+    if (Result<void> drawn = draw(); !drawn) {
         give_up_image(renderer, slot);
         return drawn;
     }

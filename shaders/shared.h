@@ -94,34 +94,39 @@ FLANEUR_CONST int k_far_layer = 1;
 FLANEUR_CONST int k_still_layer = 2;
 FLANEUR_CONST int k_shadow_layers = 3;
 
+// Kinds of surfaces, by how light falls on them.
+FLANEUR_CONST uint k_kind_sky = 0;     // none: the sky is seen
+FLANEUR_CONST uint k_kind_ground = 1;  // and roofs
+FLANEUR_CONST uint k_kind_wall = 2;    // mirrors the street
+FLANEUR_CONST uint k_kind_thing = 3;   // trees, furniture, scenery
+FLANEUR_CONST uint k_kind_person = 4;
+FLANEUR_CONST uint k_kind_impostor = 5;
+FLANEUR_CONST float k_most_glow = 8;  // of a surface, against its albedo
+
 // Bindings of the one descriptor set that every pipeline uses.
 FLANEUR_CONST int k_binding_frame = 0;       // FrameConstants
 FLANEUR_CONST int k_binding_instances = 1;   // WalkerInstance[]
 FLANEUR_CONST int k_binding_palette = 2;     // JointTransform[]
 FLANEUR_CONST int k_binding_impostors = 3;   // ImpostorInstance[]
 FLANEUR_CONST int k_binding_cells = 4;       // ImpostorCell[]
-FLANEUR_CONST int k_binding_shadow = 5;      // k_shadow_layers
-FLANEUR_CONST int k_binding_textures = 6;    // base colours of people, layer 0 white
-FLANEUR_CONST int k_binding_picture = 7;     // the picture before anti-aliasing, luma in alpha
+FLANEUR_CONST int k_binding_sky = 5;         // vec4[], the sky's light at the corners of a grid
+FLANEUR_CONST int k_binding_shadow = 6;      // k_shadow_layers
+FLANEUR_CONST int k_binding_textures = 7;    // base colours of people, layer 0 white
 FLANEUR_CONST int k_binding_atlas = 8;       // of impostors
 FLANEUR_CONST int k_binding_scenery = 9;     // pictures of the city's scenery, layer 0 white
 FLANEUR_CONST int k_binding_lamps = 10;      // LampMap
-FLANEUR_CONST int k_binding_depth = 11;      // of the picture, four samples
-FLANEUR_CONST int k_binding_occlusion = 12;  // half as wide and high, 1 where nothing is near
-FLANEUR_CONST int k_bindings = 13;
+FLANEUR_CONST int k_binding_colour = 11;     // of surfaces; see shaders/base/surface.glsl
+FLANEUR_CONST int k_binding_surface = 12;    // what else they are
+FLANEUR_CONST int k_binding_depth = 13;      // of them
+FLANEUR_CONST int k_binding_occlusion = 14;  // half as wide and high as the picture, 1 where nothing is near
+FLANEUR_CONST int k_binding_picture = 15;    // the picture before anti-aliasing, luma in alpha
+FLANEUR_CONST int k_binding_overlay = 16;    // what is laid over it, alpha multiplied in
+FLANEUR_CONST int k_bindings = 17;
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
-FLANEUR_CONST int k_constant_light = 1;     // one of k_light_*
-FLANEUR_CONST int k_constant_smooth = 2;    // whether edges are smoothed
-FLANEUR_CONST int k_constants = 3;
-
-// What lights a scene: sun and sky; these and lamps; the sun alone, everywhere, with neither shadows nor
-// haze, and surfaces without patterns.
-FLANEUR_CONST int k_light_day = 0;
-FLANEUR_CONST int k_light_night = 1;
-FLANEUR_CONST int k_light_plain = 2;
-FLANEUR_CONST int k_lights = 3;
+FLANEUR_CONST int k_constant_smooth = 1;    // whether edges are smoothed
+FLANEUR_CONST int k_constants = 2;
 
 // What the views for work paint instead of light: a push constant.
 FLANEUR_CONST uint k_paint_normals = 0;
@@ -130,9 +135,13 @@ FLANEUR_CONST uint k_paint_paper = 2;  // pale, under ink
 FLANEUR_CONST uint k_paint_ink = 3;    // the edges of triangles
 FLANEUR_CONST uint k_paint_ghost = 4;  // seen through, but for its outline
 
-// Cells of the grid that the sky is drawn by.
+// Cells of the grid over the picture that the sky's light is known at the corners of.
 FLANEUR_CONST int k_sky_columns = 40;
 FLANEUR_CONST int k_sky_rows = 24;
+
+// Smoothing of edges: from which contrast on, 0..255; how far along an edge its ends are looked for, pixels.
+FLANEUR_CONST int k_least_contrast = 10;
+FLANEUR_CONST int k_edge_reach = 8;
 
 // The last joints of the legs, whose places on the ground darken it.
 FLANEUR_CONST int k_left_foot = 16;
@@ -158,17 +167,14 @@ struct FrameConstants {
     vec4 haze_towards;  // sky at the horizon towards the sun; w: haze a metre
     vec4 haze_away;     // and away from it; w: metres where haze begins
     vec4 zenith;        // sky overhead
-    vec4 perez[5];      // A..E of the sky's distribution for Y, x, y
-    vec4 sky_scale;     // Y, x, y of the zenith over the distribution there
-    vec4 sky_white;     // factors for red, green, blue: white balance and exposure
-    vec4 sky_low;       // added to that sky: at the horizon,
-    vec4 sky_high;      //   overhead,
-    vec4 sky_dusk;      //   and where the sun went down; w: how plainly stars are seen
-    vec4 sky_sun;       // towards the sun, as the sky has it, above the horizon
     vec4 lamp_light;    // what a white surface reflects where the lamp map says 1; w: share of lit windows
-    vec4 lamp_map;      // u, v = x, z * xy + zw
-    vec4 window_light;  // a lit room, seen
-    vec4 screen;        // width, height, 1 / width, 1 / height
+    vec4 lamp_map;      // texels from the map's corner = x, z * xy + zw
+    vec4 window_light;  // a lit room, seen; w: how plainly stars are seen
+    vec4 screen;        // of the picture: width, height, 1 / width, 1 / height
+    vec4 samples;  // of a pixel: along each edge, 1 over that; 1 over the width and height of surfaces
+    vec4 way;      // 1 or 0: lamps are lit; plain light, of sun and sky, with neither shadows nor haze nor patterns;
+                   //   surfaces are painted, and not lit; something is laid over the picture
+    vec4 backdrop;  // where nothing is, display-ready; w: 1 if there is one
 };
 
 #endif

@@ -14,16 +14,10 @@ Result<void> make_sampler(const Device& device, SamplerKind kind, VkSampler& out
     sampler.magFilter = sampler.minFilter = VK_FILTER_LINEAR;
     sampler.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
     sampler.maxLod = VK_LOD_CLAMP_NONE;
-    if (kind == SamplerKind::bordered)
-        sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
-    if (kind == SamplerKind::texels || kind == SamplerKind::compared) {
+    if (kind == SamplerKind::texels) {
         sampler.magFilter = sampler.minFilter = VK_FILTER_NEAREST;
         sampler.mipmapMode = VK_SAMPLER_MIPMAP_MODE_NEAREST;
         sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    }
-    if (kind == SamplerKind::compared) {
-        sampler.compareEnable = VK_TRUE;
-        sampler.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     }
     FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &out), "make a sampler");
     return {};

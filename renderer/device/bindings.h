@@ -12,11 +12,9 @@ namespace flaneur {
 
 enum class SamplerKind : uint8_t {
     blended,   // bilinear, levels blended, repeated
-    bordered,  // so, black beyond its edges
     texels,    // one texel, clamped
-    compared,  // how much of four texels is not nearer
 };
-inline constexpr size_t k_samplers = 4;
+inline constexpr size_t k_samplers = 2;
 
 struct BindingKind {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -33,14 +31,14 @@ inline constexpr std::array<BindingKind, k_bindings> k_binding_kinds = [] {
     kinds[k_binding_palette] = {};
     kinds[k_binding_impostors] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, both};
     kinds[k_binding_cells] = {};
-    kinds[k_binding_shadow] = {image, both, SamplerKind::compared};
+    kinds[k_binding_sky] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, fragment};
+    kinds[k_binding_shadow] = {image, fragment, SamplerKind::texels};
     kinds[k_binding_textures] = {image, fragment, SamplerKind::blended};
-    kinds[k_binding_picture] = {image, fragment, SamplerKind::blended};
     kinds[k_binding_atlas] = {image, fragment, SamplerKind::texels};
     kinds[k_binding_scenery] = {image, fragment, SamplerKind::blended};
-    kinds[k_binding_lamps] = {image, both, SamplerKind::bordered};
-    kinds[k_binding_depth] = {image, fragment, SamplerKind::texels};
-    kinds[k_binding_occlusion] = {image, fragment, SamplerKind::texels};
+    for (int texels : {k_binding_lamps, k_binding_colour, k_binding_surface, k_binding_depth,
+                       k_binding_occlusion, k_binding_picture, k_binding_overlay})
+        kinds[static_cast<size_t>(texels)] = {image, fragment, SamplerKind::texels};
     return kinds;
 }();
 constexpr bool is_image(const BindingKind& kind) {

@@ -152,6 +152,7 @@ std::string missing_from(VkPhysicalDevice physical, VkSurfaceKHR surface) {
     if (!features.features.multiDrawIndirect) return "multi-draw indirect";
     if (!features.features.drawIndirectFirstInstance) return "a first instance in indirect draws";
     if (!features.features.depthClamp) return "depth clamping";
+    if (!features.features.independentBlend) return "blending that differs between attachments";
     bool timestamps = false;
     if (find_queue_family(physical, surface, &timestamps) == ~0u)
         return surface ? "a queue that draws into this window" : "a queue that draws";
@@ -192,6 +193,7 @@ Result<void> make_logical_device(Device& device) {
     features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
     features.features.depthClamp = VK_TRUE;
+    features.features.independentBlend = VK_TRUE;
     VkPhysicalDeviceFeatures offered;
     vkGetPhysicalDeviceFeatures(device.physical, &offered);
     features.features.fillModeNonSolid = offered.fillModeNonSolid;

@@ -178,15 +178,25 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     info.extent = {shape.width, shape.height, 1};
     info.mipLevels = shape.levels;
     info.arrayLayers = shape.layers;
-    info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = shape.is_read_by_host ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL;
     info.usage = shape.usage;
     FLANEUR_VK(vkCreateImage(device.handle, &info, nullptr, &image.handle),
                "make an image of " + std::to_string(shape.width) + " x " + std::to_string(shape.height));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle, image.handle, &needs);
-    FLANEUR_TRY(allocate(device, needs, MemoryKind::device, image.memory));
+    FLANEUR_TRY(allocate(device, needs, shape.is_read_by_host ? MemoryKind::readback : MemoryKind::device,
+                         image.memory));
     FLANEUR_VK(vkBindImageMemory(device.handle, image.handle, image.memory, 0), "bind an image");
+    if (shape.is_read_by_host) {
+        void* mapped = nullptr;
+        FLANEUR_VK(vkMapMemory(device.handle, image.memory, 0, VK_WHOLE_SIZE, 0, &mapped), "map an image");
+        const VkImageSubresource first{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
+        VkSubresourceLayout layout;
+        vkGetImageSubresourceLayout(device.handle, image.handle, &first, &layout);
+        image.mapped = static_cast<const std::byte*>(mapped) + layout.offset;
+        image.row_bytes = layout.rowPitch;
+    }
     constexpr VkImageUsageFlags viewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                          VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     if (!(shape.usage & viewed)) return {};
@@ -197,6 +207,13 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     view.subresourceRange = {aspect_of(shape.format), 0, shape.levels, 0, shape.layers};
     FLANEUR_VK(vkCreateImageView(device.handle, &view, nullptr, &image.view), "make an image view");
     return {};
+}
+
+bool can_host_read(const Device& device, const ImageShape& shape) {
+    VkImageFormatProperties properties;
+    return vkGetPhysicalDeviceImageFormatProperties(device.physical, shape.format, VK_IMAGE_TYPE_2D,
+                                                    VK_IMAGE_TILING_LINEAR, shape.usage, 0,
+                                                    &properties) == VK_SUCCESS;
 }
 
 void destroy_image(const Device& device, GpuImage& image) {

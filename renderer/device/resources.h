@@ -42,6 +42,8 @@ inline constexpr Access k_sampled = {
     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
 inline constexpr Access k_copied_from = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                                          VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+inline constexpr Access k_read_by_host = {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT,
+                                          VK_IMAGE_LAYOUT_GENERAL};
 inline constexpr Access k_copied_to = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 
@@ -51,6 +53,8 @@ struct GpuImage {
     VkImageView view = {};       // of all layers and levels
     VkFormat format = VK_FORMAT_UNDEFINED;
     uint32_t width = 0, height = 0, layers = 1, levels = 1;
+    const void* mapped = nullptr;  // what the host reads, where it does
+    size_t row_bytes = 0;          // there, from row to row
     std::vector<Access> last;  // what was done last to each layer, in the order of recording
 };
 
@@ -72,11 +76,13 @@ struct ImageShape {
     VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
     uint32_t width = 1, height = 1, layers = 1, levels = 1;
     VkImageUsageFlags usage = 0;
-    bool is_array = false;  // the view is of an array even for one layer
-    uint32_t samples = 1;
+    bool is_array = false;         // the view is of an array even for one layer
+    bool is_read_by_host = false;  // as it lies; see can_host_read()
 };
 Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image);
 void destroy_image(const Device& device, GpuImage& image);
+// Whether the host may read such an image where it lies, rather than a copy.
+bool can_host_read(const Device& device, const ImageShape& shape);
 VkImageAspectFlags aspect_of(VkFormat format);
 
 struct Layers {

@@ -19,6 +19,9 @@ struct Swapchain {
 // Sets the format. Refuses where the surface takes none that fits.
 Result<void> choose_surface_format(const Device& device, Swapchain& swapchain);
 
+// Whether pictures may be copied into the surface's images, rather than only drawn.
+bool can_copy_to_window(const Device& device);
+
 // Makes the swapchain (anew) for the surface's size, or `wanted` where the surface leaves it open. A window
 // without area gets none: `handle` is null then. The device must be idle.
 Result<void> make_swapchain(const Device& device, VkExtent2D wanted, Swapchain& swapchain);

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "renderer/light/look.h"
+
 namespace flaneur {
 namespace {
 
 constexpr Slice k_far_slice = {0, 250};  // where the city throws shadows, metres
+constexpr float k_plain_shadows = 0.8f;  // from which share of their reach on people's shadows fade
 
 DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> more,
                  uint32_t first_instance) {
@@ -22,6 +25,33 @@ bool is_cut(const View& before, const View& now) {
     constexpr float farthest = 3, widest = 1.05f;  // metres; factor on the size of what is seen
     const float zoom = now.pixels_at_one_metre / before.pixels_at_one_metre;
     return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
+}
+
+// What light does not know of: the view, its shadows, and how the picture is made.
+void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent, FrameConstants& out) {
+    auto v4 = [](vec3 v, float w = 0) { return vec4(v, w); };
+    out.clip_from_world = plan.view.clip_from_world;
+    out.shadow_from_world = plan.boxes.near.map_from_world;
+    const float ratio = plan.boxes.near.size / plan.boxes.far.size;
+    out.far_scale = v4(vec3(ratio));
+    out.far_offset = plan.boxes.far.map_from_world[3] - plan.boxes.near.map_from_world[3] * ratio;
+    const float resolution = static_cast<float>(renderer.quality.shadow_resolution);
+    out.shadow_texels = {plan.boxes.near.texel, plan.boxes.far.texel, resolution, 1 / resolution};
+    const float reach = plan.slice.far, faded = reach * reach * (1 - k_plain_shadows * k_plain_shadows);
+    out.people_shadows = {reach * reach / faded, 1 / faded, 0, 0};
+    out.eye = v4(plan.view.eye);
+    out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
+    out.ray_right = v4(plan.view.right);
+    out.ray_down = v4(plan.view.down);
+    out.sun_direction = plan.has_shadows || plan.backdrop ? v4(plan.light.to_light) : vec4(0, -1, 0, 0);
+    out.lamp_map = renderer.scene.lamp_map;
+    const vec2 size(extent.width, extent.height);
+    out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
+    const auto samples = static_cast<float>(renderer.quality.samples);
+    out.samples = {samples, 1 / samples, 1 / (size.x * samples), 1 / (size.y * samples)};
+    out.way = {plan.light.lamps > 0 && !plan.backdrop, plan.backdrop.has_value(),
+               plan.surfaces_view != Surfaces::lit, has_overlay(plan)};
+    if (plan.backdrop) out.backdrop = v4(*plan.backdrop, 1);
 }
 
 void colour_by_level(std::span<const PersonRanges> people, CrowdDraws& crowd) {
@@ -49,7 +79,6 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.backdrop = input.backdrop;
     plan.times_passes = input.times_passes;
     plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
-    plan.light_kind = plan.backdrop ? k_light_plain : plan.light.lamps > 0 ? k_light_night : k_light_day;
     plan.lit_windows = input.lit_windows;
     const vec3 to_light = plan.light.to_light;
     const uint32_t resolution = renderer.quality.shadow_resolution;
@@ -83,7 +112,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
 
     const std::span<const DrawCommand> people(renderer.crowd.draws);
     const std::span<const DrawCommand> casters(renderer.casters.draws);
-    if (renderer.workers) {
+    if (renderer.are_people_skinned_on_host) {
         if (input.surfaces == Surfaces::lit && !input.are_ghosts)
             plan.crowd_skin = plan_skin(people, scene.skin_meshes);
         plan.casters_skin = plan_skin(casters, scene.skin_meshes);
@@ -121,6 +150,10 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
         plan.surfaces[kind] = visible(static_cast<CityClass>(kind));
     if (plan.boxes.is_near_new) plan.near_casters = casting(plan.boxes.near, true);
     if (plan.boxes.is_far_new) plan.far_casters = casting(plan.boxes.far, false);
+    const Look look = look_of(plan.light, plan.lit_windows);
+    plan.constants = look.constants;
+    set_view(renderer, plan, extent, plan.constants);
+    plan.sky = sky_corners(plan.light, look, plan.constants);
 }
 
 }  // namespace flaneur

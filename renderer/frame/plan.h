@@ -28,7 +28,6 @@ struct FramePlan {
     Daylight light;
     float lit_windows = 0;
     bool has_shadows = false;      // of sun or moon
-    int light_kind = k_light_day;  // k_light_*
     Slice slice;
     ShadowBoxes boxes;
     std::optional<vec3> backdrop;                    // see FrameInput
@@ -43,7 +42,12 @@ struct FramePlan {
     Surfaces surfaces_view = Surfaces::lit;
     bool are_tinted = false, are_ghosts = false;  // people
     uint32_t lines = 0, fills = 0;                // gizmos, and corners of fills
+    FrameConstants constants;
+    std::vector<vec4> sky;  // at the corners of its grid
 };
+
+// Whether something is laid over the picture.
+inline bool has_overlay(const FramePlan& plan) { return plan.lines > 0 || plan.fills > 0 || plan.are_ghosts; }
 
 // Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);

@@ -48,8 +48,4 @@ void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoa
     vkCmdEndRendering(record.commands);
 }
 
-const LitPipelines& lit_pipelines(const FrameRecord& record) {
-    return record.renderer.pipelines.lit[record.plan.light_kind];
-}
-
 }  // namespace flaneur

@@ -7,10 +7,14 @@ namespace flaneur {
 
 // The picture that a frame is drawn into, and what becomes of it.
 struct PictureTarget {
-    GpuImage& image;
-    VkPipeline fxaa = {};    // the one for the image's format
-    Access after;            // what is done to the image then
-    VkBuffer readback = {};  // where the picture is copied to; null: nowhere
+    VkExtent2D extent = {};
+    GpuImage* image = nullptr;   // null: the host lights, and nobody else wants the picture
+    VkPipeline smooth = {};      // the one for the image's format, where the device lights
+    Access after = {};           // what is done to the image then
+    VkBuffer readback = {};      // where the device copies the picture to; null: nowhere
+    uint32_t* pixels = nullptr;  // where the host puts it, if it lights
+    VkBuffer staging = {};       // which that is, for the image to be copied from
+    bool is_blue_first = false;  // in these
 };
 
 struct FrameRecord {
@@ -35,8 +39,5 @@ void draw_indirect(const FrameRecord& record, DrawRange range);
 // Draws a triangle that covers an image with a pipeline without vertices.
 void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load,
                VkPipeline pipeline);
-
-// Those for the light of this frame.
-const LitPipelines& lit_pipelines(const FrameRecord& record);
 
 }  // namespace flaneur

@@ -26,9 +26,10 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 }
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
-    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.draws,
+    for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.sky, &slot.draws,
                            &slot.contacts, &slot.lines, &slot.fills, &slot.crowd.vertices,
-                           &slot.crowd.indices, &slot.casters.vertices, &slot.casters.indices})
+                           &slot.crowd.indices, &slot.casters.vertices, &slot.casters.indices,
+                           &slot.picture})
         destroy_buffer(device, *buffer);
     destroy_stages(device, slot.stages);
     if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);
@@ -36,17 +37,17 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
     if (slot.pool) vkDestroyCommandPool(device.handle, slot.pool, nullptr);
 }
 
-Result<void> submit_slot(const Device& device, FrameSlot& slot, VkSemaphore wait, VkSemaphore signal) {
+Result<void> submit_slot(const Device& device, FrameSlot& slot, Wait wait, VkSemaphore signal) {
     VkSemaphoreSubmitInfo waits{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-    waits.semaphore = wait;
-    waits.stageMask = VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+    waits.semaphore = wait.semaphore;
+    waits.stageMask = wait.stage;
     VkSemaphoreSubmitInfo signals{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
     signals.semaphore = signal;
     signals.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
     commands.commandBuffer = slot.commands;
     VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-    info.waitSemaphoreInfoCount = wait ? 1 : 0;
+    info.waitSemaphoreInfoCount = wait.semaphore ? 1 : 0;
     info.pWaitSemaphoreInfos = &waits;
     info.commandBufferInfoCount = 1;
     info.pCommandBufferInfos = &commands;

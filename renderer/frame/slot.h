@@ -19,16 +19,22 @@ struct FrameSlot {
     VkSemaphore image_ready = {};  // of a window
     VkDescriptorSet set = {};
     Stages stages;
-    Buffer constants, instances, palette, impostors, draws, contacts, lines, fills;
+    Buffer constants, instances, palette, impostors, sky, draws, contacts, lines, fills;
     SkinBuffers crowd, casters;  // skinned by the host
+    Buffer picture;              // lit by the host, on the way into a window
     bool is_pending = false;     // submitted, and not yet waited for
 };
 Result<void> make_slot(const Device& device, FrameSlot& slot);
 Result<void> make_image_ready(const Device& device, FrameSlot& slot);
 void destroy_slot(const Device& device, FrameSlot& slot);
 
-// Hands what was recorded to the device. `wait` and `signal` may be null.
-Result<void> submit_slot(const Device& device, FrameSlot& slot, VkSemaphore wait, VkSemaphore signal);
+// What is waited for, before which stage; null: nothing.
+struct Wait {
+    VkSemaphore semaphore = {};
+    VkPipelineStageFlags2 stage = VK_PIPELINE_STAGE_2_NONE;
+};
+// Hands what was recorded to the device. `signal` may be null.
+Result<void> submit_slot(const Device& device, FrameSlot& slot, Wait wait, VkSemaphore signal);
 
 // Waits until the slot's frame, if any, is done, and reads what its stages took.
 Result<void> finish_slot(const Device& device, FrameSlot& slot, FrameStats& stats);

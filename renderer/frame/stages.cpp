@@ -43,6 +43,7 @@ void destroy_stages(const Device& device, Stages& stages) {
 
 void begin_stages(VkCommandBuffer commands, Stages& stages) {
     stages.names.clear();
+    stages.is_recorded = true;
     if (stages.timestamps) vkCmdResetQueryPool(commands, stages.timestamps, 0, k_max_stages + 1);
     if (stages.counters) vkCmdResetQueryPool(commands, stages.counters, 0, k_max_stages);
     write_timestamp(commands, stages, 0);
@@ -65,7 +66,8 @@ void end_stage(VkCommandBuffer commands, const Stages& stages) {
     if (stages.counters) vkCmdEndQuery(commands, stages.counters, count - 1);
 }
 
-Result<void> read_stages(const Device& device, const Stages& stages, std::vector<FrameStats::Stage>& read) {
+Result<void> read_stages(const Device& device, Stages& stages, std::vector<FrameStats::Stage>& read) {
+    if (!stages.is_recorded) return {};
     read.clear();
     for (const std::string& name : stages.names) read.push_back({name});
     const auto count = static_cast<uint32_t>(read.size());
@@ -86,6 +88,7 @@ Result<void> read_stages(const Device& device, const Stages& stages, std::vector
         for (uint32_t i = 0; i < count; ++i)
             read[i].vertices = shaded[i][0], read[i].fragments = shaded[i][1];
     }
+    stages.is_recorded = false;
     return {};
 }
 

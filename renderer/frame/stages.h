@@ -15,6 +15,7 @@ struct Stages {
     VkQueryPool timestamps = {};     // at the start, and at the end of each stage; null: the device has none
     VkQueryPool counters = {};       // of each stage: vertices and fragments shaded; null: it counts none
     std::vector<std::string> names;  // of those recorded
+    bool is_recorded = false;        // since they were read
     bool has_labels = false;
 };
 Result<void> make_stages(const Device& device, Stages& stages);
@@ -27,7 +28,7 @@ void begin_stages(VkCommandBuffer commands, Stages& stages);
 void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name);
 void end_stage(VkCommandBuffer commands, const Stages& stages);
 
-// Of a frame that the device has finished.
-Result<void> read_stages(const Device& device, const Stages& stages, std::vector<FrameStats::Stage>& read);
+// Of a frame that the device has finished; what was read before is left as it is.
+Result<void> read_stages(const Device& device, Stages& stages, std::vector<FrameStats::Stage>& read);
 
 }  // namespace flaneur

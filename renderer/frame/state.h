@@ -4,6 +4,7 @@
 #include "renderer/device/swapchain.h"
 #include "renderer/frame/slot.h"
 #include "renderer/frame/targets.h"
+#include "renderer/light/sweep.h"
 #include "renderer/loaded/gpu_scene.h"
 #include "renderer/people/skin.h"
 #include "renderer/pipelines/pipelines.h"
@@ -22,13 +23,15 @@ struct Renderer {
     GpuScene scene;
     ShadowMaps shadows;
     PictureTargets targets;
-    GpuImage picture;  // off-screen
+    GpuImage picture;     // off-screen, where the device lights
     Buffer readback;
+    LitPicture lit;       // where the host lights
     GLFWwindow* window = nullptr;
     Swapchain swapchain;
     bool is_swapchain_stale = true;
     CrowdDraws crowd, casters;
-    WorkersPtr workers;                     // that skin people; null where the device does
+    bool is_lit_on_host = false, are_people_skinned_on_host = false;
+    WorkersPtr workers;                     // of the host, where it does something of this
     std::vector<SkinScratch> skin_scratch;  // one a thread
     OcclusionMap hidden;
     View last_view{};  // of the frame before

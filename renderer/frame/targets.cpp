@@ -4,34 +4,62 @@
 
 namespace flaneur {
 
-Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, uint32_t width,
-                                  uint32_t height, PictureTargets& targets) {
-    ImageShape shape{.format = k_picture_format, .width = width, .height = height};
-    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+namespace {
+
+constexpr VkImageUsageFlags k_drawn_and_read = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+
+}  // namespace
+
+Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, bool is_read_by_host,
+                                  VkExtent2D extent, PictureTargets& targets) {
+    targets.extent = extent;
+    ImageShape shape{.format = k_colour_format,
+                     .width = extent.width * quality.samples,
+                     .height = extent.height * quality.samples,
+                     .usage = k_drawn_and_read,
+                     .is_read_by_host = is_read_by_host};
     FLANEUR_TRY(make_image(device, shape, targets.colour));
-    if (quality.has_occlusion) {
-        ImageShape half = shape;
-        half.format = k_occlusion_format;
-        half.width = (width + 1) / 2, half.height = (height + 1) / 2;
-        FLANEUR_TRY(make_image(device, half, targets.occlusion));
-    }
-    shape.samples = quality.samples;
-    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-    if (quality.samples > 1) FLANEUR_TRY(make_image(device, shape, targets.samples));
+    FLANEUR_TRY(make_image(device, shape, targets.overlay));
+    shape.format = k_surface_format;
+    FLANEUR_TRY(make_image(device, shape, targets.surface));
     shape.format = k_depth_format;
-    shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-    if (quality.has_occlusion) shape.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
-    return make_image(device, shape, targets.depth);
+    shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    if (is_read_by_host) {
+        FLANEUR_TRY(make_buffer(device, VkDeviceSize{4} * shape.width * shape.height,
+                                VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback, targets.depth_copy));
+        shape.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        shape.is_read_by_host = false;
+    }
+    FLANEUR_TRY(make_image(device, shape, targets.depth));
+    ImageShape pixels{.format = k_occlusion_format,
+                      .width = (extent.width + 1) / 2,
+                      .height = (extent.height + 1) / 2,
+                      .usage = k_drawn_and_read};
+    if (quality.has_occlusion) FLANEUR_TRY(make_image(device, pixels, targets.occlusion));
+    if (is_read_by_host) return {};
+    pixels.format = k_picture_format;
+    pixels.width = extent.width, pixels.height = extent.height;
+    return make_image(device, pixels, targets.picture);
 }
 
 void destroy_picture_targets(const Device& device, PictureTargets& targets) {
-    destroy_image(device, targets.colour);
-    destroy_image(device, targets.samples);
-    destroy_image(device, targets.depth);
-    destroy_image(device, targets.occlusion);
+    for (GpuImage* image : {&targets.colour, &targets.surface, &targets.depth, &targets.overlay,
+                            &targets.occlusion, &targets.picture})
+        destroy_image(device, *image);
+    destroy_buffer(device, targets.depth_copy);
+    targets = {};
 }
 
-Result<void> make_shadow_maps(const Device& device, uint32_t resolution, ShadowMaps& maps) {
+bool can_host_read_surfaces(const Device& device) {
+    return can_host_read(device, {.format = k_colour_format, .usage = k_drawn_and_read}) &&
+           can_host_read(device, {.format = k_surface_format, .usage = k_drawn_and_read});
+}
+
+Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,
+                              ShadowMaps& maps) {
+    if (is_read_by_host)
+        FLANEUR_TRY(make_buffer(device, VkDeviceSize{2} * resolution * resolution * k_shadow_layers,
+                                VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback, maps.copy));
     ImageShape shape{.format = k_shadow_format, .width = resolution, .height = resolution};
     shape.layers = k_shadow_layers;
     shape.is_array = true;
@@ -54,6 +82,7 @@ void destroy_shadow_maps(const Device& device, ShadowMaps& maps) {
     for (VkImageView view : maps.layer_views)
         if (view) vkDestroyImageView(device.handle, view, nullptr);
     destroy_image(device, maps.map);
+    destroy_buffer(device, maps.copy);
     maps = {};
 }
 

@@ -8,25 +8,33 @@
 
 namespace flaneur {
 
-// As large as the picture; what a quality has no use for is not made.
+// What a picture is made of: surfaces in as many samples as a pixel has, and what stands between them and the picture.
+// What a quality or a way of lighting has no use for is not made.
 struct PictureTargets {
-    GpuImage colour;     // one sample a pixel, before anti-aliasing
-    GpuImage samples;    // what is drawn into where there are several
-    GpuImage depth;      // as many samples
-    GpuImage occlusion;  // half as wide and high
+    GpuImage colour, surface, depth;  // see shaders/base/surface.glsl
+    GpuImage overlay;                 // in as many samples
+    GpuImage occlusion;               // half as wide and high as the picture
+    GpuImage picture;                 // lit, before anti-aliasing
+    Buffer depth_copy;                // where the host reads depth
+    VkExtent2D extent = {};           // of the picture, pixels
 };
-Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, uint32_t width,
-                                  uint32_t height, PictureTargets& targets);
+// `is_read_by_host`: the host lights what is drawn into them.
+Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, bool is_read_by_host,
+                                  VkExtent2D extent, PictureTargets& targets);
 void destroy_picture_targets(const Device& device, PictureTargets& targets);
+// Whether the host can.
+bool can_host_read_surfaces(const Device& device);
 
 // The city's shadows are drawn when their boxes move; each frame copies the near ones and adds people. Far
 // away only the city throws shadows.
 struct ShadowMaps {
     GpuImage map;  // k_shadow_layers, as shaders read them
     VkImageView layer_views[k_shadow_layers] = {};
+    Buffer copy;       // where the host reads them, if it lights
     ShadowBoxes held;  // what the city's are of; none at first
 };
-Result<void> make_shadow_maps(const Device& device, uint32_t resolution, ShadowMaps& maps);
+Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,
+                              ShadowMaps& maps);
 void destroy_shadow_maps(const Device& device, ShadowMaps& maps);
 
 }  // namespace flaneur

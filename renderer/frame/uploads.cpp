@@ -3,13 +3,9 @@
 #include <cstring>
 
 #include "renderer/device/check.h"
-#include "renderer/light/look.h"
 
 namespace flaneur {
 namespace {
-
-// From which share of their reach on people's shadows fade.
-constexpr float k_plain_shadows = 0.8f;
 
 template <class T>
 Result<void> upload(const Device& device, std::span<const T> first, std::span<const T> second,
@@ -22,31 +18,8 @@ Result<void> upload(const Device& device, std::span<const T> first, std::span<co
     return {};
 }
 
-FrameConstants frame_constants(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent) {
-    auto v4 = [](vec3 v, float w = 0) { return vec4(v, w); };
-    FrameConstants out = lit_by(plan.light, plan.lit_windows);
-    out.clip_from_world = plan.view.clip_from_world;
-    out.shadow_from_world = plan.boxes.near.map_from_world;
-    const float ratio = plan.boxes.near.size / plan.boxes.far.size;
-    out.far_scale = v4(vec3(ratio));
-    out.far_offset = plan.boxes.far.map_from_world[3] - plan.boxes.near.map_from_world[3] * ratio;
-    const float resolution = static_cast<float>(renderer.quality.shadow_resolution);
-    out.shadow_texels = {plan.boxes.near.texel, plan.boxes.far.texel, resolution, 1 / resolution};
-    const float reach = plan.slice.far, faded = reach * reach * (1 - k_plain_shadows * k_plain_shadows);
-    out.people_shadows = {reach * reach / faded, 1 / faded, 0, 0};
-    out.eye = v4(plan.view.eye);
-    out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
-    out.ray_right = v4(plan.view.right);
-    out.ray_down = v4(plan.view.down);
-    out.sun_direction = plan.has_shadows || plan.backdrop ? v4(plan.light.to_light) : vec4(0, -1, 0, 0);
-    out.lamp_map = renderer.scene.lamp_map;
-    const vec2 size(extent.width, extent.height);
-    out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
-    return out;
-}
-
 Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
-                            const FramePlan& plan, VkExtent2D extent) {
+                            const FramePlan& plan) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                  vertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const Device& device = renderer.device;
@@ -55,14 +28,14 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
         return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
                      " MiB; the device takes " + std::to_string(limit >> 20) +
                      " MiB at once. Draw fewer walkers."};
-    const FrameConstants constants = frame_constants(renderer, plan, extent);
-    FLANEUR_TRY(upload<FrameConstants>(device, std::span(&constants, 1), {},
+    FLANEUR_TRY(upload<FrameConstants>(device, std::span(&plan.constants, 1), {},
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
     FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances, storage,
                                        slot.instances));
     FLANEUR_TRY(upload<JointTransform>(device, input.palette, {}, storage, slot.palette));
     FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, renderer.casters.impostors,
                                          storage, slot.impostors));
+    FLANEUR_TRY(upload<vec4>(device, plan.sky, {}, storage, slot.sky));
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, vertices, slot.contacts));
     if (plan.lines > 0) FLANEUR_TRY(upload<GizmoLine>(device, input.lines, {}, vertices, slot.lines));
@@ -73,21 +46,26 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
 void bind_frame(const Renderer& renderer, const FrameSlot& slot) {
     const GpuScene& scene = renderer.scene;
     const PictureTargets& targets = renderer.targets;
-    const VkImageView none = targets.colour.view;  // where no pipeline looks
+    // Where no pipeline looks is something that it could look at.
+    auto or_none = [&](const GpuImage& image) { return image.view ? image.view : targets.colour.view; };
     std::array<Bound, k_bindings> bound;
     bound[k_binding_frame].buffer = slot.constants.handle;
     bound[k_binding_instances].buffer = slot.instances.handle;
     bound[k_binding_palette].buffer = slot.palette.handle;
     bound[k_binding_impostors].buffer = slot.impostors.handle;
     bound[k_binding_cells].buffer = scene.impostors.cells.handle;
+    bound[k_binding_sky].buffer = slot.sky.handle;
     bound[k_binding_shadow].view = renderer.shadows.map.view;
     bound[k_binding_textures].view = scene.textures.view;
-    bound[k_binding_picture].view = targets.colour.view;
     bound[k_binding_atlas].view = scene.impostors.atlas.view;
     bound[k_binding_scenery].view = scene.scenery.view;
     bound[k_binding_lamps].view = scene.lamps.view;
-    bound[k_binding_depth].view = renderer.quality.has_occlusion ? targets.depth.view : none;
-    bound[k_binding_occlusion].view = renderer.quality.has_occlusion ? targets.occlusion.view : none;
+    bound[k_binding_colour].view = targets.colour.view;
+    bound[k_binding_surface].view = targets.surface.view;
+    bound[k_binding_depth].view = targets.depth.view;
+    bound[k_binding_occlusion].view = or_none(targets.occlusion);
+    bound[k_binding_picture].view = or_none(targets.picture);
+    bound[k_binding_overlay].view = targets.overlay.view;
     write_bindings(renderer.device, renderer.pipelines.bindings, bound, slot.set);
 }
 
@@ -116,7 +94,8 @@ Result<void> skin_people(Renderer& renderer, FrameSlot& slot, const FrameInput& 
                          FramePlan& plan) {
     auto draws = [&](DrawRange range) { return std::span(plan.draws).subspan(range.first, range.count); };
     FLANEUR_TRY(skin_into(renderer, plan.crowd_skin, renderer.crowd.instances, input.palette,
-                          skin_view(plan.view, extent.width, extent.height, renderer.quality.samples),
+                          skin_view(plan.view, extent.width * renderer.quality.samples,
+                                    extent.height * renderer.quality.samples),
                           slot.crowd, draws(plan.crowd_skinned)));
     return skin_into(renderer, plan.casters_skin, renderer.casters.instances, input.palette,
                      skin_view(plan.boxes.near, renderer.quality.shadow_resolution), slot.casters,
@@ -128,7 +107,7 @@ Result<void> skin_people(Renderer& renderer, FrameSlot& slot, const FrameInput& 
 Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input, VkExtent2D extent,
                           FramePlan& plan) {
     FLANEUR_TRY(skin_people(renderer, slot, input, extent, plan));
-    FLANEUR_TRY(upload_buffers(renderer, slot, input, plan, extent));
+    FLANEUR_TRY(upload_buffers(renderer, slot, input, plan));
     bind_frame(renderer, slot);
     return {};
 }

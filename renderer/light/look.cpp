@@ -36,9 +36,14 @@ constexpr float k_readable = 0.9f;  // below 1 nights are drawn brighter than ey
 
 vec4 v4(vec3 v, float w = 0) { return {v, w}; }
 
+vec3 sky_seen(const SkyModel& sky, vec3 sky_white, vec3 white, vec3 ray) {
+    const vec3 direction = glm::normalize(ray);
+    return daylit_sky(sky, direction) * sky_white + added_sky(sky, direction) * white;
+}
+
 }  // namespace
 
-FrameConstants lit_by(const Daylight& light, float lit_windows) {
+Look look_of(const Daylight& light, float lit_windows) {
     const SkyModel& sky = light.sky;
     const vec3 to_light = light.to_light;
     const AmbientLight ambient = ambient_light(sky, vec3(k_ground_albedo));
@@ -62,14 +67,12 @@ FrameConstants lit_by(const Daylight& light, float lit_windows) {
     const vec3 white = balance * exposure;
     const vec3 low_tint = glm::mix(k_dusk_sky_tint, k_sky_tint, glm::smoothstep(0.06f, 0.38f, sky.to_sun.y));
     const vec3 sky_white = white * glm::mix(low_tint, k_noon_sky_tint, high);
-    auto sky_at = [&](vec3 direction) {
-        direction = glm::normalize(direction);
-        return daylit_sky(sky, direction) * sky_white + added_sky(sky, direction) * white;
-    };
+    auto sky_at = [&](vec3 direction) { return sky_seen(sky, sky_white, white, direction); };
     const vec3 level_sun(sky.to_sun.x, 0, sky.to_sun.z);
     const vec3 ahead = glm::length(level_sun) > 1e-3f ? glm::normalize(level_sun) : vec3(0, 0, 1);
 
-    FrameConstants out{};
+    Look look{.constants = {}, .sky_white = sky_white, .white = white};
+    FrameConstants& out = look.constants;
     out.sun_light = v4(sun * white, light.disc);
     const vec3 grey(0.2126f, 0.7152f, 0.0722f);
     vec4 ambient_grey(0);
@@ -81,18 +84,25 @@ FrameConstants lit_by(const Daylight& light, float lit_windows) {
     out.haze_towards = v4(sky_at(ahead + vec3(0, 0.12f, 0)), k_haze);
     out.haze_away = v4(sky_at(-ahead + vec3(0, 0.12f, 0)), k_haze_begins);
     out.zenith = v4(sky_at({0, 1, 0}));
-    for (int i = 0; i < 5; ++i) out.perez[i] = v4(sky.perez[i]);
-    out.sky_scale = v4(sky.scale);
-    out.sky_white = v4(sky_white);
-    out.sky_low = v4(sky.low * white);
-    out.sky_high = v4(sky.high * white);
-    out.sky_dusk = v4(sky.dusk * white, luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
-    out.sky_sun = v4(sky.to_sun);
     out.lamp_light = v4(k_lamp_colour * (lamps * exposure), lit_windows);
     // Against a sky that is still light, rooms are those whose lamps are brightest.
     const float windows = lamps * (k_window_level + k_dusk_windows * (1 - k_lamps_seen * lamps / seen));
-    out.window_light = v4(k_window_colour * (windows * exposure));
-    return out;
+    out.window_light = v4(k_window_colour * (windows * exposure),
+                          luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
+    return look;
+}
+
+std::vector<vec4> sky_corners(const Daylight& light, const Look& look, const FrameConstants& rays) {
+    std::vector<vec4> corners;
+    corners.reserve((k_sky_columns + 1) * (k_sky_rows + 1));
+    for (int row = 0; row <= k_sky_rows; ++row)
+        for (int column = 0; column <= k_sky_columns; ++column) {
+            const float x = static_cast<float>(column) * (2.0f / k_sky_columns) - 1;
+            const float y = static_cast<float>(row) * (2.0f / k_sky_rows) - 1;
+            const vec3 ray(rays.ray_forward + x * rays.ray_right + y * rays.ray_down);
+            corners.push_back(v4(sky_seen(light.sky, look.sky_white, look.white, ray)));
+        }
+    return corners;
 }
 
 }  // namespace flaneur

@@ -110,11 +110,14 @@ Result<void> upload_lamps(const Device& device, const LampMap& map, GpuScene& sc
     for (size_t i = 0; i < count; ++i)
         for (int c = 0; c < 4; ++c)
             halves[4 * i + static_cast<size_t>(c)] = glm::packHalf1x16(map.texels[i][c]);
+    scene.lamp_texels.resize(count);
+    for (size_t i = 0; i < count; ++i)
+        for (int c = 0; c < 4; ++c)
+            scene.lamp_texels[i][c] = glm::unpackHalf1x16(halves[4 * i + static_cast<size_t>(c)]);
     ImageShape shape{.format = VK_FORMAT_R16G16B16A16_SFLOAT};
     if (count > 0) {
         shape.width = map.width, shape.height = map.height;
-        const glm::vec2 scale = 1.0f / (map.texel * glm::vec2(map.width, map.height));
-        scene.lamp_map = {scale, -map.low * scale};
+        scene.lamp_map = {glm::vec2(1 / map.texel), -map.low / map.texel};
     }
     shape.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     FLANEUR_TRY(make_image(device, shape, scene.lamps));

@@ -17,6 +17,7 @@ struct GpuScene {
     std::vector<SkinMesh> skin_meshes;  // every level of people's meshes
     Impostors impostors;
     GpuImage lamps;         // LampMap, in half floats
+    std::vector<vec4> lamp_texels;  // the same numbers, for the host
     glm::vec4 lamp_map{0};  // FrameConstants::lamp_map
     float ground_low = 0;   // metres
     bool is_textured = false;

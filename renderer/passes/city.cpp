@@ -6,13 +6,13 @@ namespace {
 // In drawing order: what hides much before what is hidden, and what needs the ground below it last.
 struct SurfaceDraw {
     CityClass kind;
-    VkPipeline LitPipelines::*pipeline;
+    VkPipeline SurfacePipelines::*pipeline;
 };
 constexpr SurfaceDraw k_surfaces[] = {
-    {CityClass::prop, &LitPipelines::city_prop},      {CityClass::detail, &LitPipelines::city_surface},
-    {CityClass::facade, &LitPipelines::city_facade},  {CityClass::roof, &LitPipelines::city_surface},
-    {CityClass::ground, &LitPipelines::city_surface}, {CityClass::scenery, &LitPipelines::city_scenery},
-    {CityClass::shade, &LitPipelines::city_shade},
+    {CityClass::prop, &SurfacePipelines::city_prop},      {CityClass::detail, &SurfacePipelines::city_surface},
+    {CityClass::facade, &SurfacePipelines::city_facade},  {CityClass::roof, &SurfacePipelines::city_surface},
+    {CityClass::ground, &SurfacePipelines::city_surface}, {CityClass::scenery, &SurfacePipelines::city_scenery},
+    {CityClass::shade, &SurfacePipelines::city_shade},
 };
 static_assert(std::size(k_surfaces) == k_city_classes);
 
@@ -23,7 +23,7 @@ void draw_city(const FrameRecord& record) {
     for (const SurfaceDraw& surface : k_surfaces) {
         const DrawRange range = record.plan.surfaces[static_cast<size_t>(surface.kind)];
         if (range.count == 0) continue;
-        bind(record, lit_pipelines(record).*surface.pipeline);
+        bind(record, record.renderer.pipelines.surfaces.*surface.pipeline);
         draw_indirect(record, range);
     }
 }

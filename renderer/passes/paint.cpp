@@ -26,7 +26,7 @@ void draw_ground_and_houses(const FrameRecord& record) {
 void clear(const FrameRecord& record, glm::vec3 colour) {
     VkClearAttachment all{VK_IMAGE_ASPECT_COLOR_BIT, 0, {}};
     for (int i = 0; i < 3; ++i) all.clearValue.color.float32[i] = colour[i];
-    const VkClearRect whole{{{0, 0}, extent_of(record.target.image)}, 0, 1};
+    const VkClearRect whole{{{0, 0}, extent_of(record.renderer.targets.colour)}, 0, 1};
     vkCmdClearAttachments(record.commands, 1, &all, 1, &whole);
 }
 

@@ -34,13 +34,13 @@ void draw_impostors(const FrameRecord& record, VkPipeline pipeline, size_t first
 }  // namespace
 
 void draw_people(const FrameRecord& record) {
-    const LitPipelines& lit = lit_pipelines(record);
+    const SurfacePipelines& surfaces = record.renderer.pipelines.surfaces;
     const FramePlan& plan = record.plan;
     const int textured = record.renderer.scene.is_textured && !plan.are_tinted;
     if (!plan.are_ghosts)
-        draw_skinned(record, lit.crowd_skinned[textured], record.slot.crowd, plan.crowd_skinned,
-                     lit.crowd[textured], plan.crowd);
-    draw_impostors(record, lit.impostor, 0, record.renderer.crowd.impostors.size());
+        draw_skinned(record, surfaces.crowd_skinned[textured], record.slot.crowd, plan.crowd_skinned,
+                     surfaces.crowd[textured], plan.crowd);
+    draw_impostors(record, surfaces.impostor, 0, record.renderer.crowd.impostors.size());
 }
 
 void draw_people_shadows(const FrameRecord& record) {

@@ -73,12 +73,33 @@ void draw_crowd_shadows(const FrameRecord& record) {
     end_stage(record);
 }
 
+// Where the host lights, what it knows of maps that have changed.
+void copy_to_host(const FrameRecord& record, uint32_t layer) {
+    GpuImage& map = record.renderer.shadows.map;
+    image_to(record.commands, map, k_copied_from, {layer, 1});
+    VkBufferImageCopy region{};
+    region.bufferOffset = VkDeviceSize{2} * map.width * map.height * layer;
+    region.imageSubresource = {k_depth_aspect, 0, layer, 1};
+    region.imageExtent = {map.width, map.height, 1};
+    vkCmdCopyImageToBuffer(record.commands, map.handle, k_copied_from.layout, record.renderer.shadows.copy.handle, 1,
+                           &region);
+}
+
+void copy_changed(const FrameRecord& record) {
+    begin_stage(record, "shadows to host");
+    if (record.plan.boxes.is_near_new) copy_to_host(record, k_still_layer);
+    if (record.plan.boxes.is_far_new) copy_to_host(record, k_far_layer);
+    copy_to_host(record, k_near_layer);
+    end_stage(record);
+}
+
 }  // namespace
 
 void draw_shadows(const FrameRecord& record) {
     if (record.plan.has_shadows) {
         if (record.plan.boxes.is_near_new || record.plan.boxes.is_far_new) draw_city_shadows(record);
         draw_crowd_shadows(record);
+        if (record.renderer.is_lit_on_host) copy_changed(record);
     }
     // Also maps that nobody looks at must be such as can be looked at.
     image_to(record.commands, record.renderer.shadows.map, k_sampled);

@@ -148,8 +148,7 @@ void sieve_triangles(const SkinMesh& mesh, const float* vertices, const SkinView
                      uint32_t* survivors, uint32_t* counts) {
     const LaneTag tag;
     const size_t stride = k_vertex_rows * lane_count(), triangles = mesh.indices.size() / 3;
-    const L reach(view.samples > 1 ? 0.5f : Sieve::k_snap);
-    const Sieve sieve{reach, L(view.width - 1), L(view.height - 1)};
+    const Sieve sieve{L(Sieve::k_snap), L(view.width - 1), L(view.height - 1)};
     for (size_t t = 0; t < triangles; ++t) {
         const uint32_t* corner = &mesh.indices[3 * t];
         const float *a = vertices + corner[0] * stride, *b = vertices + corner[1] * stride,
@@ -324,9 +323,9 @@ SkinPlan plan_skin(std::span<const DrawCommand> draws, std::span<const SkinMesh>
     return plan;
 }
 
-SkinView skin_view(const View& view, uint32_t width, uint32_t height, uint32_t samples) {
+SkinView skin_view(const View& view, uint32_t width, uint32_t height) {
     const float near = view.clip_from_world[3][2];  // the depth there is 1
-    return {view.clip_from_world, static_cast<float>(width), static_cast<float>(height), near, samples};
+    return {view.clip_from_world, static_cast<float>(width), static_cast<float>(height), near};
 }
 
 SkinView skin_view(const ShadowBox& box, uint32_t resolution) {
@@ -334,7 +333,7 @@ SkinView skin_view(const ShadowBox& box, uint32_t resolution) {
     clip_from_map[0][0] = clip_from_map[1][1] = 2;
     clip_from_map[3] = {-1, -1, 0, 1};
     const float size = static_cast<float>(resolution);
-    return {clip_from_map * box.map_from_world, size, size, 0, 1, 1};
+    return {clip_from_map * box.map_from_world, size, size, 0, 1};
 }
 
 DrawCommand skin_batch(const SkinPlan& plan, const SkinBatch& batch,

@@ -67,10 +67,9 @@ struct SkinView {
     glm::mat4 clip_from_world;
     float width = 0, height = 0;  // pixels
     float near = 0;               // clip coordinate w from which on things are seen
-    uint32_t samples = 1;         // of a pixel
     uint32_t bones = 4;           // at most, that move a vertex
 };
-SkinView skin_view(const View& view, uint32_t width, uint32_t height, uint32_t samples);
+SkinView skin_view(const View& view, uint32_t width, uint32_t height);
 // As shadow_crowd.vert draws.
 SkinView skin_view(const ShadowBox& box, uint32_t resolution);
 

@@ -13,35 +13,55 @@ namespace {
 
 Result<void> fit_targets(Renderer& renderer, VkExtent2D extent) {
     PictureTargets& targets = renderer.targets;
-    if (targets.colour.view && targets.depth.view && targets.colour.width == extent.width &&
-        targets.colour.height == extent.height)
+    if (targets.depth.view && targets.extent.width == extent.width && targets.extent.height == extent.height)
         return {};
     FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
     destroy_picture_targets(renderer.device, targets);
     Result<void> result =
-        make_picture_targets(renderer.device, renderer.quality, extent.width, extent.height, targets);
+        make_picture_targets(renderer.device, renderer.quality, renderer.is_lit_on_host, extent, targets);
     if (!result) destroy_picture_targets(renderer.device, targets);
     return result;
 }
 
-Result<void> record_frame(const FrameRecord& record) {
+Result<void> record(const FrameRecord& record, void (*draw)(const FrameRecord&)) {
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     FLANEUR_VK(vkResetCommandPool(record.renderer.device.handle, record.slot.pool, 0), "record a frame");
     FLANEUR_VK(vkBeginCommandBuffer(record.commands, &begin), "record a frame");
-    record_picture(record);
+    draw(record);
     FLANEUR_VK(vkEndCommandBuffer(record.commands), "record a frame");
     return {};
 }
 
 // After a frame was recorded in part and given up.
-void forget_images(Renderer& renderer, GpuImage& picture) {
+void forget_images(Renderer& renderer, const PictureTarget& target) {
     PictureTargets& targets = renderer.targets;
     ShadowMaps& shadows = renderer.shadows;
-    for (GpuImage* image :
-         {&targets.colour, &targets.samples, &targets.depth, &targets.occlusion, &shadows.map, &picture})
+    for (GpuImage* image : {&targets.colour, &targets.surface, &targets.depth, &targets.overlay,
+                            &targets.occlusion, &targets.picture, &shadows.map})
         forget_image(*image);
+    if (target.image) forget_image(*target.image);
     shadows.held = {};
+}
+
+// Once the device has drawn what it is of.
+void light_on_host(Renderer& renderer, const FramePlan& plan, const PictureTarget& target) {
+    const auto begin = std::chrono::steady_clock::now();
+    const PictureTargets& from = renderer.targets;
+    Unlit unlit;
+    unlit.frame = &plan.constants;
+    unlit.colours = {static_cast<const int32_t*>(from.colour.mapped), from.colour.row_bytes / 4};
+    unlit.surfaces = {static_cast<const int32_t*>(from.surface.mapped), from.surface.row_bytes / 8};
+    unlit.depths = {static_cast<const float*>(from.depth_copy.mapped), from.depth.width};
+    unlit.overlay = {static_cast<const int32_t*>(from.overlay.mapped), from.overlay.row_bytes / 4};
+    unlit.shadows = static_cast<const uint16_t*>(renderer.shadows.copy.mapped);
+    unlit.lamps = renderer.scene.lamp_texels;
+    unlit.lamps_width = static_cast<int>(renderer.scene.lamps.width);
+    unlit.sky = plan.sky;
+    unlit.smooths_edges = renderer.quality.smooths_edges;
+    light_picture(unlit, *renderer.workers, renderer.lit, target.is_blue_first, target.pixels);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    renderer.stats.stages.push_back({"light", took.count()});
 }
 
 void count_frame(const FramePlan& plan, Renderer& renderer) {
@@ -55,9 +75,10 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
     stats.shadow_maps_drawn = uint32_t{plan.boxes.is_near_new} + uint32_t{plan.boxes.is_far_new};
-    stats.direct_draws = plan.backdrop ? 0 : 2;  // sky, fxaa
-    if (renderer.quality.has_occlusion && !plan.backdrop) stats.direct_draws += 2;
-    for (bool is_drawn : {!plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
+    const bool is_lit = plan.surfaces_view == Surfaces::lit && !plan.backdrop;
+    stats.direct_draws = renderer.is_lit_on_host ? 0 : 2;  // light, anti-aliasing
+    if (renderer.quality.has_occlusion && is_lit) stats.direct_draws += 2;
+    for (bool is_drawn : {is_lit && plan.light.lamps > 0, !plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.direct_draws += (plan.fills > 0) + 2 * (plan.lines > 0);
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
@@ -73,29 +94,40 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
 }  // namespace
 
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
-                        const PictureTarget& target, VkSemaphore wait, VkSemaphore signal) {
+                        const PictureTarget& target, Wait wait, VkSemaphore signal) {
     const auto begin = std::chrono::steady_clock::now();
     if (input.surfaces == Surfaces::wireframe && !renderer.device.has_wireframe)
         return Error{
             "This device draws no wireframe (it lacks fillModeNonSolid): look at normals instead, or "
             "try another --device."};
-    const VkExtent2D extent = extent_of(target.image);
     FramePlan plan;
-    plan_frame(renderer, input, extent, plan);
-    FLANEUR_TRY(fit_targets(renderer, extent));
+    plan_frame(renderer, input, target.extent, plan);
+    FLANEUR_TRY(fit_targets(renderer, target.extent));
     const uint32_t made_before = renderer.pipelines.made;
-    FLANEUR_TRY(make_lit_pipelines(renderer.device, plan.light_kind, renderer.pipelines));
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
-    FLANEUR_TRY(upload_frame(renderer, slot, input, extent, plan));
-    Result<void> done = record_frame({renderer, slot, plan, target, slot.commands});
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    if (done) done = submit_slot(renderer.device, slot, wait, signal);
+    FLANEUR_TRY(upload_frame(renderer, slot, input, target.extent, plan));
+    const FrameRecord frame{renderer, slot, plan, target, slot.commands};
+    auto draw = [&]() -> Result<void> {
+        FLANEUR_TRY(record(frame, record_picture));
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        renderer.stats.cpu_record_ms = took.count();
+        const bool is_last = !renderer.is_lit_on_host;
+        return submit_slot(renderer.device, slot, is_last ? wait : Wait{}, is_last ? signal : VkSemaphore{});
+    };
+    auto finish_on_host = [&]() -> Result<void> {
+        FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
+        light_on_host(renderer, plan, target);
+        if (!target.image) return {};
+        FLANEUR_TRY(record(frame, take_from_host));
+        return submit_slot(renderer.device, slot, wait, signal);
+    };
+    Result<void> done = draw();
+    if (done && renderer.is_lit_on_host) done = finish_on_host();
     if (!done) {
-        forget_images(renderer, target.image);
+        forget_images(renderer, target);
         return done;
     }
     renderer.shadows.held = plan.has_shadows ? plan.boxes : ShadowBoxes{};
-    renderer.stats.cpu_record_ms = took.count();
     renderer.stats.pipelines_made = renderer.pipelines.made - made_before;
     count_frame(plan, renderer);
     return {};

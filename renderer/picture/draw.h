@@ -7,6 +7,6 @@ namespace flaneur {
 
 // Draws into `target` with a free slot: culls, uploads, records and submits. `wait` and `signal` may be null.
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
-                        const PictureTarget& target, VkSemaphore wait, VkSemaphore signal);
+                        const PictureTarget& target, Wait wait, VkSemaphore signal);
 
 }  // namespace flaneur

@@ -5,122 +5,91 @@
 namespace flaneur {
 namespace {
 
-// What is drawn with depth into the same samples, each a stage of its own that waits for the one before.
-struct Pass {
+struct Stage {
     const char* name;
     void (*draw)(const FrameRecord&);
 };
 
-bool has_overlay(const FramePlan& plan) { return plan.lines > 0 || plan.fills > 0 || plan.are_ghosts; }
-
-std::vector<Pass> passes_of(const FramePlan& plan) {
-    if (plan.backdrop) return {{"crowd", draw_plain}};
-    std::vector<Pass> passes;
-    if (plan.surfaces_view != Surfaces::lit)
-        passes = {{"paint", draw_paint}};
-    else if (plan.times_passes)
-        passes = {{"crowd", draw_people}, {"city", draw_city}, {"sky", draw_sky}};
-    else
-        passes = {{"scene", draw_scene}};
-    if (has_overlay(plan)) passes.push_back({"overlay", draw_overlay});
-    return passes;
+void draw_stage(const FrameRecord& record, const Stage& stage) {
+    begin_stage(record, stage.name);
+    stage.draw(record);
+    end_stage(record);
 }
 
-// Begins to draw; the first pass over nothing; after the last one samples become pixels.
-void begin_pass(const FrameRecord& record, GpuImage& pixels, bool is_first, bool is_last) {
-    PictureTargets& targets = record.renderer.targets;
-    const std::optional<glm::vec3>& backdrop = record.plan.backdrop;
-    const bool has_samples = targets.samples.view != VK_NULL_HANDLE;
-    GpuImage& drawn_into = has_samples ? targets.samples : pixels;
-    auto ready = is_first ? image_freshly_to : image_to;
-    ready(record.commands, drawn_into, k_colour_target, {});
-    ready(record.commands, targets.depth, k_depth_target, {});
-    // Without a backdrop nothing needs clearing: the sky fills what nothing covers.
-    VkRenderingAttachmentInfo colour =
-        attachment(drawn_into.view, !is_first  ? VK_ATTACHMENT_LOAD_OP_LOAD
-                                    : backdrop ? VK_ATTACHMENT_LOAD_OP_CLEAR
-                                               : VK_ATTACHMENT_LOAD_OP_DONT_CARE);
-    if (backdrop) colour.clearValue = {{{backdrop->r, backdrop->g, backdrop->b, 1}}};
-    if (is_last && has_samples) {
-        image_freshly_to(record.commands, pixels, k_colour_target);
-        colour.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
-        colour.resolveImageView = pixels.view;
-        colour.resolveImageLayout = k_colour_target.layout;
+// What is drawn with depth into the same samples, one after the other.
+std::vector<Stage> passes_of(const FramePlan& plan) {
+    if (plan.backdrop) return {{"crowd", draw_plain}};
+    if (plan.surfaces_view != Surfaces::lit) return {{"paint", draw_paint}};
+    if (plan.times_passes) return {{"crowd", draw_people}, {"city", draw_city}, {"sky", draw_sky}};
+    return {{"scene", draw_scene}};
+}
+
+// Begins to draw into images of one size and the depth, over what is there or over nothing: all 0 but the first's alpha.
+void begin_drawing(const FrameRecord& record, std::span<GpuImage* const> images, bool is_fresh, float alpha,
+                   bool is_depth_fresh) {
+    GpuImage& depth_image = record.renderer.targets.depth;
+    const auto load = [](bool is_new) { return is_new ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD; };
+    std::vector<VkRenderingAttachmentInfo> colours;
+    for (GpuImage* image : images) {
+        (is_fresh ? image_freshly_to : image_to)(record.commands, *image, k_colour_target, {});
+        colours.push_back(attachment(image->view, load(is_fresh)));
     }
-    const VkRenderingAttachmentInfo depth =
-        attachment(targets.depth.view, is_first ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
+    colours[0].clearValue.color.float32[3] = alpha;
+    (is_depth_fresh ? image_freshly_to : image_to)(record.commands, depth_image, k_depth_target, {});
+    const VkRenderingAttachmentInfo depth = attachment(depth_image.view, load(is_depth_fresh));
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea.extent = extent_of(pixels);
+    info.renderArea.extent = extent_of(*images[0]);
     info.layerCount = 1;
-    info.colorAttachmentCount = 1;
-    info.pColorAttachments = &colour;
+    info.colorAttachmentCount = static_cast<uint32_t>(colours.size());
+    info.pColorAttachments = colours.data();
     info.pDepthAttachment = &depth;
     vkCmdBeginRendering(record.commands, &info);
     set_viewport(record.commands, info.renderArea.extent);
 }
 
-void draw_passes(const FrameRecord& record, GpuImage& pixels) {
-    const std::vector<Pass> passes = passes_of(record.plan);
-    for (const Pass& pass : passes) {
+void draw_surfaces(const FrameRecord& record) {
+    PictureTargets& targets = record.renderer.targets;
+    std::vector<GpuImage*> images = {&targets.colour};
+    if (record.plan.surfaces_view == Surfaces::lit) images.push_back(&targets.surface);
+    bool is_first = true;
+    for (const Stage& pass : passes_of(record.plan)) {
         begin_stage(record, pass.name);
-        begin_pass(record, pixels, &pass == &passes.front(), &pass == &passes.back());
+        begin_drawing(record, images, is_first, 1, is_first);
         pass.draw(record);
         vkCmdEndRendering(record.commands);
         end_stage(record);
+        is_first = false;
     }
 }
 
-// Not below an overlay, which it would darken by what lies behind it.
-bool has_occlusion(const FrameRecord& record) {
-    return record.renderer.quality.has_occlusion && record.plan.surfaces_view == Surfaces::lit &&
-           !has_overlay(record.plan);
-}
-
-void draw_stage(const FrameRecord& record, const Pass& pass) {
-    begin_stage(record, pass.name);
-    pass.draw(record);
-    end_stage(record);
-}
-
-// To the host.
-void copy_picture(const FrameRecord& record) {
-    GpuImage& image = record.target.image;
-    VkBufferImageCopy region{};
-    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-    region.imageExtent = {image.width, image.height, 1};
-    vkCmdCopyImageToBuffer(record.commands, image.handle, k_copied_from.layout, record.target.readback, 1,
-                           &region);
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(record.commands, &info);
+void draw_what_is_over(const FrameRecord& record) {
+    GpuImage* const overlay = &record.renderer.targets.overlay;
+    begin_drawing(record, std::span(&overlay, 1), true, 0, false);
+    draw_overlay(record);
+    vkCmdEndRendering(record.commands);
 }
 
 }  // namespace
 
 void record_picture(const FrameRecord& record) {
     const Renderer& renderer = record.renderer;
+    const FramePlan& plan = record.plan;
     // Beginning to count, lavapipe looks at the pipeline.
-    bind(record, renderer.pipelines.fxaa_image);
+    bind(record, renderer.pipelines.surfaces.stars);
     vkCmdBindDescriptorSets(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.layout, 0, 1,
                             &record.slot.set, 0, nullptr);
     vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
 
     begin_stages(record.commands, record.slot.stages);
     draw_shadows(record);
-    if (record.plan.backdrop) {
-        draw_passes(record, record.target.image);
-    } else {
-        draw_passes(record, record.renderer.targets.colour);
-        if (has_occlusion(record)) draw_stage(record, {"occlusion", draw_occlusion});
-        draw_stage(record, {"fxaa", draw_fxaa});
-    }
-    image_to(record.commands, record.target.image, record.target.after);
+    draw_surfaces(record);
+    if (renderer.quality.has_occlusion && plan.surfaces_view == Surfaces::lit && !plan.backdrop)
+        draw_stage(record, {"occlusion", draw_occlusion});
+    if (has_overlay(plan)) draw_stage(record, {"overlay", draw_what_is_over});
+    if (renderer.is_lit_on_host) return draw_stage(record, {"hand on", hand_to_host});
+    draw_stage(record, {"light", draw_light});
+    draw_stage(record, {"smooth", draw_smooth});
+    image_to(record.commands, *record.target.image, record.target.after);
     if (record.target.readback) draw_stage(record, {"copy", copy_picture});
 }
 

@@ -52,15 +52,20 @@ Result<void> warm_up(Renderer& renderer, bool by_day, bool by_night) {
     frame.skips_hidden = false;
 
     const bool is_window = renderer.window != nullptr;
-    ImageShape shape{.format = is_window ? renderer.swapchain.format : k_picture_format,
-                     .width = k_extent.width,
-                     .height = k_extent.height};
-    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    FLANEUR_TRY(make_image(renderer.device, shape, renderer.picture));
-    const PictureTarget target{
-        .image = renderer.picture,
-        .fxaa = is_window ? renderer.pipelines.fxaa_window : renderer.pipelines.fxaa_image,
-        .after = k_copied_from};
+    std::vector<uint32_t> pixels;
+    PictureTarget target{.extent = k_extent, .after = k_copied_from};
+    if (renderer.is_lit_on_host) {
+        pixels.resize(size_t{k_extent.width} * k_extent.height);
+        target.pixels = pixels.data();
+    } else {
+        ImageShape shape{.format = is_window ? renderer.swapchain.format : k_picture_format,
+                         .width = k_extent.width,
+                         .height = k_extent.height};
+        shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        FLANEUR_TRY(make_image(renderer.device, shape, renderer.picture));
+        target.image = &renderer.picture;
+        target.smooth = is_window ? renderer.pipelines.smooth_window : renderer.pipelines.smooth_image;
+    }
     if (by_day) FLANEUR_TRY(draw_frame(renderer, renderer.slots[0], frame, target, {}, {}));
     frame.sun.direction = {0, -1, 0};
     if (by_night) FLANEUR_TRY(draw_frame(renderer, renderer.slots[1], frame, target, {}, {}));

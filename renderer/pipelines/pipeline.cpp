@@ -53,35 +53,41 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     raster.depthBiasSlopeFactor = 1.5f;
     raster.lineWidth = 1;
     VkPipelineMultisampleStateCreateInfo samples{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(shape.samples);
+    samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
     VkPipelineDepthStencilStateCreateInfo depth{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = shape.depth != VK_FORMAT_UNDEFINED;
     depth.depthWriteEnable = shape.writes_depth;
     depth.depthCompareOp = shape.is_shadow ? VK_COMPARE_OP_LESS : shape.depth_test;
-    VkPipelineColorBlendAttachmentState blend{};
-    blend.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
-                           VK_COLOR_COMPONENT_A_BIT;
+    constexpr VkColorComponentFlags everything = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+    std::array<VkPipelineColorBlendAttachmentState, 2> blend{};
+    blend[0].colorWriteMask = everything;
+    blend[0].blendEnable = shape.blend != Blend::none;
     if (shape.blend == Blend::darkens) {
-        blend.blendEnable = VK_TRUE;
-        blend.srcColorBlendFactor = blend.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
-        blend.dstColorBlendFactor = blend.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    } else if (shape.blend != Blend::none) {
-        const bool is_cover = shape.blend == Blend::covers;
-        blend.blendEnable = VK_TRUE;
-        blend.srcColorBlendFactor = is_cover ? VK_BLEND_FACTOR_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
-        blend.dstColorBlendFactor = is_cover ? VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA : VK_BLEND_FACTOR_ONE;
-        blend.colorWriteMask &= ~VkColorComponentFlags{VK_COLOR_COMPONENT_A_BIT};
+        blend[0].srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+        blend[0].dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        blend[0].colorWriteMask = VK_COLOR_COMPONENT_A_BIT;
+    } else if (shape.blend == Blend::covers) {
+        blend[0].srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+        blend[0].srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        blend[0].dstColorBlendFactor = blend[0].dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    } else if (shape.blend == Blend::adds) {
+        blend[0].srcColorBlendFactor = blend[0].dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+        blend[0].colorWriteMask &= ~VkColorComponentFlags{VK_COLOR_COMPONENT_A_BIT};
     }
+    // What blends leaves the surface what it was.
+    blend[1].colorWriteMask = shape.blend == Blend::none ? everything : 0;
+    const VkFormat formats[] = {shape.colour, shape.surface};
     VkPipelineColorBlendStateCreateInfo blending{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-    blending.attachmentCount = shape.colour == VK_FORMAT_UNDEFINED ? 0 : 1;
-    blending.pAttachments = &blend;
+    blending.attachmentCount = uint32_t{shape.colour != VK_FORMAT_UNDEFINED} + uint32_t{shape.surface != VK_FORMAT_UNDEFINED};
+    blending.pAttachments = blend.data();
     const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
     dynamic.dynamicStateCount = 2;
     dynamic.pDynamicStates = dynamic_states;
     VkPipelineRenderingCreateInfo rendering{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
     rendering.colorAttachmentCount = blending.attachmentCount;
-    rendering.pColorAttachmentFormats = &shape.colour;
+    rendering.pColorAttachmentFormats = formats;
     rendering.depthAttachmentFormat = shape.depth;
 
     VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};

@@ -11,6 +11,8 @@ namespace flaneur {
 
 inline constexpr VkFormat k_picture_format =
     VK_FORMAT_R8G8B8A8_UNORM;  // holds display-ready sRGB; luma in alpha
+// What surfaces are, as shaders/base/surface.glsl keeps it.
+inline constexpr VkFormat k_colour_format = VK_FORMAT_R8G8B8A8_UNORM, k_surface_format = VK_FORMAT_R32G32_UINT;
 inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
 inline constexpr VkFormat k_occlusion_format = VK_FORMAT_R8_UNORM;
@@ -19,8 +21,8 @@ inline constexpr VkFormat k_atlas_format =
 
 enum class Blend {
     none,
-    darkens,  // multiplies what is there by 1 - alpha
-    covers,   // by alpha; luma stays what it was, so that anti-aliasing does not touch what it covers with
+    darkens,  // multiplies the alpha that is there by 1 - alpha
+    covers,   // by alpha, which is gathered
     adds,
 };
 using Attributes = std::vector<VkVertexInputAttributeDescription>;
@@ -30,15 +32,15 @@ struct PipelineShape {
     Attributes attributes;
     uint32_t stride = 0;
     bool is_instanced = false;  // attributes advance by instance
-    VkFormat colour = VK_FORMAT_UNDEFINED, depth = VK_FORMAT_UNDEFINED;
+    VkFormat colour = VK_FORMAT_UNDEFINED, surface = VK_FORMAT_UNDEFINED;  // surface: beside the colour
+    VkFormat depth = VK_FORMAT_UNDEFINED;
     VkCompareOp depth_test = VK_COMPARE_OP_GREATER;
     bool writes_depth = true;
     bool is_shadow = false;  // depth grows away from the sun, is clamped, and biased
     Blend blend = Blend::none;
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
     VkPolygonMode fill = VK_POLYGON_MODE_FILL;
-    uint32_t samples = 1;
-    int32_t constants[k_constants] = {0, 0, 1};  // by k_constant_*
+    int32_t constants[k_constants] = {0, 1};  // by k_constant_*
 };
 Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
                            VkPipeline& pipeline);

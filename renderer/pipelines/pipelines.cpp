@@ -13,11 +13,11 @@
 #include "spirv/facade.frag.h"
 #include "spirv/facade.vert.h"
 #include "spirv/fullscreen.vert.h"
-#include "spirv/fxaa.frag.h"
 #include "spirv/impostor.frag.h"
 #include "spirv/impostor.vert.h"
 #include "spirv/impostor_bake.frag.h"
 #include "spirv/impostor_bake.vert.h"
+#include "spirv/light.frag.h"
 #include "spirv/occlude.frag.h"
 #include "spirv/occlusion.frag.h"
 #include "spirv/prop.frag.h"
@@ -33,8 +33,8 @@
 #include "spirv/shadow_scenery.frag.h"
 #include "spirv/shadow_scenery.vert.h"
 #include "spirv/skinned.vert.h"
-#include "spirv/sky.frag.h"
-#include "spirv/sky.vert.h"
+#include "spirv/smooth.frag.h"
+#include "spirv/stars.frag.h"
 #include "spirv/surface.frag.h"
 #include "spirv/surface.vert.h"
 
@@ -56,14 +56,12 @@ Result<void> make_layout(const Device& device, Pipelines& pipelines) {
     return {};
 }
 
-}  // namespace
-
-Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipelines) {
-    LitPipelines& lit = pipelines.lit[light];
-    if (lit.sky) return {};  // made last
+Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) {
+    SurfacePipelines& surfaces = pipelines.surfaces;
     auto make = [&](PipelineShape shape, VkPipeline& out) {
-        shape.samples = pipelines.samples;
-        shape.constants[k_constant_light] = light;
+        shape.colour = k_colour_format;
+        shape.surface = k_surface_format;
+        shape.depth = k_depth_format;
         ++pipelines.made;
         return make_pipeline(device, pipelines.layout, shape, out);
     };
@@ -72,24 +70,22 @@ Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipe
                          .fragment = k_spirv_facade_frag,
                          .attributes = all,
                          .stride = sizeof(CityVertex),
-                         .colour = k_picture_format,
-                         .depth = k_depth_format,
                          .cull = VK_CULL_MODE_BACK_BIT};
-    FLANEUR_TRY(make(facade, lit.city_facade));
+    FLANEUR_TRY(make(facade, surfaces.city_facade));
     PipelineShape city = facade;
     city.vertex = k_spirv_surface_vert;
     city.fragment = k_spirv_surface_frag;
     city.attributes = {all[0], all[1], all[2], all[3], all[4]};
-    FLANEUR_TRY(make(city, lit.city_surface));
+    FLANEUR_TRY(make(city, surfaces.city_surface));
     PipelineShape prop = city;
     prop.vertex = k_spirv_prop_vert;
     prop.fragment = k_spirv_prop_frag;
     prop.attributes = {all[0], all[1], all[3], all[4]};
-    FLANEUR_TRY(make(prop, lit.city_prop));
+    FLANEUR_TRY(make(prop, surfaces.city_prop));
     PipelineShape scenery = city;
     scenery.vertex = k_spirv_scenery_vert;
     scenery.fragment = k_spirv_scenery_frag;
-    FLANEUR_TRY(make(scenery, lit.city_scenery));
+    FLANEUR_TRY(make(scenery, surfaces.city_scenery));
 
     PipelineShape shade = city;
     shade.vertex = k_spirv_shade_vert;
@@ -98,7 +94,7 @@ Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipe
     shade.cull = VK_CULL_MODE_NONE;
     shade.writes_depth = false;
     shade.blend = Blend::darkens;
-    FLANEUR_TRY(make(shade, lit.city_shade));
+    FLANEUR_TRY(make(shade, surfaces.city_shade));
 
     PipelineShape crowd = city;
     crowd.vertex = k_spirv_crowd_vert;
@@ -114,39 +110,63 @@ Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipe
     for (int textured = 0; textured < 2; ++textured) {
         crowd.constants[k_constant_textured] = textured;
         skinned.constants[k_constant_textured] = textured;
-        FLANEUR_TRY(make(crowd, lit.crowd[textured]));
-        FLANEUR_TRY(make(skinned, lit.crowd_skinned[textured]));
+        FLANEUR_TRY(make(crowd, surfaces.crowd[textured]));
+        FLANEUR_TRY(make(skinned, surfaces.crowd_skinned[textured]));
     }
     const PipelineShape impostor{.vertex = k_spirv_impostor_vert,
                                  .fragment = k_spirv_impostor_frag,
-                                 .attributes = {},
-                                 .colour = k_picture_format,
-                                 .depth = k_depth_format};
-    FLANEUR_TRY(make(impostor, lit.impostor));
+                                 .attributes = {}};
+    FLANEUR_TRY(make(impostor, surfaces.impostor));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
         .fragment = k_spirv_contact_frag,
         .attributes = {{0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32G32B32A32_SFLOAT, 16}},
         .stride = 32,
         .is_instanced = true,
-        .colour = k_picture_format,
-        .depth = k_depth_format,
         .writes_depth = false,
         .blend = Blend::darkens};
-    FLANEUR_TRY(make(contact, lit.contact));
-    const PipelineShape sky{.vertex = k_spirv_sky_vert,
-                            .fragment = k_spirv_sky_frag,
-                            .attributes = {},
-                            .colour = k_picture_format,
-                            .depth = k_depth_format,
-                            .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
-                            .writes_depth = false};
-    return make(sky, lit.sky);
+    FLANEUR_TRY(make(contact, surfaces.contact));
+    const PipelineShape stars{.vertex = k_spirv_fullscreen_vert,
+                              .fragment = k_spirv_stars_frag,
+                              .attributes = {},
+                              .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
+                              .writes_depth = false};
+    return make(stars, surfaces.stars);
 }
 
-Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
-                            Pipelines& p) {
-    p.samples = quality.samples;
+// Over pixels.
+Result<void> make_picture_pipelines(const Device& device, const QualityLevel& quality, bool is_lit_on_host,
+                                    VkFormat window_format, Pipelines& p) {
+    auto make = [&](const PipelineShape& shape, VkPipeline& out) {
+        return make_pipeline(device, p.layout, shape, out);
+    };
+    PipelineShape shape{.vertex = k_spirv_fullscreen_vert, .attributes = {}, .writes_depth = false};
+    if (quality.has_occlusion) {
+        shape.fragment = k_spirv_occlusion_frag;
+        shape.colour = k_occlusion_format;
+        FLANEUR_TRY(make(shape, p.occlusion));
+        shape.fragment = k_spirv_occlude_frag;
+        shape.colour = k_colour_format;
+        shape.blend = Blend::darkens;
+        FLANEUR_TRY(make(shape, p.occlude));
+        shape.blend = Blend::none;
+    }
+    if (is_lit_on_host) return {};
+    shape.colour = k_picture_format;
+    shape.fragment = k_spirv_light_frag;
+    FLANEUR_TRY(make(shape, p.light));
+    shape.fragment = k_spirv_smooth_frag;
+    shape.constants[k_constant_smooth] = quality.smooths_edges;
+    FLANEUR_TRY(make(shape, p.smooth_image));
+    if (window_format == VK_FORMAT_UNDEFINED) return {};
+    shape.colour = window_format;
+    return make(shape, p.smooth_window);
+}
+
+}  // namespace
+
+Result<void> make_pipelines(const Device& device, const QualityLevel& quality, bool is_lit_on_host,
+                            VkFormat window_format, Pipelines& p) {
     FLANEUR_TRY(make_layout(device, p));
     auto make = [&](const PipelineShape& shape, VkPipeline& out) {
         return make_pipeline(device, p.layout, shape, out);
@@ -182,7 +202,7 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
     shadow.attributes = {};
     FLANEUR_TRY(make(shadow, p.shadow_impostor));
 
-    FLANEUR_TRY(make_lit_pipelines(device, k_light_day, p));
+    FLANEUR_TRY(make_surface_pipelines(device, p));
     const PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
                              .fragment = k_spirv_impostor_bake_frag,
                              .attributes = person,
@@ -191,38 +211,17 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, V
                              .depth = k_shadow_format,
                              .cull = VK_CULL_MODE_BACK_BIT};
     FLANEUR_TRY(make(bake, p.impostor_bake));
-    if (quality.has_occlusion) {
-        PipelineShape occlusion{.vertex = k_spirv_fullscreen_vert,
-                                .fragment = k_spirv_occlusion_frag,
-                                .attributes = {},
-                                .colour = k_occlusion_format,
-                                .writes_depth = false};
-        FLANEUR_TRY(make(occlusion, p.occlusion));
-        occlusion.fragment = k_spirv_occlude_frag;
-        occlusion.colour = k_picture_format;
-        occlusion.blend = Blend::darkens;
-        FLANEUR_TRY(make(occlusion, p.occlude));
-    }
-    PipelineShape fxaa{.vertex = k_spirv_fullscreen_vert,
-                       .fragment = k_spirv_fxaa_frag,
-                       .attributes = {},
-                       .colour = k_picture_format,
-                       .writes_depth = false};
-    fxaa.constants[k_constant_smooth] = quality.smooths_edges;
-    FLANEUR_TRY(make(fxaa, p.fxaa_image));
-    if (window_format == VK_FORMAT_UNDEFINED) return {};
-    fxaa.colour = window_format;
-    return make(fxaa, p.fxaa_window);
+    return make_picture_pipelines(device, quality, is_lit_on_host, window_format, p);
 }
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
     std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor, p.shadow_skinned,
                                    p.shadow_scenery, p.impostor_bake, p.occlusion,       p.occlude,
-                                   p.fxaa_image,     p.fxaa_window};
-    for (const LitPipelines& lit : p.lit)
-        all.insert(all.end(), {lit.city_surface, lit.city_facade, lit.city_prop, lit.city_scenery,
-                               lit.impostor, lit.crowd[0], lit.crowd[1], lit.crowd_skinned[0],
-                               lit.crowd_skinned[1], lit.city_shade, lit.contact, lit.sky});
+                                   p.light,          p.smooth_image,  p.smooth_window};
+    const SurfacePipelines& surfaces = p.surfaces;
+    all.insert(all.end(), {surfaces.city_surface, surfaces.city_facade, surfaces.city_prop, surfaces.city_scenery,
+                               surfaces.impostor, surfaces.crowd[0], surfaces.crowd[1], surfaces.crowd_skinned[0],
+                               surfaces.crowd_skinned[1], surfaces.city_shade, surfaces.contact, surfaces.stars});
     for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     for (VkPipeline pipeline : p.views)

@@ -11,12 +11,12 @@
 
 namespace flaneur {
 
-// Those that draw what is lit.
-struct LitPipelines {
+// Those that draw what surfaces are.
+struct SurfacePipelines {
     VkPipeline city_surface = {}, city_facade = {}, city_prop = {}, city_scenery = {}, city_shade = {},
                impostor = {};
     VkPipeline crowd[2] = {}, crowd_skinned[2] = {};  // without and with textures; skinned on the host
-    VkPipeline contact = {}, sky = {};
+    VkPipeline contact = {}, stars = {};
 };
 
 // Those of the views for work, each made when it is first wanted.
@@ -43,19 +43,16 @@ struct Pipelines {
     VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_skinned = {}, shadow_impostor = {},
                shadow_scenery = {};
     VkPipeline impostor_bake = {};
-    LitPipelines lit[k_lights];               // by k_light_*; night's and plain ones made when first wanted
+    SurfacePipelines surfaces;
     VkPipeline occlusion = {}, occlude = {};  // made where the quality has occlusion
-    uint32_t samples = 1;                     // of what lit ones draw into
-    VkPipeline fxaa_image = {}, fxaa_window = {};
+    VkPipeline light = {}, smooth_image = {}, smooth_window = {};  // made where the device lights
     std::array<VkPipeline, k_view_pipelines> views = {};  // by ViewPipeline; null until wanted
 };
 
 // `window_format` VK_FORMAT_UNDEFINED: no window. After a failure destroy_pipelines() frees what had been
 // made.
-Result<void> make_pipelines(const Device& device, const QualityLevel& quality, VkFormat window_format,
-                            Pipelines& pipelines);
-// Makes pipelines.lit[light] if there are none yet.
-Result<void> make_lit_pipelines(const Device& device, int light, Pipelines& pipelines);
+Result<void> make_pipelines(const Device& device, const QualityLevel& quality, bool is_lit_on_host,
+                            VkFormat window_format, Pipelines& pipelines);
 void destroy_pipelines(const Device& device, Pipelines& pipelines);
 
 // Makes those of `wanted` that there are not yet.

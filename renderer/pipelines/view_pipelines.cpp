@@ -130,7 +130,6 @@ Result<void> make_view_pipelines(const Device& device, std::span<const ViewPipel
         if (made) continue;
         ++pipelines.made;
         PipelineShape shape = shape_of(pipeline);
-        shape.samples = pipelines.samples;
         FLANEUR_TRY(make_pipeline(device, pipelines.layout, shape, made));
     }
     return {};

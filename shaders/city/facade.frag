@@ -1,17 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/base/common.glsl"
-#include "shaders/base/light.glsl"
 #include "shaders/base/pattern.glsl"
+#include "shaders/base/surface.glsl"
 
-layout(location = 0) in vec3 in_place;
 layout(location = 1) in vec2 in_uv;  // x: metres, a window every k_bay; y: storeys
 layout(location = 2) in vec3 in_normal;
 layout(location = 3) flat in vec3 in_colour;
 layout(location = 4) flat in vec3 in_wall;   // height of a storey; whether it has shops; storeys
 layout(location = 5) flat in uvec3 in_kind;  // 1 + the bay of the door, or 0; WindowKind; whose house it is
-
-layout(location = 0) out vec4 out_picture;
 
 const float k_reveal = 0.16;  // how deep windows sit, metres
 
@@ -113,47 +110,34 @@ void main() {
     float canyon = 0.72 + 0.28 * saturate(above * 0.07);
     float ao = (0.55 + 0.45 * saturate(contact)) * canyon * (1.0 - 0.35 * open) * occluded;
 
-    vec3 ray = in_place - frame.eye.xyz;
-    float distance = length(ray);
-    ray /= distance;
-    float facing = saturate(dot(normal, frame.sun_direction.xyz));
-    float sun = sunlit_once(in_place, normal, 2.0) * occluded;
     // The reveal's shadow on the window: its rectangle, moved by the sun.
     vec3 along = vec3(-normal.z, 0, normal.x);
-    float towards = max(facing, 0.15);
+    float towards = max(dot(normal, frame.sun_direction.xyz), 0.15);
     vec2 slide = -k_reveal * vec2(-dot(along, frame.sun_direction.xyz), frame.sun_direction.y) / towards;
-    float in_window = inside(at - slide, low, high, pixel);
-    sun *= mix(1.0, in_window, open);
-    vec3 light = albedo * (frame.sun_light.xyz * facing * sun + ambient(normal) * ao);
-    if (k_light == k_light_night) {
-        light += albedo * lamplight(lamps_at(in_place, normal), normal) * occluded;
-        light += 1.2 * sign_colour * frame.window_light.xyz * sign_band;
-    }
+    float sun = occluded * mix(1.0, inside(at - slide, low, high, pixel), open);
+    float glow = 1.2 * sign_band, sun_on_rail = sun;
 
     // Glass: dark rooms, some with curtains, behind a mirror of the sky.
-    if (open * glass > 0.0) {
+    float pane = open * glass;
+    ONLY_IF(pane > 0.0) {
         float lean = hash(vec2(bay * 3.0 + 1.0, storey + storeys * 17.0)) - 0.5;
-        vec3 mirror = reflect(ray, normalize(normal + along * (0.05 * lean)));
-        mirror.y = abs(mirror.y + 0.03 * lean);
-        float grazing = 1.0 - saturate(-dot(ray, normal));
-        float fresnel = 0.09 + 0.91 * grazing * grazing * grazing * grazing * grazing;
         float curtain = float(lean > 0.15) * between(abs(at.x), 0.24, 0.6, pixel.x) * (1.0 - is_shop) * (1.0 - is_glass) * glass;
-        vec3 indoors = ambient(normal), tone = vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop);
-        if (k_light == k_light_night) {
+        vec3 tone = vec3(0.018, 0.017, 0.016) * (1.0 + 2.0 * is_shop), lamp = vec3(1);
+        float is_lit = 0.0, brightness = 0.0;
+        ONLY_IF(frame.way.x > 0.0) {
             // Lamps of many colours behind some windows and in every shop; ceilings are brighter than floors.
             uint window = uint(int(bay) + 61 * int(storey));
             float drawn = hash(uvec2(window, house + 7u * uint(storeys)));
-            float is_lit = max(float(drawn < frame.lamp_light.w), is_shop);
+            is_lit = max(float(drawn < frame.lamp_light.w), is_shop);
             float warmth = hash(uvec2(house, window));
-            vec3 lamp = frame.window_light.xyz * mix(vec3(1.0, 0.82, 0.62), vec3(0.9, 1.15, 1.45), warmth * warmth);
-            lamp *= (0.35 + 0.65 * fract(warmth * 5.3)) * (0.55 + 0.45 * saturate(at.y / height));
-            indoors = mix(indoors, lamp * (2.2 - 0.9 * is_shop), is_lit);
+            lamp = mix(vec3(1), mix(vec3(1.0, 0.82, 0.62), vec3(0.9, 1.15, 1.45), warmth * warmth), is_lit);
+            brightness = (0.35 + 0.65 * fract(warmth * 5.3)) * (0.55 + 0.45 * saturate(at.y / height)) *
+                         (2.2 - 0.9 * is_shop) * is_lit;
             tone = mix(tone, vec3(0.34, 0.30, 0.25) * (1.0 - 0.45 * is_shop), is_lit);
         }
-        vec3 room = indoors *
-                    mix(tone, vec3(0.20, 0.19, 0.17), curtain);
+        vec3 room = mix(tone, vec3(0.20, 0.19, 0.17), curtain);
         // Goods in a shop's window, in the light of its lamps.
-        if (is_shop > 0.0) {
+        ONLY_IF(is_shop > 0.0) {
             // Each stands in a place of its own, narrower above.
             float place = at.x * 2.5 + bay * 11.0, goods = hash(vec2(floor(place), storeys));
             float up = (at.y - 0.5) / (0.3 + 1.1 * goods * goods);
@@ -162,13 +146,18 @@ void main() {
                           between(up, 0.0, 1.0, pixel.y);
             float shown = saturate(2.0 - 6.0 * max(pixel.x, pixel.y));
             float lit = mix(0.3 * between(at.y, 0.5, 1.2, pixel.y), thing * (0.35 + 0.65 * fract(goods * 3.1)), shown);
-            room += indoors * (1.0 + 1.5 * float(k_light == k_light_night) * is_shop) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
+            room += (1.0 + 1.5 * frame.way.x) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
-        vec3 pane = room + street_towards(mirror) * fresnel * (0.6 + 0.4 * canyon);
-        light = mix(light, pane, open * glass);
+        albedo = mix(albedo, room * lamp, pane);
+        ao = mix(ao, 1.0, pane);
+        sun *= 1.0 - pane;
+        glow = mix(glow, brightness, pane);
+        normal = normalize(normal + along * (0.05 * lean * pane));
     }
-    if (rail > 0.0) {
-        light = mix(light, vec3(0.03, 0.032, 0.035) * (ambient(normal) + frame.sun_light.xyz * facing * sun), rail);
-    }
-    out_picture = picture(through_air(light, ray, distance));
+    albedo = mix(albedo, vec3(0.03, 0.032, 0.035), rail);
+    ao = mix(ao, 1.0, rail);
+    sun = mix(sun, sun_on_rail, rail);
+    pane *= 1.0 - rail;
+    glow *= 1.0 - rail;
+    keep(Surface(min(albedo, 1.0), normal, k_kind_wall, ao, sun, pane * (0.6 + 0.4 * canyon), glow));
 }

@@ -9,7 +9,6 @@ layout(location = 3) in vec4 in_normal;     // w: storeys
 layout(location = 4) in uvec2 in_material;  // k_material_facade, extra
 layout(location = 5) in uint in_house;
 
-layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec2 out_uv;
 layout(location = 2) out vec3 out_normal;
 layout(location = 3) flat out vec3 out_colour;
@@ -18,7 +17,6 @@ layout(location = 5) flat out uvec3 out_kind;
 
 void main() {
     uint extra = in_material.y;
-    out_place = in_place;
     out_uv = in_uv;
     out_normal = in_normal.xyz;
     out_colour = linear_from_srgb(in_colour.rgb);

@@ -8,14 +8,12 @@ layout(location = 2) in vec2 in_uv;
 layout(location = 3) in vec4 in_normal;
 layout(location = 4) in uvec2 in_material;  // k_material_scenery, layer
 
-layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_colour;
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_layer;
 
 void main() {
-    out_place = in_place;
     out_normal = in_normal.xyz;
     out_colour = linear_from_srgb(in_colour.rgb);
     out_uv = in_uv;

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/base/common.glsl"
-#include "shaders/base/light.glsl"
 #include "shaders/base/pattern.glsl"
+#include "shaders/base/surface.glsl"
 
 layout(location = 0) in vec3 in_place;
 layout(location = 1) in vec2 in_uv;
@@ -10,21 +10,10 @@ layout(location = 2) in vec3 in_normal;
 layout(location = 3) in vec3 in_colour;
 layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
 
-layout(location = 0) out vec4 out_picture;
-
 const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
 const vec3 k_ballast = vec3(0.1413, 0.1248, 0.1095);  // and between sleepers
 
 void main() {
-    vec3 normal = normalize(in_normal);
-    float facing = dot(normal, frame.sun_direction.xyz);
-    if (k_light == k_light_plain) {
-        out_picture = picture(in_colour * (frame.sun_light.xyz * saturate(facing) + ambient(normal)));
-        return;
-    }
-    vec3 ray = in_place - frame.eye.xyz;
-    float distance = length(ray);
-    ray /= distance;
     float edge = in_pattern.x, inverse_edge = 1.0 / edge;
     vec2 pixel = max(fwidth(in_uv), vec2(1e-4));
 
@@ -55,14 +44,6 @@ void main() {
         albedo = mix(in_pattern.z > 2.0 ? k_ballast : k_asphalt, albedo, paint);
     }
 
-    float bias = 0.25 + 2.0 * saturate(1.0 - normal.y) * (1.0 - 0.4 * saturate(facing));
-    float sun = saturate(facing) * sunlit(in_place, normal, facing, distance, bias);
-    vec3 light = albedo * (frame.sun_light.xyz * sun + ambient(normal));
-    if (k_light == k_light_night) light += albedo * lamplight(lamps_at(in_place, normal), normal);
-    if (in_pattern.w > 0.0) {
-        float grazing = 1.0 - saturate(-dot(ray, normal));
-        grazing *= grazing;
-        light = mix(light, sky_towards(reflect(ray, normal)), in_pattern.w * (0.1 + 0.9 * grazing * grazing));
-    }
-    out_picture = picture(through_air(light, ray, distance));
+    if (frame.way.y > 0.0) albedo = in_colour;
+    keep(Surface(min(albedo, 1.0), normalize(in_normal), k_kind_ground, 1.0, 1.0, in_pattern.w, 0.0));
 }

@@ -11,7 +11,6 @@ layout(location = 4) in uvec4 in_joints;
 layout(location = 5) in vec4 in_weights;
 layout(location = 6) in uint in_layer;
 
-layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_colour;
 layout(location = 3) out vec2 out_uv;
@@ -20,7 +19,6 @@ layout(location = 4) flat out uint out_layer;
 void main() {
     vec3 v = in_place * instances[gl_InstanceIndex].scale, normal = vec3(in_normal.xyz) * (1.0 / 127.0);
     Skinned body = skinned(instances[gl_InstanceIndex].palette, v, normal, in_joints, in_weights);
-    out_place = body.place;
     out_normal = body.normal;
     vec4 tint = unpackUnorm4x8(instances[gl_InstanceIndex].tints[in_normal.w]);
     out_colour = linear_from_srgb(in_colour.rgb) * linear_from_srgb(tint.rgb);

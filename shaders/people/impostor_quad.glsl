@@ -2,7 +2,6 @@
 
 struct Quad {
     vec3 place;       // of a corner
-    vec3 middle;      // of the quad's edge there, above or below the body
     vec2 texel;       // of the atlas
     vec2 side, tilt;  // that the picture was taken from, in the world: sines and cosines
 };
@@ -35,7 +34,6 @@ Quad quad_of(ImpostorInstance walker, vec3 to_viewer, int corner) {
     vec2 lean = normalize(vec2(quad.tilt.x, 1.0 + quad.tilt.y));  // half the tilt
     float stretch = height_from(tilt) / (height_from(quad.tilt) * dot(lean, tilt));
     vec3 up = vec3(-lean.x * towards.x, lean.y, -lean.x * towards.y) * stretch;
-    quad.middle = walker.place.xyz + metres.y * up;
-    quad.place = quad.middle + metres.x * vec3(towards.y, 0, -towards.x);
+    quad.place = walker.place.xyz + metres.y * up + metres.x * vec3(towards.y, 0, -towards.x);
     return quad;
 }

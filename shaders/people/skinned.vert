@@ -7,18 +7,17 @@ layout(location = 0) in uvec4 in_place;  // metres, as floats; w: the normal, te
 layout(location = 1) in uvec4 in_look;   // u, v as floats; colour and tint, sRGB
 layout(location = 2) in uint in_layer;
 
-layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_colour;
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_layer;
 
 void main() {
-    out_place = uintBitsToFloat(in_place.xyz);
+    vec3 place = uintBitsToFloat(in_place.xyz);
     out_normal = vec3(ivec3(in_place.www << uvec3(22, 12, 2)) >> 22) * (1.0 / 511.0);
     vec3 colour = unpackUnorm4x8(in_look.z).rgb, tint = unpackUnorm4x8(in_look.w).rgb;
     out_colour = linear_from_srgb(colour) * linear_from_srgb(tint);
     out_uv = uintBitsToFloat(in_look.xy);
     out_layer = in_layer;
-    gl_Position = frame.clip_from_world * vec4(out_place, 1);
+    gl_Position = frame.clip_from_world * vec4(place, 1);
 }

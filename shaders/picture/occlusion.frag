@@ -18,7 +18,7 @@ vec3 place_at(ivec2 pixel, float ahead) {
     vec2 at = (vec2(pixel) + 0.5) * frame.screen.zw * 2.0 - 1.0;
     return (frame.ray_forward.xyz + at.x * frame.ray_right.xyz + at.y * frame.ray_down.xyz) * ahead;
 }
-vec3 place_at(ivec2 pixel) { return place_at(pixel, ahead_at(pixel)); }
+vec3 place_at(ivec2 pixel) { return place_at(pixel, ahead_at(pixel * int(frame.samples.x))); }
 
 // The way to a neighbour, the one of two that lies less deep or high.
 vec3 step_along(ivec2 pixel, vec3 place, ivec2 by) {
@@ -28,7 +28,7 @@ vec3 step_along(ivec2 pixel, vec3 place, ivec2 by) {
 
 void main() {
     ivec2 pixel = min(ivec2(gl_FragCoord.xy) * 2, ivec2(frame.screen.xy) - 1);
-    float ahead = ahead_at(pixel);
+    float ahead = ahead_at(pixel * int(frame.samples.x));
     vec3 place = place_at(pixel, ahead);
     vec3 normal = normalize(cross(step_along(pixel, place, ivec2(0, 1)), step_along(pixel, place, ivec2(1, 0))));
     float reach = min(k_radius / (ahead * frame.ray_forward.w), k_most);
