@@ -146,6 +146,7 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     if (made) {
         std::swap(renderer.scene, scene);
         renderer.shadows.held = {};
+        renderer.shadows.people.clear();
         renderer.last_view = {};
     }
     destroy_scene(renderer.device, scene);

@@ -102,6 +102,9 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     cull_crowd(crowd, finer, renderer.crowd);
     cull_shadow_casters(crowd, finer, plan.boxes.near, to_light, plan.has_shadows ? plan.slice.far : -1,
                         renderer.casters);
+    plan.people_tiles = tiles_below(plan.boxes.near, resolution, renderer.casters.spheres);
+    plan.near_changed = changed_texels(plan.boxes.is_near_new ? ShadowTiles{} : renderer.shadows.people,
+                                       plan.people_tiles, resolution);
     if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
     plan.surfaces_view = input.surfaces;
     plan.are_tinted = input.people_colours != PeopleColours::own;

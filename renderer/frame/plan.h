@@ -37,6 +37,8 @@ struct FramePlan {
     DrawRange casters, casters_skinned;              // and those who throw shadows
     SkinPlan crowd_skin, casters_skin;
     CityCasters near_casters, far_casters;  // of the boxes that are to be drawn anew
+    ShadowTiles people_tiles;               // where people throw shadows, near
+    std::vector<TexelRect> near_changed;    // and where they did or do, of the near map
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;
     Surfaces surfaces_view = Surfaces::lit;

@@ -4,6 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
+#include <chrono>
+#include <cstdio>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/light/sweep.cpp"
@@ -11,6 +14,18 @@
 #include <hwy/highway.h>
 
 #include "sim/base/vec-inl.h"
+
+#ifndef FLANEUR_RENDERER_LIGHT_LIT_ROWS
+#define FLANEUR_RENDERER_LIGHT_LIT_ROWS
+namespace flaneur {
+// Of a lit picture, before its edges are smoothed.
+struct LitRows {
+    const uint32_t* colours;
+    const uint8_t* lumas;
+    size_t stride;  // pixels
+};
+}  // namespace flaneur
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
@@ -34,6 +49,9 @@ HWY_INLINE real3 operator*(real3 a, real3 b) { return {a.x * b.x, a.y * b.y, a.z
 struct Row {
     real a, b, c, d;
 };
+struct Block {
+    Row a, b, c, d;
+};
 struct Lamp {
     real3 light;
     real ground;
@@ -56,17 +74,23 @@ struct Light {
     explicit Light(const Unlit& from)
         : unlit(from), frame(*from.frame), map_edge(static_cast<int>(from.frame->shadow_texels.z)) {}
 
-    HWY_INLINE Row shadow_row(real layer, real x, real y) const {
+    HWY_INLINE Block shadow_texels(real layer, real x, real y) const {
         HWY_ALIGN int32_t at[k_most_lanes];
-        HWY_ALIGN int32_t four[2 * k_most_lanes];
+        HWY_ALIGN int32_t rows[4][2 * k_most_lanes];
         const WholeTag tag;
         const Whole edge = hn::Set(tag, map_edge), low = hn::Set(tag, 0xffff);
         hn::Store(hn::Add(hn::Mul(hn::Add(hn::Mul(whole(layer), edge), whole(y)), edge), whole(x)), tag, at);
-        for (size_t i = 0; i < lane_count(); ++i) std::memcpy(&four[2 * i], unlit.shadows + at[i], 8);
-        Whole ab, cd;
-        hn::LoadInterleaved2(tag, four, ab, cd);
+        for (size_t i = 0; i < lane_count(); ++i) {
+            const uint16_t* texels = unlit.shadows + at[i];
+            for (int row = 0; row < 4; ++row) std::memcpy(&rows[row][2 * i], texels + row * map_edge, 8);
+        }
         auto number = [&](Whole w) HWY_ATTR { return real(hn::ConvertTo(LaneTag(), hn::And(w, low))); };
-        return {number(ab), number(hn::ShiftRight<16>(ab)), number(cd), number(hn::ShiftRight<16>(cd))};
+        auto row_of = [&](const int32_t* row) HWY_ATTR {
+            Whole ab, cd;
+            hn::LoadInterleaved2(tag, row, ab, cd);
+            return Row{number(ab), number(hn::ShiftRight<16>(ab)), number(cd), number(hn::ShiftRight<16>(cd))};
+        };
+        return {row_of(rows[0]), row_of(rows[1]), row_of(rows[2]), row_of(rows[3])};
     }
 
     HWY_INLINE Lamp lamp_texel(real x, real y) const {
@@ -191,29 +215,59 @@ void light_row(const Unlit& unlit, size_t y, size_t width, uint32_t* colours, ui
     }
 }
 
-// Bit x: whether the pixel x of a row lies on an edge, as shaders/light/smooth.h asks first. Rows of lumas are
-// `stride` apart, and one is above and below.
-void find_edges(const uint8_t* lumas, size_t stride, size_t width, uint64_t* edges) {
-    std::fill_n(edges, (width + 63) / 64, uint64_t{0});
-    const hn::CappedTag<uint8_t, 64> tag;
-    const size_t lanes = hn::Lanes(tag);
-    size_t x = 1;
-    for (; x + lanes < width; x += lanes) {
-        const uint8_t* at = lumas + x;
-        const auto m = hn::LoadU(tag, at), n = hn::LoadU(tag, at - stride), s = hn::LoadU(tag, at + stride),
-                   w = hn::LoadU(tag, at - 1), e = hn::LoadU(tag, at + 1);
-        const auto high = hn::Max(m, hn::Max(hn::Max(n, s), hn::Max(w, e)));
-        const auto low = hn::Min(m, hn::Min(hn::Min(n, s), hn::Min(w, e)));
-        const auto least = hn::Max(hn::Set(tag, static_cast<uint8_t>(k_least_contrast)), hn::ShiftRight<3>(high));
-        const auto flat = hn::Eq(hn::SaturatedSub(hn::Sub(high, low), least), hn::Zero(tag));
-        uint8_t bytes[8] = {};
-        hn::StoreMaskBits(tag, hn::Not(flat), bytes);
-        uint64_t bits = 0;
-        std::memcpy(&bits, bytes, (lanes + 7) / 8);
-        edges[x / 64] |= bits << x % 64;
-        if (x % 64 + lanes > 64) edges[x / 64 + 1] |= bits >> (64 - x % 64);
+// Smooths edges of a lit picture, pixels side by side.
+struct Edges {
+    const FrameConstants& frame;
+    const LitRows& lit;
+    const uint8_t* luma = nullptr;  // of the first pixel at hand
+    const uint32_t* colour = nullptr;
+
+    HWY_INLINE real luma_near(int x, int y) const {
+        const hn::Rebind<uint8_t, LaneTag> narrow;
+        const auto* from = luma + (y * static_cast<ptrdiff_t>(lit.stride) + x);
+        return real(hn::ConvertTo(LaneTag(), hn::PromoteTo(WholeTag(), hn::LoadU(narrow, from))));
     }
-    for (; x + 1 < width; ++x) edges[x / 64] |= uint64_t{1} << x % 64;  // left to the question itself
+    HWY_INLINE Whole colour_near(int x, int y) const {
+        const auto* from = colour + (y * static_cast<ptrdiff_t>(lit.stride) + x);
+        return hn::BitCast(WholeTag(), hn::LoadU(hn::Rebind<uint32_t, LaneTag>(), from));
+    }
+
+#include "shaders/light/smooth.h"
+
+    // Pixels from x on.
+    HWY_INLINE void smooth(size_t x, real column, real line, uint32_t* row) {
+        const LaneTag lanes;
+        const Smoothing taken = smoothing_at(column, line);
+        const auto is_taking = (taken.share > real(0.0f)).m;
+        if (hn::AllFalse(lanes, is_taking)) return;
+        const auto pick = [&](truth m, Whole yes, Whole no) HWY_ATTR {
+            return hn::IfThenElse(hn::RebindMask(WholeTag(), m.m), yes, no);
+        };
+        const truth is_before = taken.to < real(0.0f);
+        const Whole own = colour_near(0, 0);
+        const Whole other = pick(taken.is_level, pick(is_before, colour_near(0, -1), colour_near(0, 1)),
+                                 pick(is_before, colour_near(-1, 0), colour_near(1, 0)));
+        auto mixed = [&](int shift) HWY_ATTR {
+            const real mine = byte_of(own, shift);
+            return whole(floor(mine + (byte_of(other, shift) - mine) * taken.share + real(0.5f)));
+        };
+        const Whole out = hn::Or(hn::Or(mixed(0), hn::ShiftLeft<8>(mixed(8))), hn::ShiftLeft<16>(mixed(16)));
+        const hn::Rebind<uint32_t, LaneTag> words;
+        hn::StoreU(hn::BitCast(words, pick({is_taking}, out, own)), words, row + x);
+    }
+};
+
+// Smooths a row's edges. The last pixels lie over those before, as in light_row().
+void smooth_row(const FrameConstants& frame, const LitRows& lit, size_t y, size_t width, uint32_t* row) {
+    const size_t lanes = lane_count();
+    const real steps(hn::ConvertTo(LaneTag(), hn::Iota(WholeTag(), 0))), line(static_cast<float>(y));
+    Edges edges{frame, lit};
+    for (size_t x = 0; x < width; x += lanes) {
+        const size_t at = std::min(x, width - lanes);
+        edges.luma = lit.lumas + y * lit.stride + at;
+        edges.colour = lit.colours + y * lit.stride + at;
+        edges.smooth(at, real(static_cast<float>(at)) + steps, line, row);
+    }
 }
 
 }  // namespace flaneur::HWY_NAMESPACE
@@ -223,12 +277,14 @@ HWY_AFTER_NAMESPACE();
 namespace flaneur {
 
 HWY_EXPORT(light_row);
-HWY_EXPORT(find_edges);
+HWY_EXPORT(smooth_row);
 
 namespace {
 
-constexpr size_t k_rows = 8;           // that a thread takes at once
-constexpr size_t k_least_width = 16;   // pixels, that lanes light together
+constexpr size_t k_rows = 8;          // that a thread takes at once
+constexpr size_t k_least_width = 16;  // pixels, that lanes light together
+constexpr size_t k_margin = 16;       // pixels about a lit picture, for those who look beyond its border
+static_assert(k_margin > k_edge_reach);
 
 // Copies of rows too short for lanes.
 template <class T>
@@ -240,72 +296,41 @@ std::vector<T> widened(Texels<T>& texels, size_t each, size_t width, size_t rows
     return out;
 }
 
-// Smooths edges, and lays over the picture what there is.
-struct Finish {
-    const Unlit& unlit;
-    const LitPicture& lit;
-    const uint8_t* lumas;
-    size_t stride;  // of both, pixels
-    bool is_blue_first;
+float channel(uint32_t colour, int number) { return static_cast<float>(colour >> 8 * number & 255); }
 
-    int luma_at(int x, int y) const { return lumas[y * static_cast<ptrdiff_t>(stride) + x]; }
-    static int abs(int x) { return x < 0 ? -x : x; }
-    template <class T>
-    static T min(T a, T b) {
-        return a < b ? a : b;
-    }
-    template <class T>
-    static T max(T a, T b) {
-        return a > b ? a : b;
-    }
-
-#include "shaders/light/smooth.h"
-
-    static float channel(uint32_t colour, int number) { return static_cast<float>(colour >> 8 * number & 255); }
-
-    uint32_t smoothed(int x, int y, int width, int height) {
-        const uint32_t* colours = lit.colours.data();
-        const uint32_t own = colours[static_cast<size_t>(y) * stride + static_cast<size_t>(x)];
-        const Smoothing taken = smoothing_at(x, y, width, height);
-        if (taken.share == 0) return own;
-        const uint32_t other = colours[static_cast<size_t>(taken.y) * stride + static_cast<size_t>(taken.x)];
-        uint32_t out = 0;
-        for (int k = 0; k < 3; ++k) {
-            const float mine = channel(own, k);
-            out |= static_cast<uint32_t>(mine + (channel(other, k) - mine) * taken.share + 0.5f) << 8 * k;
-        }
-        return out;
-    }
-
-    uint32_t covered(uint32_t colour, size_t x, size_t y) const {
-        const size_t samples = static_cast<size_t>(unlit.frame->samples.x);
+// What is laid over a row of pixels, the mean of a pixel's samples, over it.
+void cover_row(const Unlit& unlit, size_t y, std::span<uint32_t> row) {
+    const auto samples = static_cast<size_t>(unlit.frame->samples.x);
+    const float each = 1 / static_cast<float>(samples * samples);
+    for (size_t x = 0; x < row.size(); ++x) {
         float over[4] = {};
         for (size_t i = 0; i < samples * samples; ++i) {
-            const size_t row = samples * y + i / samples, column = samples * x + i % samples;
-            const auto texel = unlit.overlay.first[row * unlit.overlay.stride + column];
-            for (int k = 0; k < 4; ++k) over[k] += channel(static_cast<uint32_t>(texel), k) / static_cast<float>(samples * samples);
+            const size_t line = samples * y + i / samples, column = samples * x + i % samples;
+            const auto texel = static_cast<uint32_t>(unlit.overlay.first[line * unlit.overlay.stride + column]);
+            for (int k = 0; k < 4; ++k) over[k] += channel(texel, k) * each;
         }
-        if (over[3] == 0) return colour;
-        uint32_t out = 0;
+        if (over[3] == 0) continue;
+        const uint32_t below = std::exchange(row[x], 0);
         for (int k = 0; k < 3; ++k) {
-            const float value = channel(colour, k) * (1 - over[3] / 255) + over[k] + 0.5f;
-            out |= static_cast<uint32_t>(min(value, 255.0f)) << 8 * k;
+            const float value = channel(below, k) * (1 - over[3] / 255) + over[k] + 0.5f;
+            row[x] |= static_cast<uint32_t>(std::min(value, 255.0f)) << 8 * k;
         }
-        return out;
     }
+}
 
-    uint32_t handed_on(uint32_t colour) const {
-        const uint32_t swapped = (colour & 0xff) << 16 | (colour & 0xff00) | (colour >> 16 & 0xff);
-        return 0xff000000u | (is_blue_first ? swapped : colour);
-    }
-};
+// Opaque, with the bytes in the picture's order.
+void hand_on(std::span<uint32_t> row, bool is_blue_first) {
+    for (uint32_t& c : row)
+        c = 0xff000000u | (is_blue_first ? (c & 0xff) << 16 | (c & 0xff00) | (c >> 16 & 0xff) : c);
+}
 
 }  // namespace
 
 void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool is_blue_first, uint32_t* pixels) {
     Unlit unlit = given;
-    const auto width = static_cast<size_t>(given.frame->screen.x), height = static_cast<size_t>(given.frame->screen.y);
-    const auto samples = static_cast<size_t>(given.frame->samples.x);
+    const FrameConstants& frame = *given.frame;
+    const auto width = static_cast<size_t>(frame.screen.x), height = static_cast<size_t>(frame.screen.y);
+    const auto samples = static_cast<size_t>(frame.samples.x);
     const size_t span = std::max(width, k_least_width);
     std::vector<int32_t> colours, surfaces;
     std::vector<float> depths;
@@ -315,36 +340,28 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
         surfaces = widened(unlit.surfaces, 2, samples * width, rows, samples * span);
         depths = widened(unlit.depths, 1, samples * width, rows, samples * span);
     }
-    lit.colours.resize(span * height);
-    lit.lumas.resize(span * height);
+    static double t1 = 0, t2 = 0, n = 0; auto now=[]{return std::chrono::duration<double,std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();}; double b0=now();
+    const size_t stride = span + 2 * k_margin, first = k_margin * stride + k_margin;
+    lit.colours.resize(stride * (height + 2 * k_margin));
+    lit.lumas.resize(lit.colours.size());
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
         for (size_t y = begin; y < end; ++y)
-            HWY_DYNAMIC_DISPATCH(light_row)(unlit, y, span, &lit.colours[y * span], &lit.lumas[y * span]);
+            HWY_DYNAMIC_DISPATCH(light_row)(unlit, y, span, &lit.colours[first + y * stride], &lit.lumas[first + y * stride]);
     });
-    const bool is_smooth = given.smooths_edges && given.frame->backdrop.w == 0;
+    double b1=now();
+    const LitRows rows{&lit.colours[first], &lit.lumas[first], stride};
+    const bool is_smooth = given.smooths_edges && frame.backdrop.w == 0;
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
-        Finish finish{unlit, lit, lit.lumas.data(), span, is_blue_first};
-        std::vector<uint64_t> edges((width + 63) / 64);
         for (size_t y = begin; y < end; ++y) {
-            const uint32_t* from = &lit.colours[y * span];
-            uint32_t* to = pixels + y * width;
-            for (size_t x = 0; x < width; ++x) to[x] = finish.handed_on(from[x]);
-            if (is_smooth && y > 0 && y + 1 < height) {
-                HWY_DYNAMIC_DISPATCH(find_edges)(&lit.lumas[y * span], span, width, edges.data());
-                for (size_t word = 0; word < edges.size(); ++word)
-                    for (uint64_t left = edges[word]; left != 0; left &= left - 1) {
-                        const size_t x = word * 64 + static_cast<size_t>(std::countr_zero(left));
-                        to[x] = finish.handed_on(finish.smoothed(static_cast<int>(x), static_cast<int>(y),
-                                                                 static_cast<int>(width), static_cast<int>(height)));
-                    }
-            }
-            if (given.frame->way.w > 0)
-                for (size_t x = 0; x < width; ++x) {
-                    const uint32_t colour = finish.handed_on(to[x]);  // twice is as it was
-                    to[x] = finish.handed_on(finish.covered(colour, x, y));
-                }
+            const std::span<uint32_t> row(pixels + y * width, width);
+            std::copy_n(rows.colours + y * stride, width, row.data());
+            if (is_smooth && width >= k_least_width)
+                HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, width, row.data());
+            if (frame.way.w > 0) cover_row(given, y, row);
+            hand_on(row, is_blue_first);
         }
     });
+    double b2=now(); t1+=b1-b0; t2+=b2-b1; if(++n==40){fprintf(stderr,"LIGHT %.2f SMOOTH %.2f\n",t1/n,t2/n);n=t1=t2=0;}
 }
 
 }  // namespace flaneur

@@ -4,6 +4,7 @@ namespace flaneur {
 namespace {
 
 constexpr VkImageAspectFlags k_depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+constexpr VkDeviceSize k_shadow_bytes = 2;  // of a texel
 
 // `is_fresh`: begins with nothing, rather than with what is there.
 void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box, bool is_fresh) {
@@ -47,23 +48,29 @@ void draw_city_shadows(const FrameRecord& record) {
     end_stage(record);
 }
 
-void copy_still_layer(const FrameRecord& record) {
+// Where people's shadows were or will be, the near map is as the city's is.
+void take_people_out(const FrameRecord& record) {
+    if (record.plan.near_changed.empty()) return;
     GpuImage& map = record.renderer.shadows.map;
     image_to(record.commands, map, k_copied_from, {k_still_layer, 1});
-    image_freshly_to(record.commands, map, k_copied_to, {k_near_layer, 1});
-    VkImageCopy region{};
-    region.srcSubresource = {k_depth_aspect, 0, k_still_layer, 1};
-    region.dstSubresource = {k_depth_aspect, 0, k_near_layer, 1};
-    region.extent = {map.width, map.height, 1};
-    vkCmdCopyImage(record.commands, map.handle, k_copied_from.layout, map.handle, k_copied_to.layout, 1,
-                   &region);
+    (record.plan.boxes.is_near_new ? image_freshly_to : image_to)(record.commands, map, k_copied_to, {k_near_layer, 1});
+    std::vector<VkImageCopy> regions;
+    for (const TexelRect& rect : record.plan.near_changed) {
+        VkImageCopy& region = regions.emplace_back();
+        region.srcSubresource = {k_depth_aspect, 0, k_still_layer, 1};
+        region.dstSubresource = {k_depth_aspect, 0, k_near_layer, 1};
+        region.srcOffset = region.dstOffset = {static_cast<int32_t>(rect.x), static_cast<int32_t>(rect.y), 0};
+        region.extent = {rect.width, rect.height, 1};
+    }
+    vkCmdCopyImage(record.commands, map.handle, k_copied_from.layout, map.handle, k_copied_to.layout,
+                   static_cast<uint32_t>(regions.size()), regions.data());
 }
 
 void draw_crowd_shadows(const FrameRecord& record) {
     ShadowMaps& maps = record.renderer.shadows;
     const CrowdDraws& casters = record.renderer.casters;
     begin_stage(record, "crowd shadows");
-    copy_still_layer(record);
+    take_people_out(record);
     if (!casters.instances.empty() || !casters.impostors.empty()) {
         image_to(record.commands, maps.map, k_depth_target, {k_near_layer, 1});
         begin_map(record, maps.layer_views[k_near_layer], record.plan.boxes.near, false);
@@ -73,23 +80,32 @@ void draw_crowd_shadows(const FrameRecord& record) {
     end_stage(record);
 }
 
-// Where the host lights, what it knows of maps that have changed.
-void copy_to_host(const FrameRecord& record, uint32_t layer) {
+// Of a layer, for the host.
+void copy_to_host(const FrameRecord& record, uint32_t layer, std::span<const TexelRect> rects) {
+    if (rects.empty()) return;
     GpuImage& map = record.renderer.shadows.map;
     image_to(record.commands, map, k_copied_from, {layer, 1});
-    VkBufferImageCopy region{};
-    region.bufferOffset = VkDeviceSize{2} * map.width * map.height * layer;
-    region.imageSubresource = {k_depth_aspect, 0, layer, 1};
-    region.imageExtent = {map.width, map.height, 1};
-    vkCmdCopyImageToBuffer(record.commands, map.handle, k_copied_from.layout, record.renderer.shadows.copy.handle, 1,
-                           &region);
+    const VkDeviceSize first = VkDeviceSize{map.width} * map.height * layer;
+    std::vector<VkBufferImageCopy> regions;
+    for (const TexelRect& rect : rects) {
+        VkBufferImageCopy& region = regions.emplace_back();
+        region.bufferOffset = k_shadow_bytes * (first + VkDeviceSize{rect.y} * map.width + rect.x);
+        region.bufferRowLength = map.width;
+        region.imageSubresource = {k_depth_aspect, 0, layer, 1};
+        region.imageOffset = {static_cast<int32_t>(rect.x), static_cast<int32_t>(rect.y), 0};
+        region.imageExtent = {rect.width, rect.height, 1};
+    }
+    vkCmdCopyImageToBuffer(record.commands, map.handle, k_copied_from.layout, record.renderer.shadows.copy.handle,
+                           static_cast<uint32_t>(regions.size()), regions.data());
 }
 
 void copy_changed(const FrameRecord& record) {
+    const uint32_t resolution = record.renderer.quality.shadow_resolution;
+    const TexelRect whole{0, 0, resolution, resolution};
     begin_stage(record, "shadows to host");
-    if (record.plan.boxes.is_near_new) copy_to_host(record, k_still_layer);
-    if (record.plan.boxes.is_far_new) copy_to_host(record, k_far_layer);
-    copy_to_host(record, k_near_layer);
+    if (record.plan.boxes.is_near_new) copy_to_host(record, k_still_layer, std::span(&whole, 1));
+    if (record.plan.boxes.is_far_new) copy_to_host(record, k_far_layer, std::span(&whole, 1));
+    copy_to_host(record, k_near_layer, record.plan.near_changed);
     end_stage(record);
 }
 

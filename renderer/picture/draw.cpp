@@ -42,6 +42,7 @@ void forget_images(Renderer& renderer, const PictureTarget& target) {
         forget_image(*image);
     if (target.image) forget_image(*target.image);
     shadows.held = {};
+    shadows.people.clear();
 }
 
 // Once the device has drawn what it is of.
@@ -128,6 +129,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
         return done;
     }
     renderer.shadows.held = plan.has_shadows ? plan.boxes : ShadowBoxes{};
+    renderer.shadows.people = plan.has_shadows ? plan.people_tiles : ShadowTiles{};
     renderer.stats.pipelines_made = renderer.pipelines.made - made_before;
     count_frame(plan, renderer);
     return {};

@@ -8,6 +8,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint16_t k_no_bucket = 0xffff;
+constexpr float k_texel_pixels = 2;  // a shadow's texel is seen as finely as so many of the picture's pixels
 
 bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
 
@@ -36,12 +37,14 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
     out.firsts.assign(bucket_count + 1, 0);
     out.draws.clear();
     out.impostors.clear();
+    out.spheres.clear();
     out.triangles = 0;
     for (size_t i = 0; i < input.walkers.size(); ++i) {
         const WalkerDraw& walker = input.walkers[i];
         if (!is_drawable(input, walker)) continue;
         const uint32_t wanted = level_of(walker, i);
         if (wanted == k_unseen) continue;
+        out.spheres.emplace_back(walker.centre, walker.radius);
         const PersonRanges& person = input.people[walker.mesh];
         if (wanted == k_impostor_level) {
             out.impostors.push_back(impostor_of(walker, person.first_cell));
@@ -152,7 +155,8 @@ void cull_shadow_casters(const CrowdInput& input, const View& view, const Shadow
         // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
         // middle.
         if (is_impostor(input, walker, pixels * k_lod_hysteresis)) return k_impostor_level;
-        return std::min(lod_of(pixels) + 1, k_max_lods - 1);
+        const uint32_t in_texels = lod_of(2 * walker.radius / box.texel * k_texel_pixels);
+        return std::max(in_texels, std::min(lod_of(pixels) + 1, k_max_lods - 1));
     });
 }
 

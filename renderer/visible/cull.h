@@ -42,6 +42,7 @@ struct CrowdDraws {
     std::vector<WalkerInstance> instances;
     std::vector<ImpostorInstance> impostors;  // in the order of the walkers
     std::vector<DrawCommand> draws;
+    std::vector<glm::vec4> spheres;  // about the bodies, in the order of the walkers: centre, radius
     uint32_t triangles = 0;
     std::vector<uint8_t> levels;    // of each walker, k_unseen for those left out: kept for hysteresis
     std::vector<uint16_t> buckets;  // scratch: one a walker
@@ -71,8 +72,8 @@ uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
 // a walker near the border of its level stays in it.
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 
-// Those within `reach` of the eye that the view sees, or whose shadows it may see; meshes are a level coarser
-// than in view, and walkers seen as impostors throw their impostors' shadows.
+// Those within `reach` of the eye that the view sees, or whose shadows it may see; meshes are as coarse as the box's
+// texels, and at least a level coarser than in view, and walkers seen as impostors throw their impostors' shadows.
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out);
 

@@ -159,5 +159,5 @@ void main() {
     sun = mix(sun, sun_on_rail, rail);
     pane *= 1.0 - rail;
     glow *= 1.0 - rail;
-    keep(Surface(min(albedo, 1.0), normal, k_kind_wall, ao, sun, pane * (0.6 + 0.4 * canyon), glow));
+    keep(sqrt(albedo), normal, k_kind_wall, packed(ao, sun, pane * (0.6 + 0.4 * canyon), glow));
 }

@@ -13,5 +13,5 @@ layout(location = 4) flat in uint in_layer;
 void main() {
     vec4 texel = texture(pictures, vec3(in_uv, float(in_layer)));
     if (texel.a < 0.5) discard;
-    keep(Surface(in_colour * texel.rgb, normalize(in_normal), k_kind_thing, 1.0, 1.0, 0.0, 0.0));
+    keep(sqrt(in_colour * texel.rgb), in_normal, k_kind_thing, k_plain);
 }

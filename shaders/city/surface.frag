@@ -7,11 +7,12 @@
 layout(location = 0) in vec3 in_place;
 layout(location = 1) in vec2 in_uv;
 layout(location = 2) in vec3 in_normal;
-layout(location = 3) in vec3 in_colour;
-layout(location = 4) flat in vec4 in_pattern;  // edge, joint, variation, mirror
+layout(location = 3) in vec3 in_root;
+layout(location = 4) flat in vec3 in_pattern;  // edge, joint, variation
+layout(location = 5) flat in uint in_rest;
 
-const vec3 k_asphalt = vec3(0.0595, 0.0630, 0.0685);  // between the stripes of a crossing
-const vec3 k_ballast = vec3(0.1413, 0.1248, 0.1095);  // and between sleepers
+const vec3 k_asphalt = vec3(0.2439, 0.2510, 0.2617);  // between the stripes of a crossing
+const vec3 k_ballast = vec3(0.3759, 0.3533, 0.3309);  // and between sleepers
 
 void main() {
     float edge = in_pattern.x, inverse_edge = 1.0 / edge;
@@ -35,15 +36,13 @@ void main() {
     vec2 s = in_place.xz * 0.05;
     shade *= 1.0 + 0.05 * wave(s.x + 0.33 * wave(0.7 * s.y)) * wave(0.9 * s.y + 0.27 * wave(0.5 * s.x));
 
-    vec3 albedo = in_colour * shade;
+    vec3 root = in_root * sqrt(shade);
     // Stripes across the way of those who cross.
     if (in_pattern.z > 1.0) {
         float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
         float paint = saturate((swing - 0.5) * edge / pixel.x + 0.5);
         paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
-        albedo = mix(in_pattern.z > 2.0 ? k_ballast : k_asphalt, albedo, paint);
+        root = mix(in_pattern.z > 2.0 ? k_ballast : k_asphalt, root, paint);
     }
-
-    if (frame.way.y > 0.0) albedo = in_colour;
-    keep(Surface(min(albedo, 1.0), normalize(in_normal), k_kind_ground, 1.0, 1.0, in_pattern.w, 0.0));
+    keep(frame.way.y > 0.0 ? in_root : root, in_normal, k_kind_ground, in_rest);
 }

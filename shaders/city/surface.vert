@@ -11,8 +11,9 @@ layout(location = 4) in uvec2 in_material;  // material, extra
 layout(location = 0) out vec3 out_place;
 layout(location = 1) out vec2 out_uv;
 layout(location = 2) out vec3 out_normal;
-layout(location = 3) flat out vec3 out_colour;
-layout(location = 4) flat out vec4 out_pattern;  // see below
+layout(location = 3) out vec3 out_root;          // of the albedo
+layout(location = 4) flat out vec3 out_pattern;  // see below
+layout(location = 5) flat out uint out_rest;     // as surface.glsl has it
 
 // How a surface's slabs lie: edge in metres, width of the joints, how their lightness varies, and how much of the
 // sky it mirrors. The stripes of a crossing are slabs whose odd ones are dark (a variation above 1); sleepers are such
@@ -37,7 +38,9 @@ void main() {
     out_place = in_place;
     out_uv = in_uv;
     out_normal = in_normal.xyz;
-    out_colour = linear_from_srgb(in_colour.rgb);
-    out_pattern = k_patterns[min(in_material.x, k_material_roof)];
+    out_root = sqrt(linear_from_srgb(in_colour.rgb));
+    vec4 pattern = k_patterns[min(in_material.x, k_material_roof)];
+    out_pattern = pattern.xyz;
+    out_rest = 0xffffu | uint(pattern.w * 255.0 + 0.5) << 16;
     gl_Position = frame.clip_from_world * vec4(in_place, 1);
 }

@@ -15,16 +15,23 @@ layout(location = 0) out vec4 out_picture;
 struct Row {
     float a, b, c, d;
 };
+struct Block {
+    Row a, b, c, d;
+};
 struct Lamp {
     vec3 light;
     float ground;
 };
 
-Row shadow_row(float layer, float x, float y) {
-    ivec3 at = ivec3(x, y, layer);
+Row row_at(ivec3 at) {
     return Row(texelFetch(shadow_map, at, 0).x * 65535.0, texelFetch(shadow_map, at + ivec3(1, 0, 0), 0).x * 65535.0,
                texelFetch(shadow_map, at + ivec3(2, 0, 0), 0).x * 65535.0,
                texelFetch(shadow_map, at + ivec3(3, 0, 0), 0).x * 65535.0);
+}
+
+Block shadow_texels(float layer, float x, float y) {
+    ivec3 at = ivec3(x, y, layer);
+    return Block(row_at(at), row_at(at + ivec3(0, 1, 0)), row_at(at + ivec3(0, 2, 0)), row_at(at + ivec3(0, 3, 0)));
 }
 
 Lamp lamp_texel(float x, float y) {

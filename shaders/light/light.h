@@ -5,9 +5,9 @@
 // where a number differs by its last bit.
 //
 // Whoever includes it has `frame` and these, of whole numbers:
-//   Row shadow_row(real layer, real x, real y)  four texels of the shadow map from x on, 0..65535
-//   Lamp lamp_texel(real x, real y)             of the lamp map, nothing beyond its edges
-//   real3 sky_corner(real column, real row)     of the sky's grid
+//   Block shadow_texels(real layer, real x, real y)  four rows of four of the shadow map from x and y on, 0..65535
+//   Lamp lamp_texel(real x, real y)                   of the lamp map, nothing beyond its edges
+//   real3 sky_corner(real column, real row)           of the sky's grid
 
 // One sample of the picture as it is kept: bytes, and a normal's numbers 0..4094.
 struct Kept {
@@ -47,23 +47,23 @@ SHARED real3 normal_of(Kept kept) {
 
 // Shadows
 
-// How much of a filter that reaches from `low` to `high` lies on each of four texels.
+// How much of a filter lies on each of four texels, which reaches from within the first two to within the last two.
 struct Taps {
     real a, b, c, d;
 };
 SHARED Taps taps_between(real low, real high) {
     Taps t;
-    t.a = saturate(high) - saturate(low);
-    t.b = saturate(high - real(1.0f)) - saturate(low - real(1.0f));
-    t.c = saturate(high - real(2.0f)) - saturate(low - real(2.0f));
-    t.d = saturate(high - real(3.0f)) - saturate(low - real(3.0f));
+    t.a = real(1.0f) - saturate(low);
+    t.b = real(1.0f) - saturate(low - real(1.0f));
+    t.c = saturate(high - real(2.0f));
+    t.d = saturate(high - real(3.0f));
     return t;
 }
-// Whether something at `depth` is lit past a texel, softly over two steps of the map.
-SHARED real is_past(real texel, real depth) { return saturate((texel - depth) * real(0.5f) + real(1.0f)); }
-SHARED real row_lit(Row row, Taps across, real depth) {
-    return is_past(row.a, depth) * across.a + is_past(row.b, depth) * across.b + is_past(row.c, depth) * across.c +
-           is_past(row.d, depth) * across.d;
+// Whether something is lit past a texel, softly over two steps of the map; `from` is 1 - half its depth.
+SHARED real is_past(real texel, real from) { return saturate(texel * real(0.5f) + from); }
+SHARED real row_lit(Row row, Taps across, real from) {
+    return is_past(row.a, from) * across.a + is_past(row.b, from) * across.b + is_past(row.c, from) * across.c +
+           is_past(row.d, from) * across.d;
 }
 
 // How much of the sun reaches a place on a map, filtered `width` texels wide, 1..3.
@@ -72,13 +72,12 @@ SHARED real map_lit(real layer, real3 at, real width) {
     real x = at.x * resolution, y = at.y * resolution;
     real left = min(max(floor(x - real(1.5f)), real(0.0f)), last);
     real top = min(max(floor(y - real(1.5f)), real(0.0f)), last);
-    real reach = width * real(0.5f), depth = saturate(at.z) * real(65535.0f);
+    real reach = width * real(0.5f), from = real(1.0f) - saturate(at.z) * real(32767.5f);
     Taps across = taps_between(x - left - reach, x - left + reach);
     Taps down = taps_between(y - top - reach, y - top + reach);
-    real lit = row_lit(shadow_row(layer, left, top), across, depth) * down.a +
-               row_lit(shadow_row(layer, left, top + real(1.0f)), across, depth) * down.b +
-               row_lit(shadow_row(layer, left, top + real(2.0f)), across, depth) * down.c +
-               row_lit(shadow_row(layer, left, top + real(3.0f)), across, depth) * down.d;
+    Block four = shadow_texels(layer, left, top);
+    real lit = row_lit(four.a, across, from) * down.a + row_lit(four.b, across, from) * down.b +
+               row_lit(four.c, across, from) * down.c + row_lit(four.d, across, from) * down.d;
     return lit / (width * width);
 }
 
@@ -89,34 +88,38 @@ SHARED real from_middle(real3 at) {
 // The same in both maps, which fade into each other and, where the far one ends, into light. `bias` is how far, in
 // texels, the place is moved along its normal so that a surface does not shade itself.
 SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
-    real3 near = scaled(frame.shadow_from_world[0], place.x) + scaled(frame.shadow_from_world[1], place.y) +
-                 scaled(frame.shadow_from_world[2], place.z) + scaled(frame.shadow_from_world[3], real(1.0f));
+    real3 at = scaled(frame.shadow_from_world[0], place.x) + scaled(frame.shadow_from_world[1], place.y) +
+               scaled(frame.shadow_from_world[2], place.z) + scaled(frame.shadow_from_world[3], real(1.0f));
     real3 along = scaled(frame.shadow_from_world[0], normal.x) + scaled(frame.shadow_from_world[1], normal.y) +
                   scaled(frame.shadow_from_world[2], normal.z);
-    // Texels are filtered the wider the larger they are on the picture.
+    real near_share = saturate((real(0.495f) - from_middle(at)) * real(50.0f));
+    truth is_near = near_share > real(0.0f);
+    // People's shadows fade before the distance from where on nobody throws any.
+    real people = saturate(real(frame.people_shadows.x) - real(frame.people_shadows.y) * square(distance));
+    real layer = select(is_near, select(people > real(0.0f), real(float(k_near_layer)), real(float(k_still_layer))),
+                        real(float(k_far_layer)));
+    // Block are filtered the wider the larger they are on the picture.
     real pixels = real(1.0f) / (real(frame.ray_forward.w) * distance * real(1.5f));
-    real near_share = saturate((real(0.495f) - from_middle(near)) * real(50.0f));
-    real near_lit = real(1.0f), far_lit = real(1.0f);
-    if (some(near_share > real(0.0f))) {
-        real3 at = near + along * (bias * real(frame.shadow_texels.x));
-        real width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
-        // People's shadows fade before the distance from where on nobody throws any.
-        real people = saturate(real(frame.people_shadows.x) - real(frame.people_shadows.y) * square(distance));
-        if (some(people > real(0.0f))) near_lit = map_lit(real(float(k_near_layer)), at, width);
-        if (some(people < real(1.0f)))
-            near_lit = lerp(map_lit(real(float(k_still_layer)), at, width), near_lit, people);
+    real near_width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
+    real far_width = min(max(real(frame.shadow_texels.y) * pixels, real(1.0f)), real(3.0f));
+    real3 near = at + along * (bias * real(frame.shadow_texels.x));
+    real3 far = at + along * (bias * real(frame.shadow_texels.y));
+    far = make3(far.x * real(frame.far_scale.x) + real(frame.far_offset.x),
+                far.y * real(frame.far_scale.y) + real(frame.far_offset.y),
+                far.z * real(frame.far_scale.z) + real(frame.far_offset.z));
+    real lit = map_lit(layer, select(is_near, near, far), select(is_near, near_width, far_width));
+    truth is_fading = both(is_near, both(people > real(0.0f), people < real(1.0f)));
+    if (some(is_fading))
+        lit = select(is_fading, lerp(map_lit(real(float(k_still_layer)), near, near_width), lit, people), lit);
+    real beyond = max(abs(far.x - real(0.5f)), abs(far.y - real(0.5f)));
+    real far_share = saturate((real(0.497f) - beyond) * real(50.0f));
+    lit = select(is_near, lit, lerp(real(1.0f), lit, far_share));
+    truth is_both = both(is_near, near_share < real(1.0f));
+    if (some(is_both)) {
+        real far_lit = lerp(real(1.0f), map_lit(real(float(k_far_layer)), far, far_width), far_share);
+        lit = select(is_both, lerp(far_lit, lit, near_share), lit);
     }
-    if (some(near_share < real(1.0f))) {
-        real3 at = near + along * (bias * real(frame.shadow_texels.y));
-        at = make3(at.x * real(frame.far_scale.x) + real(frame.far_offset.x),
-                   at.y * real(frame.far_scale.y) + real(frame.far_offset.y),
-                   at.z * real(frame.far_scale.z) + real(frame.far_offset.z));
-        real width = min(max(real(frame.shadow_texels.y) * pixels, real(1.0f)), real(3.0f));
-        real beyond = max(abs(at.x - real(0.5f)), abs(at.y - real(0.5f)));
-        far_lit = lerp(real(1.0f), map_lit(real(float(k_far_layer)), at, width),
-                       saturate((real(0.497f) - beyond) * real(50.0f)));
-    }
-    return lerp(far_lit, near_lit, near_share);
+    return lit;
 }
 
 // Sky, lamps, air

@@ -10,8 +10,11 @@ layout(constant_id = k_constant_smooth) const int k_smooth = 1;
 
 layout(location = 0) out vec4 out_colour;
 
-int luma_at(int x, int y) { return int(texelFetch(picture, ivec2(x, y), 0).a * 255.0 + 0.5); }
+float luma_near(int x, int y) {
+    return floor(texelFetch(picture, ivec2(gl_FragCoord.xy) + ivec2(x, y), 0).a * 255.0 + 0.5);
+}
 
+#include "shaders/light/dialect.glsl"
 #include "shaders/light/smooth.h"
 
 vec3 bytes_at(ivec2 at) { return texelFetch(picture, at, 0).rgb * 255.0; }
@@ -25,11 +28,13 @@ vec4 overlay_at(ivec2 pixel) {
 }
 
 void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), size = ivec2(frame.screen.xy);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 bytes = bytes_at(pixel);
     if (k_smooth == 1 && frame.backdrop.w == 0.0) {
-        Smoothing taken = smoothing_at(pixel.x, pixel.y, size.x, size.y);
-        bytes = floor(bytes + (bytes_at(ivec2(taken.x, taken.y)) - bytes) * taken.share + 0.5);
+        Smoothing taken = smoothing_at(float(pixel.x), float(pixel.y));
+        int to = int(taken.to);
+        vec3 other = bytes_at(pixel + (taken.is_level ? ivec2(0, to) : ivec2(to, 0)));
+        if (taken.share > 0.0) bytes = floor(bytes + (other - bytes) * taken.share + 0.5);
     }
     if (frame.way.w > 0.0) {
         vec4 over = overlay_at(pixel);

@@ -1,62 +1,64 @@
-// Anti-aliasing after Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole pixels alone. Written once for GLSL and
-// for C++; whoever includes it has
-//   int luma_at(int x, int y)  of a pixel of the picture before, 0..255
+// Anti-aliasing after Lottes' FXAA 3.11 (NVIDIA 2009), quality path, by whole pixels alone, in the words of light.h.
+// Whoever includes it has `frame` and
+//   real luma_near(int x, int y)  of the picture before, 0..255, of the pixel so far right and down of the one at hand
 
-// The neighbour that a pixel takes something of, and how much.
+// Of which neighbour a pixel takes something, and how much.
 struct Smoothing {
-    int x, y;
-    float share;
+    truth is_level;  // the one above or below, else the one to the left or right
+    real to;         // -1 or 1
+    real share;
 };
 
 // Where the mean across an edge leaves the edge's, from a pixel on along it: twice by how much.
 struct EdgeEnd {
-    int steps, off;
+    real steps, off;
 };
 
-int distance_between(int a, int b) { return abs(a - b); }
-
-Smoothing smoothing_at(int x, int y, int width, int height) {
-    Smoothing taken;
-    taken.x = x, taken.y = y, taken.share = 0.0f;
-    // Pixels of the picture's border stay as they are.
-    if (x < 1 || y < 1 || x > width - 2 || y > height - 2) return taken;
-    int m = luma_at(x, y), n = luma_at(x, y - 1), s = luma_at(x, y + 1), w = luma_at(x - 1, y), e = luma_at(x + 1, y);
-    int high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
-    int contrast = high - low;
-    if (contrast <= max(k_least_contrast, high >> 3)) return taken;
-    bool is_level = distance_between(n + s, 2 * m) > distance_between(w + e, 2 * m);  // the edge runs left to right
-    int before = is_level ? n : w, after = is_level ? s : e;
-    bool is_before = distance_between(before, m) >= distance_between(after, m);
-    int to = is_before ? -1 : 1;
-    int across_x = is_level ? 0 : to, across_y = is_level ? to : 0;
-    int other = is_before ? before : after;
-    int edge = m + other, change = distance_between(other, m);
-
-    EdgeEnd first, second;
-    second.steps = 0, second.off = 0;
-    first = second;
-    for (int side = 0; side < 2; ++side) {
-        int ahead = side == 0 ? -1 : 1;
-        int along_x = is_level ? ahead : 0, along_y = is_level ? 0 : ahead;
-        int border = is_level ? (side == 0 ? x : width - 1 - x) : (side == 0 ? y : height - 1 - y);
-        int reach = min(k_edge_reach, border), i = 0, off = 0;
-        while (i < reach && 2 * abs(off) < change) {
-            ++i;
-            int px = x + i * along_x, py = y + i * along_y;
-            off = luma_at(px, py) + luma_at(px + across_x, py + across_y) - edge;
-        }
-        second.steps = i, second.off = off;
-        if (side == 0) first = second;
+SHARED EdgeEnd end_of_edge(int ahead, truth is_level, real to, real edge, real change, real reach) {
+    EdgeEnd end;
+    end.steps = real(0.0f), end.off = real(0.0f);
+    for (int i = 1; i <= k_edge_reach; ++i) {
+        truth goes_on = both(real(float(i)) <= reach, abs(end.off) * real(2.0f) < change);
+        if (!some(goes_on)) break;
+        int by = i * ahead;
+        truth is_before = to < real(0.0f);
+        real level = luma_near(by, 0) + select(is_before, luma_near(by, -1), luma_near(by, 1));
+        real upright = luma_near(0, by) + select(is_before, luma_near(-1, by), luma_near(1, by));
+        end.steps = select(goes_on, real(float(i)), end.steps);
+        end.off = select(goes_on, select(is_level, level, upright) - edge, end.off);
     }
-    bool is_first = first.steps < second.steps;
-    float nearest = float(is_first ? first.steps : second.steps), span = float(first.steps + second.steps);
-    bool is_inside = (m < other) != ((is_first ? first.off : second.off) < 0);  // not beyond the edge's end
-    float share = is_inside ? 0.5f - nearest / span : 0.0f;
+    return end;
+}
+
+// x, y: of the pixel. The picture's border stays as it is.
+SHARED Smoothing smoothing_at(real x, real y) {
+    real one = real(1.0f), nothing = real(0.0f);
+    real m = luma_near(0, 0), n = luma_near(0, -1), s = luma_near(0, 1), w = luma_near(-1, 0), e = luma_near(1, 0);
+    real high = max(m, max(max(n, s), max(w, e))), low = min(m, min(min(n, s), min(w, e)));
+    real contrast = high - low;
+    real right = real(frame.screen.x) - one - x, below = real(frame.screen.y) - one - y;
+    truth is_edge = both(contrast > max(real(float(k_least_contrast)), floor(high * real(0.125f))),
+                         min(min(x, y), min(right, below)) > nothing);
+    Smoothing taken;
+    taken.is_level = abs(n + s - (m + m)) > abs(w + e - (m + m));  // the edge runs left to right
+    taken.to = one, taken.share = nothing;
+    if (!some(is_edge)) return taken;
+    real before = select(taken.is_level, n, w), after = select(taken.is_level, s, e);
+    truth is_before = abs(before - m) >= abs(after - m);
+    taken.to = select(is_before, real(-1.0f), one);
+    real other = select(is_before, before, after);
+    real edge = m + other, change = select(is_edge, abs(other - m), nothing);
+    EdgeEnd back = end_of_edge(-1, taken.is_level, taken.to, edge, change, select(taken.is_level, x, y));
+    EdgeEnd on = end_of_edge(1, taken.is_level, taken.to, edge, change, select(taken.is_level, right, below));
+    truth is_back = back.steps < on.steps;
+    real nearest = select(is_back, back.steps, on.steps), off = select(is_back, back.off, on.off);
+    // Not beyond the edge's end, where both lie on one side of the mean.
+    real side = select(m < other, real(-1.0f), one), end_side = select(off < nothing, real(-1.0f), one);
+    real share = select(side * end_side < nothing, real(0.5f) - nearest / max(back.steps + on.steps, one), nothing);
 
     // Specks: as much as the pixel differs from its neighbourhood.
-    float speck = min(float(distance_between(n + s + w + e, 4 * m)) * 0.25f / float(contrast), 1.0f);
-    speck = speck * speck * (3.0f - 2.0f * speck);
-    taken.x = x + across_x, taken.y = y + across_y;
-    taken.share = max(share, speck * speck * 0.5f);
+    real speck = min(abs(n + s + w + e - m * real(4.0f)) * real(0.25f) / max(contrast, one), one);
+    speck = speck * speck * (real(3.0f) - real(2.0f) * speck);
+    taken.share = select(is_edge, max(share, speck * speck * real(0.5f)), nothing);
     return taken;
 }

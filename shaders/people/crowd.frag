@@ -7,16 +7,16 @@ layout(constant_id = k_constant_textured) const int k_textured = 0;
 layout(set = 0, binding = k_binding_textures) uniform sampler2DArray textures;
 
 layout(location = 1) in vec3 in_normal;
-layout(location = 2) in vec3 in_colour;
+layout(location = 2) in vec3 in_root;
 layout(location = 3) in vec2 in_uv;
 layout(location = 4) flat in uint in_layer;
 
 void main() {
-    vec3 albedo = in_colour;
+    vec3 root = in_root;
     if (k_textured == 1) {
         vec4 texel = texture(textures, vec3(in_uv, float(in_layer)));
         if (texel.a < 0.5) discard;
-        albedo *= texel.rgb;
+        root *= sqrt(texel.rgb);
     }
-    keep(Surface(albedo, normalize(in_normal), k_kind_person, 1.0, 1.0, 0.0, 0.0));
+    keep(root, in_normal, k_kind_person, k_plain);
 }

@@ -12,7 +12,7 @@ layout(location = 5) in vec4 in_weights;
 layout(location = 6) in uint in_layer;
 
 layout(location = 1) out vec3 out_normal;
-layout(location = 2) out vec3 out_colour;
+layout(location = 2) out vec3 out_root;  // of the albedo
 layout(location = 3) out vec2 out_uv;
 layout(location = 4) flat out uint out_layer;
 
@@ -21,7 +21,7 @@ void main() {
     Skinned body = skinned(instances[gl_InstanceIndex].palette, v, normal, in_joints, in_weights);
     out_normal = body.normal;
     vec4 tint = unpackUnorm4x8(instances[gl_InstanceIndex].tints[in_normal.w]);
-    out_colour = linear_from_srgb(in_colour.rgb) * linear_from_srgb(tint.rgb);
+    out_root = sqrt(linear_from_srgb(in_colour.rgb) * linear_from_srgb(tint.rgb));
     out_uv = in_uv;
     out_layer = in_layer;
     gl_Position = frame.clip_from_world * vec4(body.place, 1);

@@ -15,5 +15,5 @@ void main() {
     if (texel == k_empty_texel) discard;
     vec3 tint = linear_from_srgb(unpackUnorm4x8(impostors[in_number].tints[tint_of(texel)]).rgb);
     vec3 normal = axes_of(in_view.xy, in_view.zw) * normal_of(texel);
-    keep(Surface(base_of(texel) * tint, normal, k_kind_impostor, 1.0, 1.0, 0.0, 0.0));
+    keep(root_of(texel) * sqrt(tint), normal, k_kind_impostor, k_plain);
 }

@@ -21,10 +21,7 @@ uint packed(vec3 base, vec3 normal, uint tint) {
 
 uint tint_of(uint texel) { return texel >> 28; }
 
-vec3 base_of(uint texel) {
-    vec3 root = vec3(texel & 31, texel >> 5 & 63, texel >> 11 & 31) * (1.0 / vec3(31, 63, 31));
-    return root * root;
-}
+vec3 root_of(uint texel) { return vec3(texel & 31, texel >> 5 & 63, texel >> 11 & 31) * (1.0 / vec3(31, 63, 31)); }
 
 vec3 normal_of(uint texel) {
     vec2 n = vec2(texel >> 16 & 63, texel >> 22 & 63) * (1.0 / 31.0) - 1.0;
