@@ -16,9 +16,8 @@ struct RendererOptions {
     bool validation =
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
-    // Has the driver compile meanwhile what it puts off until something is drawn: what pictures by day need,
-    // by night, or both.
-    bool warms_up_by_day = false, warms_up_by_night = false;
+    // Has the driver compile meanwhile what it puts off until something is drawn.
+    bool warms_up = false;
     std::optional<bool> skins_on_host =
         {};  // whether the host skins people; default: where the device is a CPU
     std::optional<bool> lights_on_host = {};  // and whether it lights what the device has drawn; the same picture

@@ -42,7 +42,7 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     FLANEUR_TRY(make_slots(r));
     FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.is_lit_on_host, r.shadows));
     FLANEUR_TRY(make_scene(r.device, r.pipelines, {}, r.scene));
-    FLANEUR_TRY(warm_up(r, options.warms_up_by_day, options.warms_up_by_night));
+    if (options.warms_up) FLANEUR_TRY(warm_up(r));
     return renderer;
 }
 

@@ -10,6 +10,9 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_no_type = ~0u;
+// Memory is taken by whole blocks, as drivers hand it out; with odd sizes synchronisation validation (1.3.239) takes
+// images that the host reads for the buffers beside them.
+constexpr VkDeviceSize k_block = 1u << 16;
 
 uint32_t find_memory_type(const Device& device, uint32_t allowed, VkMemoryPropertyFlags flags) {
     for (uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
@@ -31,7 +34,7 @@ uint32_t choose_memory_type(const Device& device, uint32_t allowed, MemoryKind k
 Result<void> allocate(const Device& device, const VkMemoryRequirements& needs, MemoryKind kind,
                       VkDeviceMemory& memory) {
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    info.allocationSize = needs.size;
+    info.allocationSize = (needs.size + k_block - 1) / k_block * k_block;
     info.memoryTypeIndex = choose_memory_type(device, needs.memoryTypeBits, kind);
     if (info.memoryTypeIndex == k_no_type)
         return Error{"The Vulkan device has no memory of a kind that is needed."};

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
-#include <chrono>
-#include <cstdio>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "renderer/light/sweep.cpp"
@@ -340,7 +338,6 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
         surfaces = widened(unlit.surfaces, 2, samples * width, rows, samples * span);
         depths = widened(unlit.depths, 1, samples * width, rows, samples * span);
     }
-    static double t1 = 0, t2 = 0, n = 0; auto now=[]{return std::chrono::duration<double,std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();}; double b0=now();
     const size_t stride = span + 2 * k_margin, first = k_margin * stride + k_margin;
     lit.colours.resize(stride * (height + 2 * k_margin));
     lit.lumas.resize(lit.colours.size());
@@ -348,20 +345,20 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
         for (size_t y = begin; y < end; ++y)
             HWY_DYNAMIC_DISPATCH(light_row)(unlit, y, span, &lit.colours[first + y * stride], &lit.lumas[first + y * stride]);
     });
-    double b1=now();
     const LitRows rows{&lit.colours[first], &lit.lumas[first], stride};
     const bool is_smooth = given.smooths_edges && frame.backdrop.w == 0;
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
+        std::vector<uint32_t> wide(width < span ? span : 0);
         for (size_t y = begin; y < end; ++y) {
             const std::span<uint32_t> row(pixels + y * width, width);
-            std::copy_n(rows.colours + y * stride, width, row.data());
-            if (is_smooth && width >= k_least_width)
-                HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, width, row.data());
+            uint32_t* const smoothed = wide.empty() ? row.data() : wide.data();
+            std::copy_n(rows.colours + y * stride, span, smoothed);
+            if (is_smooth) HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, span, smoothed);
+            std::copy_n(smoothed, wide.empty() ? 0 : width, row.data());
             if (frame.way.w > 0) cover_row(given, y, row);
             hand_on(row, is_blue_first);
         }
     });
-    double b2=now(); t1+=b1-b0; t2+=b2-b1; if(++n==40){fprintf(stderr,"LIGHT %.2f SMOOTH %.2f\n",t1/n,t2/n);n=t1=t2=0;}
 }
 
 }  // namespace flaneur

@@ -34,8 +34,7 @@ PersonMesh triangle() {
 
 }  // namespace
 
-Result<void> warm_up(Renderer& renderer, bool by_day, bool by_night) {
-    if (!by_day && !by_night) return {};
+Result<void> warm_up(Renderer& renderer) {
     SceneMeshes meshes;
     meshes.city = squares();
     meshes.people = {triangle()};
@@ -66,10 +65,9 @@ Result<void> warm_up(Renderer& renderer, bool by_day, bool by_night) {
         target.image = &renderer.picture;
         target.smooth = is_window ? renderer.pipelines.smooth_window : renderer.pipelines.smooth_image;
     }
-    if (by_day) FLANEUR_TRY(draw_frame(renderer, renderer.slots[0], frame, target, {}, {}));
-    frame.sun.direction = {0, -1, 0};
-    if (by_night) FLANEUR_TRY(draw_frame(renderer, renderer.slots[1], frame, target, {}, {}));
-    return {};
+    FLANEUR_TRY(draw_frame(renderer, renderer.slots[0], frame, target, {}, {}));
+    frame.sun.direction = {0, -1, 0};  // at night there are stars too
+    return draw_frame(renderer, renderer.slots[1], frame, target, {}, {});
 }
 
 }  // namespace flaneur

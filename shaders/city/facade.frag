@@ -149,7 +149,7 @@ void main() {
             room += (1.0 + 1.5 * frame.way.x) * lit * mix(vec3(0.16, 0.10, 0.06), vec3(0.09, 0.11, 0.13), fract(goods * 7.0));
         }
         albedo = mix(albedo, room * lamp, pane);
-        ao = mix(ao, 1.0, pane);
+        ao = mix(ao, 1.0 - is_lit, pane);  // what lights a room outshines what comes in
         sun *= 1.0 - pane;
         glow = mix(glow, brightness, pane);
         normal = normalize(normal + along * (0.05 * lean * pane));

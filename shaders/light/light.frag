@@ -23,10 +23,14 @@ struct Lamp {
     float ground;
 };
 
+// Of a number that is kept in so many steps, whole.
+float whole(float x, float steps) { return floor(x * steps + 0.5); }
+
+float shadow_texel(ivec3 at) { return whole(texelFetch(shadow_map, at, 0).x, 65535.0); }
+
 Row row_at(ivec3 at) {
-    return Row(texelFetch(shadow_map, at, 0).x * 65535.0, texelFetch(shadow_map, at + ivec3(1, 0, 0), 0).x * 65535.0,
-               texelFetch(shadow_map, at + ivec3(2, 0, 0), 0).x * 65535.0,
-               texelFetch(shadow_map, at + ivec3(3, 0, 0), 0).x * 65535.0);
+    return Row(shadow_texel(at), shadow_texel(at + ivec3(1, 0, 0)), shadow_texel(at + ivec3(2, 0, 0)),
+               shadow_texel(at + ivec3(3, 0, 0)));
 }
 
 Block shadow_texels(float layer, float x, float y) {
@@ -49,7 +53,7 @@ vec3 sky_corner(float column, float row) { return sky_corners[int(row) * (k_sky_
 float byte_of(uint word, int shift) { return float(word >> shift & 255u); }
 
 Kept kept_at(ivec2 at) {
-    vec4 colour = texelFetch(colours, at, 0) * 255.0;
+    vec4 colour = floor(texelFetch(colours, at, 0) * 255.0 + 0.5);
     uvec2 surface = texelFetch(surfaces, at, 0).xy;
     return Kept(colour.r, colour.g, colour.b, colour.a, float(surface.x & 4095u), float(surface.x >> 12 & 4095u),
                 byte_of(surface.x, 24), byte_of(surface.y, 0), byte_of(surface.y, 8), byte_of(surface.y, 16),

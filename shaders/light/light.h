@@ -14,15 +14,18 @@ struct Kept {
     real red, green, blue, open, normal_u, normal_v, kind, sky, sun, mirror, glow, depth;
 };
 
+// Quotients are products with it, to which drivers turn them anyway.
+SHARED real inverse(real x) { return real(1.0f) / x; }
+SHARED real inner(real3 a, real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }  // summed in this order
 SHARED real square(real x) { return x * x; }
 SHARED truth is_kind(Kept kept, uint kind) { return abs(kept.kind - real(float(kind))) < real(0.5f); }
-SHARED real inverse_length(real3 v) { return real(1.0f) / sqrt(max(dot(v, v), real(1e-20f))); }
+SHARED real inverse_length(real3 v) { return inverse(sqrt(max(inner(v, v), real(1e-20f)))); }
 SHARED real3 scaled(vec4 v, real by) { return make3(real(v.x) * by, real(v.y) * by, real(v.z) * by); }
-SHARED real3 reflected(real3 ray, real3 normal) { return ray - normal * (real(2.0f) * dot(ray, normal)); }
+SHARED real3 reflected(real3 ray, real3 normal) { return ray - normal * (real(2.0f) * inner(ray, normal)); }
 
 // The sRGB numbers of light by Hejl and Burgess-Dawson's filmic curve (2010), its black point left at black.
 SHARED real toned(real x) {
-    return x * (real(6.2f) * x + real(0.5f)) / (x * (real(6.2f) * x + real(1.7f)) + real(0.06f));
+    return x * (real(6.2f) * x + real(0.5f)) * inverse(x * (real(6.2f) * x + real(1.7f)) + real(0.06f));
 }
 SHARED real3 tone_curve(real3 light) {
     real grey = (light.x * real(0.2126f) + light.y * real(0.7152f) + light.z * real(0.0722f)) * real(0.16f);
@@ -78,7 +81,7 @@ SHARED real map_lit(real layer, real3 at, real width) {
     Block four = shadow_texels(layer, left, top);
     real lit = row_lit(four.a, across, from) * down.a + row_lit(four.b, across, from) * down.b +
                row_lit(four.c, across, from) * down.c + row_lit(four.d, across, from) * down.d;
-    return lit / (width * width);
+    return lit * inverse(width * width);
 }
 
 SHARED real from_middle(real3 at) {
@@ -99,7 +102,7 @@ SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     real layer = select(is_near, select(people > real(0.0f), real(float(k_near_layer)), real(float(k_still_layer))),
                         real(float(k_far_layer)));
     // Block are filtered the wider the larger they are on the picture.
-    real pixels = real(1.0f) / (real(frame.ray_forward.w) * distance * real(1.5f));
+    real pixels = inverse(real(frame.ray_forward.w) * distance * real(1.5f));
     real near_width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
     real far_width = min(max(real(frame.shadow_texels.y) * pixels, real(1.0f)), real(3.0f));
     real3 near = at + along * (bias * real(frame.shadow_texels.x));
@@ -144,9 +147,9 @@ SHARED real3 lamplight(real3 place, real3 normal, real before) {
     real3 lamps = lerp(lerp(a.light, b.light, s), lerp(c.light, d.light, s), t);
     real ground = lerp(lerp(a.ground, b.ground, s), lerp(c.ground, d.ground, s), t);
     real above = max(place.y - ground - real(3.0f), real(0.0f)) * real(0.4f);
-    lamps = lamps * (real(1.0f) / (real(1.0f) + above * above));
-    real length = sqrt(dot(lamps, lamps));
-    return scaled(frame.lamp_light, max(dot(lamps, normal), real(0.0f)) + real(0.14f) * min(length, real(0.7f)));
+    lamps = lamps * inverse(real(1.0f) + above * above);
+    real length = sqrt(inner(lamps, lamps));
+    return scaled(frame.lamp_light, max(inner(lamps, normal), real(0.0f)) + real(0.14f) * min(length, real(0.7f)));
 }
 
 // How much a level way leads towards the sun, 0..1, squared.
@@ -172,7 +175,7 @@ SHARED real3 street_towards(real3 way) {
 SHARED real3 through_air(real3 light, real3 ray, real distance) {
     real depth = max(distance - real(frame.haze_away.w), real(0.0f)) * real(frame.haze_towards.w);
     real3 air = lerp(scaled(frame.haze_away, real(1.0f)), scaled(frame.haze_towards, real(1.0f)), sunward(ray));
-    return lerp(light, air, depth / (real(1.0f) + depth));
+    return lerp(light, air, depth * inverse(real(1.0f) + depth));
 }
 
 // What lies at infinity: the grid's light, and the sun's disc, softened. At night surfaces' red holds stars, and
@@ -205,7 +208,7 @@ SHARED real3 surface_lit(Kept kept, real3 ray, real distance, real3 place) {
     // Cloth and skin let light round the edge a little.
     real sun = select(is_body, saturate((facing + real(0.2f)) * real(1.0f / 1.2f)), saturate(facing));
     sun = sun * kept.sun * real(1.0f / 255.0f);
-    real towards = real(0.0f) - dot(ray, normal), grazing = real(1.0f) - saturate(towards);
+    real towards = real(0.0f) - inner(ray, normal), grazing = real(1.0f) - saturate(towards);
     real3 sky = ambient(normal);
     if (frame.way.y > 0.0f)
         return albedo * (scaled(frame.sun_light, sun) + sky * (kept.sky * real(1.0f / 255.0f)));
@@ -246,8 +249,8 @@ SHARED real3 colour_seen(Kept kept, real u, real v) {
     if (frame.way.z > 0.0f) return make3(kept.red, kept.green, kept.blue) * real(1.0f / 255.0f);
     real3 way = ray_through(u, v);
     truth is_sky = kept.kind < real(0.5f);
-    real ahead = real(frame.clip_from_world[3].z) / max(kept.depth, real(1e-7f));
-    real distance = ahead * sqrt(dot(way, way));
+    real ahead = real(frame.clip_from_world[3].z) * inverse(max(kept.depth, real(1e-7f)));
+    real distance = ahead * sqrt(inner(way, way));
     real3 place = way * ahead + scaled(frame.eye, real(1.0f));
     real3 colour = tone_curve(surface_lit(kept, way * inverse_length(way), distance, place));
     if (some(is_sky)) {

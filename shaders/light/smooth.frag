@@ -17,7 +17,7 @@ float luma_near(int x, int y) {
 #include "shaders/light/dialect.glsl"
 #include "shaders/light/smooth.h"
 
-vec3 bytes_at(ivec2 at) { return texelFetch(picture, at, 0).rgb * 255.0; }
+vec3 bytes_at(ivec2 at) { return floor(texelFetch(picture, at, 0).rgb * 255.0 + 0.5); }
 
 // The mean of a pixel's samples.
 vec4 overlay_at(ivec2 pixel) {

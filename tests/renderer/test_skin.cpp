@@ -144,7 +144,7 @@ TEST(Skin, PutsVerticesWhereTheFormulaDoes) {
     for (size_t i = 0; i < 3 * k_triangles; i += 3)
         for (size_t corner : {0, 2, 1}) crowd.indices.push_back(crowd.indices[i + corner]);
     const Camera camera{.eye = {0, 300, 0}, .target = {1, 0, 0}, .vertical_fov = 0.6f};
-    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000, 1));
+    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000));
     double place = 0, normal = 0;
     size_t drawn = 0;
     for (const DrawCommand& draw : out.draws) {
@@ -176,7 +176,7 @@ TEST(Skin, ALongNormalPointsWhereItShould) {
         crowd.palette[i].rotation = glm::normalize(glm::vec4(glm::cross(from, to), 1 + glm::dot(from, to)));
     }
     const Camera camera{.eye = {0, 300, 0}, .target = {1, 0, 0}, .vertical_fov = 0.6f};
-    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000, 1));
+    const Skinned out = skinned(crowd, skin_view(make_view(camera, 1000, 1000), 30000, 30000));
     size_t drawn = 0;
     for (const DrawCommand& draw : out.draws) {
         drawn += draw.index_count;
@@ -192,7 +192,7 @@ TEST(Skin, ALongNormalPointsWhereItShould) {
 TEST(Skin, LeavesOutOnlyWhatShowsNothing) {
     const Crowd crowd = random_crowd(0.08f);
     const Camera camera{.eye = {3, 2, 0}, .target = {30, 0, 10}, .vertical_fov = 0.6f};
-    const SkinView view = skin_view(make_view(camera, 640, 400), 640, 400, 1);
+    const SkinView view = skin_view(make_view(camera, 640, 400), 640, 400);
     const Skinned out = skinned(crowd, view);
     std::vector<uint8_t> is_kept(size_t{k_walkers} * k_triangles);
     size_t kept = 0, seen = 0;

@@ -152,6 +152,11 @@ Result<BenchLoad> parse_load(const std::string& text) {
     return Error{excerpt(text) + " is none of frame, crowd, pose, city and peers, which bench measures"};
 }
 
+Result<bool> parse_light(const std::string& text) {
+    if (text == "host" || text == "device") return text == "host";
+    return Error{excerpt(text) + " is neither device nor host"};
+}
+
 Result<StripView> parse_view(const std::string& text) {
     if (text == "side") return StripView::side;
     if (text == "front") return StripView::front;
@@ -165,6 +170,10 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options) {
     add_parsed(app, "--size", parse_size, words.size, "Pixels", "WxH", "1280x720");
     add_parsed(app, "--quality", parse_quality, words.quality,
                "low, medium, high or ultra; without it, medium on a CPU and ultra on a GPU", "LEVEL", "");
+    add_parsed(app, "--light", parse_light, options.lights_on_host,
+               "device or host: who lights what is drawn, to the same colours; without it, the host where the device "
+               "is a CPU",
+               "WHERE", "");
 }
 
 // "trails,speed"

@@ -83,6 +83,7 @@ struct Options {
     // view, render, bench frame
     std::string device;
     bool validate = false;
+    std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
 
     // view
     uint32_t close_after = 0;  // frames; 0: stays open

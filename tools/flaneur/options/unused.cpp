@@ -42,7 +42,7 @@ const UselessWhere k_useless[] = {
      [](const Options& o) { return o.load != BenchLoad::frame; },
      "is for bench frame"},
     {Command::bench,
-     {"--size", "--device", "--validate"},
+     {"--size", "--device", "--validate", "--light"},
      [](const Options& o) { return o.load != BenchLoad::frame && o.load != BenchLoad::peers; },
      "is for bench frame and bench peers, which draw"},
     {Command::bench,

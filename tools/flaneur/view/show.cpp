@@ -15,11 +15,8 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
         std::fprintf(stderr, "%s\n", message.c_str());
     };
     RendererOptions out{options.device, quality_named(options.scene.quality), options.validate, count};
-    // Where on earth the scene is shows only when it is loaded.
-    for (const float latitude : {0.0f, 45.0f, 65.0f}) {
-        const bool is_lit = make_daylight(scene_sun(options.scene, latitude), false).lamps > 0;
-        (is_lit ? out.warms_up_by_night : out.warms_up_by_day) = true;
-    }
+    out.warms_up = true;
+    out.lights_on_host = options.lights_on_host;
     return out;
 }
 
