@@ -145,8 +145,7 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     Result<void> made = make();
     if (made) {
         std::swap(renderer.scene, scene);
-        renderer.shadows.held = {};
-        renderer.shadows.people.clear();
+        renderer.shadows.state = {};
         renderer.last_view = {};
     }
     destroy_scene(renderer.device, scene);

@@ -80,7 +80,7 @@ struct FrameStats {
     uint32_t walkers_drawn = 0, walkers_in_shadow = 0, triangles = 0, sub_draws = 0, direct_draws = 0;
     uint32_t meshes[k_max_lods] = {};  // of the walkers drawn, by level of detail, finest first
     uint32_t impostors = 0;            // and the others
-    uint32_t shadow_maps_drawn = 0;    // anew: of the city's two, near and far
+    uint32_t shadow_slices_drawn = 0;  // of the city's shadow maps; eight make a map
     uint32_t pipelines_made = 0;       // that no frame before had needed
 };
 

@@ -18,6 +18,6 @@ static_assert(sizeof(JointTransform) == 32);
 static_assert(sizeof(WalkerInstance) == 36);
 static_assert(sizeof(ImpostorCell) == 32);
 static_assert(sizeof(ImpostorInstance) == 64);
-static_assert(sizeof(FrameConstants) == 2 * 64 + 23 * 16);
+static_assert(sizeof(FrameConstants) == 2 * 64 + 24 * 16);
 
 }  // namespace flaneur

@@ -88,11 +88,12 @@ FLANEUR_CONST uint k_door_shift = 10u;
 FLANEUR_CONST uint k_door_mask = 15u;
 FLANEUR_CONST uint k_windows_shift = 14u;
 
-// Layers of the shadow map: near, of city and people; far, of the city; near, of the city alone.
-FLANEUR_CONST int k_near_layer = 0;
-FLANEUR_CONST int k_far_layer = 1;
-FLANEUR_CONST int k_still_layer = 2;
-FLANEUR_CONST int k_shadow_layers = 3;
+// Layers of the shadow map, two of each: one is seen, the other drawn ahead. Near, of city and people; near, of the
+// city alone; far, of the city.
+FLANEUR_CONST int k_near_layers = 0;
+FLANEUR_CONST int k_still_layers = 2;
+FLANEUR_CONST int k_far_layers = 4;
+FLANEUR_CONST int k_shadow_layers = 6;
 
 // Kinds of surfaces, by how light falls on them.
 FLANEUR_CONST uint k_kind_sky = 0;     // none: the sky is seen
@@ -154,6 +155,7 @@ struct FrameConstants {
     vec4 far_scale;          // far map's u, v, depth = near map's * scale + offset
     vec4 far_offset;
     vec4 shadow_texels;   // metres a texel: near, far; resolution; 1 / resolution
+    vec4 shadow_layers;   // that are seen: near, still, far
     vec4 people_shadows;  // how plain people's are at d metres from the eye: x - y * d * d, within 0..1
     vec4 eye;             // metres
     vec4 ray_forward;     // the view ray through normalised device coordinates x, y is

@@ -31,12 +31,17 @@ bool is_cut(const View& before, const View& now) {
 void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent, FrameConstants& out) {
     auto v4 = [](vec3 v, float w = 0) { return vec4(v, w); };
     out.clip_from_world = plan.view.clip_from_world;
-    out.shadow_from_world = plan.boxes.near.map_from_world;
-    const float ratio = plan.boxes.near.size / plan.boxes.far.size;
+    out.shadow_from_world = plan.near.map_from_world;
+    const float ratio = plan.near.size / plan.far.size;
     out.far_scale = v4(vec3(ratio));
-    out.far_offset = plan.boxes.far.map_from_world[3] - plan.boxes.near.map_from_world[3] * ratio;
+    out.far_offset = plan.far.map_from_world[3] - plan.near.map_from_world[3] * ratio;
     const float resolution = static_cast<float>(renderer.quality.shadow_resolution);
-    out.shadow_texels = {plan.boxes.near.texel, plan.boxes.far.texel, resolution, 1 / resolution};
+    auto layer = [&](int first, Reach reach) {
+        return static_cast<float>(first + plan.shadows.seen[static_cast<size_t>(reach)]);
+    };
+    out.shadow_layers = {layer(k_near_layers, Reach::near), layer(k_still_layers, Reach::near),
+                         layer(k_far_layers, Reach::far), 0};
+    out.shadow_texels = {plan.near.texel, plan.far.texel, resolution, 1 / resolution};
     const float reach = plan.slice.far, faded = reach * reach * (1 - k_plain_shadows * k_plain_shadows);
     out.people_shadows = {reach * reach / faded, 1 / faded, 0, 0};
     out.eye = v4(plan.view.eye);
@@ -83,9 +88,11 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     const vec3 to_light = plan.light.to_light;
     const uint32_t resolution = renderer.quality.shadow_resolution;
     plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - scene.ground_low);
-    plan.boxes =
-        move_shadows(renderer.shadows.held, plan.view, to_light, plan.slice, k_far_slice, resolution);
-    if (!plan.has_shadows) plan.boxes.is_near_new = plan.boxes.is_far_new = false;
+    const View& before = renderer.last_view;
+    const std::array wanted = {wanted_box(before, plan.view, to_light, plan.slice, resolution),
+                               wanted_box(before, plan.view, to_light, k_far_slice, resolution)};
+    plan.near = wanted[0].now, plan.far = wanted[1].now;
+    if (plan.has_shadows) plan.shadows = next_shadows(renderer.shadows.state, wanted, plan.slices);
 
     OcclusionMap& hidden = renderer.hidden;
     if (input.skips_hidden)
@@ -100,11 +107,12 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     View finer = plan.view;
     finer.pixels_at_one_metre *= renderer.quality.detail;
     cull_crowd(crowd, finer, renderer.crowd);
-    cull_shadow_casters(crowd, finer, plan.boxes.near, to_light, plan.has_shadows ? plan.slice.far : -1,
+    cull_shadow_casters(crowd, finer, plan.near, to_light, plan.has_shadows ? plan.slice.far : -1,
                         renderer.casters);
-    plan.people_tiles = tiles_below(plan.boxes.near, resolution, renderer.casters.spheres);
-    plan.near_changed = changed_texels(plan.boxes.is_near_new ? ShadowTiles{} : renderer.shadows.people,
-                                       plan.people_tiles, resolution);
+    HeldMap& near = plan.shadows.maps[0][plan.shadows.seen[0]];
+    ShadowTiles tiles = tiles_below(plan.near, resolution, renderer.casters.spheres);
+    if (plan.has_shadows) plan.near_changed = changed_texels(near.people, tiles, resolution);
+    near.people = std::move(tiles);
     if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
     plan.surfaces_view = input.surfaces;
     plan.are_tinted = input.people_colours != PeopleColours::own;
@@ -151,8 +159,10 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     };
     for (size_t kind = 0; kind < k_city_classes; ++kind)
         plan.surfaces[kind] = visible(static_cast<CityClass>(kind));
-    if (plan.boxes.is_near_new) plan.near_casters = casting(plan.boxes.near, true);
-    if (plan.boxes.is_far_new) plan.far_casters = casting(plan.boxes.far, false);
+    for (const ShadowSlices& slices : plan.slices) {
+        const ShadowBox part = part_of(slices.box, rows_of(slices, resolution), resolution);
+        plan.slice_casters.push_back(casting(part, slices.reach == Reach::near));
+    }
     const Look look = look_of(plan.light, plan.lit_windows);
     plan.constants = look.constants;
     set_view(renderer, plan, extent, plan.constants);

@@ -29,16 +29,17 @@ struct FramePlan {
     float lit_windows = 0;
     bool has_shadows = false;      // of sun or moon
     Slice slice;
-    ShadowBoxes boxes;
+    ShadowBox near, far;            // where shadows are thrown
+    ShadowState shadows;            // once this frame is drawn
+    std::vector<ShadowSlices> slices;  // of the city's shadows, to be drawn
+    std::vector<CityCasters> slice_casters;
     std::optional<vec3> backdrop;                    // see FrameInput
     bool times_passes = false;                       // see FrameInput
     std::array<DrawRange, k_city_classes> surfaces;  // of the city in view, by CityClass
     DrawRange crowd, crowd_skinned;                  // of people: skinned by the device, and by the host
     DrawRange casters, casters_skinned;              // and those who throw shadows
     SkinPlan crowd_skin, casters_skin;
-    CityCasters near_casters, far_casters;  // of the boxes that are to be drawn anew
-    ShadowTiles people_tiles;               // where people throw shadows, near
-    std::vector<TexelRect> near_changed;    // and where they did or do, of the near map
+    std::vector<TexelRect> near_changed;  // where people throw shadows or did, of the near map
     std::vector<DrawCommand> draws;
     std::vector<Contact> contacts;
     Surfaces surfaces_view = Surfaces::lit;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/device/resources.h"
-#include "renderer/light/shadow_tiles.h"
+#include "renderer/light/shadow_slices.h"
 #include "renderer/pipelines/pipelines.h"
 #include "renderer/quality.h"
 
@@ -25,14 +25,13 @@ void destroy_picture_targets(const Device& device, PictureTargets& targets);
 // Whether the host can.
 bool can_host_read_surfaces(const Device& device);
 
-// The city's shadows are drawn when their boxes move; each frame takes people's out of the near one and adds them
-// anew. Far away only the city throws shadows.
+// The city's shadows are drawn when their boxes move; each frame takes people's out of a copy of the near ones and adds
+// them anew. Far away only the city throws shadows.
 struct ShadowMaps {
     GpuImage map;  // k_shadow_layers, as shaders read them
     VkImageView layer_views[k_shadow_layers] = {};
     Buffer copy;       // where the host reads them, if it lights
-    ShadowBoxes held;  // what the city's are of; none at first
-    ShadowTiles people;  // where the near one has people's
+    ShadowState state;  // what they hold
 };
 Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,
                               ShadowMaps& maps);

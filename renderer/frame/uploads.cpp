@@ -24,15 +24,18 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
                                  vertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const Device& device = renderer.device;
     const uint64_t limit = device.properties.limits.maxStorageBufferRange;
-    if (input.palette.size_bytes() > limit)
+    if (plan.crowd.count + plan.casters.count > 0 && input.palette.size_bytes() > limit)
         return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
                      " MiB; the device takes " + std::to_string(limit >> 20) +
                      " MiB at once. Draw fewer walkers."};
     FLANEUR_TRY(upload<FrameConstants>(device, std::span(&plan.constants, 1), {},
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
-    FLANEUR_TRY(upload<WalkerInstance>(device, renderer.crowd.instances, renderer.casters.instances, storage,
-                                       slot.instances));
-    FLANEUR_TRY(upload<JointTransform>(device, input.palette, {}, storage, slot.palette));
+    // Of people whom the host has skinned the device need know nothing more.
+    const bool is_anyone_left = plan.crowd.count + plan.casters.count > 0;
+    auto if_left = [&](auto span) { return is_anyone_left ? span : decltype(span){}; };
+    FLANEUR_TRY(upload(device, if_left(std::span<const WalkerInstance>(renderer.crowd.instances)),
+                       if_left(std::span<const WalkerInstance>(renderer.casters.instances)), storage, slot.instances));
+    FLANEUR_TRY(upload(device, if_left(input.palette), {}, storage, slot.palette));
     FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, renderer.casters.impostors,
                                          storage, slot.impostors));
     FLANEUR_TRY(upload<vec4>(device, plan.sky, {}, storage, slot.sky));
@@ -98,7 +101,7 @@ Result<void> skin_people(Renderer& renderer, FrameSlot& slot, const FrameInput& 
                                     extent.height * renderer.quality.samples),
                           slot.crowd, draws(plan.crowd_skinned)));
     return skin_into(renderer, plan.casters_skin, renderer.casters.instances, input.palette,
-                     skin_view(plan.boxes.near, renderer.quality.shadow_resolution), slot.casters,
+                     skin_view(plan.near, renderer.quality.shadow_resolution), slot.casters,
                      draws(plan.casters_skinned));
 }
 

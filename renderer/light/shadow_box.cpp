@@ -16,6 +16,8 @@ Slice fine_shadow_slice(const View& view, float height) {
 
 namespace {
 
+constexpr float k_depth = 1.4f;  // of a box, against its edges: it seldom needs to move along the light
+
 struct Ball {
     glm::vec3 centre;
     float radius;
@@ -30,14 +32,6 @@ Ball ball_about(const View& view, Slice slice) {
             std::ceil(std::sqrt(rest * rest + spread * slice.far * slice.far))};
 }
 
-// Whether a box lies like `wanted`, if elsewhere, and holds a ball.
-bool holds(const ShadowBox& box, const ShadowBox& wanted, const Ball& ball) {
-    if (box.size != wanted.size || glm::mat3(box.map_from_world) != glm::mat3(wanted.map_from_world))
-        return false;
-    const glm::vec3 off = glm::abs(glm::vec3(box.map_from_world * glm::vec4(ball.centre, 1)) - 0.5f);
-    return std::max({off.x, off.y, off.z}) + ball.radius / box.size <= 0.5f;
-}
-
 }  // namespace
 
 ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t resolution) {
@@ -48,27 +42,15 @@ ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t r
     box.texel = box.size / static_cast<float>(resolution);
     const float step = std::max(std::floor(step_wish / box.texel), 1.0f) * box.texel;
     const glm::vec3 u = level_across(to_sun), v = glm::cross(u, to_sun);
-    auto snapped = [&, middle = centre](glm::vec3 axis) {
-        return std::round(glm::dot(axis, middle) / step) * step;
+    // From the axis' coordinate to 0..1 over so many metres about the ball, in steps.
+    auto row = [&, middle = centre](glm::vec3 axis, float size, float by) {
+        const float snapped = std::round(glm::dot(axis, middle) / by) * by;
+        return glm::vec4(axis / size, 0.5f - snapped / size);
     };
-    // From the axis' coordinate to 0..1 over the box.
-    auto row = [&](glm::vec3 axis) { return glm::vec4(axis / box.size, 0.5f - snapped(axis) / box.size); };
-    box.map_from_world = from_rows(row(u), row(v), row(-to_sun), {0, 0, 0, 1});
+    const float deep = box.size * k_depth;
+    box.map_from_world = from_rows(row(u, box.size, step), row(v, box.size, step),
+                                   row(-to_sun, deep, (deep - 2 * radius) / 2), {0, 0, 0, 1});
     return box;
-}
-
-ShadowBoxes move_shadows(const ShadowBoxes& held, const View& view, glm::vec3 to_sun, Slice near, Slice far,
-                         uint32_t resolution) {
-    ShadowBoxes now{fit_shadow(view, to_sun, near, resolution), fit_shadow(view, to_sun, far, resolution)};
-    now.is_near_new = now.near != held.near;
-    now.is_far_new = now.far != held.far;
-    if (now.is_near_new && now.is_far_new) {
-        if (holds(held.far, now.far, ball_about(view, far)))
-            now.far = held.far, now.is_far_new = false;
-        else if (holds(held.near, now.near, ball_about(view, near)))
-            now.near = held.near, now.is_near_new = false;
-    }
-    return now;
 }
 
 bool casts_into(const ShadowBox& box, glm::vec3 low, glm::vec3 high) {

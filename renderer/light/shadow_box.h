@@ -19,23 +19,14 @@ Slice fine_shadow_slice(const View& view, float height);
 struct ShadowBox {
     glm::mat4 map_from_world{0.0f};  // u, v and depth within 0..1; depth grows away from the sun
     float texel = 1;                 // metres
-    float size = 0;                  // metres along each edge
+    float size = 0;                  // metres along each edge that is seen; it is deeper
     bool operator==(const ShadowBox&) const = default;
 };
 
 // The box about a slice's bounding sphere. It moves in whole steps of an eighth of the sphere's radius, each
-// a whole number of texels, so shadows do not crawl and what is still can be kept from frame to frame.
+// a whole number of texels, so shadows do not crawl and what is still can be kept from frame to frame; along the light
+// in longer ones.
 ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t resolution);
-
-// The boxes of a frame: near, where shadows are fine, and far. One that is new is to be drawn.
-struct ShadowBoxes {
-    ShadowBox near, far;
-    bool is_near_new = false, is_far_new = false;
-};
-// Fitted to two slices, after the frame before has left the maps of `held`. Where both boxes move at once,
-// one waits, as long as it still holds its slice; so both are new only where the view or the light jumps.
-ShadowBoxes move_shadows(const ShadowBoxes& held, const View& view, glm::vec3 to_sun, Slice near, Slice far,
-                         uint32_t resolution);
 
 // Whether a box may throw a shadow into the map: it overlaps it seen from the sun, and does not lie behind
 // it.

@@ -32,13 +32,14 @@ ShadowTiles tiles_below(const ShadowBox& box, uint32_t resolution, std::span<con
 }
 
 std::vector<TexelRect> changed_texels(const ShadowTiles& before, const ShadowTiles& now, uint32_t resolution) {
-    if (before.size() != now.size() || now.empty()) return {{0, 0, resolution, resolution}};
+    if (now.empty()) return {};
     const uint32_t along = tiles_along(resolution);
     std::vector<TexelRect> rects;
+    auto is_touched = [&](size_t tile) { return now[tile] != 0 || (!before.empty() && before[tile] != 0); };
     for (uint32_t y = 0; y < along; ++y)
         for (uint32_t x = 0; x < along; ++x) {
             const uint32_t first = x;
-            while (x < along && (before[size_t{y} * along + x] | now[size_t{y} * along + x])) ++x;
+            while (x < along && is_touched(size_t{y} * along + x)) ++x;
             if (x == first) continue;
             const uint32_t left = first * k_tile_texels, top = y * k_tile_texels;
             rects.push_back({left, top, std::min(x * k_tile_texels, resolution) - left,

@@ -6,25 +6,32 @@ namespace {
 constexpr VkImageAspectFlags k_depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
 constexpr VkDeviceSize k_shadow_bytes = 2;  // of a texel
 
+uint32_t layer_of(int first, uint8_t map) { return static_cast<uint32_t>(first) + map; }
+uint32_t seen_layer(const FrameRecord& record, int first) { return layer_of(first, record.plan.shadows.seen[0]); }
+
 // `is_fresh`: begins with nothing, rather than with what is there.
-void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box, bool is_fresh) {
+void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box, const TexelRect& rows,
+               bool is_fresh) {
     VkRenderingAttachmentInfo depth =
         attachment(view, is_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
     depth.clearValue.depthStencil.depth = 1;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     const uint32_t resolution = record.renderer.quality.shadow_resolution;
-    info.renderArea.extent = {resolution, resolution};
+    info.renderArea = {{static_cast<int32_t>(rows.x), static_cast<int32_t>(rows.y)}, {rows.width, rows.height}};
     info.layerCount = 1;
     info.pDepthAttachment = &depth;
     vkCmdBeginRendering(record.commands, &info);
-    set_viewport(record.commands, info.renderArea.extent);
+    set_viewport(record.commands, {resolution, resolution});
+    vkCmdSetScissor(record.commands, 0, 1, &info.renderArea);
     vkCmdPushConstants(record.commands, record.renderer.pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                        sizeof(mat4), &box.map_from_world);
 }
 
-void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox& box,
-                    const CityCasters& casters) {
-    begin_map(record, view, box, true);
+void draw_slices(const FrameRecord& record, const ShadowSlices& slices, const CityCasters& casters, uint32_t layer) {
+    ShadowMaps& maps = record.renderer.shadows;
+    (slices.first == 0 ? image_freshly_to : image_to)(record.commands, maps.map, k_depth_target, {layer, 1});
+    begin_map(record, maps.layer_views[layer], slices.box,
+              rows_of(slices, record.renderer.quality.shadow_resolution), true);
     bind(record, record.renderer.pipelines.shadow_city);
     bind_vertices(record, record.renderer.scene.city_vertices.handle);
     draw_indirect(record, casters.opaque);
@@ -35,30 +42,16 @@ void draw_city_into(const FrameRecord& record, VkImageView view, const ShadowBox
     vkCmdEndRendering(record.commands);
 }
 
-void draw_city_shadows(const FrameRecord& record) {
+void copy_layer(const FrameRecord& record, uint32_t from, uint32_t to, std::span<const TexelRect> rects, bool is_fresh) {
+    if (rects.empty()) return;
     GpuImage& map = record.renderer.shadows.map;
-    const ShadowBoxes& boxes = record.plan.boxes;
-    auto draw = [&](uint32_t layer, const ShadowBox& box, const CityCasters& casters) {
-        image_freshly_to(record.commands, map, k_depth_target, {layer, 1});
-        draw_city_into(record, record.renderer.shadows.layer_views[layer], box, casters);
-    };
-    begin_stage(record, "city shadows");
-    if (boxes.is_near_new) draw(k_still_layer, boxes.near, record.plan.near_casters);
-    if (boxes.is_far_new) draw(k_far_layer, boxes.far, record.plan.far_casters);
-    end_stage(record);
-}
-
-// Where people's shadows were or will be, the near map is as the city's is.
-void take_people_out(const FrameRecord& record) {
-    if (record.plan.near_changed.empty()) return;
-    GpuImage& map = record.renderer.shadows.map;
-    image_to(record.commands, map, k_copied_from, {k_still_layer, 1});
-    (record.plan.boxes.is_near_new ? image_freshly_to : image_to)(record.commands, map, k_copied_to, {k_near_layer, 1});
+    image_to(record.commands, map, k_copied_from, {from, 1});
+    (is_fresh ? image_freshly_to : image_to)(record.commands, map, k_copied_to, {to, 1});
     std::vector<VkImageCopy> regions;
-    for (const TexelRect& rect : record.plan.near_changed) {
+    for (const TexelRect& rect : rects) {
         VkImageCopy& region = regions.emplace_back();
-        region.srcSubresource = {k_depth_aspect, 0, k_still_layer, 1};
-        region.dstSubresource = {k_depth_aspect, 0, k_near_layer, 1};
+        region.srcSubresource = {k_depth_aspect, 0, from, 1};
+        region.dstSubresource = {k_depth_aspect, 0, to, 1};
         region.srcOffset = region.dstOffset = {static_cast<int32_t>(rect.x), static_cast<int32_t>(rect.y), 0};
         region.extent = {rect.width, rect.height, 1};
     }
@@ -66,26 +59,12 @@ void take_people_out(const FrameRecord& record) {
                    static_cast<uint32_t>(regions.size()), regions.data());
 }
 
-void draw_crowd_shadows(const FrameRecord& record) {
-    ShadowMaps& maps = record.renderer.shadows;
-    const CrowdDraws& casters = record.renderer.casters;
-    begin_stage(record, "crowd shadows");
-    take_people_out(record);
-    if (!casters.instances.empty() || !casters.impostors.empty()) {
-        image_to(record.commands, maps.map, k_depth_target, {k_near_layer, 1});
-        begin_map(record, maps.layer_views[k_near_layer], record.plan.boxes.near, false);
-        draw_people_shadows(record);
-        vkCmdEndRendering(record.commands);
-    }
-    end_stage(record);
-}
-
-// Of a layer, for the host.
-void copy_to_host(const FrameRecord& record, uint32_t layer, std::span<const TexelRect> rects) {
-    if (rects.empty()) return;
+// Where the host lights, to its own layer `to`.
+void copy_to_host(const FrameRecord& record, uint32_t layer, uint32_t to, std::span<const TexelRect> rects) {
+    if (rects.empty() || !record.renderer.is_lit_on_host) return;
     GpuImage& map = record.renderer.shadows.map;
     image_to(record.commands, map, k_copied_from, {layer, 1});
-    const VkDeviceSize first = VkDeviceSize{map.width} * map.height * layer;
+    const VkDeviceSize first = VkDeviceSize{map.width} * map.height * to;
     std::vector<VkBufferImageCopy> regions;
     for (const TexelRect& rect : rects) {
         VkBufferImageCopy& region = regions.emplace_back();
@@ -99,13 +78,48 @@ void copy_to_host(const FrameRecord& record, uint32_t layer, std::span<const Tex
                            static_cast<uint32_t>(regions.size()), regions.data());
 }
 
-void copy_changed(const FrameRecord& record) {
-    const uint32_t resolution = record.renderer.quality.shadow_resolution;
-    const TexelRect whole{0, 0, resolution, resolution};
-    begin_stage(record, "shadows to host");
-    if (record.plan.boxes.is_near_new) copy_to_host(record, k_still_layer, std::span(&whole, 1));
-    if (record.plan.boxes.is_far_new) copy_to_host(record, k_far_layer, std::span(&whole, 1));
-    copy_to_host(record, k_near_layer, record.plan.near_changed);
+// Before others write where they have written.
+void wait_for_copies(VkCommandBuffer commands) {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
+void draw_city_shadows(const FrameRecord& record) {
+    begin_stage(record, "city shadows");
+    for (size_t i = 0; i < record.plan.slices.size(); ++i) {
+        const ShadowSlices& slices = record.plan.slices[i];
+        const TexelRect rows = rows_of(slices, record.renderer.quality.shadow_resolution);
+        const bool is_near = slices.reach == Reach::near;
+        const uint32_t layer = layer_of(is_near ? k_still_layers : k_far_layers, slices.map);
+        draw_slices(record, slices, record.plan.slice_casters[i], layer);
+        copy_to_host(record, layer, layer, std::span(&rows, 1));
+        if (!is_near) continue;
+        const uint32_t near = layer_of(k_near_layers, slices.map);
+        copy_layer(record, layer, near, std::span(&rows, 1), slices.first == 0);
+        copy_to_host(record, layer, near, std::span(&rows, 1));
+    }
+    end_stage(record);
+}
+
+void draw_crowd_shadows(const FrameRecord& record) {
+    ShadowMaps& maps = record.renderer.shadows;
+    const CrowdDraws& casters = record.renderer.casters;
+    const uint32_t near = seen_layer(record, k_near_layers), resolution = record.renderer.quality.shadow_resolution;
+    begin_stage(record, "crowd shadows");
+    copy_layer(record, seen_layer(record, k_still_layers), near, record.plan.near_changed, false);
+    if (!casters.instances.empty() || !casters.impostors.empty()) {
+        image_to(record.commands, maps.map, k_depth_target, {near, 1});
+        begin_map(record, maps.layer_views[near], record.plan.near, {0, 0, resolution, resolution}, false);
+        draw_people_shadows(record);
+        vkCmdEndRendering(record.commands);
+    }
+    if (!record.plan.slices.empty()) wait_for_copies(record.commands);
+    copy_to_host(record, near, near, record.plan.near_changed);
     end_stage(record);
 }
 
@@ -113,9 +127,8 @@ void copy_changed(const FrameRecord& record) {
 
 void draw_shadows(const FrameRecord& record) {
     if (record.plan.has_shadows) {
-        if (record.plan.boxes.is_near_new || record.plan.boxes.is_far_new) draw_city_shadows(record);
+        if (!record.plan.slices.empty()) draw_city_shadows(record);
         draw_crowd_shadows(record);
-        if (record.renderer.is_lit_on_host) copy_changed(record);
     }
     // Also maps that nobody looks at must be such as can be looked at.
     image_to(record.commands, record.renderer.shadows.map, k_sampled);

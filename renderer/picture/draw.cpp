@@ -41,8 +41,7 @@ void forget_images(Renderer& renderer, const PictureTarget& target) {
                             &targets.occlusion, &targets.picture, &shadows.map})
         forget_image(*image);
     if (target.image) forget_image(*target.image);
-    shadows.held = {};
-    shadows.people.clear();
+    shadows.state = {};
 }
 
 // Once the device has drawn what it is of.
@@ -75,7 +74,8 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     stats.walkers_in_shadow =
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());
-    stats.shadow_maps_drawn = uint32_t{plan.boxes.is_near_new} + uint32_t{plan.boxes.is_far_new};
+    stats.shadow_slices_drawn = 0;
+    for (const ShadowSlices& slices : plan.slices) stats.shadow_slices_drawn += slices.count;
     const bool is_lit = plan.surfaces_view == Surfaces::lit && !plan.backdrop;
     stats.direct_draws = renderer.is_lit_on_host ? 0 : 2;  // light, anti-aliasing
     if (renderer.quality.has_occlusion && is_lit) stats.direct_draws += 2;
@@ -88,7 +88,7 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
             stats.triangles += plan.draws[range.first + i].index_count / 3;
     };
     for (DrawRange range : plan.surfaces) count(range);
-    for (const CityCasters& casters : {plan.near_casters, plan.far_casters})
+    for (const CityCasters& casters : plan.slice_casters)
         count(casters.opaque), count(casters.scenery);
 }
 
@@ -128,8 +128,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
         forget_images(renderer, target);
         return done;
     }
-    renderer.shadows.held = plan.has_shadows ? plan.boxes : ShadowBoxes{};
-    renderer.shadows.people = plan.has_shadows ? plan.people_tiles : ShadowTiles{};
+    renderer.shadows.state = std::move(plan.shadows);
     renderer.stats.pipelines_made = renderer.pipelines.made - made_before;
     count_frame(plan, renderer);
     return {};

@@ -99,8 +99,8 @@ SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     truth is_near = near_share > real(0.0f);
     // People's shadows fade before the distance from where on nobody throws any.
     real people = saturate(real(frame.people_shadows.x) - real(frame.people_shadows.y) * square(distance));
-    real layer = select(is_near, select(people > real(0.0f), real(float(k_near_layer)), real(float(k_still_layer))),
-                        real(float(k_far_layer)));
+    real layer = select(is_near, select(people > real(0.0f), real(frame.shadow_layers.x), real(frame.shadow_layers.y)),
+                        real(frame.shadow_layers.z));
     // Block are filtered the wider the larger they are on the picture.
     real pixels = inverse(real(frame.ray_forward.w) * distance * real(1.5f));
     real near_width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
@@ -113,13 +113,13 @@ SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     real lit = map_lit(layer, select(is_near, near, far), select(is_near, near_width, far_width));
     truth is_fading = both(is_near, both(people > real(0.0f), people < real(1.0f)));
     if (some(is_fading))
-        lit = select(is_fading, lerp(map_lit(real(float(k_still_layer)), near, near_width), lit, people), lit);
+        lit = select(is_fading, lerp(map_lit(real(frame.shadow_layers.y), near, near_width), lit, people), lit);
     real beyond = max(abs(far.x - real(0.5f)), abs(far.y - real(0.5f)));
     real far_share = saturate((real(0.497f) - beyond) * real(50.0f));
     lit = select(is_near, lit, lerp(real(1.0f), lit, far_share));
     truth is_both = both(is_near, near_share < real(1.0f));
     if (some(is_both)) {
-        real far_lit = lerp(real(1.0f), map_lit(real(float(k_far_layer)), far, far_width), far_share);
+        real far_lit = lerp(real(1.0f), map_lit(real(frame.shadow_layers.z), far, far_width), far_share);
         lit = select(is_both, lerp(far_lit, lit, near_share), lit);
     }
     return lit;

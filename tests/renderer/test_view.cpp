@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "renderer/light/daylight.h"
-#include "renderer/light/shadow_box.h"
+#include "renderer/light/shadow_slices.h"
 
 namespace flaneur {
 namespace {
@@ -133,37 +134,93 @@ bool holds(const ShadowBox& box, const View& view, Slice slice) {
     return true;
 }
 
-TEST(Shadow, OneMapAtMostIsDrawnAnewForACameraThatFollows) {
-    const glm::vec3 to_sun = sun_direction({});
-    const Slice near{0, 60}, far{0, 250};
-    ShadowBoxes held;
-    int moves = 0, waits = 0;
-    for (int frame = 0; frame < 600; ++frame) {  // along a wide circle, at up to 1.4 m a frame
-        const float turn = 0.004f * static_cast<float>(frame);
-        const glm::vec3 eye(350 * std::sin(turn), 1.6f, 350 * std::cos(turn));
-        const View view = make_view(
-            {.eye = eye, .target = eye + glm::vec3(std::cos(turn), 0.02f, -std::sin(turn))}, 1280, 720);
-        const ShadowBoxes now = move_shadows(held, view, to_sun, near, far, 2048);
-        ASSERT_TRUE(holds(now.near, view, near) && holds(now.far, view, far)) << frame;
-        EXPECT_EQ(now.is_near_new && now.is_far_new, frame == 0) << frame;
-        EXPECT_EQ(now.is_near_new, now.near != held.near);
-        EXPECT_EQ(now.is_far_new, now.far != held.far);
-        moves += now.is_near_new + now.is_far_new;
-        waits += now.far != fit_shadow(view, to_sun, far, 2048);
-        held = now;
+// What one frame after the other of a moving camera asks of the city's shadow maps.
+struct Walk {
+    glm::vec3 to_sun = sun_direction({});
+    Slice near{0, 60}, far{0, 250};
+    ShadowState state;
+    View last{};
+    std::vector<ShadowSlices> drawn;
+
+    ShadowBox box_of(const View& view, Slice slice) const { return fit_shadow(view, to_sun, slice, 2048); }
+    uint32_t step(const View& view) {
+        state = next_shadows(
+            state, {wanted_box(last, view, to_sun, near, 2048), wanted_box(last, view, to_sun, far, 2048)}, drawn);
+        last = view;
+        uint32_t count = 0;
+        for (const ShadowSlices& slices : drawn) count += slices.count;
+        return count;
     }
-    EXPECT_GT(moves, 100);
-    EXPECT_GT(waits, 3) << "the boxes never met, so that nothing was tried";
+};
+
+TEST(Shadow, MapsAreDrawnAheadBySlicesForACameraThatMoves) {
+    for (const float speed : {1.4f, 5.0f, 20.0f}) {  // metres a second, along a wide circle, with a step's bobbing
+        Walk walk;
+        uint32_t slices = 0, late = 0, most = 0;
+        for (int frame = 0; frame < 3000; ++frame) {
+            const float turn = speed / 60 / 80 * static_cast<float>(frame);
+            const glm::vec3 eye(80 * std::sin(turn), 1.6f + 0.03f * std::sin(0.2f * static_cast<float>(frame)),
+                                80 * std::cos(turn));
+            const View view = make_view(
+                {.eye = eye, .target = eye + glm::vec3(std::cos(turn), 0.02f, -std::sin(turn))}, 1280, 720);
+            const uint32_t drawn = walk.step(view);
+            EXPECT_EQ(seen_map(walk.state, Reach::near).box, walk.box_of(view, walk.near));
+            EXPECT_EQ(seen_map(walk.state, Reach::far).box, walk.box_of(view, walk.far));
+            ASSERT_TRUE(holds(walk.box_of(view, walk.near), view, walk.near) && holds(walk.box_of(view, walk.far), view, walk.far));
+            if (frame > 0) slices += drawn, late += drawn > 1, most = std::max(most, drawn);
+        }
+        EXPECT_GT(slices, 8 * k_shadow_slices) << "nothing moved at " << speed << " m/s";
+        // Where two borders are crossed at once.
+        EXPECT_LE(most, speed < 10 ? 8u : 12u) << "in one frame at " << speed << " m/s";
+        EXPECT_LE(late, speed < 2 ? 3u : speed < 10 ? 30u : 600u) << "frames that drew more at " << speed << " m/s";
+    }
 }
 
-TEST(Shadow, BothMapsAreDrawnAnewWhereTheViewOrTheSunJumps) {
+TEST(Shadow, BothMapsAreDrawnAtOnceWhereTheViewOrTheSunJumps) {
     const View view = make_view({}, 1280, 720);
     const View away = make_view({.eye = {200, 1.6f, 90}, .target = {0, 1.6f, 0}}, 1280, 720);
-    const glm::vec3 to_sun = sun_direction({}), later = glm::normalize(to_sun + glm::vec3(0, 0.01f, 0));
-    const ShadowBoxes held = move_shadows({}, view, to_sun, {0, 60}, {0, 250}, 2048);
-    for (const ShadowBoxes& now : {move_shadows(held, away, to_sun, {0, 60}, {0, 250}, 2048),
-                                   move_shadows(held, view, later, {0, 60}, {0, 250}, 2048)})
-        EXPECT_TRUE(now.is_near_new && now.is_far_new);
+    Walk walk;
+    EXPECT_EQ(walk.step(view), 2 * k_shadow_slices);
+    EXPECT_EQ(walk.step(view), 0u);
+    EXPECT_EQ(walk.step(away), 2 * k_shadow_slices);
+    EXPECT_EQ(walk.step(view), 0u) << "the maps before are still there";
+    walk.to_sun = glm::normalize(walk.to_sun + glm::vec3(0, 0.01f, 0));
+    EXPECT_EQ(walk.step(view), 2 * k_shadow_slices);
+}
+
+TEST(Shadow, SlicesCoverTheMapOnce) {
+    const ShadowBox box = fit_shadow(make_view({}, 1280, 720), sun_direction({}), {0, 60}, 1000);
+    uint32_t row = 0;
+    for (uint32_t i = 0; i < k_shadow_slices; ++i) {
+        const TexelRect rows = rows_of({Reach::near, 0, box, i, 1}, 1000);
+        EXPECT_EQ(rows.y, row);
+        row += rows.height;
+        const ShadowBox part = part_of(box, rows, 1000);
+        for (const float y : {0.0f, 0.5f, 1.0f}) {
+            const glm::vec4 at(0.3f, (static_cast<float>(rows.y) + y * static_cast<float>(rows.height)) / 1000, 0.4f, 1);
+            const glm::vec4 seen = part.map_from_world * (glm::inverse(box.map_from_world) * at);
+            EXPECT_NEAR(seen.y, y, 1e-3f);
+            EXPECT_NEAR(seen.x, 0.3f, 1e-3f);
+        }
+    }
+    EXPECT_EQ(row, 1000u);
+}
+
+TEST(Shadow, OnlyTilesBelowPeopleChange) {
+    const ShadowBox box = fit_shadow(make_view({}, 1280, 720), sun_direction({}), {0, 60}, 2048);
+    const ShadowTiles nobody = tiles_below(box, 2048, {});
+    EXPECT_TRUE(changed_texels({}, nobody, 2048).empty());
+    const glm::vec4 here(glm::vec3(glm::inverse(box.map_from_world) * glm::vec4(0.5f, 0.5f, 0.5f, 1)), 0.9f);
+    const ShadowTiles one = tiles_below(box, 2048, std::span(&here, 1));
+    const auto count = std::count(one.begin(), one.end(), 1);
+    EXPECT_GE(count, 1);
+    EXPECT_LE(count, 4);
+    EXPECT_EQ(changed_texels(one, nobody, 2048).size(), changed_texels({}, one, 2048).size()) << "it went";
+    const glm::vec4 everywhere(glm::vec3(here), 1000);
+    uint32_t texels = 0;
+    for (const TexelRect& rect : changed_texels({}, tiles_below(box, 2048, std::span(&everywhere, 1)), 2048))
+        texels += rect.width * rect.height;
+    EXPECT_EQ(texels, 2048u * 2048);
 }
 
 TEST(Shadow, LightTravelsIntoDepth) {
