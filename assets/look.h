@@ -18,7 +18,7 @@ struct Size {
 };
 
 struct CameraChoice {
-    enum class Kind { overview, street, follow, fixed } kind = Kind::street;
+    enum class Kind { overview, street, crowd, follow, fixed } kind = Kind::street;
     uint32_t walker = 0;  // follow
     Vec3 eye, target;     // fixed, metres
     bool operator==(const CameraChoice&) const = default;

@@ -229,10 +229,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "The weather.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
         {"camera",
-         {text, 0, 0, "street|overview|follow:0*[0-9]{1,5}|" + point + "/" + point},
+         {text, 0, 0, "street|overview|crowd|follow:0*[0-9]{1,5}|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
-         "Where to look from: street, overview (on the asteroid, where it is usual), follow:ID (behind a "
+         "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID (behind a "
          "walker, "
          "numbered from 0), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_camera(v), s.camera); }},
@@ -376,13 +376,13 @@ constexpr SceneClash k_clashes[] = {
     {"camera", R"("camera": on the asteroid it is overview, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
      [](const Scene& s, const Json&) {
          bool on_ground =
-             s.camera.kind == CameraChoice::Kind::street || s.camera.kind == CameraChoice::Kind::follow;
+             s.camera.kind != CameraChoice::Kind::overview && s.camera.kind != CameraChoice::Kind::fixed;
          return s.asteroid && on_ground;
      },
      [](const char* key) {
          return OrderedJson{
              {"required", OrderedJson::array({"asteroid", key})},
-             {"properties", {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|follow:.*)$"}}}}}};
+             {"properties", {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|crowd|follow:.*)$"}}}}}};
      }},
     {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },

@@ -31,6 +31,8 @@ Result<CameraChoice> parse_camera(const std::string& text) {
     if (text == "street") return camera;
     camera.kind = CameraChoice::Kind::overview;
     if (text == "overview") return camera;
+    camera.kind = CameraChoice::Kind::crowd;
+    if (text == "crowd") return camera;
     constexpr std::string_view k_follow = "follow:";
     camera.kind = CameraChoice::Kind::follow;
     if (text.starts_with(k_follow) &&
@@ -45,7 +47,7 @@ Result<CameraChoice> parse_camera(const std::string& text) {
     }
     return Error{
         excerpt(text) +
-        " is none of overview, street, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)"};
+        " is none of overview, street, crowd, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)"};
 }
 
 uint32_t rivals_of(WorkView view) {

@@ -18,6 +18,8 @@ namespace {
 
 constexpr float k_depth = 1.4f;  // of a box, against its edges: it seldom needs to move along the light
 
+constexpr float k_ball_step = 8;  // metres between radii, so that lenses that change a little keep theirs
+
 struct Ball {
     glm::vec3 centre;
     float radius;
@@ -29,7 +31,7 @@ Ball ball_about(const View& view, Slice slice) {
     const float ahead = std::min((slice.near + slice.far) / 2 * (1 + spread), slice.far);
     const float rest = slice.far - ahead;
     return {view.eye + view.forward * ahead,
-            std::ceil(std::sqrt(rest * rest + spread * slice.far * slice.far))};
+            std::ceil(std::sqrt(rest * rest + spread * slice.far * slice.far) / k_ball_step) * k_ball_step};
 }
 
 }  // namespace

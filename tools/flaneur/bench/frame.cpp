@@ -58,6 +58,31 @@ Result<void> measure_passes(Show& show, const Options& options, const Camera& ca
     return {};
 }
 
+constexpr float k_tick_seconds = 1.0f / 60;
+constexpr float k_stroll = 1.4f;      // metres a second
+constexpr float k_orbit_rate = 0.2f;  // radians a second
+
+// Where the camera is a tick later.
+Camera moved(Camera camera, const Options& options, const Show& show, uint32_t frame) {
+    const World& world = *show.loaded.world;
+    CameraChoice choice = options.scene.camera;
+    if (options.move == BenchMove::follow && choice.kind != CameraChoice::Kind::follow)
+        choice = {CameraChoice::Kind::follow, 0, {}, {}};
+    if (choice.kind == CameraChoice::Kind::follow)
+        return choose_camera(*show.loaded.city, world, show.sun, choice, 1);
+    const glm::vec3 way = camera.target - camera.eye;
+    if (options.move == BenchMove::walk) {
+        // Down the street, and back before its end.
+        const float there = frame / 600 % 2 == 0 ? 1.0f : -1.0f;
+        const glm::vec3 step = glm::normalize(glm::vec3(way.x, 0, way.z)) * (there * k_stroll * k_tick_seconds);
+        camera.eye += step, camera.target += step;
+    } else if (options.move == BenchMove::orbit) {
+        const float s = std::sin(k_orbit_rate * k_tick_seconds), c = std::cos(k_orbit_rate * k_tick_seconds);
+        camera.eye = camera.target - glm::vec3(c * way.x + s * way.z, way.y, c * way.z - s * way.x);
+    }
+    return camera;
+}
+
 // The time that went by in the frame, and what it went into.
 std::string first_frame(const Figures& first) {
     std::string total, parts;
@@ -99,14 +124,16 @@ Result<Figures> bench_frame(const Options& options) {
     if (!show) return show.error();
     World& world = *show->loaded.world;
     for (uint32_t i = 0; i < k_warm_up; ++i) step(world);
-    Camera camera = choose_camera(*show->loaded.city, world, show->sun, options.scene.camera, 1);
+    CameraChoice choice = options.scene.camera;
+    if (options.move == BenchMove::orbit && choice.kind == CameraChoice::Kind::street)
+        choice.kind = CameraChoice::Kind::overview;
+    Camera camera = choose_camera(*show->loaded.city, world, show->sun, choice, 1);
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);
     for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
         if (is_stopping()) return interrupted();
-        if (options.scene.camera.kind == CameraChoice::Kind::follow)
-            camera = choose_camera(*show->loaded.city, world, show->sun, options.scene.camera, 1);
+        camera = moved(camera, options, *show, i);
         done = measure_frame(*show, options, camera, figures);
     }
     for (uint32_t i = 0; i < std::min(options.bench_frames, k_timed_frames) && done; ++i)

@@ -157,6 +157,13 @@ Result<bool> parse_light(const std::string& text) {
     return Error{excerpt(text) + " is neither device nor host"};
 }
 
+Result<BenchMove> parse_move(const std::string& text) {
+    if (text == "follow") return BenchMove::follow;
+    if (text == "walk") return BenchMove::walk;
+    if (text == "orbit") return BenchMove::orbit;
+    return Error{excerpt(text) + " is none of follow, walk and orbit, the ways a camera moves"};
+}
+
 Result<StripView> parse_view(const std::string& text) {
     if (text == "side") return StripView::side;
     if (text == "front") return StripView::front;
@@ -260,6 +267,10 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(1, 1'000'000))
         ->capture_default_str();
+    add_parsed(*bench, "--move", parse_move, options.move,
+               "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "
+               "without it, it stands",
+               "HOW", "");
     bench->add_option("--count", options.bench_count, "How many characters peers draws")
         ->type_name("N")
         ->transform(whole_between(1, 10'000))

@@ -73,6 +73,8 @@ struct PeopleOptions {
     Size cell = {480, 400};  // pixels of one of them on the sheet
 };
 
+enum class BenchMove { none, follow, walk, orbit };
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -104,6 +106,7 @@ struct Options {
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;  // or ticks, or repetitions
     uint32_t bench_count = 100;   // characters of peers
+    BenchMove move = BenchMove::none;  // how the camera of frame moves
 
     // city
     bool check = false;

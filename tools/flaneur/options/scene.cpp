@@ -113,7 +113,7 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
 void add_camera_option(CLI::App& app, SceneWords& words) {
     add_parsed(
         app, "--camera", parse_camera, words.camera,
-        "overview, street, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres",
+        "overview, street, crowd, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres",
         "CAMERA", "");
 }
 

@@ -38,7 +38,7 @@ const UselessWhere k_useless[] = {
      [](const Options& o) { return o.load != BenchLoad::peers; },
      "is for bench peers"},
     {Command::bench,
-     {"--camera", "--quality"},
+     {"--camera", "--quality", "--move"},
      [](const Options& o) { return o.load != BenchLoad::frame; },
      "is for bench frame"},
     {Command::bench,

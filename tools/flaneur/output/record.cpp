@@ -40,6 +40,8 @@ std::string told_camera(const CameraChoice& camera) {
             return "overview";
         case CameraChoice::Kind::street:
             return "street";
+        case CameraChoice::Kind::crowd:
+            return "crowd";
         case CameraChoice::Kind::follow:
             return "follow:" + std::to_string(camera.walker);
         default:
