@@ -20,7 +20,8 @@ struct RendererOptions {
     bool warms_up = false;
     std::optional<bool> skins_on_host =
         {};  // whether the host skins people; default: where the device is a CPU
-    std::optional<bool> lights_on_host = {};  // and whether it lights what the device has drawn; the same picture
+    std::optional<bool> lights_on_host =
+        {};  // and whether it lights what the device has drawn; the same picture
 };
 
 }  // namespace flaneur

@@ -36,7 +36,8 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     const bool can_host_light = can_host_read_surfaces(r.device) && (!window || can_copy_to_window(r.device));
     r.is_lit_on_host = options.lights_on_host.value_or(is_cpu && can_host_light);
     if (r.is_lit_on_host && !can_host_light)
-        return Error{"The host cannot read what this device draws: let the device light it (--light device)."};
+        return Error{
+            "The host cannot read what this device draws: let the device light it (--light device)."};
     if (r.are_people_skinned_on_host || r.is_lit_on_host) r.workers = make_workers(0);
     FLANEUR_TRY(make_pipelines(r.device, r.quality, r.is_lit_on_host, r.swapchain.format, r.pipelines));
     FLANEUR_TRY(make_slots(r));

@@ -232,7 +232,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          {text, 0, 0, "street|overview|crowd|follow:0*[0-9]{1,5}|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
-         "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID (behind a "
+         "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID "
+         "(behind a "
          "walker, "
          "numbered from 0), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_camera(v), s.camera); }},
@@ -382,7 +383,8 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return OrderedJson{
              {"required", OrderedJson::array({"asteroid", key})},
-             {"properties", {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|crowd|follow:.*)$"}}}}}};
+             {"properties",
+              {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|crowd|follow:.*)$"}}}}}};
      }},
     {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },

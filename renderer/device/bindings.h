@@ -11,8 +11,8 @@
 namespace flaneur {
 
 enum class SamplerKind : uint8_t {
-    blended,   // bilinear, levels blended, repeated
-    texels,    // one texel, clamped
+    blended,  // bilinear, levels blended, repeated
+    texels,   // one texel, clamped
 };
 inline constexpr size_t k_samplers = 2;
 

@@ -10,8 +10,8 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_no_type = ~0u;
-// Memory is taken by whole blocks, as drivers hand it out; with odd sizes synchronisation validation (1.3.239) takes
-// images that the host reads for the buffers beside them.
+// Memory is taken by whole blocks, as drivers hand it out; with odd sizes synchronisation validation
+// (1.3.239) takes images that the host reads for the buffers beside them.
 constexpr VkDeviceSize k_block = 1u << 16;
 
 uint32_t find_memory_type(const Device& device, uint32_t allowed, VkMemoryPropertyFlags flags) {

@@ -55,7 +55,7 @@ struct GpuImage {
     uint32_t width = 0, height = 0, layers = 1, levels = 1;
     const void* mapped = nullptr;  // what the host reads, where it does
     size_t row_bytes = 0;          // there, from row to row
-    std::vector<Access> last;  // what was done last to each layer, in the order of recording
+    std::vector<Access> last;      // what was done last to each layer, in the order of recording
 };
 
 enum class MemoryKind {

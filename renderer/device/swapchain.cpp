@@ -67,7 +67,8 @@ Result<void> choose_surface_format(const Device& device, Swapchain& swapchain) {
 
 bool can_copy_to_window(const Device& device) {
     VkSurfaceCapabilitiesKHR surface;
-    return vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device.physical, device.surface, &surface) == VK_SUCCESS &&
+    return vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device.physical, device.surface, &surface) ==
+               VK_SUCCESS &&
            (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
 }
 
@@ -97,8 +98,8 @@ Result<void> make_swapchain(const Device& device, VkExtent2D wanted, Swapchain& 
     info.imageColorSpace = swapchain.colour_space;
     info.imageExtent = extent;
     info.imageArrayLayers = 1;
-    info.imageUsage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
-                      (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    info.imageUsage =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
     info.preTransform = surface.currentTransform;
     info.compositeAlpha = surface.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR

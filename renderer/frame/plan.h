@@ -27,10 +27,10 @@ struct FramePlan {
     View view;
     Daylight light;
     float lit_windows = 0;
-    bool has_shadows = false;      // of sun or moon
+    bool has_shadows = false;  // of sun or moon
     Slice slice;
-    ShadowBox near, far;            // where shadows are thrown
-    ShadowState shadows;            // once this frame is drawn
+    ShadowBox near, far;               // where shadows are thrown
+    ShadowState shadows;               // once this frame is drawn
     std::vector<ShadowSlices> slices;  // of the city's shadows, to be drawn
     std::vector<CityCasters> slice_casters;
     std::optional<vec3> backdrop;                    // see FrameInput

@@ -23,9 +23,9 @@ struct Renderer {
     GpuScene scene;
     ShadowMaps shadows;
     PictureTargets targets;
-    GpuImage picture;     // off-screen, where the device lights
+    GpuImage picture;  // off-screen, where the device lights
     Buffer readback;
-    LitPicture lit;       // where the host lights
+    LitPicture lit;  // where the host lights
     GLFWwindow* window = nullptr;
     Swapchain swapchain;
     bool is_swapchain_stale = true;

@@ -6,7 +6,8 @@ namespace flaneur {
 
 namespace {
 
-constexpr VkImageUsageFlags k_drawn_and_read = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+constexpr VkImageUsageFlags k_drawn_and_read =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 
 namespace flaneur {
 
-// What a picture is made of: surfaces in as many samples as a pixel has, and what stands between them and the picture.
-// What a quality or a way of lighting has no use for is not made.
+// What a picture is made of: surfaces in as many samples as a pixel has, and what stands between them and the
+// picture. What a quality or a way of lighting has no use for is not made.
 struct PictureTargets {
     GpuImage colour, surface, depth;  // see shaders/base/surface.glsl
     GpuImage overlay;                 // in as many samples
@@ -25,12 +25,12 @@ void destroy_picture_targets(const Device& device, PictureTargets& targets);
 // Whether the host can.
 bool can_host_read_surfaces(const Device& device);
 
-// The city's shadows are drawn when their boxes move; each frame takes people's out of a copy of the near ones and adds
-// them anew. Far away only the city throws shadows.
+// The city's shadows are drawn when their boxes move; each frame takes people's out of a copy of the near
+// ones and adds them anew. Far away only the city throws shadows.
 struct ShadowMaps {
     GpuImage map;  // k_shadow_layers, as shaders read them
     VkImageView layer_views[k_shadow_layers] = {};
-    Buffer copy;       // where the host reads them, if it lights
+    Buffer copy;        // where the host reads them, if it lights
     ShadowState state;  // what they hold
 };
 Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,

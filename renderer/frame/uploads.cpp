@@ -34,7 +34,8 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
     const bool is_anyone_left = plan.crowd.count + plan.casters.count > 0;
     auto if_left = [&](auto span) { return is_anyone_left ? span : decltype(span){}; };
     FLANEUR_TRY(upload(device, if_left(std::span<const WalkerInstance>(renderer.crowd.instances)),
-                       if_left(std::span<const WalkerInstance>(renderer.casters.instances)), storage, slot.instances));
+                       if_left(std::span<const WalkerInstance>(renderer.casters.instances)), storage,
+                       slot.instances));
     FLANEUR_TRY(upload(device, if_left(input.palette), {}, storage, slot.palette));
     FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, renderer.casters.impostors,
                                          storage, slot.impostors));

@@ -87,8 +87,8 @@ Look look_of(const Daylight& light, float lit_windows) {
     out.lamp_light = v4(k_lamp_colour * (lamps * exposure), lit_windows);
     // Against a sky that is still light, rooms are those whose lamps are brightest.
     const float windows = lamps * (k_window_level + k_dusk_windows * (1 - k_lamps_seen * lamps / seen));
-    out.window_light = v4(k_window_colour * (windows * exposure),
-                          luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
+    out.window_light =
+        v4(k_window_colour * (windows * exposure), luminance(sky.sun) > 0 ? light.lamps * light.lamps : 0);
     return look;
 }
 

@@ -24,8 +24,8 @@ struct ShadowBox {
 };
 
 // The box about a slice's bounding sphere. It moves in whole steps of an eighth of the sphere's radius, each
-// a whole number of texels, so shadows do not crawl and what is still can be kept from frame to frame; along the light
-// in longer ones.
+// a whole number of texels, so shadows do not crawl and what is still can be kept from frame to frame; along
+// the light in longer ones.
 ShadowBox fit_shadow(const View& view, glm::vec3 to_sun, Slice slice, uint32_t resolution);
 
 // Whether a box may throw a shadow into the map: it overlaps it seen from the sun, and does not lie behind

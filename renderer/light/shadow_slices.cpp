@@ -6,9 +6,9 @@
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_frames_ahead = 30;    // more than both maps take to be drawn by slices
-constexpr uint32_t k_most_slices = 4;      // of a map in a frame, if time is short
-constexpr float k_farthest = 3;            // metres a frame: what moves faster has jumped
+constexpr uint32_t k_frames_ahead = 30;  // more than both maps take to be drawn by slices
+constexpr uint32_t k_most_slices = 4;    // of a map in a frame, if time is short
+constexpr float k_farthest = 3;          // metres a frame: what moves faster has jumped
 
 // What is left of a map that is seen.
 void complete(Reach reach, const ShadowBox& box, ShadowState& state, std::vector<ShadowSlices>& drawn) {
@@ -23,13 +23,15 @@ void complete(Reach reach, const ShadowBox& box, ShadowState& state, std::vector
 }
 
 // Some of the map that will be seen, unless there is time and something else to do.
-void go_ahead(Reach reach, const Wanted& wanted, bool is_busy, ShadowState& state, std::vector<ShadowSlices>& drawn) {
+void go_ahead(Reach reach, const Wanted& wanted, bool is_busy, ShadowState& state,
+              std::vector<ShadowSlices>& drawn) {
     const auto ahead = static_cast<uint8_t>(state.seen[static_cast<size_t>(reach)] ^ 1);
     HeldMap& map = state.maps[static_cast<size_t>(reach)][ahead];
     const bool is_next = wanted.frames > 0 && map.box == wanted.next;
     const bool is_begun = map.slices > 0 && map.slices < k_shadow_slices;
     if (!is_begun && (wanted.frames == 0 || is_next)) return;
-    if (!is_next && wanted.frames > 0 && (!is_begun || wanted.frames <= k_shadow_slices)) map = {wanted.next, 0, {}};
+    if (!is_next && wanted.frames > 0 && (!is_begun || wanted.frames <= k_shadow_slices))
+        map = {wanted.next, 0, {}};
     const uint32_t left = k_shadow_slices - map.slices;
     const uint32_t frames = map.box == wanted.next && wanted.frames > 0 ? wanted.frames : k_frames_ahead;
     const uint32_t count = std::min((left + frames - 1) / frames, k_most_slices);

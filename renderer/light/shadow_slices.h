@@ -1,6 +1,6 @@
-// The shadow maps of the city, near and far, from frame to frame. Which box a map is of depends on the view alone, so
-// that pictures do not depend on the frames before; but a map that will soon be wanted is drawn ahead, a slice a frame,
-// so that no frame takes much longer than others.
+// The shadow maps of the city, near and far, from frame to frame. Which box a map is of depends on the view
+// alone, so that pictures do not depend on the frames before; but a map that will soon be wanted is drawn
+// ahead, a slice a frame, so that no frame takes much longer than others.
 #pragma once
 
 #include <array>
@@ -39,16 +39,16 @@ struct ShadowSlices {
     uint32_t first = 0, count = 0;
 };
 
-// The box that a slice of the view has, the next one that it will have if the view goes on moving as it did from the one
-// before, and in how many frames: none, where it jumped, or stays in its box.
+// The box that a slice of the view has, the next one that it will have if the view goes on moving as it did
+// from the one before, and in how many frames: none, where it jumped, or stays in its box.
 struct Wanted {
     ShadowBox now, next;
     uint32_t frames = 0;
 };
 Wanted wanted_box(const View& before, const View& now, glm::vec3 to_sun, Slice slice, uint32_t resolution);
 
-// The state after a frame, and what is to be drawn for it: what is left of the maps that are wanted now and, in a frame
-// that lacks nothing, a slice of one that will be, or several if time is short.
+// The state after a frame, and what is to be drawn for it: what is left of the maps that are wanted now and,
+// in a frame that lacks nothing, a slice of one that will be, or several if time is short.
 ShadowState next_shadows(const ShadowState& before, const std::array<Wanted, k_reaches>& wanted,
                          std::vector<ShadowSlices>& drawn);
 

@@ -22,7 +22,8 @@ ShadowTiles tiles_below(const ShadowBox& box, uint32_t resolution, std::span<con
     for (const glm::vec4& sphere : spheres) {
         const glm::vec3 middle = glm::vec3(box.map_from_world * glm::vec4(glm::vec3(sphere), 1)) * scale;
         const float reach = sphere.w * k_lean / box.size * scale + k_texels;
-        if (middle.x + reach < 0 || middle.y + reach < 0 || middle.x - reach > scale || middle.y - reach > scale)
+        if (middle.x + reach < 0 || middle.y + reach < 0 || middle.x - reach > scale ||
+            middle.y - reach > scale)
             continue;
         for (uint32_t y = tile_of(middle.y - reach); y <= tile_of(middle.y + reach); ++y)
             for (uint32_t x = tile_of(middle.x - reach); x <= tile_of(middle.x + reach); ++x)
@@ -31,7 +32,8 @@ ShadowTiles tiles_below(const ShadowBox& box, uint32_t resolution, std::span<con
     return tiles;
 }
 
-std::vector<TexelRect> changed_texels(const ShadowTiles& before, const ShadowTiles& now, uint32_t resolution) {
+std::vector<TexelRect> changed_texels(const ShadowTiles& before, const ShadowTiles& now,
+                                      uint32_t resolution) {
     if (now.empty()) return {};
     const uint32_t along = tiles_along(resolution);
     std::vector<TexelRect> rects;

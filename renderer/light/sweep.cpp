@@ -86,7 +86,8 @@ struct Light {
         auto row_of = [&](const int32_t* row) HWY_ATTR {
             Whole ab, cd;
             hn::LoadInterleaved2(tag, row, ab, cd);
-            return Row{number(ab), number(hn::ShiftRight<16>(ab)), number(cd), number(hn::ShiftRight<16>(cd))};
+            return Row{number(ab), number(hn::ShiftRight<16>(ab)), number(cd),
+                       number(hn::ShiftRight<16>(cd))};
         };
         return {row_of(rows[0]), row_of(rows[1]), row_of(rows[2]), row_of(rows[3])};
     }
@@ -166,7 +167,8 @@ struct Light {
     }
 
     HWY_INLINE real3 colour_at(Kept kept, real x, real y) {
-        return colour_seen(kept, (x + real(0.5f)) * real(frame.samples.z), (y + real(0.5f)) * real(frame.samples.w));
+        return colour_seen(kept, (x + real(0.5f)) * real(frame.samples.z),
+                           (y + real(0.5f)) * real(frame.samples.w));
     }
 
     HWY_INLINE real3 pixels_of_one(size_t x, size_t y, real column, real row) {
@@ -184,7 +186,8 @@ struct Light {
         const Kept all[4] = {a, b, c, d};
         real3 four[4];
         for (int i = 0; i < 4; ++i)
-            four[i] = colour_at(all[i], left + real(static_cast<float>(i & 1)), top + real(static_cast<float>(i >> 1)));
+            four[i] = colour_at(all[i], left + real(static_cast<float>(i & 1)),
+                                top + real(static_cast<float>(i >> 1)));
         return select(is_one, colour, mean(four[0], four[1], four[2], four[3]));
     }
 };
@@ -200,14 +203,18 @@ void light_row(const Unlit& unlit, size_t y, size_t width, uint32_t* colours, ui
     for (size_t x = 0; x < width; x += lanes) {
         const size_t at = std::min(x, width - lanes);
         const real column = real(static_cast<float>(at)) + steps;
-        const real3 colour = is_one ? light.pixels_of_one(at, y, column, row) : light.pixels_of_four(at, y, column, row);
+        const real3 colour =
+            is_one ? light.pixels_of_one(at, y, column, row) : light.pixels_of_four(at, y, column, row);
         auto bytes = [&](real c) HWY_ATTR {
             return floor(min(max(c, real(0.0f)), real(1.0f)) * real(255.0f) + real(0.5f));
         };
         const real r = bytes(colour.x), g = bytes(colour.y), b = bytes(colour.z);
-        const real luma = floor((r * real(299.0f) + g * real(587.0f) + b * real(114.0f)) * real(0.001f) + real(0.5f));
-        const Whole packed = hn::Or(hn::Or(whole(r), hn::ShiftLeft<8>(whole(g))), hn::ShiftLeft<16>(whole(b)));
-        hn::StoreU(hn::BitCast(hn::Rebind<uint32_t, LaneTag>(), packed), hn::Rebind<uint32_t, LaneTag>(), colours + at);
+        const real luma =
+            floor((r * real(299.0f) + g * real(587.0f) + b * real(114.0f)) * real(0.001f) + real(0.5f));
+        const Whole packed =
+            hn::Or(hn::Or(whole(r), hn::ShiftLeft<8>(whole(g))), hn::ShiftLeft<16>(whole(b)));
+        hn::StoreU(hn::BitCast(hn::Rebind<uint32_t, LaneTag>(), packed), hn::Rebind<uint32_t, LaneTag>(),
+                   colours + at);
         const hn::Rebind<uint8_t, LaneTag> narrow;
         hn::StoreU(hn::DemoteTo(narrow, whole(luma)), narrow, lumas + at);
     }
@@ -238,9 +245,8 @@ struct Edges {
         const Smoothing taken = smoothing_at(column, line);
         const auto is_taking = (taken.share > real(0.0f)).m;
         if (hn::AllFalse(lanes, is_taking)) return;
-        const auto pick = [&](truth m, Whole yes, Whole no) HWY_ATTR {
-            return hn::IfThenElse(hn::RebindMask(WholeTag(), m.m), yes, no);
-        };
+        const auto pick = [&](truth m, Whole yes, Whole no)
+                              HWY_ATTR { return hn::IfThenElse(hn::RebindMask(WholeTag(), m.m), yes, no); };
         const truth is_before = taken.to < real(0.0f);
         const Whole own = colour_near(0, 0);
         const Whole other = pick(taken.is_level, pick(is_before, colour_near(0, -1), colour_near(0, 1)),
@@ -304,7 +310,8 @@ void cover_row(const Unlit& unlit, size_t y, std::span<uint32_t> row) {
         float over[4] = {};
         for (size_t i = 0; i < samples * samples; ++i) {
             const size_t line = samples * y + i / samples, column = samples * x + i % samples;
-            const auto texel = static_cast<uint32_t>(unlit.overlay.first[line * unlit.overlay.stride + column]);
+            const auto texel =
+                static_cast<uint32_t>(unlit.overlay.first[line * unlit.overlay.stride + column]);
             for (int k = 0; k < 4; ++k) over[k] += channel(texel, k) * each;
         }
         if (over[3] == 0) continue;
@@ -324,7 +331,8 @@ void hand_on(std::span<uint32_t> row, bool is_blue_first) {
 
 }  // namespace
 
-void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool is_blue_first, uint32_t* pixels) {
+void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool is_blue_first,
+                   uint32_t* pixels) {
     Unlit unlit = given;
     const FrameConstants& frame = *given.frame;
     const auto width = static_cast<size_t>(frame.screen.x), height = static_cast<size_t>(frame.screen.y);
@@ -343,7 +351,8 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
     lit.lumas.resize(lit.colours.size());
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
         for (size_t y = begin; y < end; ++y)
-            HWY_DYNAMIC_DISPATCH(light_row)(unlit, y, span, &lit.colours[first + y * stride], &lit.lumas[first + y * stride]);
+            HWY_DYNAMIC_DISPATCH(light_row)
+            (unlit, y, span, &lit.colours[first + y * stride], &lit.lumas[first + y * stride]);
     });
     const LitRows rows{&lit.colours[first], &lit.lumas[first], stride};
     const bool is_smooth = given.smooths_edges && frame.backdrop.w == 0;

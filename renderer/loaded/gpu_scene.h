@@ -16,10 +16,10 @@ struct GpuScene {
     std::vector<PersonRanges> people;
     std::vector<SkinMesh> skin_meshes;  // every level of people's meshes
     Impostors impostors;
-    GpuImage lamps;         // LampMap, in half floats
+    GpuImage lamps;                 // LampMap, in half floats
     std::vector<vec4> lamp_texels;  // the same numbers, for the host
-    glm::vec4 lamp_map{0};  // FrameConstants::lamp_map
-    float ground_low = 0;   // metres
+    glm::vec4 lamp_map{0};          // FrameConstants::lamp_map
+    float ground_low = 0;           // metres
     bool is_textured = false;
 };
 

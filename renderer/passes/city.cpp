@@ -9,9 +9,12 @@ struct SurfaceDraw {
     VkPipeline SurfacePipelines::*pipeline;
 };
 constexpr SurfaceDraw k_surfaces[] = {
-    {CityClass::prop, &SurfacePipelines::city_prop},      {CityClass::detail, &SurfacePipelines::city_surface},
-    {CityClass::facade, &SurfacePipelines::city_facade},  {CityClass::roof, &SurfacePipelines::city_surface},
-    {CityClass::ground, &SurfacePipelines::city_surface}, {CityClass::scenery, &SurfacePipelines::city_scenery},
+    {CityClass::prop, &SurfacePipelines::city_prop},
+    {CityClass::detail, &SurfacePipelines::city_surface},
+    {CityClass::facade, &SurfacePipelines::city_facade},
+    {CityClass::roof, &SurfacePipelines::city_surface},
+    {CityClass::ground, &SurfacePipelines::city_surface},
+    {CityClass::scenery, &SurfacePipelines::city_scenery},
     {CityClass::shade, &SurfacePipelines::city_shade},
 };
 static_assert(std::size(k_surfaces) == k_city_classes);

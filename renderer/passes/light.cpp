@@ -47,7 +47,8 @@ void copy_picture(const FrameRecord& record) {
 void hand_to_host(const FrameRecord& record) {
     PictureTargets& targets = record.renderer.targets;
     image_to(record.commands, targets.colour, k_read_by_host);
-    if (record.plan.surfaces_view == Surfaces::lit) image_to(record.commands, targets.surface, k_read_by_host);
+    if (record.plan.surfaces_view == Surfaces::lit)
+        image_to(record.commands, targets.surface, k_read_by_host);
     if (has_overlay(record.plan)) image_to(record.commands, targets.overlay, k_read_by_host);
     image_to(record.commands, targets.depth, k_copied_from);
     VkBufferImageCopy region{};
@@ -64,7 +65,8 @@ void take_from_host(const FrameRecord& record) {
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {image.width, image.height, 1};
-    vkCmdCopyBufferToImage(record.commands, record.target.staging, image.handle, k_copied_to.layout, 1, &region);
+    vkCmdCopyBufferToImage(record.commands, record.target.staging, image.handle, k_copied_to.layout, 1,
+                           &region);
     image_to(record.commands, image, record.target.after);
 }
 

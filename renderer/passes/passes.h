@@ -11,7 +11,8 @@ void draw_shadows(const FrameRecord& record);
 // What surfaces are, into what is being drawn.
 void draw_people(const FrameRecord& record);  // meshes, unless they are ghosts, and impostors
 void draw_city(const FrameRecord& record);
-void draw_sky(const FrameRecord& record);    // stars and, before them, the spots that people leave on the ground
+void draw_sky(
+    const FrameRecord& record);  // stars and, before them, the spots that people leave on the ground
 void draw_scene(const FrameRecord& record);  // all of these
 void draw_plain(const FrameRecord& record);  // people and city alone
 
@@ -25,8 +26,8 @@ void draw_ghosts(const FrameRecord& record);
 // What those two need for a frame.
 std::vector<ViewPipeline> view_pipelines_for(const FrameInput& input);
 
-// On pixels: ambient occlusion into what surfaces are, where the quality has it; and where the device lights, light,
-// and anti-aliasing into the target with what is laid over the picture.
+// On pixels: ambient occlusion into what surfaces are, where the quality has it; and where the device lights,
+// light, and anti-aliasing into the target with what is laid over the picture.
 void draw_occlusion(const FrameRecord& record);
 void draw_light(const FrameRecord& record);
 void draw_smooth(const FrameRecord& record);

@@ -7,7 +7,9 @@ constexpr VkImageAspectFlags k_depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
 constexpr VkDeviceSize k_shadow_bytes = 2;  // of a texel
 
 uint32_t layer_of(int first, uint8_t map) { return static_cast<uint32_t>(first) + map; }
-uint32_t seen_layer(const FrameRecord& record, int first) { return layer_of(first, record.plan.shadows.seen[0]); }
+uint32_t seen_layer(const FrameRecord& record, int first) {
+    return layer_of(first, record.plan.shadows.seen[0]);
+}
 
 // `is_fresh`: begins with nothing, rather than with what is there.
 void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box, const TexelRect& rows,
@@ -17,7 +19,8 @@ void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box
     depth.clearValue.depthStencil.depth = 1;
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     const uint32_t resolution = record.renderer.quality.shadow_resolution;
-    info.renderArea = {{static_cast<int32_t>(rows.x), static_cast<int32_t>(rows.y)}, {rows.width, rows.height}};
+    info.renderArea = {{static_cast<int32_t>(rows.x), static_cast<int32_t>(rows.y)},
+                       {rows.width, rows.height}};
     info.layerCount = 1;
     info.pDepthAttachment = &depth;
     vkCmdBeginRendering(record.commands, &info);
@@ -27,7 +30,8 @@ void begin_map(const FrameRecord& record, VkImageView view, const ShadowBox& box
                        sizeof(mat4), &box.map_from_world);
 }
 
-void draw_slices(const FrameRecord& record, const ShadowSlices& slices, const CityCasters& casters, uint32_t layer) {
+void draw_slices(const FrameRecord& record, const ShadowSlices& slices, const CityCasters& casters,
+                 uint32_t layer) {
     ShadowMaps& maps = record.renderer.shadows;
     (slices.first == 0 ? image_freshly_to : image_to)(record.commands, maps.map, k_depth_target, {layer, 1});
     begin_map(record, maps.layer_views[layer], slices.box,
@@ -42,7 +46,8 @@ void draw_slices(const FrameRecord& record, const ShadowSlices& slices, const Ci
     vkCmdEndRendering(record.commands);
 }
 
-void copy_layer(const FrameRecord& record, uint32_t from, uint32_t to, std::span<const TexelRect> rects, bool is_fresh) {
+void copy_layer(const FrameRecord& record, uint32_t from, uint32_t to, std::span<const TexelRect> rects,
+                bool is_fresh) {
     if (rects.empty()) return;
     GpuImage& map = record.renderer.shadows.map;
     image_to(record.commands, map, k_copied_from, {from, 1});
@@ -74,8 +79,9 @@ void copy_to_host(const FrameRecord& record, uint32_t layer, uint32_t to, std::s
         region.imageOffset = {static_cast<int32_t>(rect.x), static_cast<int32_t>(rect.y), 0};
         region.imageExtent = {rect.width, rect.height, 1};
     }
-    vkCmdCopyImageToBuffer(record.commands, map.handle, k_copied_from.layout, record.renderer.shadows.copy.handle,
-                           static_cast<uint32_t>(regions.size()), regions.data());
+    vkCmdCopyImageToBuffer(record.commands, map.handle, k_copied_from.layout,
+                           record.renderer.shadows.copy.handle, static_cast<uint32_t>(regions.size()),
+                           regions.data());
 }
 
 // Before others write where they have written.
@@ -109,7 +115,8 @@ void draw_city_shadows(const FrameRecord& record) {
 void draw_crowd_shadows(const FrameRecord& record) {
     ShadowMaps& maps = record.renderer.shadows;
     const CrowdDraws& casters = record.renderer.casters;
-    const uint32_t near = seen_layer(record, k_near_layers), resolution = record.renderer.quality.shadow_resolution;
+    const uint32_t near = seen_layer(record, k_near_layers),
+                   resolution = record.renderer.quality.shadow_resolution;
     begin_stage(record, "crowd shadows");
     copy_layer(record, seen_layer(record, k_still_layers), near, record.plan.near_changed, false);
     if (!casters.instances.empty() || !casters.impostors.empty()) {

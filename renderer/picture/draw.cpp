@@ -79,7 +79,8 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     const bool is_lit = plan.surfaces_view == Surfaces::lit && !plan.backdrop;
     stats.direct_draws = renderer.is_lit_on_host ? 0 : 2;  // light, anti-aliasing
     if (renderer.quality.has_occlusion && is_lit) stats.direct_draws += 2;
-    for (bool is_drawn : {is_lit && plan.light.lamps > 0, !plan.contacts.empty(), stats.impostors > 0, !renderer.casters.impostors.empty()})
+    for (bool is_drawn : {is_lit && plan.light.lamps > 0, !plan.contacts.empty(), stats.impostors > 0,
+                          !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;
     stats.direct_draws += (plan.fills > 0) + 2 * (plan.lines > 0);
     stats.triangles = renderer.crowd.triangles + renderer.casters.triangles;
@@ -88,8 +89,7 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
             stats.triangles += plan.draws[range.first + i].index_count / 3;
     };
     for (DrawRange range : plan.surfaces) count(range);
-    for (const CityCasters& casters : plan.slice_casters)
-        count(casters.opaque), count(casters.scenery);
+    for (const CityCasters& casters : plan.slice_casters) count(casters.opaque), count(casters.scenery);
 }
 
 }  // namespace

@@ -24,11 +24,14 @@ std::vector<Stage> passes_of(const FramePlan& plan) {
     return {{"scene", draw_scene}};
 }
 
-// Begins to draw into images of one size and the depth, over what is there or over nothing: all 0 but the first's alpha.
+// Begins to draw into images of one size and the depth, over what is there or over nothing: all 0 but the
+// first's alpha.
 void begin_drawing(const FrameRecord& record, std::span<GpuImage* const> images, bool is_fresh, float alpha,
                    bool is_depth_fresh) {
     GpuImage& depth_image = record.renderer.targets.depth;
-    const auto load = [](bool is_new) { return is_new ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD; };
+    const auto load = [](bool is_new) {
+        return is_new ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    };
     std::vector<VkRenderingAttachmentInfo> colours;
     for (GpuImage* image : images) {
         (is_fresh ? image_freshly_to : image_to)(record.commands, *image, k_colour_target, {});

@@ -79,7 +79,8 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     blend[1].colorWriteMask = shape.blend == Blend::none ? everything : 0;
     const VkFormat formats[] = {shape.colour, shape.surface};
     VkPipelineColorBlendStateCreateInfo blending{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-    blending.attachmentCount = uint32_t{shape.colour != VK_FORMAT_UNDEFINED} + uint32_t{shape.surface != VK_FORMAT_UNDEFINED};
+    blending.attachmentCount =
+        uint32_t{shape.colour != VK_FORMAT_UNDEFINED} + uint32_t{shape.surface != VK_FORMAT_UNDEFINED};
     blending.pAttachments = blend.data();
     const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
     VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};

@@ -12,7 +12,8 @@ namespace flaneur {
 inline constexpr VkFormat k_picture_format =
     VK_FORMAT_R8G8B8A8_UNORM;  // holds display-ready sRGB; luma in alpha
 // What surfaces are, as shaders/base/surface.glsl keeps it.
-inline constexpr VkFormat k_colour_format = VK_FORMAT_R8G8B8A8_UNORM, k_surface_format = VK_FORMAT_R32G32_UINT;
+inline constexpr VkFormat k_colour_format = VK_FORMAT_R8G8B8A8_UNORM,
+                          k_surface_format = VK_FORMAT_R32G32_UINT;
 inline constexpr VkFormat k_depth_format = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM;
 inline constexpr VkFormat k_occlusion_format = VK_FORMAT_R8_UNORM;
@@ -31,7 +32,7 @@ struct PipelineShape {
     std::span<const uint32_t> vertex, fragment;  // an empty fragment shader: depth alone
     Attributes attributes;
     uint32_t stride = 0;
-    bool is_instanced = false;  // attributes advance by instance
+    bool is_instanced = false;                                             // attributes advance by instance
     VkFormat colour = VK_FORMAT_UNDEFINED, surface = VK_FORMAT_UNDEFINED;  // surface: beside the colour
     VkFormat depth = VK_FORMAT_UNDEFINED;
     VkCompareOp depth_test = VK_COMPARE_OP_GREATER;

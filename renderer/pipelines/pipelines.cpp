@@ -113,9 +113,8 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
         FLANEUR_TRY(make(crowd, surfaces.crowd[textured]));
         FLANEUR_TRY(make(skinned, surfaces.crowd_skinned[textured]));
     }
-    const PipelineShape impostor{.vertex = k_spirv_impostor_vert,
-                                 .fragment = k_spirv_impostor_frag,
-                                 .attributes = {}};
+    const PipelineShape impostor{
+        .vertex = k_spirv_impostor_vert, .fragment = k_spirv_impostor_frag, .attributes = {}};
     FLANEUR_TRY(make(impostor, surfaces.impostor));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
@@ -219,9 +218,10 @@ void destroy_pipelines(const Device& device, Pipelines& p) {
                                    p.shadow_scenery, p.impostor_bake, p.occlusion,       p.occlude,
                                    p.light,          p.smooth_image,  p.smooth_window};
     const SurfacePipelines& surfaces = p.surfaces;
-    all.insert(all.end(), {surfaces.city_surface, surfaces.city_facade, surfaces.city_prop, surfaces.city_scenery,
-                               surfaces.impostor, surfaces.crowd[0], surfaces.crowd[1], surfaces.crowd_skinned[0],
-                               surfaces.crowd_skinned[1], surfaces.city_shade, surfaces.contact, surfaces.stars});
+    all.insert(all.end(),
+               {surfaces.city_surface, surfaces.city_facade, surfaces.city_prop, surfaces.city_scenery,
+                surfaces.impostor, surfaces.crowd[0], surfaces.crowd[1], surfaces.crowd_skinned[0],
+                surfaces.crowd_skinned[1], surfaces.city_shade, surfaces.contact, surfaces.stars});
     for (VkPipeline pipeline : all)
         if (pipeline) vkDestroyPipeline(device.handle, pipeline, nullptr);
     for (VkPipeline pipeline : p.views)

@@ -44,9 +44,9 @@ struct Pipelines {
                shadow_scenery = {};
     VkPipeline impostor_bake = {};
     SurfacePipelines surfaces;
-    VkPipeline occlusion = {}, occlude = {};  // made where the quality has occlusion
+    VkPipeline occlusion = {}, occlude = {};                       // made where the quality has occlusion
     VkPipeline light = {}, smooth_image = {}, smooth_window = {};  // made where the device lights
-    std::array<VkPipeline, k_view_pipelines> views = {};  // by ViewPipeline; null until wanted
+    std::array<VkPipeline, k_view_pipelines> views = {};           // by ViewPipeline; null until wanted
 };
 
 // `window_format` VK_FORMAT_UNDEFINED: no window. After a failure destroy_pipelines() frees what had been

@@ -72,8 +72,9 @@ uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
 // a walker near the border of its level stays in it.
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 
-// Those within `reach` of the eye that the view sees, or whose shadows it may see; meshes are as coarse as the box's
-// texels, and at least a level coarser than in view, and walkers seen as impostors throw their impostors' shadows.
+// Those within `reach` of the eye that the view sees, or whose shadows it may see; meshes are as coarse as
+// the box's texels, and at least a level coarser than in view, and walkers seen as impostors throw their
+// impostors' shadows.
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out);
 

@@ -1,5 +1,5 @@
-// The words that shaders/light/light.h is written in, for GLSL: a pixel at a time. renderer/light/lanes.h has them for
-// many pixels at once.
+// The words that shaders/light/light.h is written in, for GLSL: a pixel at a time. renderer/light/sweep.cpp has them
+// for many at once.
 #define SHARED
 #define real float
 #define real3 vec3

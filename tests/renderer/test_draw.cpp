@@ -118,14 +118,14 @@ TEST(Draw, EveryStageIsTimed) {
     };
     FrameInput frame = scene.frame(street_camera());
     draw(*renderer, frame);
-    EXPECT_EQ(names(), (std::vector<std::string>{"city shadows", "crowd shadows", "scene",
-                                                 "surfaces to host", "light"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"city shadows", "crowd shadows", "scene", "surfaces to host",
+                                                 "light"}));
     const Image image = draw(*renderer, frame);  // the city's shadows are kept
     EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "scene", "surfaces to host", "light"}));
     frame.times_passes = true;
     EXPECT_EQ(draw(*renderer, frame).rgba, image.rgba);
-    EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "crowd", "city", "sky",
-                                                 "surfaces to host", "light"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"crowd shadows", "crowd", "city", "sky", "surfaces to host",
+                                                 "light"}));
     EXPECT_EQ(validation_messages(*renderer), 0u);
 }
 

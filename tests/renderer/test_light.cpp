@@ -49,9 +49,9 @@ TEST(Light, HostAndDeviceLightToTheSameColours) {
     const SyntheticScene scene = synthetic_scene(60);
     for (const Quality quality : {Quality::low, Quality::medium, Quality::high, Quality::ultra}) {
         const Both both = make_both(scene, quality);
-        for (const glm::vec3 to_sun : {glm::vec3(0.4f, 0.42f, 0.8f), glm::vec3(-0.2f, 0.9f, -0.3f),
-                                       glm::vec3(0.9f, 0.02f, 0.2f), glm::vec3(0.9f, -0.05f, 0.2f),
-                                       glm::vec3(0.9f, -0.5f, 0)})
+        for (const glm::vec3 to_sun :
+             {glm::vec3(0.4f, 0.42f, 0.8f), glm::vec3(-0.2f, 0.9f, -0.3f), glm::vec3(0.9f, 0.02f, 0.2f),
+              glm::vec3(0.9f, -0.05f, 0.2f), glm::vec3(0.9f, -0.5f, 0)})
             for (const bool is_overcast : {false, true}) {
                 FrameInput frame = scene.frame(street_camera(), {to_sun});
                 frame.is_overcast = is_overcast;
@@ -75,9 +75,17 @@ TEST(Light, HostLightsPicturesNarrowerThanItsLanes) {
     const SyntheticScene scene = synthetic_scene(20);
     for (const Quality quality : {Quality::medium, Quality::high}) {
         const Both both = make_both(scene, quality);
-        for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 40u}, {2u, 3u}, {3u, 2u}, {15u, 9u}, {16u, 1u},
-                                            {17u, 33u}, {31u, 8u}, {33u, 17u}})
-            EXPECT_LE(difference(both, scene.frame(street_camera()), width, height), 1) << width << "x" << height;
+        for (const auto& [width, height] : {std::pair{1u, 1u},
+                                            {1u, 40u},
+                                            {2u, 3u},
+                                            {3u, 2u},
+                                            {15u, 9u},
+                                            {16u, 1u},
+                                            {17u, 33u},
+                                            {31u, 8u},
+                                            {33u, 17u}})
+            EXPECT_LE(difference(both, scene.frame(street_camera()), width, height), 1)
+                << width << "x" << height;
     }
 }
 
@@ -91,7 +99,8 @@ struct Lot {
     std::vector<vec4> lamps, sky;
 
     Lot(uint64_t seed, int samples, bool is_night) {
-        const Daylight light = make_daylight({is_night ? glm::vec3(0.9f, -0.1f, 0) : glm::vec3(0.4f, 0.42f, 0.8f)}, false);
+        const Daylight light =
+            make_daylight({is_night ? glm::vec3(0.9f, -0.1f, 0) : glm::vec3(0.4f, 0.42f, 0.8f)}, false);
         const Look look = look_of(light, 0.3f);
         frame = look.constants;
         const View view = make_view({}, k_width, k_height);
@@ -118,7 +127,8 @@ struct Lot {
 
         uint32_t drawn = 0;
         auto word = [&] { return static_cast<uint32_t>(random_bits({.seed = seed}, ++drawn) >> 32); };
-        const size_t width = k_width * static_cast<size_t>(samples), count = width * k_height * static_cast<size_t>(samples);
+        const size_t width = k_width * static_cast<size_t>(samples),
+                     count = width * k_height * static_cast<size_t>(samples);
         uint32_t colour = 0, normal = 0, rest = 0, over = 0;
         float depth = 0;
         for (size_t i = 0; i < count; ++i) {
@@ -135,13 +145,22 @@ struct Lot {
         for (size_t i = 0; i < size_t{k_resolution} * k_resolution * k_shadow_layers; ++i)
             shadows.push_back(static_cast<uint16_t>(word()));
         for (int i = 0; i < 16 * 16; ++i)
-            lamps.emplace_back(static_cast<float>(word() % 100) * 0.01f, static_cast<float>(word() % 100) * 0.01f, -0.3f, 0);
+            lamps.emplace_back(static_cast<float>(word() % 100) * 0.01f,
+                               static_cast<float>(word() % 100) * 0.01f, -0.3f, 0);
     }
 
     std::vector<uint32_t> lit(int threads, bool is_blue_first = false) const {
         const size_t width = k_width * static_cast<size_t>(frame.samples.x);
-        const Unlit unlit{&frame, {colours.data(), width}, {surfaces.data(), width}, {depths.data(), width},
-                          {overlay.data(), width}, shadows.data(), lamps, 16, sky, true};
+        const Unlit unlit{&frame,
+                          {colours.data(), width},
+                          {surfaces.data(), width},
+                          {depths.data(), width},
+                          {overlay.data(), width},
+                          shadows.data(),
+                          lamps,
+                          16,
+                          sky,
+                          true};
         const WorkersPtr workers = make_workers(threads);
         LitPicture kept;
         std::vector<uint32_t> pixels(size_t{k_width} * k_height);

@@ -145,7 +145,8 @@ struct Walk {
     ShadowBox box_of(const View& view, Slice slice) const { return fit_shadow(view, to_sun, slice, 2048); }
     uint32_t step(const View& view) {
         state = next_shadows(
-            state, {wanted_box(last, view, to_sun, near, 2048), wanted_box(last, view, to_sun, far, 2048)}, drawn);
+            state, {wanted_box(last, view, to_sun, near, 2048), wanted_box(last, view, to_sun, far, 2048)},
+            drawn);
         last = view;
         uint32_t count = 0;
         for (const ShadowSlices& slices : drawn) count += slices.count;
@@ -154,25 +155,31 @@ struct Walk {
 };
 
 TEST(Shadow, MapsAreDrawnAheadBySlicesForACameraThatMoves) {
-    for (const float speed : {1.4f, 5.0f, 20.0f}) {  // metres a second, along a wide circle, with a step's bobbing
+    for (const float speed :
+         {1.4f, 5.0f, 20.0f}) {  // metres a second, along a wide circle, with a step's bobbing
         Walk walk;
         uint32_t slices = 0, late = 0, most = 0;
         for (int frame = 0; frame < 3000; ++frame) {
             const float turn = speed / 60 / 80 * static_cast<float>(frame);
-            const glm::vec3 eye(80 * std::sin(turn), 1.6f + 0.03f * std::sin(0.2f * static_cast<float>(frame)),
+            const glm::vec3 eye(80 * std::sin(turn),
+                                1.6f + 0.03f * std::sin(0.2f * static_cast<float>(frame)),
                                 80 * std::cos(turn));
             const View view = make_view(
                 {.eye = eye, .target = eye + glm::vec3(std::cos(turn), 0.02f, -std::sin(turn))}, 1280, 720);
             const uint32_t drawn = walk.step(view);
             EXPECT_EQ(seen_map(walk.state, Reach::near).box, walk.box_of(view, walk.near));
             EXPECT_EQ(seen_map(walk.state, Reach::far).box, walk.box_of(view, walk.far));
-            ASSERT_TRUE(holds(walk.box_of(view, walk.near), view, walk.near) && holds(walk.box_of(view, walk.far), view, walk.far));
+            ASSERT_TRUE(holds(walk.box_of(view, walk.near), view, walk.near) &&
+                        holds(walk.box_of(view, walk.far), view, walk.far));
             if (frame > 0) slices += drawn, late += drawn > 1, most = std::max(most, drawn);
         }
         EXPECT_GT(slices, 8 * k_shadow_slices) << "nothing moved at " << speed << " m/s";
         // Where two borders are crossed at once.
         EXPECT_LE(most, speed < 10 ? 8u : 12u) << "in one frame at " << speed << " m/s";
-        EXPECT_LE(late, speed < 2 ? 3u : speed < 10 ? 30u : 600u) << "frames that drew more at " << speed << " m/s";
+        EXPECT_LE(late, speed < 2    ? 3u
+                        : speed < 10 ? 30u
+                                     : 600u)
+            << "frames that drew more at " << speed << " m/s";
     }
 }
 
@@ -197,7 +204,8 @@ TEST(Shadow, SlicesCoverTheMapOnce) {
         row += rows.height;
         const ShadowBox part = part_of(box, rows, 1000);
         for (const float y : {0.0f, 0.5f, 1.0f}) {
-            const glm::vec4 at(0.3f, (static_cast<float>(rows.y) + y * static_cast<float>(rows.height)) / 1000, 0.4f, 1);
+            const glm::vec4 at(
+                0.3f, (static_cast<float>(rows.y) + y * static_cast<float>(rows.height)) / 1000, 0.4f, 1);
             const glm::vec4 seen = part.map_from_world * (glm::inverse(box.map_from_world) * at);
             EXPECT_NEAR(seen.y, y, 1e-3f);
             EXPECT_NEAR(seen.x, 0.3f, 1e-3f);

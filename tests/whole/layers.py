@@ -47,13 +47,14 @@ shaders:
 shaders/base: shaders
 shaders/city: shaders/base
 shaders/people: shaders, shaders/base
+shaders/light: shaders/base
 shaders/picture: shaders/base
 shaders/shadow: shaders, shaders/base, shaders/people
 shaders/views: shaders/base, shaders/people
 
 renderer: shaders, sim/base
 renderer/device: renderer, sim/base
-renderer/light: renderer
+renderer/light: renderer, shaders/light, sim/base
 renderer/visible: renderer, renderer/light
 renderer/people: renderer, renderer/visible, sim/base
 renderer/pipelines: renderer, renderer/device, renderer/people

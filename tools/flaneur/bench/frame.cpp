@@ -74,7 +74,8 @@ Camera moved(Camera camera, const Options& options, const Show& show, uint32_t f
     if (options.move == BenchMove::walk) {
         // Down the street, and back before its end.
         const float there = frame / 600 % 2 == 0 ? 1.0f : -1.0f;
-        const glm::vec3 step = glm::normalize(glm::vec3(way.x, 0, way.z)) * (there * k_stroll * k_tick_seconds);
+        const glm::vec3 step =
+            glm::normalize(glm::vec3(way.x, 0, way.z)) * (there * k_stroll * k_tick_seconds);
         camera.eye += step, camera.target += step;
     } else if (options.move == BenchMove::orbit) {
         const float s = std::sin(k_orbit_rate * k_tick_seconds), c = std::cos(k_orbit_rate * k_tick_seconds);

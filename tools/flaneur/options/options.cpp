@@ -178,7 +178,8 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options) {
     add_parsed(app, "--quality", parse_quality, words.quality,
                "low, medium, high or ultra; without it, medium on a CPU and ultra on a GPU", "LEVEL", "");
     add_parsed(app, "--light", parse_light, options.lights_on_host,
-               "device or host: who lights what is drawn, to the same colours; without it, the host where the device "
+               "device or host: who lights what is drawn, to the same colours; without it, the host where "
+               "the device "
                "is a CPU",
                "WHERE", "");
 }
@@ -267,10 +268,11 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(1, 1'000'000))
         ->capture_default_str();
-    add_parsed(*bench, "--move", parse_move, options.move,
-               "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "
-               "without it, it stands",
-               "HOW", "");
+    add_parsed(
+        *bench, "--move", parse_move, options.move,
+        "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "
+        "without it, it stands",
+        "HOW", "");
     bench->add_option("--count", options.bench_count, "How many characters peers draws")
         ->type_name("N")
         ->transform(whole_between(1, 10'000))

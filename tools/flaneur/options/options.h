@@ -104,8 +104,8 @@ struct Options {
 
     // bench
     BenchLoad load = BenchLoad::frame;
-    uint32_t bench_frames = 120;  // or ticks, or repetitions
-    uint32_t bench_count = 100;   // characters of peers
+    uint32_t bench_frames = 120;       // or ticks, or repetitions
+    uint32_t bench_count = 100;        // characters of peers
     BenchMove move = BenchMove::none;  // how the camera of frame moves
 
     // city

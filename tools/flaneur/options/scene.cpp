@@ -111,10 +111,10 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
 }
 
 void add_camera_option(CLI::App& app, SceneWords& words) {
-    add_parsed(
-        app, "--camera", parse_camera, words.camera,
-        "overview, street, crowd, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres",
-        "CAMERA", "");
+    add_parsed(app, "--camera", parse_camera, words.camera,
+               "overview, street, crowd, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks "
+               "at, metres",
+               "CAMERA", "");
 }
 
 // Refuses a camera that has nothing to show, where something is drawn with it.

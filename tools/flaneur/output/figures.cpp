@@ -16,9 +16,11 @@ struct Column {
     const char* key;
     double share;
 };
-constexpr Column k_columns[] = {
-    {"median", "median_ms", 0.5}, {"5 %", "p5_ms", 0.05}, {"95 %", "p95_ms", 0.95}, {"99 %", "p99_ms", 0.99},
-    {"worst", "worst_ms", 1}};
+constexpr Column k_columns[] = {{"median", "median_ms", 0.5},
+                                {"5 %", "p5_ms", 0.05},
+                                {"95 %", "p95_ms", 0.95},
+                                {"99 %", "p99_ms", 0.99},
+                                {"worst", "worst_ms", 1}};
 
 }  // namespace
 

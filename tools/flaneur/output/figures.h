@@ -35,7 +35,8 @@ void print_setting(const Figures& figures);
 void put_setting(const Figures& figures, nlohmann::ordered_json& json);
 
 void print_figures(const Figures& figures);
-// {"setting": {..}, "stages": [{"name", "count", "median_ms", "p5_ms", "p95_ms", "p99_ms", "worst_ms"}], "counts": {..}}
+// {"setting": {..}, "stages": [{"name", "count", "median_ms", "p5_ms", "p95_ms", "p99_ms", "worst_ms"}],
+// "counts": {..}}
 std::string figures_json(const Figures& figures);
 
 }  // namespace flaneur

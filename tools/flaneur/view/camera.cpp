@@ -173,7 +173,8 @@ Camera crowd_camera(const World& world) {
                 const Vec3 out = heading_vector(static_cast<float>(side) * (2 * k_pi / k_sides));
                 const Vec3 place = middle + out * away;
                 const auto ground = ground_at(*world.ground, place + Vec3{0, 300, 0}, 300, 600);
-                if (!ground || raycast(*world.ground, place + Vec3{0, 300, 0}, {0, -1, 0}, 300 - 0.5f)) continue;
+                if (!ground || raycast(*world.ground, place + Vec3{0, 300, 0}, {0, -1, 0}, 300 - 0.5f))
+                    continue;
                 const Vec3 eye{place.x, ground->height + height, place.z};
                 const Camera tried = make_camera(eye, middle + Vec3{0, 1, 0} + out * (0.25f * away));
                 const View view = make_view(tried, 16, 9);
