@@ -12,7 +12,8 @@ namespace flaneur {
 struct RendererOptions {
     std::string device;  // part of a device's name, or its number; empty: the fastest kind, a real GPU before
                          // lavapipe
-    std::optional<Quality> quality;  // default: ultra on a real GPU, medium elsewhere
+    std::optional<Quality> quality;  // default: ultra on a GPU of its own, high on
+                                     // one within a processor, medium elsewhere
     bool validation =
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr

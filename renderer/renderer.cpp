@@ -14,6 +14,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_largest_picture = 8192;
+constexpr uint64_t k_patience = 200'000'000;  // ns that an image of the window is waited for
 
 Result<void> make_slots(Renderer& renderer) {
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(make_slot(renderer.device, slot));
@@ -24,6 +25,11 @@ Result<void> make_slots(Renderer& renderer) {
     return {};
 }
 
+Quality usual_quality(VkPhysicalDeviceType type) {
+    if (type == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU) return Quality::ultra;
+    return type == VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ? Quality::high : Quality::medium;
+}
+
 Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     RendererPtr renderer(new Renderer);
     Renderer& r = *renderer;
@@ -31,14 +37,14 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     FLANEUR_TRY(make_device(r.device, options, window));
     if (window) FLANEUR_TRY(choose_surface_format(r.device, r.swapchain));
     const bool is_cpu = r.device.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    r.quality = quality_level(options.quality.value_or(is_cpu ? Quality::medium : Quality::ultra));
+    r.quality = quality_level(options.quality.value_or(usual_quality(r.device.properties.deviceType)));
     r.are_people_skinned_on_host = options.skins_on_host.value_or(is_cpu);
     const bool can_host_light = can_host_read_surfaces(r.device) && (!window || can_copy_to_window(r.device));
     r.is_lit_on_host = options.lights_on_host.value_or(is_cpu && can_host_light);
     if (r.is_lit_on_host && !can_host_light)
         return Error{
             "The host cannot read what this device draws: let the device light it (--light device)."};
-    if (r.are_people_skinned_on_host || r.is_lit_on_host) r.workers = make_workers(0);
+    r.workers = make_workers(0);
     FLANEUR_TRY(make_pipelines(r.device, r.quality, r.is_lit_on_host, r.swapchain.format, r.pipelines));
     FLANEUR_TRY(make_slots(r));
     FLANEUR_TRY(make_shadow_maps(r.device, r.quality.shadow_resolution, r.is_lit_on_host, r.shadows));
@@ -82,9 +88,9 @@ Result<void> remake_surface(Renderer& renderer) {
     device.surface = {};
     FLANEUR_TRY(make_surface(device, renderer.window));
     VkBool32 presents = VK_FALSE;
-    FLANEUR_VK(
-        vkGetPhysicalDeviceSurfaceSupportKHR(device.physical, device.queue_family, device.surface, &presents),
-        "ask whether the device draws into the window");
+    FLANEUR_VK(vkGetPhysicalDeviceSurfaceSupportKHR(device.physical, device.present_family, device.surface,
+                                                    &presents),
+               "ask whether the device draws into the window");
     if (!presents) return Error{"The device no longer draws into the window: start again."};
     return remake_swapchain(renderer);
 }
@@ -92,6 +98,14 @@ Result<void> remake_surface(Renderer& renderer) {
 // After a frame was not drawn into the image that was acquired for it: nothing will wait for its semaphore,
 // and the image goes with the swapchain.
 void give_up_image(Renderer& renderer, FrameSlot& slot) {
+    // Whoever acquired it signals it, perhaps later: somebody has to wait.
+    VkSemaphoreSubmitInfo ready{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
+    ready.semaphore = slot.image_ready;
+    ready.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    VkSubmitInfo2 info{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
+    info.waitSemaphoreInfoCount = 1;
+    info.pWaitSemaphoreInfos = &ready;
+    vkQueueSubmit2(renderer.device.queue, 1, &info, VK_NULL_HANDLE);
     vkDeviceWaitIdle(renderer.device.handle);
     vkDestroySemaphore(renderer.device.handle, slot.image_ready, nullptr);
     slot.image_ready = {};
@@ -209,8 +223,9 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
         if (width <= 0 || height <= 0) return {};
         if (renderer.is_swapchain_stale || !swapchain.handle) FLANEUR_TRY(remake_swapchain(renderer));
         if (!swapchain.handle) return {};
-        const VkResult result = vkAcquireNextImageKHR(renderer.device.handle, swapchain.handle, UINT64_MAX,
+        const VkResult result = vkAcquireNextImageKHR(renderer.device.handle, swapchain.handle, k_patience,
                                                       slot.image_ready, VK_NULL_HANDLE, &index);
+        if (result == VK_TIMEOUT || result == VK_NOT_READY) return {};  // nobody looks
         if (result == VK_SUBOPTIMAL_KHR) renderer.is_swapchain_stale = true;
         if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) break;
         if (i == tries) return vulkan_error(result, "get an image of the window");
@@ -254,7 +269,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
     info.swapchainCount = 1;
     info.pSwapchains = &swapchain.handle;
     info.pImageIndices = &index;
-    const VkResult result = vkQueuePresentKHR(renderer.device.queue, &info);
+    const VkResult result = vkQueuePresentKHR(renderer.device.present_queue, &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
         renderer.is_swapchain_stale = true;
     else if (result == VK_ERROR_SURFACE_LOST_KHR)

@@ -52,7 +52,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
 Result<RendererPtr> make_window_renderer(const RendererOptions& options, GLFWwindow* window);
 
 // Draws one frame into the window and presents it. Nothing happens, with success, while the window has no
-// area; a resized or lost surface is made anew.
+// area or nobody shows it; a resized or lost surface is made anew.
 Result<void> draw_window(Renderer& renderer, const FrameInput& frame);
 
 // Whose joints a frame of this camera, sun and size will ask for; see needs_pose() in view.h. Crowds save

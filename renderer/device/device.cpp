@@ -87,6 +87,9 @@ Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) 
         layers.push_back(k_validation_layer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
+    const bool has_portability =
+        has_instance_extension(nullptr, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    if (has_portability) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     device.has_labels = has_instance_extension(nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (device.has_labels || validation) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
 
@@ -107,6 +110,7 @@ Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) 
     application.pApplicationName = "flaneur";
     application.apiVersion = VK_API_VERSION_1_3;
     VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    if (has_portability) info.flags |= VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
     info.pNext = validation ? &features : nullptr;
     info.pApplicationInfo = &application;
     info.enabledLayerCount = static_cast<uint32_t>(layers.size());
@@ -121,22 +125,30 @@ Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) 
     return window ? make_surface(device, window) : Result<void>();
 }
 
-// The family that draws, and presents if there is a surface; ~0u: none.
-uint32_t find_queue_family(VkPhysicalDevice physical, VkSurfaceKHR surface, bool* timestamps) {
+// The family that draws and the one that presents, one and the same if that is possible; ~0u: none.
+struct Families {
+    uint32_t draws = ~0u, presents = ~0u;
+    uint32_t timestamp_bits = 0;
+};
+Families find_families(VkPhysicalDevice physical, VkSurfaceKHR surface) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    Families found;
     for (uint32_t i = 0; i < count; ++i) {
-        if (!(families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT)) continue;
-        VkBool32 presents = VK_TRUE;
+        const bool draws = families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT;
+        VkBool32 presents = !surface;
         if (surface && vkGetPhysicalDeviceSurfaceSupportKHR(physical, i, surface, &presents) != VK_SUCCESS)
             presents = VK_FALSE;
-        if (!presents) continue;
-        *timestamps = families[i].timestampValidBits > 0;
-        return i;
+        if (draws && (found.draws == ~0u || (presents && found.draws != found.presents))) {
+            found.draws = i;
+            found.timestamp_bits = families[i].timestampValidBits;
+            if (presents) found.presents = i;
+        }
+        if (presents && found.presents == ~0u) found.presents = i;
     }
-    return ~0u;
+    return found;
 }
 
 // What the device lacks, or nothing.
@@ -149,13 +161,11 @@ std::string missing_from(VkPhysicalDevice physical, VkSurfaceKHR surface) {
     vkGetPhysicalDeviceFeatures2(physical, &features);
     if (!features13.dynamicRendering) return "dynamic rendering";
     if (!features13.synchronization2) return "synchronization2";
-    if (!features.features.multiDrawIndirect) return "multi-draw indirect";
     if (!features.features.drawIndirectFirstInstance) return "a first instance in indirect draws";
-    if (!features.features.depthClamp) return "depth clamping";
     if (!features.features.independentBlend) return "blending that differs between attachments";
-    bool timestamps = false;
-    if (find_queue_family(physical, surface, &timestamps) == ~0u)
-        return surface ? "a queue that draws into this window" : "a queue that draws";
+    const Families families = find_families(physical, surface);
+    if (families.draws == ~0u) return "a queue that draws";
+    if (families.presents == ~0u) return "a queue that draws into this window";
     if (surface && !has_device_extension(physical, VK_KHR_SWAPCHAIN_EXTENSION_NAME)) return "swapchains";
     return {};
 }
@@ -182,17 +192,20 @@ int speed_rank(VkPhysicalDeviceType type) {
 
 Result<void> make_logical_device(Device& device) {
     const float priority = 1;
-    VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
-    queue.queueFamilyIndex = device.queue_family;
-    queue.queueCount = 1;
-    queue.pQueuePriorities = &priority;
+    std::vector<VkDeviceQueueCreateInfo> queues;
+    for (const uint32_t family : {device.queue_family, device.present_family}) {
+        if (!queues.empty() && family == device.queue_family) continue;
+        VkDeviceQueueCreateInfo& queue = queues.emplace_back();
+        queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+        queue.queueFamilyIndex = family;
+        queue.queueCount = 1;
+        queue.pQueuePriorities = &priority;
+    }
     VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     features13.dynamicRendering = VK_TRUE;
     features13.synchronization2 = VK_TRUE;
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13};
-    features.features.multiDrawIndirect = VK_TRUE;
     features.features.drawIndirectFirstInstance = VK_TRUE;
-    features.features.depthClamp = VK_TRUE;
     features.features.independentBlend = VK_TRUE;
     VkPhysicalDeviceFeatures offered;
     vkGetPhysicalDeviceFeatures(device.physical, &offered);
@@ -200,15 +213,24 @@ Result<void> make_logical_device(Device& device) {
     device.has_wireframe = offered.fillModeNonSolid;
     features.features.pipelineStatisticsQuery = offered.pipelineStatisticsQuery;
     device.has_counters = offered.pipelineStatisticsQuery == VK_TRUE;
-    const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+    features.features.multiDrawIndirect = offered.multiDrawIndirect;
+    device.draws_many = offered.multiDrawIndirect == VK_TRUE;
+    features.features.depthClamp = offered.depthClamp;
+    device.clamps_depth = offered.depthClamp == VK_TRUE;
+    std::vector<const char*> extensions;
+    if (device.surface) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    // A device that is not wholly Vulkan says so, and wants to hear that it was heard.
+    constexpr const char* k_portability = "VK_KHR_portability_subset";
+    if (has_device_extension(device.physical, k_portability)) extensions.push_back(k_portability);
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
-    info.queueCreateInfoCount = 1;
-    info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = device.surface ? 1 : 0;
-    info.ppEnabledExtensionNames = &extension;
+    info.queueCreateInfoCount = static_cast<uint32_t>(queues.size());
+    info.pQueueCreateInfos = queues.data();
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     FLANEUR_VK(vkCreateDevice(device.physical, &info, nullptr, &device.handle),
                std::string("open the device ") + device.properties.deviceName);
     vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
+    vkGetDeviceQueue(device.handle, device.present_family, 0, &device.present_queue);
     return {};
 }
 
@@ -273,7 +295,10 @@ Result<void> make_device(Device& device, const RendererOptions& options, GLFWwin
     device.physical = physicals[*chosen];
     vkGetPhysicalDeviceProperties(device.physical, &device.properties);
     vkGetPhysicalDeviceMemoryProperties(device.physical, &device.memory);
-    device.queue_family = find_queue_family(device.physical, device.surface, &device.has_timestamps);
+    const Families families = find_families(device.physical, device.surface);
+    device.queue_family = families.draws, device.present_family = families.presents;
+    if (families.timestamp_bits > 0)
+        device.timestamp_mask = ~uint64_t{0} >> (64 - std::min(families.timestamp_bits, 64u));
     return make_logical_device(device);
 }
 

@@ -21,12 +21,14 @@ struct Device {
     VkSurfaceKHR surface = {};  // null off-screen
     VkPhysicalDevice physical = {};
     VkDevice handle = {};
-    VkQueue queue = {};  // graphics, transfer and presentation
-    uint32_t queue_family = 0;
+    VkQueue queue = {}, present_queue = {};  // graphics and transfer; presentation: often the same
+    uint32_t queue_family = 0, present_family = 0;
     VkPhysicalDeviceProperties properties = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     bool has_labels = false;      // VK_EXT_debug_utils
-    bool has_timestamps = false;  // on the queue
+    uint64_t timestamp_mask = 0;  // bits of the queue's timestamps that count; 0: it has none
+    bool clamps_depth = false;    // depthClamp
+    bool draws_many = false;      // multiDrawIndirect
     bool has_wireframe = false;   // fillModeNonSolid
     bool has_counters = false;    // of what shaders were called for
     std::function<void(const std::string&)> on_message;

@@ -9,37 +9,42 @@
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_no_type = ~0u;
 // Memory is taken by whole blocks, as drivers hand it out; with odd sizes synchronisation validation
 // (1.3.239) takes images that the host reads for the buffers beside them.
 constexpr VkDeviceSize k_block = 1u << 16;
 
-uint32_t find_memory_type(const Device& device, uint32_t allowed, VkMemoryPropertyFlags flags) {
-    for (uint32_t i = 0; i < device.memory.memoryTypeCount; ++i)
-        if ((allowed >> i & 1) && (device.memory.memoryTypes[i].propertyFlags & flags) == flags) return i;
-    return k_no_type;
-}
-
-// The first memory type of the best kind that the device has.
-uint32_t choose_memory_type(const Device& device, uint32_t allowed, MemoryKind kind) {
+// Of the types that fit, those with the best flags first.
+std::vector<uint32_t> memory_types(const Device& device, uint32_t allowed, MemoryKind kind) {
     constexpr VkMemoryPropertyFlags host =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VkMemoryPropertyFlags best = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, good = 0;
     if (kind == MemoryKind::upload) best = host | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, good = host;
+    if (kind == MemoryKind::staging) best = good = host;
     if (kind == MemoryKind::readback) best = host | VK_MEMORY_PROPERTY_HOST_CACHED_BIT, good = host;
-    uint32_t type = find_memory_type(device, allowed, best);
-    return type != k_no_type ? type : find_memory_type(device, allowed, good);
+    std::vector<uint32_t> types;
+    for (const VkMemoryPropertyFlags flags : {best, good})
+        for (uint32_t i = 0; i < device.memory.memoryTypeCount; ++i) {
+            const bool is_listed = std::find(types.begin(), types.end(), i) != types.end();
+            const VkMemoryPropertyFlags has = device.memory.memoryTypes[i].propertyFlags;
+            if ((allowed >> i & 1) && (has & flags) == flags && !is_listed) types.push_back(i);
+        }
+    return types;
 }
 
+// Where a kind of memory is full, such as the little that both host and device reach fast, in the next.
 Result<void> allocate(const Device& device, const VkMemoryRequirements& needs, MemoryKind kind,
                       VkDeviceMemory& memory) {
     VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = (needs.size + k_block - 1) / k_block * k_block;
-    info.memoryTypeIndex = choose_memory_type(device, needs.memoryTypeBits, kind);
-    if (info.memoryTypeIndex == k_no_type)
+    VkResult result = VK_ERROR_FORMAT_NOT_SUPPORTED;
+    for (const uint32_t type : memory_types(device, needs.memoryTypeBits, kind)) {
+        info.memoryTypeIndex = type;
+        result = vkAllocateMemory(device.handle, &info, nullptr, &memory);
+        if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY) break;
+    }
+    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
         return Error{"The Vulkan device has no memory of a kind that is needed."};
-    FLANEUR_VK(vkAllocateMemory(device.handle, &info, nullptr, &memory),
-               "allocate " + std::to_string(needs.size / 1024) + " KiB");
+    FLANEUR_VK(result, "allocate " + std::to_string(needs.size / 1024) + " KiB");
     return {};
 }
 
@@ -79,7 +84,7 @@ Result<void> with_staging(const Device& device, std::span<const std::byte> bytes
                           const std::function<Result<void>(VkBuffer)>& use) {
     Buffer staging;
     Result<void> result =
-        make_buffer(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload, staging);
+        make_buffer(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::staging, staging);
     if (result) {
         std::memcpy(staging.mapped, bytes.data(), bytes.size());
         result = use(staging.handle);

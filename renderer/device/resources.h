@@ -61,6 +61,7 @@ struct GpuImage {
 enum class MemoryKind {
     device,    // fastest for the device
     upload,    // written by the host once a frame, read by the device
+    staging,   // written by the host, copied by the device
     readback,  // written by the device, read by the host
 };
 

@@ -100,11 +100,19 @@ Result<void> make_swapchain(const Device& device, VkExtent2D wanted, Swapchain& 
     info.imageArrayLayers = 1;
     info.imageUsage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    const uint32_t families[] = {device.queue_family, device.present_family};
     info.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    if (device.present_family != device.queue_family) {
+        info.imageSharingMode = VK_SHARING_MODE_CONCURRENT;
+        info.queueFamilyIndexCount = 2;
+        info.pQueueFamilyIndices = families;
+    }
     info.preTransform = surface.currentTransform;
-    info.compositeAlpha = surface.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                              ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
-                              : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
+    info.compositeAlpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
+    for (const VkCompositeAlphaFlagBitsKHR alpha :
+         {VK_COMPOSITE_ALPHA_POST_MULTIPLIED_BIT_KHR, VK_COMPOSITE_ALPHA_PRE_MULTIPLIED_BIT_KHR,
+          VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR, VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR})  // pictures are opaque
+        if (surface.supportedCompositeAlpha & alpha) info.compositeAlpha = alpha;
     info.presentMode = VK_PRESENT_MODE_FIFO_KHR;
     info.clipped = VK_TRUE;
     info.oldSwapchain = swapchain.handle;

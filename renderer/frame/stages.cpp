@@ -20,7 +20,7 @@ void write_timestamp(VkCommandBuffer commands, const Stages& stages, uint32_t nu
 Result<void> make_stages(const Device& device, Stages& stages) {
     stages.has_labels = device.has_labels;
     VkQueryPoolCreateInfo queries{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
-    if (device.has_timestamps) {
+    if (device.timestamp_mask != 0) {
         queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
         queries.queryCount = k_max_stages + 1;
         FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &stages.timestamps), "make timers");
@@ -78,7 +78,7 @@ Result<void> read_stages(const Device& device, Stages& stages, std::vector<Frame
                    "read a frame's times");
         const double ms = static_cast<double>(device.properties.limits.timestampPeriod) * 1e-6;
         for (uint32_t i = 0; i < count; ++i)
-            read[i].gpu_ms = static_cast<double>(times[i + 1] - times[i]) * ms;
+            read[i].gpu_ms = static_cast<double>((times[i + 1] - times[i]) & device.timestamp_mask) * ms;
     }
     if (stages.counters) {
         uint64_t shaded[k_max_stages][2] = {};  // in the order of the counters' bits

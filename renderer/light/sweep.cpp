@@ -349,12 +349,17 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
     const size_t stride = span + 2 * k_margin, first = k_margin * stride + k_margin;
     lit.colours.resize(stride * (height + 2 * k_margin));
     lit.lumas.resize(lit.colours.size());
+    auto light = [&](size_t y) {
+        const size_t at = first + y * stride;
+        return HWY_DYNAMIC_DISPATCH(light_row)(unlit, y, span, &lit.colours[at], &lit.lumas[at]);
+    };
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
-        for (size_t y = begin; y < end; ++y)
-            HWY_DYNAMIC_DISPATCH(light_row)
-            (unlit, y, span, &lit.colours[first + y * stride], &lit.lumas[first + y * stride]);
+        for (size_t y = begin; y < end; ++y) light(y);
     });
     const LitRows rows{&lit.colours[first], &lit.lumas[first], stride};
+    auto smooth = [&](size_t y, uint32_t* row) {
+        return HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, span, row);
+    };
     const bool is_smooth = given.smooths_edges && frame.backdrop.w == 0;
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
         std::vector<uint32_t> wide(width < span ? span : 0);
@@ -362,7 +367,7 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
             const std::span<uint32_t> row(pixels + y * width, width);
             uint32_t* const smoothed = wide.empty() ? row.data() : wide.data();
             std::copy_n(rows.colours + y * stride, span, smoothed);
-            if (is_smooth) HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, span, smoothed);
+            if (is_smooth) smooth(y, smoothed);
             std::copy_n(smoothed, wide.empty() ? 0 : width, row.data());
             if (frame.way.w > 0) cover_row(given, y, row);
             hand_on(row, is_blue_first);

@@ -44,7 +44,7 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
     VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.depthClampEnable = shape.is_shadow;
+    raster.depthClampEnable = shape.is_shadow && device.clamps_depth;
     raster.polygonMode = shape.fill;
     raster.cullMode = shape.cull;
     raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;

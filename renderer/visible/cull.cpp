@@ -8,6 +8,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint16_t k_no_bucket = 0xffff;
+constexpr size_t k_chunk = 1024;     // walkers that a thread takes at once
 constexpr float k_texel_pixels = 2;  // a shadow's texel is seen as finely as so many of the picture's pixels
 
 bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
@@ -29,48 +30,60 @@ ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
     return out;
 }
 
-// A stable counting sort of the walkers by `level_of(walker, number)` (k_unseen: left out).
+// A stable counting sort of the walkers by `level_of(walker, number)` (k_unseen: left out), which is asked on
+// every thread: how many of each bucket come before a chunk says where its own go.
 template <class LevelOf>
 void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_of) {
     const size_t mesh_count = input.people.size(), bucket_count = mesh_count * k_max_lods;
-    out.buckets.assign(input.walkers.size(), k_no_bucket);
-    out.firsts.assign(bucket_count + 1, 0);
+    const size_t impostors = bucket_count, columns = bucket_count + 1, count = input.walkers.size();
+    const size_t chunks = chunk_count(input);
+    out.buckets.resize(count);
+    out.firsts.assign(chunks * columns, 0);
     out.draws.clear();
-    out.impostors.clear();
-    out.spheres.clear();
     out.triangles = 0;
-    for (size_t i = 0; i < input.walkers.size(); ++i) {
-        const WalkerDraw& walker = input.walkers[i];
-        if (!is_drawable(input, walker)) continue;
-        const uint32_t wanted = level_of(walker, i);
-        if (wanted == k_unseen) continue;
-        out.spheres.emplace_back(walker.centre, walker.radius);
-        const PersonRanges& person = input.people[walker.mesh];
-        if (wanted == k_impostor_level) {
-            out.impostors.push_back(impostor_of(walker, person.first_cell));
-            continue;
+    in_chunks(input, [&](size_t chunk, size_t begin, size_t end) {
+        uint32_t* counts = &out.firsts[chunk * columns];
+        for (size_t i = begin; i < end; ++i) {
+            const WalkerDraw& walker = input.walkers[i];
+            out.buckets[i] = k_no_bucket;
+            const uint32_t wanted = is_drawable(input, walker) ? level_of(walker, i) : k_unseen;
+            if (wanted == k_unseen) continue;
+            const size_t level = std::min<size_t>(wanted, input.people[walker.mesh].lods.size() - 1);
+            const size_t bucket = wanted == k_impostor_level ? impostors : level * mesh_count + walker.mesh;
+            out.buckets[i] = static_cast<uint16_t>(bucket);
+            ++counts[bucket];
         }
-        const size_t level = std::min<size_t>(wanted, person.lods.size() - 1);
-        const size_t bucket = level * mesh_count + walker.mesh;
-        out.buckets[i] = static_cast<uint16_t>(bucket);
-        ++out.firsts[bucket + 1];
-    }
-    for (size_t bucket = 0; bucket < bucket_count; ++bucket) {
-        const uint32_t count = out.firsts[bucket + 1];
-        out.firsts[bucket + 1] += out.firsts[bucket];
-        if (count == 0) continue;
+    });
+    uint32_t total = 0, drawn = 0;
+    for (size_t bucket = 0; bucket < columns; ++bucket) {
+        const uint32_t first = total;
+        for (size_t chunk = 0; chunk < chunks; ++chunk)
+            total += std::exchange(out.firsts[chunk * columns + bucket], total);
+        if (bucket == impostors || total == first) continue;
+        drawn = total;
         const PersonRanges& person = input.people[bucket % mesh_count];
-        const size_t level = bucket / mesh_count;
-        const MeshRange& range = person.lods[level];
+        const MeshRange& range = person.lods[bucket / mesh_count];
         out.draws.push_back(
-            {range.index_count, count, range.first_index, person.vertex_offset, out.firsts[bucket]});
-        out.triangles += range.index_count / 3 * count;
+            {range.index_count, total - first, range.first_index, person.vertex_offset, first});
+        out.triangles += range.index_count / 3 * (total - first);
     }
-    out.triangles += static_cast<uint32_t>(2 * out.impostors.size());
-    out.instances.resize(out.firsts[bucket_count]);
-    for (size_t i = 0; i < input.walkers.size(); ++i)
-        if (out.buckets[i] != k_no_bucket)
-            out.instances[out.firsts[out.buckets[i]]++] = input.walkers[i].instance;
+    out.triangles += 2 * (total - drawn);
+    out.instances.resize(drawn);
+    out.impostors.resize(total - drawn);
+    out.spheres.resize(total);
+    in_chunks(input, [&](size_t chunk, size_t begin, size_t end) {
+        uint32_t* next = &out.firsts[chunk * columns];
+        for (size_t i = begin; i < end; ++i) {
+            if (out.buckets[i] == k_no_bucket) continue;
+            const WalkerDraw& walker = input.walkers[i];
+            const uint32_t at = next[out.buckets[i]]++;
+            out.spheres[at] = glm::vec4(walker.centre, walker.radius);
+            if (out.buckets[i] == impostors)
+                out.impostors[at - drawn] = impostor_of(walker, input.people[walker.mesh].first_cell);
+            else
+                out.instances[at] = walker.instance;
+        }
+    });
 }
 
 // Appends what there is to draw; returns how many draws that is.

@@ -1,12 +1,14 @@
 // Who is drawn, how finely: pure functions from a frame's walkers and the city's chunks to lists of draws.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "renderer/light/shadow_box.h"
 #include "renderer/visible/occlusion.h"
+#include "sim/base/parallel_for.h"
 
 namespace flaneur {
 
@@ -42,11 +44,11 @@ struct CrowdDraws {
     std::vector<WalkerInstance> instances;
     std::vector<ImpostorInstance> impostors;  // in the order of the walkers
     std::vector<DrawCommand> draws;
-    std::vector<glm::vec4> spheres;  // about the bodies, in the order of the walkers: centre, radius
+    std::vector<glm::vec4> spheres;  // about the bodies of instances, then of impostors: centre, radius
     uint32_t triangles = 0;
     std::vector<uint8_t> levels;    // of each walker, k_unseen for those left out: kept for hysteresis
     std::vector<uint16_t> buckets;  // scratch: one a walker
-    std::vector<uint32_t> firsts;   // scratch: one a bucket
+    std::vector<uint32_t> firsts;   // scratch: one a chunk of walkers and bucket
 };
 
 inline constexpr uint8_t k_unseen = 0xff;
@@ -58,7 +60,23 @@ struct CrowdInput {
     float impostor_pixels = 0;  // smaller ones are impostors, if their meshes have any
     bool is_finest = false;     // all by their finest meshes
     const OcclusionMap* hidden = nullptr;  // who is out of sight behind walls; null: nobody
+    Workers* workers = nullptr;            // who help; null: nobody
 };
+
+// body(chunk, begin, end) for consecutive chunks of the walkers, on every thread.
+inline constexpr size_t k_chunk = 1024;  // walkers
+inline size_t chunk_count(const CrowdInput& input) { return (input.walkers.size() + k_chunk - 1) / k_chunk; }
+template <class Body>
+void in_chunks(const CrowdInput& input, const Body& body) {
+    auto run = [&](size_t first, size_t last, int) {
+        for (size_t chunk = first; chunk < last; ++chunk)
+            body(chunk, chunk * k_chunk, std::min((chunk + 1) * k_chunk, input.walkers.size()));
+    };
+    if (input.workers && input.walkers.size() > k_chunk)
+        parallel_for(*input.workers, chunk_count(input), 1, run);
+    else
+        run(0, chunk_count(input), 0);
+}
 
 // Whether a walker's mesh and joints are there.
 bool is_drawable(const CrowdInput& input, const WalkerDraw& walker);

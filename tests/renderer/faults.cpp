@@ -82,6 +82,135 @@ PFN_vkVoidFunction hook(const char* name, PFN_vkVoidFunction real) {
     return reinterpret_cast<PFN_vkVoidFunction>(&Hook<F>::call);
 }
 
+// Functions that only tell, and what a poor device says instead.
+Poverty poor;
+
+PFN_vkGetPhysicalDeviceMemoryProperties real_memory;
+VKAPI_ATTR void VKAPI_CALL tell_memory(VkPhysicalDevice device, VkPhysicalDeviceMemoryProperties* out) {
+    real_memory(device, out);
+    if (!poor.has_own_memory) return;
+    constexpr VkMemoryPropertyFlags host = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                           VK_MEMORY_PROPERTY_HOST_COHERENT_BIT |
+                                           VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    out->memoryTypeCount = poor.shared > 0 ? 3 : 2;
+    out->memoryTypes[0] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
+    out->memoryTypes[1] = {host, 0};
+    out->memoryTypes[2] = {host | VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
+}
+PFN_vkGetBufferMemoryRequirements real_buffer_needs;
+VKAPI_ATTR void VKAPI_CALL tell_buffer_needs(VkDevice device, VkBuffer buffer, VkMemoryRequirements* out) {
+    real_buffer_needs(device, buffer, out);
+    if (poor.has_own_memory) out->memoryTypeBits = 7;
+}
+PFN_vkGetImageMemoryRequirements real_image_needs;
+VKAPI_ATTR void VKAPI_CALL tell_image_needs(VkDevice device, VkImage image, VkMemoryRequirements* out) {
+    real_image_needs(device, image, out);
+    if (poor.has_own_memory) out->memoryTypeBits = 7;
+}
+PFN_vkAllocateMemory real_allocate;  // which may itself be a hook
+VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                        const VkAllocationCallbacks* allocator, VkDeviceMemory* out) {
+    VkMemoryAllocateInfo asked = *info;
+    if (poor.has_own_memory) {
+        if (info->memoryTypeIndex == 2 && info->allocationSize > poor.shared)
+            return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        asked.memoryTypeIndex = 0;
+    }
+    return real_allocate(device, &asked, allocator, out);
+}
+PFN_vkGetPhysicalDeviceQueueFamilyProperties real_families;
+VKAPI_ATTR void VKAPI_CALL tell_families(VkPhysicalDevice device, uint32_t* count,
+                                         VkQueueFamilyProperties* out) {
+    uint32_t real_count = 1;
+    real_families(device, &real_count, out);
+    *count = poor.presents_elsewhere ? 2 : 1;
+    if (!out) return;
+    out[0].timestampValidBits = poor.timestamp_bits;
+    if (poor.presents_elsewhere) out[1] = {VK_QUEUE_TRANSFER_BIT, 1, 0, {1, 1, 1}};
+}
+PFN_vkGetPhysicalDeviceSurfaceSupportKHR real_support;
+VKAPI_ATTR VkResult VKAPI_CALL tell_support(VkPhysicalDevice device, uint32_t family, VkSurfaceKHR surface,
+                                            VkBool32* out) {
+    const VkResult result = real_support(device, 0, surface, out);
+    if (poor.presents_elsewhere && family == 0) *out = VK_FALSE;
+    return result;
+}
+PFN_vkGetDeviceQueue real_queue;
+VKAPI_ATTR void VKAPI_CALL get_queue(VkDevice device, uint32_t, uint32_t index, VkQueue* out) {
+    real_queue(device, 0, index, out);
+}
+PFN_vkCreateDevice real_create;
+VKAPI_ATTR VkResult VKAPI_CALL create(VkPhysicalDevice device, const VkDeviceCreateInfo* info,
+                                      const VkAllocationCallbacks* allocator, VkDevice* out) {
+    VkDeviceCreateInfo asked = *info;
+    asked.queueCreateInfoCount = 1;  // there is but one family
+    return real_create(device, &asked, allocator, out);
+}
+PFN_vkGetPhysicalDeviceFeatures real_features;
+VKAPI_ATTR void VKAPI_CALL tell_features(VkPhysicalDevice device, VkPhysicalDeviceFeatures* out) {
+    real_features(device, out);
+    if (!poor.lacks_options) return;
+    for (VkBool32 VkPhysicalDeviceFeatures::*lacks :
+         {&VkPhysicalDeviceFeatures::multiDrawIndirect, &VkPhysicalDeviceFeatures::depthClamp,
+          &VkPhysicalDeviceFeatures::fillModeNonSolid, &VkPhysicalDeviceFeatures::pipelineStatisticsQuery})
+        out->*lacks = VK_FALSE;
+}
+PFN_vkGetPhysicalDeviceProperties real_properties;
+VKAPI_ATTR void VKAPI_CALL tell_properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* out) {
+    real_properties(device, out);
+    if (!poor.lacks_options) return;
+    out->limits.maxDrawIndirectCount = 1;
+    out->limits.maxImageDimension2D = 4096;
+    out->limits.maxImageArrayLayers = 256;
+    out->limits.maxStorageBufferRange = 1 << 27;
+}
+PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR real_surface;
+VKAPI_ATTR VkResult VKAPI_CALL tell_surface(VkPhysicalDevice device, VkSurfaceKHR surface,
+                                            VkSurfaceCapabilitiesKHR* out) {
+    const VkResult result = real_surface(device, surface, out);
+    if (poor.is_never_opaque) out->supportedCompositeAlpha = VK_COMPOSITE_ALPHA_PRE_MULTIPLIED_BIT_KHR;
+    return result;
+}
+PFN_vkCreateSwapchainKHR real_swapchain;
+VKAPI_ATTR VkResult VKAPI_CALL create_swapchain(VkDevice device, const VkSwapchainCreateInfoKHR* info,
+                                                const VkAllocationCallbacks* allocator, VkSwapchainKHR* out) {
+    VkSwapchainCreateInfoKHR asked = *info;
+    if (poor.is_never_opaque) {
+        EXPECT_EQ(info->compositeAlpha, VK_COMPOSITE_ALPHA_PRE_MULTIPLIED_BIT_KHR);
+        asked.compositeAlpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
+    }
+    if (poor.presents_elsewhere) {
+        EXPECT_EQ(info->imageSharingMode, VK_SHARING_MODE_CONCURRENT);
+        asked.imageSharingMode = VK_SHARING_MODE_EXCLUSIVE;
+        asked.queueFamilyIndexCount = 0;
+    }
+    return real_swapchain(device, &asked, allocator, out);
+}
+
+struct Teller {
+    const char* name;
+    PFN_vkVoidFunction told;
+    PFN_vkVoidFunction* real;
+};
+template <class F>
+Teller teller(const char* name, F told, F& real) {
+    return {name, reinterpret_cast<PFN_vkVoidFunction>(told), reinterpret_cast<PFN_vkVoidFunction*>(&real)};
+}
+const Teller k_tellers[] = {
+    teller("vkGetPhysicalDeviceMemoryProperties", tell_memory, real_memory),
+    teller("vkGetBufferMemoryRequirements", tell_buffer_needs, real_buffer_needs),
+    teller("vkGetImageMemoryRequirements", tell_image_needs, real_image_needs),
+    teller("vkAllocateMemory", allocate, real_allocate),
+    teller("vkGetPhysicalDeviceQueueFamilyProperties", tell_families, real_families),
+    teller("vkGetPhysicalDeviceSurfaceSupportKHR", tell_support, real_support),
+    teller("vkGetDeviceQueue", get_queue, real_queue),
+    teller("vkCreateDevice", create, real_create),
+    teller("vkGetPhysicalDeviceFeatures", tell_features, real_features),
+    teller("vkGetPhysicalDeviceProperties", tell_properties, real_properties),
+    teller("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", tell_surface, real_surface),
+    teller("vkCreateSwapchainKHR", create_swapchain, real_swapchain),
+};
+
 struct Entry {
     const char* name;
     PFN_vkVoidFunction (*hook)(const char* name, PFN_vkVoidFunction real);
@@ -146,7 +275,9 @@ const Entry k_entries[] = {
 };
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL find(VkInstance instance, const char* name) {
-    const PFN_vkVoidFunction real = find_real(instance, name);
+    PFN_vkVoidFunction real = find_real(instance, name);
+    for (const Teller& teller : k_tellers)
+        if (real && std::strcmp(name, teller.name) == 0) *teller.real = std::exchange(real, teller.told);
     for (const Entry& entry : k_entries)
         if (real && std::strcmp(name, entry.name) == 0) return entry.hook(entry.name, real);
     return real;
@@ -160,6 +291,11 @@ Faults& faults() {
     find_real = vkGetInstanceProcAddr;
     volkInitializeCustom(find);
     return state;
+}
+
+Poverty& poverty() {
+    faults();
+    return poor;
 }
 
 void fail_at(int number, VkResult code, const std::string& only) {

@@ -24,6 +24,19 @@ struct Faults {
 // Of all renderers made after the first call of this.
 Faults& faults();
 
+// What devices offer less than this one does, to those who open one from now on; drawn on this one all the
+// same.
+struct Poverty {
+    bool has_own_memory = false;      // the device's memory is not the host's, but for the little below
+    VkDeviceSize shared = 0;          // bytes at once that both reach fast
+    bool presents_elsewhere = false;  // by a second family of queues
+    uint32_t timestamp_bits = 64;     //
+    bool lacks_options = false;       // every feature and limit that drawing can do without
+    bool is_never_opaque =
+        false;  // windows know one way to mix with what is behind: before they are handed on
+};
+Poverty& poverty();
+
 // Counts calls anew, and lets the `number`th fail. Objects that are alive stay counted.
 void fail_at(int number, VkResult code, const std::string& only = {});
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/visible/contacts.h"
@@ -66,6 +67,33 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
         for (uint32_t palette : expected[bucket]) EXPECT_EQ(out.instances[instance++].palette, palette);
     }
     EXPECT_EQ(out.draws.size(), draw);
+}
+
+TEST(Cull, ManyThreadsListWhatOneLists) {
+    const std::vector<PersonRanges> people = two_kinds();
+    std::vector<WalkerDraw> walkers = ring_of_walkers(20'000);
+    for (size_t i = 0; i < walkers.size(); i += 3) walkers[i].centre *= 0.05f;
+    const View view = make_view({.eye = {0, 30, -40}}, 1280, 720);
+    const ShadowBox box = fit_shadow(view, glm::normalize(glm::vec3(0.4f, 0.42f, 0.8f)), {0, 90}, 2048);
+    const WorkersPtr workers = make_workers(7);
+    CrowdInput input{walkers, people, walkers.size() * k_palette_joints, 20};
+    CrowdDraws alone[2], together[2];
+    auto draw = [&](CrowdDraws* out) {
+        cull_crowd(input, view, out[0]);
+        cull_shadow_casters(input, view, box, glm::normalize(glm::vec3(0.4f, 0.42f, 0.8f)), 90, out[1]);
+    };
+    draw(alone);
+    input.workers = workers.get();
+    draw(together);
+    for (int i = 0; i < 2; ++i) {
+        auto bytes = [](const auto& of) { return std::as_bytes(std::span(of)); };
+        EXPECT_TRUE(std::ranges::equal(bytes(alone[i].instances), bytes(together[i].instances)));
+        EXPECT_TRUE(std::ranges::equal(bytes(alone[i].draws), bytes(together[i].draws)));
+        EXPECT_TRUE(std::ranges::equal(bytes(alone[i].spheres), bytes(together[i].spheres)));
+        EXPECT_EQ(alone[i].triangles, together[i].triangles);
+        EXPECT_GT(alone[i].instances.size(), 100u);
+    }
+    EXPECT_EQ(alone[0].levels, together[0].levels);
 }
 
 TEST(Cull, LevelsGetCoarserWithDistance) {

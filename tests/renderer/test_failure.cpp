@@ -91,5 +91,38 @@ TEST(Failure, APictureThatFailsCanBeDrawnAgain) {
     EXPECT_EQ(alive(), before);
 }
 
+// Devices that offer less than lavapipe draw what it draws.
+TEST(Failure, APoorDeviceDrawsTheSamePicture) {
+    const SyntheticScene scene = synthetic_scene(60);
+    const Poverty all[] = {{.has_own_memory = true},
+                           {.has_own_memory = true, .shared = 100'000},
+                           {.timestamp_bits = 36},
+                           {.timestamp_bits = 0},
+                           {.lacks_options = true}};
+    for (const bool is_host : {false, true}) {
+        RendererOptions options = on_lavapipe();
+        options.lights_on_host = is_host;
+        options.skins_on_host = is_host;
+        Image rich;
+        for (const Poverty& offered : all) {
+            auto draw = [&]() -> Image {
+                Result<RendererPtr> renderer = make_renderer(options);
+                EXPECT_TRUE(renderer) << renderer.error().message;
+                EXPECT_TRUE(upload_scene(**renderer, scene.meshes));
+                Image image = draw_image(**renderer, scene.frame(street_camera()), 200, 120).value();
+                for (const FrameStats::Stage& stage : frame_stats(**renderer).stages) {
+                    EXPECT_GE(stage.gpu_ms, 0);
+                    EXPECT_LT(stage.gpu_ms, 60'000);
+                }
+                return image;
+            };
+            if (rich.rgba.empty()) rich = draw();
+            poverty() = offered;
+            EXPECT_EQ(draw().rgba, rich.rgba);
+            poverty() = {};
+        }
+    }
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -133,5 +133,42 @@ TEST_F(Window, TakesAnotherScene) {
     draw_some(2);
 }
 
+// Presenting by another family of queues; windows that always mix; the device lighting; and all of it.
+TEST_F(Window, IsDrawnIntoByPoorDevices) {
+    renderer.reset();
+    const Poverty all[] = {{.presents_elsewhere = true},
+                           {.is_never_opaque = true},
+                           {.has_own_memory = true,
+                            .shared = 100'000,
+                            .presents_elsewhere = true,
+                            .timestamp_bits = 36,
+                            .lacks_options = true,
+                            .is_never_opaque = true}};
+    for (const bool is_host : {false, true})
+        for (const Poverty& offered : all) {
+            poverty() = offered;
+            RendererOptions options = on_lavapipe();
+            options.lights_on_host = is_host;
+            Result<RendererPtr> made = make_window_renderer(options, window);
+            ASSERT_TRUE(made) << made.error().message;
+            renderer = std::move(*made);
+            ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+            draw_some(4);
+            renderer.reset();
+            poverty() = {};
+        }
+}
+
+TEST_F(Window, IsLitByTheDeviceToo) {
+    renderer.reset();
+    RendererOptions options = validated();
+    options.lights_on_host = false;
+    renderer = std::move(*make_window_renderer(options, window));
+    ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+    draw_some(4);
+    glfwSetWindowSize(window, 400, 300);
+    draw_some(4);
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -55,7 +55,7 @@ shaders/views: shaders/base, shaders/people
 renderer: shaders, sim/base
 renderer/device: renderer, sim/base
 renderer/light: renderer, shaders/light, sim/base
-renderer/visible: renderer, renderer/light
+renderer/visible: renderer, renderer/light, sim/base
 renderer/people: renderer, renderer/visible, sim/base
 renderer/pipelines: renderer, renderer/device, renderer/people
 renderer/loaded: renderer, renderer/device, renderer/people, renderer/pipelines, renderer/visible, sim/base

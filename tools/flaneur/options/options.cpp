@@ -175,8 +175,10 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("NAME");
     app.add_flag("--validate", options.validate, "Fail if the Khronos validation layer has anything to say");
     add_parsed(app, "--size", parse_size, words.size, "Pixels", "WxH", "1280x720");
-    add_parsed(app, "--quality", parse_quality, words.quality,
-               "low, medium, high or ultra; without it, medium on a CPU and ultra on a GPU", "LEVEL", "");
+    add_parsed(
+        app, "--quality", parse_quality, words.quality,
+        "low, medium, high or ultra; without it, medium on a CPU, high on a GPU within one, ultra on others",
+        "LEVEL", "");
     add_parsed(app, "--light", parse_light, options.lights_on_host,
                "device or host: who lights what is drawn, to the same colours; without it, the host where "
                "the device "
