@@ -127,7 +127,8 @@ FLANEUR_CONST int k_bindings = 17;
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures
 FLANEUR_CONST int k_constant_smooth = 1;    // whether edges are smoothed
-FLANEUR_CONST int k_constants = 2;
+FLANEUR_CONST int k_constant_clamp = 2;     // whether shaders clamp the depth of shadows, as the device does not
+FLANEUR_CONST int k_constants = 3;
 
 // What the views for work paint instead of light: a push constant.
 FLANEUR_CONST uint k_paint_normals = 0;

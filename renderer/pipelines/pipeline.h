@@ -41,7 +41,7 @@ struct PipelineShape {
     Blend blend = Blend::none;
     VkCullModeFlags cull = VK_CULL_MODE_NONE;
     VkPolygonMode fill = VK_POLYGON_MODE_FILL;
-    int32_t constants[k_constants] = {0, 1};  // by k_constant_*
+    int32_t constants[k_constants] = {0, 1, 0};  // by k_constant_*
 };
 Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
                            VkPipeline& pipeline);

@@ -180,6 +180,7 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, b
         .is_shadow = true,
         // Also of outlines drawn as hulls turned inside out, which are not to shade what they outline.
         .cull = VK_CULL_MODE_BACK_BIT};
+    shadow.constants[k_constant_clamp] = !device.clamps_depth;
     FLANEUR_TRY(make(shadow, p.shadow_city));
     shadow.vertex = k_spirv_shadow_scenery_vert;
     shadow.fragment = k_spirv_shadow_scenery_frag;

