@@ -96,7 +96,6 @@ FLANEUR_CONST int k_far_layers = 4;
 FLANEUR_CONST int k_shadow_layers = 6;
 
 // Kinds of surfaces, by how light falls on them.
-FLANEUR_CONST uint k_kind_sky = 0;     // none: the sky is seen
 FLANEUR_CONST uint k_kind_ground = 1;  // and roofs
 FLANEUR_CONST uint k_kind_wall = 2;    // mirrors the street
 FLANEUR_CONST uint k_kind_thing = 3;   // trees, furniture, scenery

@@ -24,22 +24,19 @@ std::vector<Stage> passes_of(const FramePlan& plan) {
     return {{"scene", draw_scene}};
 }
 
-// Begins to draw into images of one size and the depth, over what is there or over nothing: all 0 but the
-// first's alpha.
-void begin_drawing(const FrameRecord& record, std::span<GpuImage* const> images, bool is_fresh, float alpha,
+// Begins to draw into images of one size and the depth, over what is there or over what `load` says.
+void begin_drawing(const FrameRecord& record, std::span<GpuImage* const> images, VkAttachmentLoadOp load,
                    bool is_depth_fresh) {
     GpuImage& depth_image = record.renderer.targets.depth;
-    const auto load = [](bool is_new) {
-        return is_new ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
-    };
     std::vector<VkRenderingAttachmentInfo> colours;
     for (GpuImage* image : images) {
+        const bool is_fresh = load != VK_ATTACHMENT_LOAD_OP_LOAD;
         (is_fresh ? image_freshly_to : image_to)(record.commands, *image, k_colour_target, {});
-        colours.push_back(attachment(image->view, load(is_fresh)));
+        colours.push_back(attachment(image->view, load));
     }
-    colours[0].clearValue.color.float32[3] = alpha;
     (is_depth_fresh ? image_freshly_to : image_to)(record.commands, depth_image, k_depth_target, {});
-    const VkRenderingAttachmentInfo depth = attachment(depth_image.view, load(is_depth_fresh));
+    const VkRenderingAttachmentInfo depth = attachment(
+        depth_image.view, is_depth_fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = extent_of(*images[0]);
     info.layerCount = 1;
@@ -57,7 +54,9 @@ void draw_surfaces(const FrameRecord& record) {
     bool is_first = true;
     for (const Stage& pass : passes_of(record.plan)) {
         begin_stage(record, pass.name);
-        begin_drawing(record, images, is_first, 1, is_first);
+        // Where depth stays 0 nobody looks at the others.
+        begin_drawing(record, images, is_first ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_LOAD,
+                      is_first);
         pass.draw(record);
         vkCmdEndRendering(record.commands);
         end_stage(record);
@@ -67,7 +66,7 @@ void draw_surfaces(const FrameRecord& record) {
 
 void draw_what_is_over(const FrameRecord& record) {
     GpuImage* const overlay = &record.renderer.targets.overlay;
-    begin_drawing(record, std::span(&overlay, 1), true, 0, false);
+    begin_drawing(record, std::span(&overlay, 1), VK_ATTACHMENT_LOAD_OP_CLEAR, false);
     draw_overlay(record);
     vkCmdEndRendering(record.commands);
 }

@@ -14,7 +14,8 @@ layout(location = 5) flat in uint in_rest;
 const vec3 k_asphalt = vec3(0.2439, 0.2510, 0.2617);  // between the stripes of a crossing
 const vec3 k_ballast = vec3(0.3759, 0.3533, 0.3309);  // and between sleepers
 
-void main() {
+// What the pattern makes of the root of an albedo.
+vec3 patterned(vec3 root) {
     float edge = in_pattern.x, inverse_edge = 1.0 / edge;
     vec2 pixel = max(fwidth(in_uv), vec2(1e-4));
 
@@ -35,8 +36,8 @@ void main() {
     // Large soft stains, so that wide surfaces are not one colour.
     vec2 s = in_place.xz * 0.05;
     shade *= 1.0 + 0.05 * wave(s.x + 0.33 * wave(0.7 * s.y)) * wave(0.9 * s.y + 0.27 * wave(0.5 * s.x));
+    root *= sqrt(shade);
 
-    vec3 root = in_root * sqrt(shade);
     // Stripes across the way of those who cross.
     if (in_pattern.z > 1.0) {
         float swing = abs(fract(slab.x * 0.5) - 0.5) * 2.0;  // 0..1 and back over two widths
@@ -44,5 +45,11 @@ void main() {
         paint = mix(paint, 0.5, saturate(2.0 * pixel.x * inverse_edge - 1.0));
         root = mix(in_pattern.z > 2.0 ? k_ballast : k_asphalt, root, paint);
     }
-    keep(frame.way.y > 0.0 ? in_root : root, in_normal, k_kind_ground, in_rest);
+    return root;
+}
+
+void main() {
+    vec3 root = in_root;
+    ONLY_IF(frame.way.y == 0.0) root = patterned(root);
+    keep(root, in_normal, k_kind_ground, in_rest);
 }

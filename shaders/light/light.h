@@ -19,6 +19,8 @@ SHARED real inverse(real x) { return real(1.0f) / x; }
 SHARED real inner(real3 a, real3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }  // summed in this order
 SHARED real square(real x) { return x * x; }
 SHARED truth is_kind(Kept kept, uint kind) { return abs(kept.kind - real(float(kind))) < real(0.5f); }
+// Where there is no surface, what else was kept says nothing, but at night.
+SHARED truth is_nothing(Kept kept) { return kept.depth <= real(0.0f); }
 SHARED real inverse_length(real3 v) { return inverse(sqrt(max(inner(v, v), real(1e-20f)))); }
 SHARED real3 scaled(vec4 v, real by) { return make3(real(v.x) * by, real(v.y) * by, real(v.z) * by); }
 SHARED real3 reflected(real3 ray, real3 normal) { return ray - normal * (real(2.0f) * inner(ray, normal)); }
@@ -248,7 +250,7 @@ SHARED real3 surface_lit(Kept kept, real3 ray, real distance, real3 place) {
 SHARED real3 colour_seen(Kept kept, real u, real v) {
     if (frame.way.z > 0.0f) return make3(kept.red, kept.green, kept.blue) * real(1.0f / 255.0f);
     real3 way = ray_through(u, v);
-    truth is_sky = kept.kind < real(0.5f);
+    truth is_sky = is_nothing(kept);
     real ahead = real(frame.clip_from_world[3].z) * inverse(max(kept.depth, real(1e-7f)));
     real distance = ahead * sqrt(inner(way, way));
     real3 place = way * ahead + scaled(frame.eye, real(1.0f));
@@ -257,7 +259,7 @@ SHARED real3 colour_seen(Kept kept, real u, real v) {
         real3 sky = frame.backdrop.w > 0.0f ? scaled(frame.backdrop, real(1.0f)) : sky_seen(kept, u, v, way);
         colour = select(is_sky, sky, colour);
     }
-    return colour * (kept.open * real(1.0f / 255.0f));
+    return colour * select(is_sky, real(1.0f), kept.open * real(1.0f / 255.0f));
 }
 
 // Pixels of four samples, in two rows
@@ -272,7 +274,8 @@ SHARED truth is_one_surface(Kept a, Kept b, Kept c, Kept d) {
                           spread(a.normal_v, b.normal_v, c.normal_v, d.normal_v) < real(200.0f));
     truth is_close = spread(a.depth, b.depth, c.depth, d.depth) <=
                      real(0.03f) * most(a.depth, b.depth, c.depth, d.depth);
-    return both(both(is_level, is_close), spread(a.kind, b.kind, c.kind, d.kind) < real(0.5f));
+    truth is_one = both(both(is_level, is_close), spread(a.kind, b.kind, c.kind, d.kind) < real(0.5f));
+    return either(is_one, most(a.depth, b.depth, c.depth, d.depth) <= real(0.0f));
 }
 
 SHARED real mean(real a, real b, real c, real d) { return ((a + b) + (c + d)) * real(0.25f); }

@@ -36,7 +36,7 @@ struct Mode {
     bool is_finest;
     double goals[3];
 };
-constexpr Mode k_modes[] = {{"with LOD", false, {10, 23, 37}}, {"every triangle", true, {30, 120, 220}}};
+constexpr Mode k_modes[] = {{"with LOD", false, {10, 15, 20}}, {"every triangle", true, {30, 60, 80}}};
 
 struct Dancers {
     Character character;
