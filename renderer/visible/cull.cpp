@@ -9,7 +9,6 @@ namespace {
 
 constexpr uint16_t k_no_bucket = 0xffff;
 constexpr size_t k_chunk = 1024;     // walkers that a thread takes at once
-constexpr float k_texel_pixels = 2;  // a shadow's texel is seen as finely as so many of the picture's pixels
 
 bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
 
@@ -168,7 +167,7 @@ void cull_shadow_casters(const CrowdInput& input, const View& view, const Shadow
         // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
         // middle.
         if (is_impostor(input, walker, pixels * k_lod_hysteresis)) return k_impostor_level;
-        const uint32_t in_texels = lod_of(2 * walker.radius / box.texel * k_texel_pixels);
+        const uint32_t in_texels = lod_of(2 * walker.radius / box.texel);
         return std::max(in_texels, std::min(lod_of(pixels) + 1, k_max_lods - 1));
     });
 }
