@@ -20,7 +20,6 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
                      .usage = k_drawn_and_read,
                      .is_read_by_host = is_read_by_host};
     FLANEUR_TRY(make_image(device, shape, targets.colour));
-    FLANEUR_TRY(make_image(device, shape, targets.overlay));
     shape.format = k_surface_format;
     FLANEUR_TRY(make_image(device, shape, targets.surface));
     shape.format = k_depth_format;
@@ -41,6 +40,16 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
     pixels.format = k_picture_format;
     pixels.width = extent.width, pixels.height = extent.height;
     return make_image(device, pixels, targets.picture);
+}
+
+Result<void> make_overlay(const Device& device, bool is_read_by_host, PictureTargets& targets) {
+    return make_image(device,
+                      {.format = k_colour_format,
+                       .width = targets.colour.width,
+                       .height = targets.colour.height,
+                       .usage = k_drawn_and_read,
+                       .is_read_by_host = is_read_by_host},
+                      targets.overlay);
 }
 
 void destroy_picture_targets(const Device& device, PictureTargets& targets) {

@@ -12,7 +12,7 @@ namespace flaneur {
 // picture. What a quality or a way of lighting has no use for is not made.
 struct PictureTargets {
     GpuImage colour, surface, depth;  // see shaders/base/surface.glsl
-    GpuImage overlay;                 // in as many samples
+    GpuImage overlay;                 // in as many samples; made when it is first wanted
     GpuImage occlusion;               // half as wide and high as the picture
     GpuImage picture;                 // lit, before anti-aliasing
     Buffer depth_copy;                // where the host reads depth
@@ -21,6 +21,8 @@ struct PictureTargets {
 // `is_read_by_host`: the host lights what is drawn into them.
 Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, bool is_read_by_host,
                                   VkExtent2D extent, PictureTargets& targets);
+// What is laid over the picture, once there is something.
+Result<void> make_overlay(const Device& device, bool is_read_by_host, PictureTargets& targets);
 void destroy_picture_targets(const Device& device, PictureTargets& targets);
 // Whether the host can.
 bool can_host_read_surfaces(const Device& device);

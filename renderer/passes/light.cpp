@@ -29,7 +29,9 @@ void draw_light(const FrameRecord& record) {
 void draw_smooth(const FrameRecord& record) {
     PictureTargets& targets = record.renderer.targets;
     image_to(record.commands, targets.picture, k_sampled);
-    (has_overlay(record.plan) ? image_to : image_freshly_to)(record.commands, targets.overlay, k_sampled, {});
+    if (targets.overlay.view)
+        (has_overlay(record.plan) ? image_to : image_freshly_to)(record.commands, targets.overlay, k_sampled,
+                                                                 {});
     image_freshly_to(record.commands, *record.target.image, k_colour_target);
     draw_over(record, *record.target.image, VK_ATTACHMENT_LOAD_OP_DONT_CARE, record.target.smooth);
 }

@@ -11,14 +11,21 @@
 namespace flaneur {
 namespace {
 
-Result<void> fit_targets(Renderer& renderer, VkExtent2D extent) {
+Result<void> fit_targets(Renderer& renderer, VkExtent2D extent, bool has_overlay) {
     PictureTargets& targets = renderer.targets;
-    if (targets.depth.view && targets.extent.width == extent.width && targets.extent.height == extent.height)
-        return {};
+    const bool fits =
+        targets.depth.view && targets.extent.width == extent.width && targets.extent.height == extent.height;
+    if (fits && (targets.overlay.view || !has_overlay)) return {};
     FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
-    destroy_picture_targets(renderer.device, targets);
-    Result<void> result =
-        make_picture_targets(renderer.device, renderer.quality, renderer.is_lit_on_host, extent, targets);
+    auto make = [&]() -> Result<void> {
+        if (!fits) {
+            destroy_picture_targets(renderer.device, targets);
+            FLANEUR_TRY(make_picture_targets(renderer.device, renderer.quality, renderer.is_lit_on_host,
+                                             extent, targets));
+        }
+        return has_overlay ? make_overlay(renderer.device, renderer.is_lit_on_host, targets) : Result<void>();
+    };
+    Result<void> result = make();
     if (!result) destroy_picture_targets(renderer.device, targets);
     return result;
 }
@@ -103,7 +110,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
             "try another --device."};
     FramePlan plan;
     plan_frame(renderer, input, target.extent, plan);
-    FLANEUR_TRY(fit_targets(renderer, target.extent));
+    FLANEUR_TRY(fit_targets(renderer, target.extent, has_overlay(plan)));
     const uint32_t made_before = renderer.pipelines.made;
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(upload_frame(renderer, slot, input, target.extent, plan));

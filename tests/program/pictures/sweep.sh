@@ -1,7 +1,7 @@
 #!/bin/bash
 # sweep.sh FLANEUR: every two of the scenes, qualities, hours, weathers, cameras, sizes and views for work together, and
-# pictures of one pixel and of nine million: the validation layer has nothing to say, and a second run, on another number
-# of threads, writes the same bytes.
+# pictures of one pixel and of nine million: the validation layer has nothing to say, a second run, on another number
+# of threads, writes the same bytes, and lit by the device rather than by the host it is the same within 1 of 255.
 set -euo pipefail
 flaneur=$1
 folder=$(mktemp -d)
@@ -14,6 +14,8 @@ twice() {
     draw "$@" --validate --threads 1 --out "$folder/a.png"
     draw "$@" --threads 3 --out "$folder/b.png"
     cmp "$folder/a.png" "$folder/b.png" || { echo "FAILED: two runs differ." && exit 1; }
+    draw "$@" --validate --light device --out "$folder/c.png"
+    "$(dirname "$0")/differ.py" "$folder/a.png" "$folder/c.png" 1
 }
 rows=0
 while read -r scene quality time weather camera size view; do
