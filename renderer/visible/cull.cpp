@@ -8,7 +8,6 @@ namespace flaneur {
 namespace {
 
 constexpr uint16_t k_no_bucket = 0xffff;
-constexpr size_t k_chunk = 1024;  // walkers that a thread takes at once
 
 bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
 
