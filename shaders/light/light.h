@@ -233,8 +233,10 @@ SHARED real3 surface_lit(Kept kept, real3 ray, real distance, real3 place) {
     }
     real3 light = albedo * arriving;
     // The rim of bodies catches the sky.
-    real rim = select(is_body, real(0.06f) * grazing * grazing * grazing, real(0.0f));
-    light = light + (sky + sunlight * real(0.5f)) * rim;
+    if (some(is_body)) {
+        real rim = select(is_body, real(0.06f) * grazing * grazing * grazing, real(0.0f));
+        light = light + (sky + sunlight * real(0.5f)) * rim;
+    }
     if (some(kept.mirror > real(0.0f))) {
         real mirror = kept.mirror * real(1.0f / 255.0f), steep = square(square(grazing));
         real3 way = reflected(ray, normal);
@@ -251,10 +253,13 @@ SHARED real3 colour_seen(Kept kept, real u, real v) {
     if (frame.way.z > 0.0f) return make3(kept.red, kept.green, kept.blue) * real(1.0f / 255.0f);
     real3 way = ray_through(u, v);
     truth is_sky = is_nothing(kept);
-    real ahead = real(frame.clip_from_world[3].z) * inverse(max(kept.depth, real(1e-7f)));
-    real distance = ahead * sqrt(inner(way, way));
-    real3 place = way * ahead + scaled(frame.eye, real(1.0f));
-    real3 colour = tone_curve(surface_lit(kept, way * inverse_length(way), distance, place));
+    real3 colour = make3(real(0.0f), real(0.0f), real(0.0f));
+    if (some(kept.depth > real(0.0f))) {
+        real ahead = real(frame.clip_from_world[3].z) * inverse(max(kept.depth, real(1e-7f)));
+        real distance = ahead * sqrt(inner(way, way));
+        real3 place = way * ahead + scaled(frame.eye, real(1.0f));
+        colour = tone_curve(surface_lit(kept, way * inverse_length(way), distance, place));
+    }
     if (some(is_sky)) {
         real3 sky = frame.backdrop.w > 0.0f ? scaled(frame.backdrop, real(1.0f)) : sky_seen(kept, u, v, way);
         colour = select(is_sky, sky, colour);
