@@ -167,6 +167,14 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     return made;
 }
 
+Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer) {
+    return read_impostors(renderer.device, renderer.scene.impostors);
+}
+
+uint64_t impostors_key(const Renderer& renderer, std::span<const PersonMesh> people) {
+    return impostors_key(renderer.device, people);
+}
+
 PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& sun, uint32_t width,
                      uint32_t height) {
     const std::vector<PersonRanges>& people = renderer.scene.people;

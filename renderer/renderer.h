@@ -14,6 +14,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,11 @@ Result<RendererPtr> make_renderer(const RendererOptions& options);
 // Uploads a scene in place of any earlier one, which stays after a failure. The meshes are needed no longer
 // then. Refuses those that refer to vertices, joints or textures that are not there.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
+
+// The impostors of the scene, for SceneMeshes::impostors of one with the same people, and a key that says of people,
+// device and shaders what impostors depend on.
+Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);
+uint64_t impostors_key(const Renderer& renderer, std::span<const PersonMesh> people);
 
 struct Image {
     uint32_t width = 0, height = 0;

@@ -99,6 +99,9 @@ struct SceneMeshes {
     CityMesh city;
     LampMap lamps;
     std::vector<PersonMesh> people;
+    // The impostors of these people, as baked_impostors() in renderer.h gave them: what takes most of an upload. Empty,
+    // or of another size than they are: they are baked.
+    std::vector<uint32_t> impostors;
 };
 
 // A WalkerInstance::palette of one who is seen so small, if at all, that an impostor will do; see PoseNeeds.

@@ -46,7 +46,7 @@ std::vector<KeptFile> files_in(const fs::path& folder, std::error_code& failed) 
         std::string name = at->path().filename().string();
         std::error_code gone;
         auto is = [&](const char* kind) { return name.starts_with(kind); };
-        if (!is("levels-") && !is("navmesh-") && !is("person-")) continue;
+        if (!is("impostors-") && !is("levels-") && !is("navmesh-") && !is("person-")) continue;
         if (!at->is_regular_file(gone)) continue;
         KeptFile file{at->path(), at->file_size(gone), at->last_write_time(gone), name.ends_with(".part")};
         if (gone == std::errc::permission_denied) return failed = gone, files;

@@ -32,7 +32,7 @@ Result<CacheStatus> cache_status(const std::string& folder);
 // Removes them, and nothing else that lies there; gives what was removed. Refuses what may not be removed.
 Result<CacheStatus> clear_cache(const std::string& folder);
 
-// FOLDER/KIND-<key>. KIND is levels, navmesh or person.
+// FOLDER/KIND-<key>. KIND is impostors, levels, navmesh or person.
 std::string kept_path(const std::string& folder, const char* kind, uint64_t key);
 
 // The bytes that were kept under this key, if they are there and unharmed. At most `most` of them.

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "renderer/device/check.h"
 #include "renderer/loaded/gpu_scene.h"
 #include "renderer/scene.h"
+#include "sim/base/hash.h"
+#include "spirv/impostor_bake.frag.h"
+#include "spirv/impostor_bake.vert.h"
 
 namespace flaneur {
 namespace {
@@ -133,7 +137,7 @@ void record_bake(VkCommandBuffer commands, const Pipelines& pipelines, GpuScene&
 
 Result<void> make_atlas(const Device& device, const Pipelines& pipelines, std::span<const ImpostorCell> cells,
                         std::span<const JointTransform> poses, std::span<const DrawCommand> draws,
-                        const CellGrid& grid, GpuScene& scene, Bake& bake) {
+                        const CellGrid& grid, std::span<const uint32_t> kept, GpuScene& scene, Bake& bake) {
     bake.people = static_cast<uint32_t>(draws.size());
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(cells), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                               scene.impostors.cells));
@@ -141,8 +145,11 @@ Result<void> make_atlas(const Device& device, const Pipelines& pipelines, std::s
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(draws), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, bake.draws));
     ImageShape shape{.format = k_atlas_format};
     if (bake.people > 0) shape.width = grid.columns * grid.width, shape.height = grid.rows * grid.height;
-    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     FLANEUR_TRY(make_image(device, shape, scene.impostors.atlas));
+    if (kept.size() == size_t{shape.width} * shape.height)
+        return upload_layers(device, std::as_bytes(kept), scene.impostors.atlas);
     if (bake.people > 0) {
         shape.format = k_shadow_format;
         shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
@@ -198,12 +205,57 @@ Result<void> bake_impostors(const Device& device, const Pipelines& pipelines, co
     }
     scene.impostors.pixels = static_cast<float>(grid.height);
     Bake bake;
-    Result<void> done = make_atlas(device, pipelines, cells, poses, draws, grid, scene, bake);
+    Result<void> done =
+        make_atlas(device, pipelines, cells, poses, draws, grid, meshes.impostors, scene, bake);
     destroy_buffer(device, bake.poses);
     destroy_buffer(device, bake.draws);
     destroy_image(device, bake.depth);
     if (bake.pool) vkDestroyDescriptorPool(device.handle, bake.pool, nullptr);
     return done;
+}
+
+Result<std::vector<uint32_t>> read_impostors(const Device& device, Impostors& impostors) {
+    GpuImage& atlas = impostors.atlas;
+    std::vector<uint32_t> texels(size_t{atlas.width} * atlas.height);
+    Buffer buffer;
+    auto read = [&]() -> Result<void> {
+        FLANEUR_TRY(make_buffer(device, texels.size() * sizeof(uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                MemoryKind::readback, buffer));
+        FLANEUR_TRY(run_once(device, [&](VkCommandBuffer commands) {
+            image_to(commands, atlas, k_copied_from);
+            VkBufferImageCopy region{};
+            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+            region.imageExtent = {atlas.width, atlas.height, 1};
+            vkCmdCopyImageToBuffer(commands, atlas.handle, k_copied_from.layout, buffer.handle, 1, &region);
+            image_to(commands, atlas, k_sampled);
+        }));
+        std::memcpy(texels.data(), buffer.mapped, texels.size() * sizeof(uint32_t));
+        return {};
+    };
+    const Result<void> done = read();
+    destroy_buffer(device, buffer);
+    if (!done) return done.error();
+    return texels;
+}
+
+uint64_t impostors_key(const Device& device, std::span<const PersonMesh> people) {
+    uint64_t key = 0;
+    auto add = [&key](const auto& values) {
+        const auto bytes = std::as_bytes(std::span(values));
+        key = hash_bytes(key, bytes.data(), bytes.size());
+    };
+    add(k_spirv_impostor_bake_vert);
+    add(k_spirv_impostor_bake_frag);
+    add(device.properties.deviceName);
+    add(std::array{device.properties.driverVersion, device.properties.apiVersion,
+                   device.properties.vendorID});
+    for (const PersonMesh& mesh : people) {
+        add(mesh.vertices);
+        add(mesh.strides);
+        if (!mesh.lods.empty()) add(baked_level(mesh));
+        for (const RgbaImage& texture : mesh.textures) add(texture.rgba);
+    }
+    return key;
 }
 
 void destroy_impostors(const Device& device, Impostors& impostors) {

@@ -3,6 +3,7 @@
 // dressed like its mesh.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "renderer/device/resources.h"
@@ -12,6 +13,7 @@
 namespace flaneur {
 
 struct SceneMeshes;
+struct PersonMesh;
 struct GpuScene;
 
 // The atlas is at most so large, 32 MiB; where there are many kinds of people, cells are smaller.
@@ -34,6 +36,9 @@ CellGrid cell_grid(size_t people);
 // first_cell. Where no mesh has strides, or there is no room, the atlas is a single texel.
 Result<void> bake_impostors(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
                             GpuScene& scene);
+// The atlas, read back; and what it depends on.
+Result<std::vector<uint32_t>> read_impostors(const Device& device, Impostors& impostors);
+uint64_t impostors_key(const Device& device, std::span<const PersonMesh> people);
 void destroy_impostors(const Device& device, Impostors& impostors);
 
 }  // namespace flaneur

@@ -209,5 +209,31 @@ TEST(Impostor, PeopleWhoReachTooFarStayMeshes) {
     }
 }
 
+TEST(Impostor, OnceBakedIsTakenAsItIs) {
+    SyntheticScene scene = synthetic_scene(400);
+    const FrameInput frame = scene.frame(street_camera());
+    auto renderer_of = [&] {
+        RendererPtr renderer = std::move(*make_renderer(validated()));
+        EXPECT_TRUE(upload_scene(*renderer, scene.meshes));
+        return renderer;
+    };
+    const RendererPtr baking = renderer_of();
+    const Image image = *draw_image(*baking, frame, 320, 180);
+    EXPECT_GT(frame_stats(*baking).impostors, 10u);
+    const uint64_t key = impostors_key(*baking, scene.meshes.people);
+    scene.meshes.impostors = *baked_impostors(*baking);
+    const RendererPtr taking = renderer_of();
+    EXPECT_EQ(draw_image(*taking, frame, 320, 180)->rgba, image.rgba);
+    EXPECT_EQ(*baked_impostors(*taking), scene.meshes.impostors);
+    EXPECT_EQ(impostors_key(*taking, scene.meshes.people), key);
+
+    std::fill(scene.meshes.impostors.begin(), scene.meshes.impostors.end(), ~0u);  // of nothing
+    EXPECT_NE(draw_image(*renderer_of(), frame, 320, 180)->rgba, image.rgba) << "they are not looked at";
+    scene.meshes.impostors.resize(7);
+    EXPECT_EQ(draw_image(*renderer_of(), frame, 320, 180)->rgba, image.rgba) << "of another size";
+    scene.meshes.people[0].vertices[0].position.x += 0.01f;
+    EXPECT_NE(impostors_key(*taking, scene.meshes.people), key);
+}
+
 }  // namespace
 }  // namespace flaneur

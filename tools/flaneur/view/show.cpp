@@ -1,7 +1,9 @@
 #include "tools/flaneur/view/show.h"
 
 #include <cstdio>
+#include <cstring>
 
+#include "assets/cache/cache_file.h"
 #include "renderer/light/daylight.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/sun.h"
@@ -18,6 +20,24 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
     out.warms_up = true;
     out.lights_on_host = options.lights_on_host;
     return out;
+}
+
+// Impostors of the same people on the same device are kept between runs.
+static Result<void> upload_with_impostors(Renderer& renderer, SceneMeshes& meshes) {
+    constexpr uint64_t k_most_bytes = 64 << 20;
+    const std::string folder = cache_folder();
+    if (folder.empty()) return upload_scene(renderer, meshes);
+    const uint64_t key = impostors_key(renderer, meshes.people);
+    const std::string path = kept_path(folder, "impostors", key);
+    if (const std::optional<std::string> kept = read_kept(path, key, k_most_bytes)) {
+        meshes.impostors.resize(kept->size() / sizeof(uint32_t));
+        std::memcpy(meshes.impostors.data(), kept->data(), meshes.impostors.size() * sizeof(uint32_t));
+    }
+    if (Result<void> done = upload_scene(renderer, meshes); !done || !meshes.impostors.empty()) return done;
+    const Result<std::vector<uint32_t>> baked = baked_impostors(renderer);
+    if (!baked) return baked.error();
+    keep(path, key, {reinterpret_cast<const char*>(baked->data()), baked->size() * sizeof(uint32_t)});
+    return {};
 }
 
 Result<void> check_messages(uint32_t messages) {
@@ -40,7 +60,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     show.lit_windows = lit_windows(options.scene.hour);
     SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     if (make_daylight(show.sun, show.is_overcast).lamps > 0) meshes.lamps = extract_lamps(*show.loaded.city);
-    Result<void> uploaded = upload_scene(*show.renderer, meshes);
+    Result<void> uploaded = upload_with_impostors(*show.renderer, meshes);
     clear_progress();
     if (!uploaded) return uploaded.error();
     return show;
