@@ -40,8 +40,8 @@ Result<RendererPtr> make_renderer(const RendererOptions& options);
 // then. Refuses those that refer to vertices, joints or textures that are not there.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 
-// The impostors of the scene, for SceneMeshes::impostors of one with the same people, and a key that says of people,
-// device and shaders what impostors depend on.
+// The impostors of the scene, for SceneMeshes::impostors of one with the same people, and a key that says of
+// people, device and shaders what impostors depend on.
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);
 uint64_t impostors_key(const Renderer& renderer, std::span<const PersonMesh> people);
 

@@ -99,8 +99,8 @@ struct SceneMeshes {
     CityMesh city;
     LampMap lamps;
     std::vector<PersonMesh> people;
-    // The impostors of these people, as baked_impostors() in renderer.h gave them: what takes most of an upload. Empty,
-    // or of another size than they are: they are baked.
+    // The impostors of these people, as baked_impostors() in renderer.h gave them: what takes most of an
+    // upload. Empty, or of another size than they are: they are baked.
     std::vector<uint32_t> impostors;
 };
 
