@@ -121,7 +121,8 @@ FLANEUR_CONST int k_binding_depth = 13;      // of them
 FLANEUR_CONST int k_binding_occlusion = 14;  // half as wide and high as the picture, 1 where nothing is near
 FLANEUR_CONST int k_binding_picture = 15;    // the picture before anti-aliasing, luma in alpha
 FLANEUR_CONST int k_binding_overlay = 16;    // what is laid over it, alpha multiplied in
-FLANEUR_CONST int k_bindings = 17;
+FLANEUR_CONST int k_binding_even_occlusion = 17;  // evened out
+FLANEUR_CONST int k_bindings = 18;
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures

@@ -35,7 +35,10 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
                       .width = (extent.width + 1) / 2,
                       .height = (extent.height + 1) / 2,
                       .usage = k_drawn_and_read};
-    if (quality.has_occlusion) FLANEUR_TRY(make_image(device, pixels, targets.occlusion));
+    if (quality.has_occlusion) {
+        FLANEUR_TRY(make_image(device, pixels, targets.occlusion));
+        FLANEUR_TRY(make_image(device, pixels, targets.even_occlusion));
+    }
     if (is_read_by_host) return {};
     pixels.format = k_picture_format;
     pixels.width = extent.width, pixels.height = extent.height;
@@ -54,7 +57,7 @@ Result<void> make_overlay(const Device& device, bool is_read_by_host, PictureTar
 
 void destroy_picture_targets(const Device& device, PictureTargets& targets) {
     for (GpuImage* image : {&targets.colour, &targets.surface, &targets.depth, &targets.overlay,
-                            &targets.occlusion, &targets.picture})
+                            &targets.occlusion, &targets.even_occlusion, &targets.picture})
         destroy_image(device, *image);
     destroy_buffer(device, targets.depth_copy);
     targets = {};

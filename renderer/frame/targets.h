@@ -11,12 +11,12 @@ namespace flaneur {
 // What a picture is made of: surfaces in as many samples as a pixel has, and what stands between them and the
 // picture. What a quality or a way of lighting has no use for is not made.
 struct PictureTargets {
-    GpuImage colour, surface, depth;  // see shaders/base/surface.glsl
-    GpuImage overlay;                 // in as many samples; made when it is first wanted
-    GpuImage occlusion;               // half as wide and high as the picture
-    GpuImage picture;                 // lit, before anti-aliasing
-    Buffer depth_copy;                // where the host reads depth
-    VkExtent2D extent = {};           // of the picture, pixels
+    GpuImage colour, surface, depth;     // see shaders/base/surface.glsl
+    GpuImage overlay;                    // in as many samples; made when it is first wanted
+    GpuImage occlusion, even_occlusion;  // half as wide and high as the picture; evened out
+    GpuImage picture;                    // lit, before anti-aliasing
+    Buffer depth_copy;                   // where the host reads depth
+    VkExtent2D extent = {};              // of the picture, pixels
 };
 // `is_read_by_host`: the host lights what is drawn into them.
 Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, bool is_read_by_host,

@@ -68,6 +68,7 @@ void bind_frame(const Renderer& renderer, const FrameSlot& slot) {
     bound[k_binding_surface].view = targets.surface.view;
     bound[k_binding_depth].view = targets.depth.view;
     bound[k_binding_occlusion].view = or_none(targets.occlusion);
+    bound[k_binding_even_occlusion].view = or_none(targets.even_occlusion);
     bound[k_binding_picture].view = or_none(targets.picture);
     bound[k_binding_overlay].view = or_none(targets.overlay);
     write_bindings(renderer.device, renderer.pipelines.bindings, bound, slot.set);

@@ -9,6 +9,9 @@ void draw_occlusion(const FrameRecord& record) {
     image_freshly_to(record.commands, targets.occlusion, k_colour_target);
     draw_over(record, targets.occlusion, VK_ATTACHMENT_LOAD_OP_DONT_CARE, pipelines.occlusion);
     image_to(record.commands, targets.occlusion, k_sampled);
+    image_freshly_to(record.commands, targets.even_occlusion, k_colour_target);
+    draw_over(record, targets.even_occlusion, VK_ATTACHMENT_LOAD_OP_DONT_CARE, pipelines.even_out);
+    image_to(record.commands, targets.even_occlusion, k_sampled);
     image_to(record.commands, targets.colour, k_colour_target);
     draw_over(record, targets.colour, VK_ATTACHMENT_LOAD_OP_LOAD, pipelines.occlude);
 }

@@ -45,7 +45,7 @@ void forget_images(Renderer& renderer, const PictureTarget& target) {
     PictureTargets& targets = renderer.targets;
     ShadowMaps& shadows = renderer.shadows;
     for (GpuImage* image : {&targets.colour, &targets.surface, &targets.depth, &targets.overlay,
-                            &targets.occlusion, &targets.picture, &shadows.map})
+                            &targets.occlusion, &targets.even_occlusion, &targets.picture, &shadows.map})
         forget_image(*image);
     if (target.image) forget_image(*target.image);
     shadows.state = {};
@@ -85,7 +85,7 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     for (const ShadowSlices& slices : plan.slices) stats.shadow_slices_drawn += slices.count;
     const bool is_lit = plan.surfaces_view == Surfaces::lit && !plan.backdrop;
     stats.direct_draws = renderer.is_lit_on_host ? 0 : 2;  // light, anti-aliasing
-    if (renderer.quality.has_occlusion && is_lit) stats.direct_draws += 2;
+    if (renderer.quality.has_occlusion && is_lit) stats.direct_draws += 3;
     for (bool is_drawn : {is_lit && plan.light.lamps > 0, !plan.contacts.empty(), stats.impostors > 0,
                           !renderer.casters.impostors.empty()})
         stats.direct_draws += is_drawn;

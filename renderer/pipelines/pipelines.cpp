@@ -10,6 +10,7 @@
 #include "spirv/contact.vert.h"
 #include "spirv/crowd.frag.h"
 #include "spirv/crowd.vert.h"
+#include "spirv/even_out.frag.h"
 #include "spirv/facade.frag.h"
 #include "spirv/facade.vert.h"
 #include "spirv/fullscreen.vert.h"
@@ -144,6 +145,8 @@ Result<void> make_picture_pipelines(const Device& device, const QualityLevel& qu
         shape.fragment = k_spirv_occlusion_frag;
         shape.colour = k_occlusion_format;
         FLANEUR_TRY(make(shape, p.occlusion));
+        shape.fragment = k_spirv_even_out_frag;
+        FLANEUR_TRY(make(shape, p.even_out));
         shape.fragment = k_spirv_occlude_frag;
         shape.colour = k_colour_format;
         shape.blend = Blend::darkens;
@@ -216,8 +219,8 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, b
 
 void destroy_pipelines(const Device& device, Pipelines& p) {
     std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor, p.shadow_skinned,
-                                   p.shadow_scenery, p.impostor_bake, p.occlusion,       p.occlude,
-                                   p.light,          p.smooth_image,  p.smooth_window};
+                                   p.shadow_scenery, p.impostor_bake, p.occlusion,       p.even_out,
+                                   p.occlude,        p.light,         p.smooth_image,    p.smooth_window};
     const SurfacePipelines& surfaces = p.surfaces;
     all.insert(all.end(),
                {surfaces.city_surface, surfaces.city_facade, surfaces.city_prop, surfaces.city_scenery,

@@ -44,7 +44,7 @@ struct Pipelines {
                shadow_scenery = {};
     VkPipeline impostor_bake = {};
     SurfacePipelines surfaces;
-    VkPipeline occlusion = {}, occlude = {};                       // made where the quality has occlusion
+    VkPipeline occlusion = {}, even_out = {}, occlude = {};        // made where the quality has occlusion
     VkPipeline light = {}, smooth_image = {}, smooth_window = {};  // made where the device lights
     std::array<VkPipeline, k_view_pipelines> views = {};           // by ViewPipeline; null until wanted
 };
