@@ -78,7 +78,7 @@ bool can_draw_wireframe(const Renderer& renderer);
 struct FrameStats {
     struct Stage {
         std::string name;
-        double gpu_ms = 0;                     // by GPU timestamps; 0 where the device has none
+        double gpu_ms = 0;  // by GPU timestamps, light on the host by its clock; 0: not known
         uint64_t vertices = 0, fragments = 0;  // how many were shaded; 0 where the device does not count
     };
     std::vector<Stage> stages;  // in order

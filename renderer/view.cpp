@@ -59,6 +59,12 @@ View make_view(const Camera& camera, uint32_t width, uint32_t height) {
     return view;
 }
 
+bool is_cut(const View& before, const View& now) {
+    constexpr float farthest = 3, widest = 1.05f;  // metres; factor on the size of what is seen
+    const float zoom = now.pixels_at_one_metre / before.pixels_at_one_metre;
+    return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
+}
+
 bool sees_sphere(const View& view, glm::vec3 centre, float radius) {
     return std::all_of(view.planes.begin(), view.planes.end(), [&](const glm::vec4& plane) {
         return glm::dot(glm::vec3(plane), centre) + plane.w >= -radius;

@@ -21,6 +21,9 @@ struct View {
 // clamped.
 View make_view(const Camera& camera, uint32_t width, uint32_t height);
 
+// Whether a view does not go on from the one before, but shows something else.
+bool is_cut(const View& before, const View& now);
+
 // Whether a sphere is, at least in part, within the planes (may say yes for a sphere outside near a corner).
 bool sees_sphere(const View& view, glm::vec3 centre, float radius);
 bool sees_box(const View& view, glm::vec3 low, glm::vec3 high);

@@ -217,6 +217,25 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     return {};
 }
 
+VkBufferImageCopy whole_of(const GpuImage& image) {
+    VkBufferImageCopy region{};
+    region.imageSubresource = {aspect_of(image.format), 0, 0, 1};
+    region.imageExtent = {image.width, image.height, 1};
+    return region;
+}
+
+void wait_between(VkCommandBuffer commands, const Access& before, const Access& after) {
+    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    barrier.srcStageMask = before.stage;
+    barrier.srcAccessMask = before.access;
+    barrier.dstStageMask = after.stage;
+    barrier.dstAccessMask = after.access;
+    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &barrier;
+    vkCmdPipelineBarrier2(commands, &info);
+}
+
 bool can_host_read(const Device& device, const ImageShape& shape) {
     VkImageFormatProperties properties;
     return vkGetPhysicalDeviceImageFormatProperties(device.physical, shape.format, VK_IMAGE_TYPE_2D,

@@ -86,6 +86,11 @@ void destroy_image(const Device& device, GpuImage& image);
 bool can_host_read(const Device& device, const ImageShape& shape);
 VkImageAspectFlags aspect_of(VkFormat format);
 
+// All of an image's first level and layer, without gaps between rows.
+VkBufferImageCopy whole_of(const GpuImage& image);
+// Between what is done to buffers.
+void wait_between(VkCommandBuffer commands, const Access& before, const Access& after);
+
 struct Layers {
     uint32_t first = 0, count = VK_REMAINING_ARRAY_LAYERS;
 };

@@ -20,13 +20,6 @@ DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> m
     return range;
 }
 
-// Whether a view does not go on from the one before, but shows something else.
-bool is_cut(const View& before, const View& now) {
-    constexpr float farthest = 3, widest = 1.05f;  // metres; factor on the size of what is seen
-    const float zoom = now.pixels_at_one_metre / before.pixels_at_one_metre;
-    return !(glm::length(now.eye - before.eye) <= farthest && zoom <= widest && zoom >= 1 / widest);
-}
-
 // What light does not know of: the view, its shadows, and how the picture is made.
 void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent, FrameConstants& out) {
     auto v4 = [](vec3 v, float w = 0) { return vec4(v, w); };

@@ -8,7 +8,6 @@ namespace {
 
 constexpr uint32_t k_frames_ahead = 30;  // more than both maps take to be drawn by slices
 constexpr uint32_t k_most_slices = 4;    // of a map in a frame, if time is short
-constexpr float k_farthest = 3;          // metres a frame: what moves faster has jumped
 
 // What is left of a map that is seen.
 void complete(Reach reach, const ShadowBox& box, ShadowState& state, std::vector<ShadowSlices>& drawn) {
@@ -29,7 +28,8 @@ void go_ahead(Reach reach, const Wanted& wanted, bool is_busy, ShadowState& stat
     HeldMap& map = state.maps[static_cast<size_t>(reach)][ahead];
     const bool is_next = wanted.frames > 0 && map.box == wanted.next;
     const bool is_begun = map.slices > 0 && map.slices < k_shadow_slices;
-    if (!is_begun && (wanted.frames == 0 || is_next)) return;
+    const bool is_done = is_next && map.slices == k_shadow_slices;
+    if (is_done || (!is_begun && wanted.frames == 0)) return;
     if (!is_next && wanted.frames > 0 && (!is_begun || wanted.frames <= k_shadow_slices))
         map = {wanted.next, 0, {}};
     const uint32_t left = k_shadow_slices - map.slices;
@@ -44,8 +44,8 @@ void go_ahead(Reach reach, const Wanted& wanted, bool is_busy, ShadowState& stat
 
 Wanted wanted_box(const View& before, const View& now, glm::vec3 to_sun, Slice slice, uint32_t resolution) {
     Wanted wanted{fit_shadow(now, to_sun, slice, resolution), {}, 0};
+    if (is_cut(before, now)) return wanted;
     const glm::vec3 step = now.eye - before.eye, turn = now.forward - before.forward;
-    if (before.pixels_at_one_metre == 0 || !(glm::length(step) <= k_farthest)) return wanted;
     for (uint32_t frames = 1; frames <= k_frames_ahead; ++frames) {
         View ahead = now;
         ahead.eye += step * static_cast<float>(frames);

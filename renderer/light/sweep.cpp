@@ -13,18 +13,6 @@
 
 #include "sim/base/vec-inl.h"
 
-#ifndef FLANEUR_RENDERER_LIGHT_LIT_ROWS
-#define FLANEUR_RENDERER_LIGHT_LIT_ROWS
-namespace flaneur {
-// Of a lit picture, before its edges are smoothed.
-struct LitRows {
-    const uint32_t* colours;
-    const uint8_t* lumas;
-    size_t stride;  // pixels
-};
-}  // namespace flaneur
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
@@ -41,7 +29,6 @@ HWY_INLINE truth both(truth a, truth b) { return a & b; }
 HWY_INLINE truth either(truth a, truth b) { return a | b; }
 HWY_INLINE real saturate(real x) { return min(max(x, real(0.0f)), real(1.0f)); }
 HWY_INLINE real3 make3(real x, real y, real z) { return {x, y, z}; }
-HWY_INLINE real3 xyz(const vec4& v) { return {v.x, v.y, v.z}; }
 HWY_INLINE real3 operator*(real3 a, real3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 struct Row {
@@ -61,6 +48,10 @@ using Whole = hn::Vec<WholeTag>;
 HWY_INLINE Whole whole(real x) { return hn::ConvertTo(WholeTag(), x.v); }
 HWY_INLINE real byte_of(Whole words, int shift) {
     return hn::ConvertTo(LaneTag(), hn::And(hn::ShiftRightSame(words, shift), hn::Set(WholeTag(), 255)));
+}
+
+HWY_INLINE Whole packed(Whole red, Whole green, Whole blue) {
+    return hn::Or(hn::Or(red, hn::ShiftLeft<8>(green)), hn::ShiftLeft<16>(blue));
 }
 
 // Lights pixels side by side. The formulas are members, so that they find the frame and its maps.
@@ -205,16 +196,12 @@ void light_row(const Unlit& unlit, size_t y, size_t width, uint32_t* colours, ui
         const real column = real(static_cast<float>(at)) + steps;
         const real3 colour =
             is_one ? light.pixels_of_one(at, y, column, row) : light.pixels_of_four(at, y, column, row);
-        auto bytes = [&](real c) HWY_ATTR {
-            return floor(min(max(c, real(0.0f)), real(1.0f)) * real(255.0f) + real(0.5f));
-        };
+        auto bytes = [&](real c) HWY_ATTR { return floor(saturate(c) * real(255.0f) + real(0.5f)); };
         const real r = bytes(colour.x), g = bytes(colour.y), b = bytes(colour.z);
         const real luma =
             floor((r * real(299.0f) + g * real(587.0f) + b * real(114.0f)) * real(0.001f) + real(0.5f));
-        const Whole packed =
-            hn::Or(hn::Or(whole(r), hn::ShiftLeft<8>(whole(g))), hn::ShiftLeft<16>(whole(b)));
-        hn::StoreU(hn::BitCast(hn::Rebind<uint32_t, LaneTag>(), packed), hn::Rebind<uint32_t, LaneTag>(),
-                   colours + at);
+        const hn::Rebind<uint32_t, LaneTag> words;
+        hn::StoreU(hn::BitCast(words, packed(whole(r), whole(g), whole(b))), words, colours + at);
         const hn::Rebind<uint8_t, LaneTag> narrow;
         hn::StoreU(hn::DemoteTo(narrow, whole(luma)), narrow, lumas + at);
     }
@@ -223,17 +210,16 @@ void light_row(const Unlit& unlit, size_t y, size_t width, uint32_t* colours, ui
 // Smooths edges of a lit picture, pixels side by side.
 struct Edges {
     const FrameConstants& frame;
-    const LitRows& lit;
-    const uint8_t* luma = nullptr;  // of the first pixel at hand
-    const uint32_t* colour = nullptr;
+    Texels<uint32_t> colours;  // from the first pixel at hand on
+    Texels<uint8_t> lumas;
 
     HWY_INLINE real luma_near(int x, int y) const {
         const hn::Rebind<uint8_t, LaneTag> narrow;
-        const auto* from = luma + (y * static_cast<ptrdiff_t>(lit.stride) + x);
+        const auto* from = lumas.first + (y * static_cast<ptrdiff_t>(lumas.stride) + x);
         return real(hn::ConvertTo(LaneTag(), hn::PromoteTo(WholeTag(), hn::LoadU(narrow, from))));
     }
     HWY_INLINE Whole colour_near(int x, int y) const {
-        const auto* from = colour + (y * static_cast<ptrdiff_t>(lit.stride) + x);
+        const auto* from = colours.first + (y * static_cast<ptrdiff_t>(colours.stride) + x);
         return hn::BitCast(WholeTag(), hn::LoadU(hn::Rebind<uint32_t, LaneTag>(), from));
     }
 
@@ -255,21 +241,22 @@ struct Edges {
             const real mine = byte_of(own, shift);
             return whole(floor(mine + (byte_of(other, shift) - mine) * taken.share + real(0.5f)));
         };
-        const Whole out = hn::Or(hn::Or(mixed(0), hn::ShiftLeft<8>(mixed(8))), hn::ShiftLeft<16>(mixed(16)));
+        const Whole out = packed(mixed(0), mixed(8), mixed(16));
         const hn::Rebind<uint32_t, LaneTag> words;
         hn::StoreU(hn::BitCast(words, pick({is_taking}, out, own)), words, row + x);
     }
 };
 
 // Smooths a row's edges. The last pixels lie over those before, as in light_row().
-void smooth_row(const FrameConstants& frame, const LitRows& lit, size_t y, size_t width, uint32_t* row) {
+void smooth_row(const FrameConstants& frame, Texels<uint32_t> colours, Texels<uint8_t> lumas, size_t y,
+                size_t width, uint32_t* row) {
     const size_t lanes = lane_count();
     const real steps(hn::ConvertTo(LaneTag(), hn::Iota(WholeTag(), 0))), line(static_cast<float>(y));
-    Edges edges{frame, lit};
+    Edges edges{frame, colours, lumas};
     for (size_t x = 0; x < width; x += lanes) {
         const size_t at = std::min(x, width - lanes);
-        edges.luma = lit.lumas + y * lit.stride + at;
-        edges.colour = lit.colours + y * lit.stride + at;
+        edges.colours.first = colours.first + y * colours.stride + at;
+        edges.lumas.first = lumas.first + y * lumas.stride + at;
         edges.smooth(at, real(static_cast<float>(at)) + steps, line, row);
     }
 }
@@ -356,9 +343,10 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
         for (size_t y = begin; y < end; ++y) light(y);
     });
-    const LitRows rows{&lit.colours[first], &lit.lumas[first], stride};
+    const Texels<uint32_t> lit_colours{&lit.colours[first], stride};
+    const Texels<uint8_t> lit_lumas{&lit.lumas[first], stride};
     auto smooth = [&](size_t y, uint32_t* row) {
-        return HWY_DYNAMIC_DISPATCH(smooth_row)(frame, rows, y, span, row);
+        return HWY_DYNAMIC_DISPATCH(smooth_row)(frame, lit_colours, lit_lumas, y, span, row);
     };
     const bool is_smooth = given.smooths_edges && frame.backdrop.w == 0;
     parallel_for(workers, height, k_rows, [&](size_t begin, size_t end, int) {
@@ -366,7 +354,7 @@ void light_picture(const Unlit& given, Workers& workers, LitPicture& lit, bool i
         for (size_t y = begin; y < end; ++y) {
             const std::span<uint32_t> row(pixels + y * width, width);
             uint32_t* const smoothed = wide.empty() ? row.data() : wide.data();
-            std::copy_n(rows.colours + y * stride, span, smoothed);
+            std::copy_n(lit_colours.first + y * stride, span, smoothed);
             if (is_smooth) smooth(y, smoothed);
             std::copy_n(smoothed, wide.empty() ? 0 : width, row.data());
             if (frame.way.w > 0) cover_row(given, y, row);

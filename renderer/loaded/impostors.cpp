@@ -223,9 +223,7 @@ Result<std::vector<uint32_t>> read_impostors(const Device& device, Impostors& im
                                 MemoryKind::readback, buffer));
         FLANEUR_TRY(run_once(device, [&](VkCommandBuffer commands) {
             image_to(commands, atlas, k_copied_from);
-            VkBufferImageCopy region{};
-            region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
-            region.imageExtent = {atlas.width, atlas.height, 1};
+            const VkBufferImageCopy region = whole_of(atlas);
             vkCmdCopyImageToBuffer(commands, atlas.handle, k_copied_from.layout, buffer.handle, 1, &region);
             image_to(commands, atlas, k_sampled);
         }));

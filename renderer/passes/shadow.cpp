@@ -84,17 +84,6 @@ void copy_to_host(const FrameRecord& record, uint32_t layer, uint32_t to, std::s
                            regions.data());
 }
 
-// Before others write where they have written.
-void wait_for_copies(VkCommandBuffer commands) {
-    VkMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &info);
-}
-
 void draw_city_shadows(const FrameRecord& record) {
     begin_stage(record, "city shadows");
     for (size_t i = 0; i < record.plan.slices.size(); ++i) {
@@ -125,7 +114,7 @@ void draw_crowd_shadows(const FrameRecord& record) {
         draw_people_shadows(record);
         vkCmdEndRendering(record.commands);
     }
-    if (!record.plan.slices.empty()) wait_for_copies(record.commands);
+    if (!record.plan.slices.empty()) wait_between(record.commands, k_copied_to, k_copied_to);
     copy_to_host(record, near, near, record.plan.near_changed);
     end_stage(record);
 }

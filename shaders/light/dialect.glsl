@@ -13,4 +13,3 @@ vec3 select(bool b, vec3 yes, vec3 no) { return b ? yes : no; }
 float lerp(float a, float b, float t) { return a + (b - a) * t; }
 vec3 lerp(vec3 a, vec3 b, float t) { return a + (b - a) * t; }
 vec3 make3(float x, float y, float z) { return vec3(x, y, z); }
-vec3 xyz(vec4 v) { return v.xyz; }
