@@ -182,7 +182,7 @@ PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& 
         return person.first_cell != PersonRanges::k_no_cell;
     });
     // A little less than where the last meshes and spots go, for sums are rounded.
-    const float least = std::min(renderer.scene.impostors.pixels / k_lod_hysteresis, k_least_contact) * 0.99f;
+    const float least = std::min(renderer.scene.impostors.pixels * (1 - k_turns), k_least_contact) * 0.99f;
     View view = make_view(camera, std::max(width, 1u), std::max(height, 1u));
     view.pixels_at_one_metre *= renderer.quality.detail;
     return {view, make_daylight(sun, false).to_light, has_impostors ? least : 0};

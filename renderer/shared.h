@@ -15,7 +15,7 @@ using uint = uint32_t;
 #include "shaders/shared.h"
 
 static_assert(sizeof(JointTransform) == 32);
-static_assert(sizeof(WalkerInstance) == 36);
+static_assert(sizeof(WalkerInstance) == 40);
 static_assert(sizeof(ImpostorCell) == 32);
 static_assert(sizeof(ImpostorInstance) == 64);
 static_assert(sizeof(FrameConstants) == 2 * 64 + 24 * 16);

@@ -24,6 +24,7 @@ struct WalkerInstance {
     uint palette;         // first of its joint transforms
     float scale;          // of the mesh before skinning
     uint tints[k_tints];  // sRGB, R in the lowest byte; indexed by a vertex's tint, [0] is white
+    uint hidden;          // the renderer's own: pixels of each 4x4 that it is not drawn in, a bit each
 };
 
 // Impostors: pictures of people baked from their meshes in so many phases of a walk and standing, seen from
@@ -51,7 +52,8 @@ struct ImpostorInstance {
     float heading;        // yaw about +y, 0 faces +z
     uint first_cell;      // of its mesh and pose
     uint tints[k_tints];  // as WalkerInstance's
-    uint unused[3];
+    uint hidden;          // as WalkerInstance's
+    uint unused[2];
 };
 
 // What a city vertex is made of; shaders/city/ draws each by a procedure.

@@ -94,8 +94,6 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
         hidden.nearness.clear();
     const CrowdInput crowd{input.walkers,   scene.people, input.palette.size(),  scene.impostors.pixels,
                            input.is_finest, &hidden,      renderer.workers.get()};
-    if (is_cut(renderer.last_view, plan.view) || renderer.crowd.levels.size() != input.walkers.size())
-        renderer.crowd.levels.clear();
     renderer.last_view = plan.view;
     View finer = plan.view;
     finer.pixels_at_one_metre *= renderer.quality.detail;

@@ -190,7 +190,7 @@ void write_walker(const SkinMesh& mesh, const float* rows, size_t lane, const Wa
                                     from.uv,
                                     from.colour,
                                     walker.tints[from.tint],
-                                    from.layer};
+                                    from.layer | walker.hidden << 16};
             }
             indices[written.indices++] = number;
         }

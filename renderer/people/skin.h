@@ -37,7 +37,7 @@ struct SkinnedVertex {
     uint32_t normal;  // x, y, z times 511, ten bits each, x lowest
     glm::vec2 uv;
     uint32_t colour, tint;  // sRGB, R in the lowest byte
-    uint32_t layer;
+    uint32_t layer;         // and, from bit 16 on, where it is hidden, as WalkerInstance has it
 };
 static_assert(sizeof(SkinnedVertex) == 36);
 

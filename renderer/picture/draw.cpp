@@ -73,11 +73,13 @@ void light_on_host(Renderer& renderer, const FramePlan& plan, const PictureTarge
 
 void count_frame(const FramePlan& plan, Renderer& renderer) {
     FrameStats& stats = renderer.stats;
-    stats.impostors = static_cast<uint32_t>(renderer.crowd.impostors.size());
+    stats.walkers_drawn = stats.impostors = 0;
     std::fill(std::begin(stats.meshes), std::end(stats.meshes), 0);
-    for (const uint8_t level : renderer.crowd.levels)
-        if (level < k_max_lods) ++stats.meshes[level];
-    stats.walkers_drawn = static_cast<uint32_t>(renderer.crowd.instances.size()) + stats.impostors;
+    for (const Levels& levels : renderer.crowd.levels) {
+        if (levels.fine == k_unseen) continue;
+        ++stats.walkers_drawn;
+        ++(levels.fine == k_impostor_level ? stats.impostors : stats.meshes[levels.fine]);
+    }
     stats.walkers_in_shadow =
         static_cast<uint32_t>(renderer.casters.instances.size() + renderer.casters.impostors.size());
     stats.sub_draws = static_cast<uint32_t>(plan.draws.size());

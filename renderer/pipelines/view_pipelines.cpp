@@ -8,6 +8,7 @@
 #include "spirv/overlay_line.vert.h"
 #include "spirv/paint.frag.h"
 #include "spirv/paint_city.vert.h"
+#include "spirv/paint_crowd.frag.h"
 #include "spirv/paint_crowd.vert.h"
 #include "spirv/paint_impostor.frag.h"
 #include "spirv/paint_impostor.vert.h"
@@ -30,6 +31,7 @@ PipelineShape painted_crowd() {
     const Attributes person = person_attributes();
     PipelineShape shape = painted_city();
     shape.vertex = k_spirv_paint_crowd_vert;
+    shape.fragment = k_spirv_paint_crowd_frag;
     shape.attributes = {person[0], person[1], person[3], person[4], person[5]};
     shape.stride = sizeof(PersonVertex);
     return shape;

@@ -7,8 +7,6 @@
 namespace flaneur {
 namespace {
 
-constexpr uint16_t k_no_bucket = 0xffff;
-
 bool has_joints(const WalkerDraw& walker) { return walker.instance.palette != k_no_palette; }
 
 bool has_impostors(const CrowdInput& input, const WalkerDraw& walker) {
@@ -28,14 +26,17 @@ ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
     return out;
 }
 
-// A stable counting sort of the walkers by `level_of(walker, number)` (k_unseen: left out), which is asked on
-// every thread: how many of each bucket come before a chunk says where its own go.
-template <class LevelOf>
-void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_of) {
+// A stable counting sort of the walkers by `levels_of(walker)`, which is asked on every thread: how many of
+// each bucket come before a chunk says where its own go.
+template <class LevelsOf>
+void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelsOf&& levels_of) {
     const size_t mesh_count = input.people.size(), bucket_count = mesh_count * k_max_lods;
     const size_t impostors = bucket_count, columns = bucket_count + 1, count = input.walkers.size();
     const size_t chunks = chunk_count(input);
-    out.buckets.resize(count);
+    auto bucket_of = [&](const WalkerDraw& walker, uint8_t level) {
+        return level == k_impostor_level ? impostors : level * mesh_count + walker.mesh;
+    };
+    out.levels.resize(count);
     out.firsts.assign(chunks * columns, 0);
     out.draws.clear();
     out.triangles = 0;
@@ -43,13 +44,11 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
         uint32_t* counts = &out.firsts[chunk * columns];
         for (size_t i = begin; i < end; ++i) {
             const WalkerDraw& walker = input.walkers[i];
-            out.buckets[i] = k_no_bucket;
-            const uint32_t wanted = is_drawable(input, walker) ? level_of(walker, i) : k_unseen;
-            if (wanted == k_unseen) continue;
-            const size_t level = std::min<size_t>(wanted, input.people[walker.mesh].lods.size() - 1);
-            const size_t bucket = wanted == k_impostor_level ? impostors : level * mesh_count + walker.mesh;
-            out.buckets[i] = static_cast<uint16_t>(bucket);
-            ++counts[bucket];
+            Levels& levels = out.levels[i];
+            levels = is_drawable(input, walker) ? levels_of(walker) : Levels{};
+            if (levels.fine == k_unseen) continue;
+            ++counts[bucket_of(walker, levels.fine)];
+            if (levels.coarse != levels.fine) ++counts[bucket_of(walker, levels.coarse)];
         }
     });
     uint32_t total = 0, drawn = 0;
@@ -72,14 +71,23 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelOf&& level_o
     in_chunks(input, [&](size_t chunk, size_t begin, size_t end) {
         uint32_t* next = &out.firsts[chunk * columns];
         for (size_t i = begin; i < end; ++i) {
-            if (out.buckets[i] == k_no_bucket) continue;
             const WalkerDraw& walker = input.walkers[i];
-            const uint32_t at = next[out.buckets[i]]++;
-            out.spheres[at] = glm::vec4(walker.centre, walker.radius);
-            if (out.buckets[i] == impostors)
-                out.impostors[at - drawn] = impostor_of(walker, input.people[walker.mesh].first_cell);
-            else
-                out.instances[at] = walker.instance;
+            const Levels levels = out.levels[i];
+            auto put = [&](uint8_t level, uint16_t hidden) {
+                const size_t bucket = bucket_of(walker, level);
+                const uint32_t at = next[bucket]++;
+                out.spheres[at] = glm::vec4(walker.centre, walker.radius);
+                if (bucket == impostors) {
+                    out.impostors[at - drawn] = impostor_of(walker, input.people[walker.mesh].first_cell);
+                    out.impostors[at - drawn].hidden = hidden;
+                } else {
+                    out.instances[at] = walker.instance;
+                    out.instances[at].hidden = hidden;
+                }
+            };
+            if (levels.fine == k_unseen) continue;
+            put(levels.fine, levels.hidden);
+            if (levels.coarse != levels.fine) put(levels.coarse, static_cast<uint16_t>(~levels.hidden));
         }
     });
 }
@@ -99,6 +107,36 @@ uint32_t lod_of(float pixels) {
 
 bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
     return has_impostors(input, walker) && !(has_joints(walker) && pixels >= input.impostor_pixels);
+}
+
+// All by one level.
+Levels whole(const CrowdInput& input, const WalkerDraw& walker, uint32_t level) {
+    if (level != k_impostor_level)
+        level = std::min(level, static_cast<uint32_t>(input.people[walker.mesh].lods.size() - 1));
+    return {static_cast<uint8_t>(level), static_cast<uint8_t>(level), 0};
+}
+
+// The pixels of a square of 4x4 that are the first ones hidden, so that those left are spread evenly.
+uint16_t first_hidden(int count) {
+    constexpr uint8_t order[16] = {0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12};  // Bayer's
+    uint32_t hidden = 0;
+    for (int i = 0; i < count; ++i) hidden |= 1u << order[i];
+    return static_cast<uint16_t>(hidden);
+}
+
+Levels levels_at(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
+    auto level_at = [&](float size) {
+        return is_impostor(input, walker, size) ? k_impostor_level : lod_of(size);
+    };
+    const Levels fine = whole(input, walker, level_at(pixels / (1 - k_turns)));
+    const uint32_t next = level_at(pixels / (1 + k_turns));
+    const Levels coarse = whole(input, walker, next);
+    if (fine.fine == coarse.fine) return fine;
+    const float border = next == k_impostor_level ? input.impostor_pixels : k_level_pixels[next - 1];
+    const float hidden = 17 * (0.5f + (border - pixels) / (2 * k_turns * border));  // of 16 pixels
+    if (!(hidden >= 1)) return fine;
+    if (hidden >= 16) return coarse;
+    return {fine.fine, coarse.fine, first_hidden(static_cast<int>(hidden))};
 }
 
 bool is_sphere_hidden(const CrowdInput& input, const View& view, glm::vec3 centre, float radius) {
@@ -132,42 +170,31 @@ static bool is_eye_inside(const View& view, const WalkerDraw& walker) {
 }
 
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
-    out.levels.resize(input.walkers.size(), k_unseen);
-    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t i) -> uint32_t {
-        const uint8_t before = std::exchange(out.levels[i], k_unseen);
+    sort_into_draws(input, out, [&](const WalkerDraw& walker) -> Levels {
         if (!sees_sphere(view, walker.centre, walker.radius) || is_eye_inside(view, walker) ||
             is_sphere_hidden(input, view, walker.centre, walker.radius))
-            return k_unseen;
-        if (input.is_finest && has_joints(walker)) return 0;
-        auto level_at = [&](float pixels) {
-            return is_impostor(input, walker, pixels) ? k_impostor_level : lod_of(pixels);
-        };
-        const float pixels = pixels_of(view, walker.centre, walker.radius);
-        uint32_t level = level_at(pixels);
-        if (before != k_unseen)
-            level = std::clamp<uint32_t>(before, level_at(pixels * k_lod_hysteresis),
-                                         level_at(pixels / k_lod_hysteresis));
-        out.levels[i] = static_cast<uint8_t>(level);
-        return level;
+            return {};
+        if (input.is_finest && has_joints(walker)) return whole(input, walker, 0);
+        return levels_at(input, walker, pixels_of(view, walker.centre, walker.radius));
     });
 }
 
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out) {
-    sort_into_draws(input, out, [&](const WalkerDraw& walker, size_t) -> uint32_t {
+    sort_into_draws(input, out, [&](const WalkerDraw& walker) -> Levels {
         if (!(glm::length(walker.centre - view.eye) <= reach) ||
             !casts_into(box, walker.centre, walker.radius))
-            return k_unseen;
+            return {};
         const BodySphere both = with_shadow(walker.centre, walker.radius, to_sun);
         if (!sees_sphere(view, both.centre, both.radius) ||
             is_sphere_hidden(input, view, both.centre, both.radius))
-            return k_unseen;
+            return {};
         const float pixels = pixels_of(view, walker.centre, walker.radius);
-        // Only of those that are sure to be seen as impostors: a mesh would be shaded by the picture in its
+        // Only of those that are seen as nothing but impostors: a mesh would be shaded by the picture in its
         // middle.
-        if (is_impostor(input, walker, pixels * k_lod_hysteresis)) return k_impostor_level;
+        if (is_impostor(input, walker, pixels / (1 - k_turns))) return whole(input, walker, k_impostor_level);
         const uint32_t in_texels = lod_of(2 * walker.radius / box.texel);
-        return std::max(in_texels, std::min(lod_of(pixels) + 1, k_max_lods - 1));
+        return whole(input, walker, std::max(in_texels, std::min(lod_of(pixels) + 1, k_max_lods - 1)));
     });
 }
 

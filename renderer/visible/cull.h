@@ -28,8 +28,16 @@ struct PersonRanges {
 
 // The level after those of meshes: an impostor.
 inline constexpr uint32_t k_impostor_level = k_max_lods;
-// A level is kept until the size is so far beyond its border.
-inline constexpr float k_lod_hysteresis = 1.05f;
+// About the size where one level follows another, by this share of it, both are drawn, in turns of pixels.
+inline constexpr float k_turns = 0.03f;
+inline constexpr uint8_t k_unseen = 0xff;
+
+// How a body is drawn: the finer of two levels, hidden in these pixels of each 4x4, where the coarser is
+// seen.
+struct Levels {
+    uint8_t fine = k_unseen, coarse = k_unseen;
+    uint16_t hidden = 0;
+};
 
 // As vkCmdDrawIndexedIndirect takes it.
 struct DrawCommand {
@@ -39,19 +47,16 @@ struct DrawCommand {
 };
 
 // Instances sorted by (level, mesh), in the order of the walkers within each, and a draw for each such
-// bucket.
+// bucket. Walkers between two levels are in both.
 struct CrowdDraws {
     std::vector<WalkerInstance> instances;
     std::vector<ImpostorInstance> impostors;  // in the order of the walkers
     std::vector<DrawCommand> draws;
     std::vector<glm::vec4> spheres;  // about the bodies of instances, then of impostors: centre, radius
     uint32_t triangles = 0;
-    std::vector<uint8_t> levels;    // of each walker, k_unseen for those left out: kept for hysteresis
-    std::vector<uint16_t> buckets;  // scratch: one a walker
-    std::vector<uint32_t> firsts;   // scratch: one a chunk of walkers and bucket
+    std::vector<Levels> levels;    // of each walker
+    std::vector<uint32_t> firsts;  // scratch: one a chunk of walkers and bucket
 };
-
-inline constexpr uint8_t k_unseen = 0xff;
 
 struct CrowdInput {
     std::span<const WalkerDraw> walkers;
@@ -86,8 +91,7 @@ glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v);
 // The level of a mesh for a body: by its height on the picture.
 uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
 
-// Those that the view sees. `out.levels`, if there is one for each walker, are those of the frame before, and
-// a walker near the border of its level stays in it.
+// Those that the view sees.
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 
 // Those within `reach` of the eye that the view sees, or whose shadows it may see; meshes are as coarse as

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/base/common.glsl"
 #include "shaders/base/surface.glsl"
+#include "shaders/people/turns.glsl"
 
 layout(constant_id = k_constant_textured) const int k_textured = 0;
 layout(set = 0, binding = k_binding_textures) uniform sampler2DArray textures;
@@ -9,12 +10,13 @@ layout(set = 0, binding = k_binding_textures) uniform sampler2DArray textures;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec3 in_root;
 layout(location = 3) in vec2 in_uv;
-layout(location = 4) flat in uint in_layer;
+layout(location = 4) flat in uint in_layer;  // and, from bit 16 on, where it is hidden
 
 void main() {
+    if (is_left_out(in_layer >> 16)) discard;
     vec3 root = in_root;
     if (k_textured == 1) {
-        vec4 texel = texture(textures, vec3(in_uv, float(in_layer)));
+        vec4 texel = texture(textures, vec3(in_uv, float(in_layer & 0xffffu)));
         if (texel.a < 0.5) discard;
         root *= sqrt(texel.rgb);
     }

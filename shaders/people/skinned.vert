@@ -5,7 +5,7 @@
 // Of a SkinnedVertex.
 layout(location = 0) in uvec4 in_place;  // metres, as floats; w: the normal, ten bits to a number
 layout(location = 1) in uvec4 in_look;   // u, v as floats; colour and tint, sRGB
-layout(location = 2) in uint in_layer;
+layout(location = 2) in uint in_layer;   // and, from bit 16 on, where it is hidden
 
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_root;  // of the albedo

@@ -9,6 +9,7 @@ layout(location = 0) out vec2 out_texel;
 layout(location = 1) flat out vec4 out_view;
 layout(location = 2) flat out vec4 out_colour;
 layout(location = 3) flat out uint out_shows_normals;
+layout(location = 4) flat out uint out_hidden;
 
 void main() {
     ImpostorInstance walker = impostors[gl_VertexIndex / 6];
@@ -18,6 +19,7 @@ void main() {
     out_view = vec4(quad.side, quad.tilt);
     vec3 top = unpackUnorm4x8(walker.tints[3]).rgb;  // stands for all it wears
     out_colour = painted(vec3(0, 0, 1), top, ray);
+    out_hidden = walker.hidden;
     out_shows_normals = uint(paint == k_paint_normals);
     gl_Position = frame.clip_from_world * vec4(quad.place, 1);
 }

@@ -39,7 +39,7 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
     cull_crowd({walkers, people, walkers.size() * k_palette_joints}, view, out);
 
     std::vector<std::vector<uint32_t>> expected(k_max_lods * 2);
-    uint32_t seen = 0;
+    uint32_t seen = 0, listed = 0;
     for (const WalkerDraw& walker : walkers) {
         bool is_in = true;
         for (const glm::vec4& plane : view.planes)
@@ -48,12 +48,19 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
         ++seen;
         const float pixels =
             2 * walker.radius * view.pixels_at_one_metre / glm::length(walker.centre - view.eye);
-        size_t lod = pixels >= 840 ? 0 : pixels >= 420 ? 1 : pixels >= 150 ? 2 : pixels >= 70 ? 3 : 4;
-        lod = std::min(lod, people[walker.mesh].lods.size() - 1);
-        expected[lod * 2 + walker.mesh].push_back(walker.instance.palette);
+        size_t last = expected.size();
+        for (const float side : {-1.0f, 1.0f}) {
+            const float size = pixels / (1 + side * k_turns * 15 / 17);  // 1..15 pixels of 16
+            size_t lod = size >= 840 ? 0 : size >= 420 ? 1 : size >= 150 ? 2 : size >= 70 ? 3 : 4;
+            lod = std::min(lod, people[walker.mesh].lods.size() - 1);
+            if (lod == last) continue;
+            expected[lod * 2 + walker.mesh].push_back(walker.instance.palette);
+            listed += 1, last = lod;
+        }
     }
-    ASSERT_EQ(out.instances.size(), seen);
+    ASSERT_EQ(out.instances.size(), listed);
     ASSERT_GT(seen, 100u);
+    ASSERT_GT(listed, seen);
     size_t draw = 0, instance = 0;
     for (size_t bucket = 0; bucket < expected.size(); ++bucket) {
         if (expected[bucket].empty()) continue;
@@ -90,10 +97,10 @@ TEST(Cull, ManyThreadsListWhatOneLists) {
         EXPECT_TRUE(std::ranges::equal(bytes(alone[i].instances), bytes(together[i].instances)));
         EXPECT_TRUE(std::ranges::equal(bytes(alone[i].draws), bytes(together[i].draws)));
         EXPECT_TRUE(std::ranges::equal(bytes(alone[i].spheres), bytes(together[i].spheres)));
+        EXPECT_TRUE(std::ranges::equal(bytes(alone[i].levels), bytes(together[i].levels)));
         EXPECT_EQ(alone[i].triangles, together[i].triangles);
         EXPECT_GT(alone[i].instances.size(), 100u);
     }
-    EXPECT_EQ(alone[0].levels, together[0].levels);
 }
 
 TEST(Cull, LevelsGetCoarserWithDistance) {
@@ -108,26 +115,58 @@ TEST(Cull, LevelsGetCoarserWithDistance) {
     EXPECT_EQ(last, k_max_lods - 1);
 }
 
-TEST(Cull, SmallOnesAreImpostorsAndStayWhatTheyAreNearTheBorder) {
+TEST(Cull, SmallOnesAreImpostorsInTurnsNearTheBorder) {
     std::vector<PersonRanges> people = two_kinds();
     people[0].first_cell = 1000;
     const View view = make_view({}, 1280, 720);
-    std::vector<WalkerDraw> walkers = ring_of_walkers(2);
-    const float border = 2 * 0.95f * view.pixels_at_one_metre / 40;
-    auto impostors_at = [&](float distance, CrowdDraws& out) {
-        for (WalkerDraw& walker : walkers) walker.centre = view.eye + view.forward * distance;
-        cull_crowd({walkers, people, 2 * k_palette_joints, 40}, view, out);
-        EXPECT_EQ(out.instances.size() + out.impostors.size(), 2u);  // the second has no impostors
-        return out.impostors.size();
+    std::vector<WalkerDraw> walkers = ring_of_walkers(1);
+    walkers[0].mesh = 0;
+    const float border = 2 * 0.95f * view.pixels_at_one_metre / 40;  // metres away
+    CrowdDraws out;
+    auto draw_at = [&](float distance) {
+        walkers[0].centre = view.eye + view.forward * distance;
+        cull_crowd({walkers, people, k_palette_joints, 40}, view, out);
     };
-    CrowdDraws coming, going;
-    EXPECT_EQ(impostors_at(border * 1.2f, coming), 1u);
-    EXPECT_EQ(impostors_at(border * 0.98f, coming), 1u);
-    EXPECT_EQ(impostors_at(border * 0.8f, coming), 0u);
-    EXPECT_EQ(impostors_at(border * 0.8f, going), 0u);
-    EXPECT_EQ(impostors_at(border * 1.02f, going), 0u);
-    EXPECT_EQ(impostors_at(border * 1.2f, going), 1u);
-    EXPECT_EQ(going.triangles, 2u + 30u);
+    draw_at(border * (1 - 1.1f * k_turns));
+    EXPECT_EQ(out.impostors.size(), 0u);
+    ASSERT_EQ(out.instances.size(), 1u);
+    EXPECT_EQ(out.instances[0].hidden, 0u);
+    draw_at(border * (1 + 1.1f * k_turns));
+    EXPECT_EQ(out.instances.size(), 0u);
+    ASSERT_EQ(out.impostors.size(), 1u);
+    EXPECT_EQ(out.impostors[0].hidden, 0u);
+    // On the way each pixel is of the one or of the other, and goes over once.
+    int parts = 0;
+    uint32_t hidden = 0;
+    for (float share = -1; share <= 1; share += 0.01f) {
+        draw_at(border / (1 - share * k_turns));
+        EXPECT_EQ(out.levels[0].fine == k_impostor_level, out.instances.empty());
+        const uint32_t now = out.instances.empty() ? 0xffffu : out.instances[0].hidden;
+        if (!out.impostors.empty() && !out.instances.empty()) {
+            EXPECT_EQ(out.impostors[0].hidden, ~now & 0xffffu);
+            EXPECT_EQ(out.triangles, 2u + 10u);
+        }
+        EXPECT_EQ(hidden & ~now, 0u) << share;
+        parts += now != hidden;
+        hidden = now;
+    }
+    EXPECT_EQ(hidden, 0xffffu);
+    EXPECT_EQ(parts, 16);
+}
+
+TEST(Cull, LevelsThatAreOneMeshTakeNoTurns) {
+    const std::vector<PersonRanges> people = two_kinds();  // the second has two levels only
+    const View view = make_view({}, 1280, 720);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(2);
+    CrowdDraws out;
+    for (WalkerDraw& walker : walkers)
+        walker.centre = view.eye + view.forward * (2 * 0.95f * view.pixels_at_one_metre / 150);
+    cull_crowd({walkers, people, 2 * k_palette_joints}, view, out);
+    ASSERT_EQ(out.instances.size(), 3u);
+    ASSERT_EQ(out.draws.size(), 3u);
+    EXPECT_EQ(std::count_if(out.instances.begin(), out.instances.end(),
+                            [](const WalkerInstance& instance) { return instance.hidden == 0; }),
+              1);
 }
 
 TEST(Cull, WhoIsSeenAsAnImpostorThrowsItsShadow) {

@@ -52,7 +52,7 @@ Crowd random_crowd(float size) {
     }
     for (uint32_t i = 0; i < k_walkers; ++i) {
         const float angle = 0.1f * static_cast<float>(i), away = 4 + 0.1f * static_cast<float>(i);
-        crowd.instances.push_back({i * k_palette_joints, number(0.8f, 1.2f), {i}});
+        crowd.instances.push_back({i * k_palette_joints, number(0.8f, 1.2f), {i}, 0});
         for (int j = 0; j < k_palette_joints; ++j) {
             const glm::vec4 turn(point(1), number(0.5f, 1));
             const glm::vec3 place = glm::vec3(std::sin(angle), 0, std::cos(angle)) * away + point(0.1f);

@@ -141,7 +141,7 @@ void animate(Dancers& d, uint32_t frame) {
                 WalkerDraw& draw = d.people.walkers[i];
                 draw.centre = to_glm(joints[hips].position);
                 draw.radius = k_body_sphere * d.character.body.height;
-                draw.instance = {i * k_palette_joints, 1, {}};
+                draw.instance = {i * k_palette_joints, 1, {}, 0};
                 std::fill(std::begin(draw.instance.tints), std::end(draw.instance.tints), 0xffffffffu);
                 draw.heading = yaw;
                 draw.phase = d.phases[block].lanes[i - first];
