@@ -20,6 +20,19 @@ float between(float x, float a, float b, float width) {
     return saturate((x - a) * inverse + 0.5) - saturate((x - b) * inverse + 0.5);
 }
 
+// From 0 to 1 in each whole step of x.
+float rising(float x, float width) {
+    float at = fract(x), inverse = 1.0 / width;
+    float seen = at - saturate((at - 1.0) * inverse + 0.5) + saturate(0.5 - at * inverse);
+    return mix(seen, 0.5, saturate(2.0 * width - 1.0));
+}
+
+// How wide a pixel is along either coordinate.
+vec2 pixel_widths(vec2 at) {
+    vec2 right = dFdx(at), down = dFdy(at);
+    return max(sqrt(right * right + down * down), vec2(1e-4));
+}
+
 float inside(vec2 x, vec2 a, vec2 b, vec2 width) {
     return between(x.x, a.x, b.x, width.x) * between(x.y, a.y, b.y, width.y);
 }

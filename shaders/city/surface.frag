@@ -17,7 +17,7 @@ const vec3 k_ballast = vec3(0.3759, 0.3533, 0.3309);  // and between sleepers
 // What the pattern makes of the root of an albedo.
 vec3 patterned(vec3 root) {
     float edge = in_pattern.x, inverse_edge = 1.0 / edge;
-    vec2 pixel = max(fwidth(in_uv), vec2(1e-4));
+    vec2 pixel = pixel_widths(in_uv);
 
     // Slabs: each a little lighter or darker, with dark joints.
     vec2 slab = in_uv * inverse_edge;
