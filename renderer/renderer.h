@@ -79,7 +79,8 @@ struct FrameStats {
     struct Stage {
         std::string name;
         double gpu_ms = 0;  // by GPU timestamps, light on the host by its clock; 0: not known
-        uint64_t vertices = 0, fragments = 0;  // how many were shaded; 0 where the device does not count
+        // How many were shaded; 0 where FrameInput::times_passes does not ask, or the device does not count.
+        uint64_t vertices = 0, fragments = 0;
     };
     std::vector<Stage> stages;  // in order
     double cpu_record_ms = 0;   // culling, uploading and recording

@@ -153,7 +153,8 @@ struct FrameInput {
     std::optional<glm::vec3> backdrop = {};
     bool is_finest = false;    // every walker is drawn by its finest mesh
     bool skips_hidden = true;  // what walls hide is not drawn; the picture is the same either way
-    // Crowd, city and sky are stages of their own rather than one, the scene: slower, and the same picture.
+    // Crowd, city and sky are stages of their own rather than one, the scene, and what shaders were called
+    // for is counted: slower, and the same picture.
     bool times_passes = false;
     bool is_overcast = false;
     float lit_windows = 0.3f;  // share of windows with a light on in the dark

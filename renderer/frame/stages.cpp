@@ -41,17 +41,18 @@ void destroy_stages(const Device& device, Stages& stages) {
     stages = {};
 }
 
-void begin_stages(VkCommandBuffer commands, Stages& stages) {
+void begin_stages(VkCommandBuffer commands, Stages& stages, bool is_counted) {
     stages.names.clear();
+    stages.is_counted = is_counted && stages.counters;
     stages.is_recorded = true;
     if (stages.timestamps) vkCmdResetQueryPool(commands, stages.timestamps, 0, k_max_stages + 1);
-    if (stages.counters) vkCmdResetQueryPool(commands, stages.counters, 0, k_max_stages);
+    if (stages.is_counted) vkCmdResetQueryPool(commands, stages.counters, 0, k_max_stages);
     write_timestamp(commands, stages, 0);
 }
 
 void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name) {
     const auto number = static_cast<uint32_t>(stages.names.size());
-    if (stages.counters) vkCmdBeginQuery(commands, stages.counters, number, 0);
+    if (stages.is_counted) vkCmdBeginQuery(commands, stages.counters, number, 0);
     stages.names.emplace_back(name);
     if (!stages.has_labels) return;
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
@@ -63,7 +64,7 @@ void end_stage(VkCommandBuffer commands, const Stages& stages) {
     if (stages.has_labels) vkCmdEndDebugUtilsLabelEXT(commands);
     const auto count = static_cast<uint32_t>(stages.names.size());
     write_timestamp(commands, stages, count);
-    if (stages.counters) vkCmdEndQuery(commands, stages.counters, count - 1);
+    if (stages.is_counted) vkCmdEndQuery(commands, stages.counters, count - 1);
 }
 
 Result<void> read_stages(const Device& device, Stages& stages, std::vector<FrameStats::Stage>& read) {
@@ -80,7 +81,7 @@ Result<void> read_stages(const Device& device, Stages& stages, std::vector<Frame
         for (uint32_t i = 0; i < count; ++i)
             read[i].gpu_ms = static_cast<double>((times[i + 1] - times[i]) & device.timestamp_mask) * ms;
     }
-    if (stages.counters) {
+    if (stages.is_counted) {
         uint64_t shaded[k_max_stages][2] = {};  // in the order of the counters' bits
         FLANEUR_VK(vkGetQueryPoolResults(device.handle, stages.counters, 0, count, sizeof shaded, shaded,
                                          sizeof shaded[0], VK_QUERY_RESULT_64_BIT),

@@ -16,13 +16,14 @@ struct Stages {
     VkQueryPool counters = {};       // of each stage: vertices and fragments shaded; null: it counts none
     std::vector<std::string> names;  // of those recorded
     bool is_recorded = false;        // since they were read
+    bool is_counted = false;         // by `counters`, which many devices pay for
     bool has_labels = false;
 };
 Result<void> make_stages(const Device& device, Stages& stages);
 void destroy_stages(const Device& device, Stages& stages);
 
-// Forgets what was recorded before, and begins to take the time.
-void begin_stages(VkCommandBuffer commands, Stages& stages);
+// Forgets what was recorded before, and begins to take the time, and to count if that is wanted and can be.
+void begin_stages(VkCommandBuffer commands, Stages& stages, bool is_counted);
 
 // A stage is timed from the end of the one before to its own.
 void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name);

@@ -82,7 +82,7 @@ void record_picture(const FrameRecord& record) {
                             &record.slot.set, 0, nullptr);
     vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
 
-    begin_stages(record.commands, record.slot.stages);
+    begin_stages(record.commands, record.slot.stages, record.plan.times_passes);
     draw_shadows(record);
     draw_surfaces(record);
     if (renderer.quality.has_occlusion && plan.surfaces_view == Surfaces::lit && !plan.backdrop)
