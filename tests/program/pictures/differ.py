@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""differ.py A.png B.png MOST: fails if a channel of a pixel differs by more than MOST of 255."""
+"""differ.py A.png B.png MOST [SHARE]: fails if a channel of a pixel differs by more than MOST of 255; with SHARE, only if
+more than that share of them do."""
 import subprocess
 import sys
 
@@ -16,5 +17,7 @@ if a != b:
     worst = max(abs(x - y) for x, y in zip(a, b))
     count = sum(x != y for x, y in zip(a, b))
     print(f"{count} of {len(a)} differ, by {worst} at most")
-    if worst > int(sys.argv[3]):
-        sys.exit(f"FAILED: they differ by {worst}, at most {sys.argv[3]}.")
+    share = float(sys.argv[4]) if len(sys.argv) > 4 else 0
+    more = sum(abs(x - y) > int(sys.argv[3]) for x, y in zip(a, b))
+    if more > share * len(a):
+        sys.exit(f"FAILED: {more} differ by more than {sys.argv[3]}.")
