@@ -22,7 +22,8 @@ struct RendererOptions {
     std::optional<bool> skins_on_host =
         {};  // whether the host skins people; default: where the device is a CPU
     std::optional<bool> lights_on_host =
-        {};  // and whether it lights what the device has drawn; the same picture
+        {};  // and whether it lights what the device has drawn; the same picture but for
+             // roundings, of which a GPU's may differ more than a CPU's
 };
 
 }  // namespace flaneur

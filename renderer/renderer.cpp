@@ -55,18 +55,27 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
 
 // An image to draw into off-screen, and the buffer that it is read from.
 Result<void> fit_picture(Renderer& renderer, uint32_t width, uint32_t height) {
-    if (renderer.picture.view && renderer.picture.width == width && renderer.picture.height == height)
-        return {};
-    destroy_image(renderer.device, renderer.picture);
-    ImageShape shape{.format = k_picture_format, .width = width, .height = height};
-    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    Result<void> result = make_image(renderer.device, shape, renderer.picture);
-    if (!result) {
-        destroy_image(renderer.device, renderer.picture);
-        return result;
+    GpuImage& picture = renderer.picture;
+    if (!picture.view || picture.width != width || picture.height != height ||
+        picture.format != k_picture_format) {
+        destroy_image(renderer.device, picture);
+        ImageShape shape{.format = k_picture_format, .width = width, .height = height};
+        shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        if (Result<void> made = make_image(renderer.device, shape, picture); !made) {
+            destroy_image(renderer.device, picture);
+            return made;
+        }
     }
     return reserve_buffer(renderer.device, VkDeviceSize{4} * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                           MemoryKind::readback, renderer.readback);
+}
+
+Result<void> check_size(const Renderer& renderer, uint32_t width, uint32_t height) {
+    const uint32_t largest = std::min(
+        k_largest_picture, renderer.device.properties.limits.maxImageDimension2D / renderer.quality.samples);
+    if (width >= 1 && height >= 1 && width <= largest && height <= largest) return {};
+    return Error{"A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                 " cannot be drawn: each side must be 1 to " + std::to_string(largest) + " pixels."};
 }
 
 Result<void> remake_swapchain(Renderer& renderer) {
@@ -189,11 +198,7 @@ PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& 
 }
 
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
-    const uint32_t largest = std::min(
-        k_largest_picture, renderer.device.properties.limits.maxImageDimension2D / renderer.quality.samples);
-    if (width < 1 || height < 1 || width > largest || height > largest)
-        return Error{"A picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                     " cannot be drawn: each side must be 1 to " + std::to_string(largest) + " pixels."};
+    FLANEUR_TRY(check_size(renderer, width, height));
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     FrameSlot& slot = renderer.slots[0];
     Image image{width, height, {}};
@@ -252,6 +257,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
         .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
         .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
     auto draw = [&]() -> Result<void> {
+        FLANEUR_TRY(check_size(renderer, target.extent.width, target.extent.height));
         if (renderer.is_lit_on_host) {
             FLANEUR_TRY(reserve_buffer(renderer.device,
                                        VkDeviceSize{4} * target.extent.width * target.extent.height,

@@ -50,7 +50,8 @@ struct Image {
     std::vector<uint8_t> rgba;  // sRGB, opaque, rows from the top
 };
 
-// Draws one frame off-screen and reads it back. Sizes 1..8192. The same scene and frames give the same bytes
+// Draws one frame off-screen and reads it back. Sizes 1..8192, or less where the device draws no larger
+// images. The same scene and frames give the same bytes
 // every time on the same device.
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height);
 
@@ -89,10 +90,9 @@ struct FrameStats {
         {};                  // of the walkers drawn, by level of detail, the finer of two; finest first
     uint32_t impostors = 0;  // and the others
     uint32_t shadow_slices_drawn = 0;  // of the city's shadow maps; eight make a map
-    uint32_t pipelines_made = 0;       // that no frame before had needed
 };
 
-// Of the last frame drawn.
+// Of the last frame drawn; times of the device in a window are of one or two frames before.
 const FrameStats& frame_stats(const Renderer& renderer);
 
 // How many validation messages there have been.

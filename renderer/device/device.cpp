@@ -163,6 +163,10 @@ std::string missing_from(VkPhysicalDevice physical, VkSurfaceKHR surface) {
     if (!features13.synchronization2) return "synchronization2";
     if (!features.features.drawIndirectFirstInstance) return "a first instance in indirect draws";
     if (!features.features.independentBlend) return "blending that differs between attachments";
+    VkFormatProperties depth;
+    vkGetPhysicalDeviceFormatProperties(physical, VK_FORMAT_D32_SFLOAT, &depth);
+    if (!(depth.optimalTilingFeatures & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT))
+        return "depths of 32 bits";
     const Families families = find_families(physical, surface);
     if (families.draws == ~0u) return "a queue that draws";
     if (families.presents == ~0u) return "a queue that draws into this window";

@@ -1,4 +1,4 @@
-// The instance, one device and its one queue.
+// The instance, one device, the queue that it draws by and the one that presents.
 #pragma once
 
 #include <volk.h>

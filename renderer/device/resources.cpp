@@ -121,7 +121,9 @@ void destroy_buffer(const Device& device, Buffer& buffer) {
 Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
                             MemoryKind kind, Buffer& buffer) {
     if (buffer.memory && size <= buffer.size) return {};
-    const VkDeviceSize grown = std::max(size, buffer.size + buffer.size / 2);
+    // Whole buffers are bound: they are not to grow beyond what the device takes at once.
+    const VkDeviceSize most = device.properties.limits.maxStorageBufferRange;
+    const VkDeviceSize grown = std::max(size, std::min(buffer.size + buffer.size / 2, most));
     destroy_buffer(device, buffer);
     Result<void> result = make_buffer(device, grown, usage, kind, buffer);
     if (!result) destroy_buffer(device, buffer);
@@ -238,9 +240,11 @@ void wait_between(VkCommandBuffer commands, const Access& before, const Access& 
 
 bool can_host_read(const Device& device, const ImageShape& shape) {
     VkImageFormatProperties properties;
+    const uint32_t largest = device.properties.limits.maxImageDimension2D;
     return vkGetPhysicalDeviceImageFormatProperties(device.physical, shape.format, VK_IMAGE_TYPE_2D,
                                                     VK_IMAGE_TILING_LINEAR, shape.usage, 0,
-                                                    &properties) == VK_SUCCESS;
+                                                    &properties) == VK_SUCCESS &&
+           std::min(properties.maxExtent.width, properties.maxExtent.height) >= largest;
 }
 
 void destroy_image(const Device& device, GpuImage& image) {
@@ -264,6 +268,15 @@ void forget_image(GpuImage& image) {
     std::fill(image.last.begin(), image.last.end(), anything);
 }
 
+void draw_indexed_indirect(const Device& device, VkCommandBuffer commands, VkBuffer draws, uint32_t first,
+                           uint32_t count) {
+    constexpr uint32_t size = sizeof(VkDrawIndexedIndirectCommand);
+    const uint32_t most = device.draws_many ? std::max(device.properties.limits.maxDrawIndirectCount, 1u) : 1;
+    for (uint32_t i = 0; i < count; i += most)
+        vkCmdDrawIndexedIndirect(commands, draws, VkDeviceSize{size} * (first + i), std::min(most, count - i),
+                                 size);
+}
+
 Result<void> upload_buffer(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
                            Buffer& buffer) {
     FLANEUR_TRY(make_buffer(device, bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
@@ -273,6 +286,7 @@ Result<void> upload_buffer(const Device& device, std::span<const std::byte> byte
         return run_once(device, [&](VkCommandBuffer commands) {
             const VkBufferCopy region{0, 0, bytes.size()};
             vkCmdCopyBuffer(commands, staging, buffer.handle, 1, &region);
+            wait_between(commands, k_copied_to, k_read_by_device);
         });
     });
 }

@@ -37,9 +37,10 @@ inline constexpr Access k_colour_target = {
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
     VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
     VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL};
-inline constexpr Access k_sampled = {
-    VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
-    VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+inline constexpr Access k_sampled = {VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT,
+                                     VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL};
+inline constexpr Access k_read_by_device = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
+                                            VK_IMAGE_LAYOUT_UNDEFINED};  // buffers
 inline constexpr Access k_copied_from = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                                          VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
 inline constexpr Access k_read_by_host = {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT,
@@ -108,12 +109,17 @@ VkRenderingAttachmentInfo attachment(VkImageView view, VkAttachmentLoadOp load);
 // Runs a command buffer that `record` fills, to its end.
 Result<void> run_once(const Device& device, const std::function<void(VkCommandBuffer)>& record);
 
+// Draws that lie in a buffer one after the other as VkDrawIndexedIndirectCommand, in as few calls as the
+// device takes.
+void draw_indexed_indirect(const Device& device, VkCommandBuffer commands, VkBuffer draws, uint32_t first,
+                           uint32_t count);
+
 // Copies `bytes` into a new device buffer. An empty span makes a buffer of a few bytes.
 Result<void> upload_buffer(const Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
                            Buffer& buffer);
 
-// Fills every layer of an sRGB image with its level 0 (layers one after the other) and makes the coarser
-// levels. Leaves it ready for sampling.
+// Fills every layer of an image of colours or numbers with its level 0 (layers one after the other) and makes
+// the coarser levels. Leaves it ready for sampling.
 Result<void> upload_layers(const Device& device, std::span<const std::byte> texels, GpuImage& image);
 
 }  // namespace flaneur

@@ -30,13 +30,8 @@ void bind_vertices(const FrameRecord& record, VkBuffer vertices) {
 }
 
 void draw_indirect(const FrameRecord& record, DrawRange range) {
-    if (range.count == 0) return;
-    const Device& device = record.renderer.device;
-    const uint32_t most = device.draws_many ? std::max(device.properties.limits.maxDrawIndirectCount, 1u) : 1;
-    for (uint32_t i = 0; i < range.count; i += most)
-        vkCmdDrawIndexedIndirect(record.commands, record.slot.draws.handle,
-                                 sizeof(DrawCommand) * (range.first + i), std::min(most, range.count - i),
-                                 sizeof(DrawCommand));
+    draw_indexed_indirect(record.renderer.device, record.commands, record.slot.draws.handle, range.first,
+                          range.count);
 }
 
 void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load,

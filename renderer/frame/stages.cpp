@@ -1,5 +1,7 @@
 #include "renderer/frame/stages.h"
 
+#include <cassert>
+
 #include "renderer/device/check.h"
 
 namespace flaneur {
@@ -52,6 +54,7 @@ void begin_stages(VkCommandBuffer commands, Stages& stages, bool is_counted) {
 
 void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name) {
     const auto number = static_cast<uint32_t>(stages.names.size());
+    assert(number < k_max_stages);
     if (stages.is_counted) vkCmdBeginQuery(commands, stages.counters, number, 0);
     stages.names.emplace_back(name);
     if (!stages.has_labels) return;

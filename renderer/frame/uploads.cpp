@@ -10,8 +10,12 @@ namespace {
 template <class T>
 Result<void> upload(const Device& device, std::span<const T> first, std::span<const T> second,
                     VkBufferUsageFlags usage, Buffer& buffer) {
-    FLANEUR_TRY(
-        reserve_buffer(device, first.size_bytes() + second.size_bytes(), usage, MemoryKind::upload, buffer));
+    const uint64_t bytes = first.size_bytes() + second.size_bytes(),
+                   most = device.properties.limits.maxStorageBufferRange;
+    if (usage == VK_BUFFER_USAGE_STORAGE_BUFFER_BIT && bytes > most)
+        return Error{"The frame's walkers take " + std::to_string(bytes >> 20) + " MiB; the device takes " +
+                     std::to_string(most >> 20) + " MiB at once. Draw fewer walkers."};
+    FLANEUR_TRY(reserve_buffer(device, bytes, usage, MemoryKind::upload, buffer));
     auto* out = static_cast<std::byte*>(buffer.mapped);
     if (!first.empty()) std::memcpy(out, first.data(), first.size_bytes());
     if (!second.empty()) std::memcpy(out + first.size_bytes(), second.data(), second.size_bytes());
@@ -23,11 +27,6 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                  vertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const Device& device = renderer.device;
-    const uint64_t limit = device.properties.limits.maxStorageBufferRange;
-    if (plan.crowd.count + plan.casters.count > 0 && input.palette.size_bytes() > limit)
-        return Error{"The frame's poses take " + std::to_string(input.palette.size_bytes() >> 20) +
-                     " MiB; the device takes " + std::to_string(limit >> 20) +
-                     " MiB at once. Draw fewer walkers."};
     FLANEUR_TRY(upload<FrameConstants>(device, std::span(&plan.constants, 1), {},
                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
     // Of people whom the host has skinned the device need know nothing more.

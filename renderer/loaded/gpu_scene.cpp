@@ -35,6 +35,8 @@ Result<void> check_person(const PersonMesh& mesh, size_t number) {
             if (vertex.joints[k] >= k_palette_joints)
                 return Error{name + " refers to joint " + std::to_string(vertex.joints[k]) + " of " +
                              std::to_string(k_palette_joints) + "."};
+        if (vertex.weights[0] + vertex.weights[1] + vertex.weights[2] + vertex.weights[3] != 255)
+            return Error{name + " has a vertex whose weights do not sum to 255."};
         if (vertex.texture != ~0u && vertex.texture >= mesh.textures.size())
             return Error{name + " refers to texture " + std::to_string(vertex.texture) + " but has only " +
                          std::to_string(mesh.textures.size()) + "."};

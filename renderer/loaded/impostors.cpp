@@ -101,7 +101,8 @@ Result<void> make_set(const Device& device, const Pipelines& pipelines, const Gp
     return {};
 }
 
-void record_bake(VkCommandBuffer commands, const Pipelines& pipelines, GpuScene& scene, Bake& bake) {
+void record_bake(const Device& device, VkCommandBuffer commands, const Pipelines& pipelines, GpuScene& scene,
+                 Bake& bake) {
     GpuImage& atlas = scene.impostors.atlas;
     image_to(commands, atlas, k_colour_target);
     if (bake.people > 0) image_to(commands, bake.depth, k_depth_target);
@@ -129,7 +130,7 @@ void record_bake(VkCommandBuffer commands, const Pipelines& pipelines, GpuScene&
         vkCmdPushConstants(commands, pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof size, &size);
         vkCmdBindVertexBuffers(commands, 0, 1, &scene.person_vertices.handle, &offset);
         vkCmdBindIndexBuffer(commands, scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
-        vkCmdDrawIndexedIndirect(commands, bake.draws.handle, 0, bake.people, sizeof(DrawCommand));
+        draw_indexed_indirect(device, commands, bake.draws.handle, 0, bake.people);
     }
     vkCmdEndRendering(commands);
     image_to(commands, atlas, k_sampled);
@@ -156,7 +157,8 @@ Result<void> make_atlas(const Device& device, const Pipelines& pipelines, std::s
         FLANEUR_TRY(make_image(device, shape, bake.depth));
         FLANEUR_TRY(make_set(device, pipelines, scene, bake));
     }
-    return run_once(device, [&](VkCommandBuffer commands) { record_bake(commands, pipelines, scene, bake); });
+    return run_once(device,
+                    [&](VkCommandBuffer commands) { record_bake(device, commands, pipelines, scene, bake); });
 }
 
 }  // namespace

@@ -113,7 +113,6 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     FramePlan plan;
     plan_frame(renderer, input, target.extent, plan);
     FLANEUR_TRY(fit_targets(renderer, target.extent, has_overlay(plan)));
-    const uint32_t made_before = renderer.pipelines.made;
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(upload_frame(renderer, slot, input, target.extent, plan));
     const FrameRecord frame{renderer, slot, plan, target, slot.commands};
@@ -138,7 +137,6 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
         return done;
     }
     renderer.shadows.state = std::move(plan.shadows);
-    renderer.stats.pipelines_made = renderer.pipelines.made - made_before;
     count_frame(plan, renderer);
     return {};
 }

@@ -6,7 +6,7 @@
 namespace flaneur {
 
 // Begins to draw a small picture by day and one by night, as far as they are asked for, each with every
-// pipeline that is needed then; and returns: the frames after wait for them.
+// pipeline that most need then (not the textured people's); and returns: the frames after wait for them.
 Result<void> warm_up(Renderer& renderer);
 
 }  // namespace flaneur

@@ -63,7 +63,6 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
         shape.colour = k_colour_format;
         shape.surface = k_surface_format;
         shape.depth = k_depth_format;
-        ++pipelines.made;
         return make_pipeline(device, pipelines.layout, shape, out);
     };
     const Attributes all = city_attributes();

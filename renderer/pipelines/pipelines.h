@@ -39,7 +39,6 @@ inline constexpr size_t k_view_pipelines = 12;
 struct Pipelines {
     Bindings bindings;
     VkPipelineLayout layout = {};
-    uint32_t made = 0;  // so far
     VkPipeline shadow_city = {}, shadow_crowd = {}, shadow_skinned = {}, shadow_impostor = {},
                shadow_scenery = {};
     VkPipeline impostor_bake = {};

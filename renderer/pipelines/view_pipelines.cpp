@@ -22,7 +22,7 @@ PipelineShape painted_city() {
             .fragment = k_spirv_paint_frag,
             .attributes = {city[0], city[1], city[3]},
             .stride = sizeof(CityVertex),
-            .colour = k_picture_format,
+            .colour = k_colour_format,
             .depth = k_depth_format,
             .cull = VK_CULL_MODE_BACK_BIT};
 }
@@ -41,7 +41,7 @@ PipelineShape painted_impostor() {
     return {.vertex = k_spirv_paint_impostor_vert,
             .fragment = k_spirv_paint_impostor_frag,
             .attributes = {},
-            .colour = k_picture_format,
+            .colour = k_colour_format,
             .depth = k_depth_format};
 }
 
@@ -69,7 +69,7 @@ PipelineShape overlay_fill() {
             .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(GizmoCorner, place)},
                            {1, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(GizmoCorner, colour)}},
             .stride = sizeof(GizmoCorner),
-            .colour = k_picture_format,
+            .colour = k_colour_format,
             .depth = k_depth_format,
             .writes_depth = false,
             .blend = Blend::covers};
@@ -86,7 +86,7 @@ PipelineShape overlay_line(VkCompareOp depth_test) {
                            {5, 0, VK_FORMAT_R32_UINT, offsetof(GizmoLine, place)}},
             .stride = sizeof(GizmoLine),
             .is_instanced = true,
-            .colour = k_picture_format,
+            .colour = k_colour_format,
             .depth = k_depth_format,
             .depth_test = depth_test,
             .writes_depth = false,
@@ -130,7 +130,6 @@ Result<void> make_view_pipelines(const Device& device, std::span<const ViewPipel
     for (ViewPipeline pipeline : wanted) {
         VkPipeline& made = pipelines.views[static_cast<size_t>(pipeline)];
         if (made) continue;
-        ++pipelines.made;
         PipelineShape shape = shape_of(pipeline);
         FLANEUR_TRY(make_pipeline(device, pipelines.layout, shape, made));
     }

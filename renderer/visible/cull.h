@@ -29,7 +29,7 @@ struct PersonRanges {
 // The level after those of meshes: an impostor.
 inline constexpr uint32_t k_impostor_level = k_max_lods;
 // About the size where one level follows another, by this share of it, both are drawn, in turns of pixels.
-inline constexpr float k_turns = 0.03f;
+inline constexpr float k_turns = 0.015f;
 inline constexpr uint8_t k_unseen = 0xff;
 
 // How a body is drawn: the finer of two levels, hidden in these pixels of each 4x4, where the coarser is

@@ -1,4 +1,4 @@
-// What every shader may want: bindings, decoding, light, haze and the tone curve.
+// What every shader may want: what is known of the frame, and decoding.
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared.h"
 

@@ -2,9 +2,9 @@
 layout(location = 0) out vec4 out_colour;    // root of the albedo; what is left of its light where things touch
 layout(location = 1) out uvec2 out_surface;  // normal, kind; sky, sun, mirror, glow
 
-// On the octahedron about y, flattened: -1..1. Of any length.
+// On the octahedron about y, flattened: -1..1. Of any length; where there is none, any way.
 vec2 flat_octahedron(vec3 n) {
-    vec2 at = n.xz / (abs(n.x) + abs(n.y) + abs(n.z));
+    vec2 at = n.xz / max(abs(n.x) + abs(n.y) + abs(n.z), 1e-6);
     vec2 folded = (1.0 - abs(at.yx)) * vec2(at.x >= 0.0 ? 1.0 : -1.0, at.y >= 0.0 ? 1.0 : -1.0);
     return n.y >= 0.0 ? at : folded;
 }

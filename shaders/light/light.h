@@ -1,8 +1,9 @@
 // Light on what a picture shows, written once for GLSL and for C++ over lanes: a pixel is lit by a shader where the
 // device is a GPU, and by the host where it is a CPU, to the same colours. The words are those of both languages and
 // of dialect.glsl; numbers are `real`, of which C++ has many at once, so an `if` asks for some() and what depends on a
-// pixel goes through select(). Only + - x / sqrt, min, max, abs and floor: they are exact everywhere. Nothing jumps
-// where a number differs by its last bit.
+// pixel goes through select(). Only + - x / sqrt, min, max, abs and floor, which a CPU's lanes and its Vulkan driver
+// round alike; a GPU may round quotients and roots otherwise, so nothing jumps where a number differs by its last bit,
+// but for the choice of edges to smooth.
 //
 // Whoever includes it has `frame` and these, of whole numbers:
 //   Block shadow_texels(real layer, real x, real y)  four rows of four of the shadow map from x and y on, 0..65535
@@ -103,7 +104,7 @@ SHARED real sunlit(real3 place, real3 normal, real bias, real distance) {
     real people = saturate(real(frame.people_shadows.x) - real(frame.people_shadows.y) * square(distance));
     real layer = select(is_near, select(people > real(0.0f), real(frame.shadow_layers.x), real(frame.shadow_layers.y)),
                         real(frame.shadow_layers.z));
-    // Block are filtered the wider the larger they are on the picture.
+    // They are filtered the wider the larger they are on the picture.
     real pixels = inverse(real(frame.ray_forward.w) * distance * real(1.5f));
     real near_width = min(max(real(frame.shadow_texels.x) * pixels, real(1.0f)), real(3.0f));
     real far_width = min(max(real(frame.shadow_texels.y) * pixels, real(1.0f)), real(3.0f));

@@ -13,12 +13,13 @@ layout(location = 3) in vec2 in_uv;
 layout(location = 4) flat in uint in_layer;  // and, from bit 16 on, where it is hidden
 
 void main() {
-    if (is_left_out(in_layer >> 16)) discard;
     vec3 root = in_root;
+    bool is_seen = !is_left_out(in_layer >> 16);
     if (k_textured == 1) {
         vec4 texel = texture(textures, vec3(in_uv, float(in_layer & 0xffffu)));
-        if (texel.a < 0.5) discard;
+        is_seen = is_seen && texel.a >= 0.5;
         root *= sqrt(texel.rgb);
     }
+    if (!is_seen) discard;  // when all have been sampled, whose neighbours tell how finely
     keep(root, in_normal, k_kind_person, k_plain);
 }

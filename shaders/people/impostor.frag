@@ -7,7 +7,7 @@
 
 layout(set = 0, binding = k_binding_atlas) uniform usampler2D atlas;
 
-layout(location = 0) centroid in vec2 in_texel;
+layout(location = 0) in vec2 in_texel;
 layout(location = 1) flat in uint in_number;
 layout(location = 2) flat in vec4 in_view;
 

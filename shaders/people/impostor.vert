@@ -4,7 +4,7 @@
 #include "shaders/people/impostor.glsl"
 #include "shaders/people/impostor_quad.glsl"
 
-layout(location = 0) centroid out vec2 out_texel;
+layout(location = 0) out vec2 out_texel;
 layout(location = 1) flat out uint out_number;
 layout(location = 2) flat out vec4 out_view;  // side and tilt that the picture was taken from
 

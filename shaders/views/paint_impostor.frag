@@ -18,6 +18,5 @@ void main() {
     uint texel = texelFetch(atlas, ivec2(in_texel), 0).x;
     if (texel == k_empty_texel || is_left_out(in_hidden)) discard;
     vec3 seen = axes_of(in_view.xy, in_view.zw) * normal_of(texel) * 0.5 + 0.5;
-    vec4 normals = vec4(seen, dot(seen, vec3(0.299, 0.587, 0.114)));
-    out_picture = in_shows_normals == 1 ? normals : in_colour;
+    out_picture = in_shows_normals == 1 ? vec4(seen, 1) : in_colour;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "assets/scene.h"
+#include "renderer/loaded/impostors.h"
 #include "renderer/renderer.h"
 #include "renderer/visible/cull.h"
 #include "tests/renderer/test_renderer.h"
@@ -132,7 +133,10 @@ Switch watch(People& people, float border, int steps) {
 TEST(Switches, AreNotSeen) {
     constexpr double k_unseen = 0.05, k_hardly_seen = 0.08;
     People people = walking_people();
-    for (const float border : {840.0f, 420.0f, 150.0f, 70.0f, 35.0f}) {
+    std::vector<float> borders(std::begin(k_level_pixels), std::end(k_level_pixels));
+    const auto cell = static_cast<float>(cell_grid(people.loaded.characters.size()).height);
+    borders.push_back(cell);  // of impostors
+    for (const float border : borders) {
         const Switch seen = watch(people, border, 20);
         const std::string name = "border_" + std::to_string(std::lround(border));
         RecordProperty(name, std::to_string(seen.step));
@@ -142,7 +146,7 @@ TEST(Switches, AreNotSeen) {
         EXPECT_LE(seen.single_step, k_hardly_seen) << border;
         EXPECT_GT(seen.whole, 1.5 * seen.step) << border << ": nothing was passed, or all at once";
     }
-    EXPECT_GT(watch(people, 35, 1).step, k_unseen) << "a switch all at once would be seen";
+    EXPECT_GT(watch(people, cell, 1).step, k_unseen) << "a switch all at once would be seen";
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #!/bin/bash
 # gpu.sh FLANEUR [DEVICE]: on whatever GPU is there, or a named device: each scene by day and by night looks as Mesa's
 # CPU driver draws it, the validation layer has nothing to say, a second run on another number of threads writes the
-# same bytes, and light by the host is the same within 1 of 255. Then it says how long frames take.
+# same bytes, and light by the host is the same within 1 of 255, but for few edges that
+# other roundings let be smoothed otherwise. Then it says how long frames take.
 set -euo pipefail
 flaneur=$1
 device=${2-}
@@ -29,7 +30,7 @@ for scene in corner square district asteroid; do
         draw "${words[@]}" "${on_gpu[@]}" --threads 3 --out "$folder/b.png"
         cmp "$folder/a.png" "$folder/b.png" || { echo "FAILED: two runs differ." && exit 1; }
         draw "${words[@]}" "${on_gpu[@]}" --light host --out "$folder/b.png"
-        "$here/differ.py" "$folder/a.png" "$folder/b.png" 1
+        "$here/differ.py" "$folder/a.png" "$folder/b.png" 1 0.0005
         # Edges and last bits may fall otherwise, but nothing may be missing.
         draw "${words[@]}" --device llvmpipe --out "$folder/b.png"
         "$here/differ.py" "$folder/a.png" "$folder/b.png" 16 0.01
