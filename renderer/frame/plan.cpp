@@ -7,7 +7,6 @@
 namespace flaneur {
 namespace {
 
-constexpr Slice k_far_slice = {0, 250};  // where the city throws shadows, metres
 constexpr float k_plain_shadows = 0.8f;  // from which share of their reach on people's shadows fade
 
 DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> more,
@@ -68,56 +67,47 @@ void colour_by_level(std::span<const PersonRanges> people, CrowdDraws& crowd) {
         std::fill_n(impostor.tints, k_tints, k_level_colours[k_impostor_level]);
 }
 
-}  // namespace
-
-void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
-    const GpuScene& scene = renderer.scene;
-    plan.view = make_view(input.camera, extent.width, extent.height);
+// What lights the frame, and which maps of shadows are looked at and drawn.
+void plan_light(const Renderer& renderer, const FrameInput& input, FramePlan& plan) {
     plan.light = make_daylight(input.sun, input.is_overcast);
-    plan.backdrop = input.backdrop;
-    plan.times_passes = input.times_passes;
     plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
     plan.lit_windows = input.lit_windows;
-    const vec3 to_light = plan.light.to_light;
-    const uint32_t resolution = renderer.quality.shadow_resolution;
-    plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - scene.ground_low);
-    const View& before = renderer.last_view;
-    const std::array wanted = {wanted_box(before, plan.view, to_light, plan.slice, resolution),
-                               wanted_box(before, plan.view, to_light, k_far_slice, resolution)};
+    plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - renderer.scene.ground_low);
+    auto wanted_of = [&](Slice slice) {
+        return wanted_box(renderer.last_view, plan.view, plan.light.to_light, slice,
+                          renderer.quality.shadow_resolution);
+    };
+    const std::array wanted = {wanted_of(plan.slice), wanted_of(far_shadow_slice(plan.slice))};
     plan.near = wanted[0].now, plan.far = wanted[1].now;
     if (plan.has_shadows) plan.shadows = next_shadows(renderer.shadows.state, wanted, plan.slices);
+}
 
-    OcclusionMap& hidden = renderer.hidden;
-    if (input.skips_hidden)
-        draw_walls(scene.wall_groups, scene.walls, plan.view, hidden);
-    else
-        hidden.nearness.clear();
-    const CrowdInput crowd{input.walkers,   scene.people, input.palette.size(),  scene.impostors.pixels,
-                           input.is_finest, &hidden,      renderer.workers.get()};
-    renderer.last_view = plan.view;
+// Who is seen, whose shadows are, and what of their map changes.
+void plan_people(Renderer& renderer, const FrameInput& input, FramePlan& plan) {
+    const GpuScene& scene = renderer.scene;
+    const CrowdInput crowd{input.walkers,   scene.people,     input.palette.size(),  scene.impostors.pixels,
+                           input.is_finest, &renderer.hidden, renderer.workers.get()};
     View finer = plan.view;
     finer.pixels_at_one_metre *= renderer.quality.detail;
     cull_crowd(crowd, finer, renderer.crowd);
-    cull_shadow_casters(crowd, finer, plan.near, to_light, plan.has_shadows ? plan.slice.far : -1,
+    cull_shadow_casters(crowd, finer, plan.near, plan.light.to_light, plan.has_shadows ? plan.slice.far : -1,
                         renderer.casters);
     HeldMap& near = plan.shadows.maps[0][plan.shadows.seen[0]];
+    const uint32_t resolution = renderer.quality.shadow_resolution;
     ShadowTiles tiles = tiles_below(plan.near, resolution, renderer.casters.spheres);
     if (plan.has_shadows) plan.near_changed = changed_texels(near.people, tiles, resolution);
     near.people = std::move(tiles);
     if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
-    plan.surfaces_view = input.surfaces;
-    plan.are_tinted = input.people_colours != PeopleColours::own;
-    plan.are_ghosts = input.are_ghosts;
-    plan.lines = static_cast<uint32_t>(input.lines.size());
-    plan.fills = static_cast<uint32_t>(input.fills.size());
     if (!plan.backdrop) find_contacts(crowd, input.palette, input.grounds, finer, plan.contacts);
+}
 
-    const std::span<const DrawCommand> people(renderer.crowd.draws);
-    const std::span<const DrawCommand> casters(renderer.casters.draws);
+// Those whom the host skins come first.
+void plan_people_draws(const Renderer& renderer, const FrameInput& input, FramePlan& plan) {
+    const std::span<const DrawCommand> people(renderer.crowd.draws), casters(renderer.casters.draws);
     if (renderer.are_people_skinned_on_host) {
         if (input.surfaces == Surfaces::lit && !input.are_ghosts)
-            plan.crowd_skin = plan_skin(people, scene.skin_meshes);
-        plan.casters_skin = plan_skin(casters, scene.skin_meshes);
+            plan.crowd_skin = plan_skin(people, renderer.scene.skin_meshes);
+        plan.casters_skin = plan_skin(casters, renderer.scene.skin_meshes);
     }
     auto skinned = [&](const SkinPlan& skin) {  // to be completed by skin_people()
         return append(plan.draws, std::vector<DrawCommand>(skin.batches.size()), 0);
@@ -127,37 +117,59 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.crowd = append(plan.draws, people.subspan(plan.crowd_skin.draws), 0);
     plan.casters = append(plan.draws, casters.subspan(plan.casters_skin.draws),
                           static_cast<uint32_t>(renderer.crowd.instances.size()));
+}
 
+// What of the city is seen, and what throws shadows into the slices that are drawn.
+void plan_city(const Renderer& renderer, FramePlan& plan) {
     auto chunks = [&](CityClass kind) {
-        return std::span<const CityChunk>(scene.chunks[static_cast<size_t>(kind)]);
+        return std::span<const CityChunk>(renderer.scene.chunks[static_cast<size_t>(kind)]);
     };
     auto begin = [&] { return static_cast<uint32_t>(plan.draws.size()); };
-    auto visible = [&](CityClass kind) {
+    for (size_t kind = 0; kind < k_city_classes; ++kind) {
         const uint32_t first = begin();
-        return DrawRange{first, cull_chunks(chunks(kind), plan.view, hidden, plan.draws)};
-    };
-    auto casting = [&](const ShadowBox& box, bool is_near) {
-        auto range_of = [&](std::initializer_list<CityClass> kinds) {
-            DrawRange range{begin(), 0};
-            for (CityClass kind : kinds)
-                range.count += cull_chunk_casters(chunks(kind), box, is_near, plan.draws);
-            return range;
-        };
-        CityCasters out;
-        out.opaque = range_of({CityClass::facade, CityClass::roof, CityClass::detail, CityClass::prop});
-        out.scenery = range_of({CityClass::scenery});
-        return out;
-    };
-    for (size_t kind = 0; kind < k_city_classes; ++kind)
-        plan.surfaces[kind] = visible(static_cast<CityClass>(kind));
+        plan.surfaces[kind] = {
+            first, cull_chunks(chunks(static_cast<CityClass>(kind)), plan.view, renderer.hidden, plan.draws)};
+    }
+    const uint32_t resolution = renderer.quality.shadow_resolution;
     for (const ShadowSlices& slices : plan.slices) {
         const ShadowBox part = part_of(slices.box, rows_of(slices, resolution), resolution);
-        plan.slice_casters.push_back(casting(part, slices.reach == Reach::near));
+        auto casting = [&](std::initializer_list<CityClass> kinds) {
+            DrawRange range{begin(), 0};
+            for (CityClass kind : kinds)
+                range.count +=
+                    cull_chunk_casters(chunks(kind), part, slices.reach == Reach::near, plan.draws);
+            return range;
+        };
+        CityCasters& casters = plan.slice_casters.emplace_back();
+        casters.opaque = casting({CityClass::facade, CityClass::roof, CityClass::detail, CityClass::prop});
+        casters.scenery = casting({CityClass::scenery});
     }
+}
+
+}  // namespace
+
+void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
+    plan.view = make_view(input.camera, extent.width, extent.height);
+    plan.backdrop = input.backdrop;
+    plan.times_passes = input.times_passes;
+    plan.surfaces_view = input.surfaces;
+    plan.are_tinted = input.people_colours != PeopleColours::own;
+    plan.are_ghosts = input.are_ghosts;
+    plan.lines = static_cast<uint32_t>(input.lines.size());
+    plan.fills = static_cast<uint32_t>(input.fills.size());
+    plan_light(renderer, input, plan);
+    if (input.skips_hidden)
+        draw_walls(renderer.scene.wall_groups, renderer.scene.walls, plan.view, renderer.hidden);
+    else
+        renderer.hidden.nearness.clear();
+    plan_people(renderer, input, plan);
+    plan_people_draws(renderer, input, plan);
+    plan_city(renderer, plan);
     const Look look = look_of(plan.light, plan.lit_windows);
     plan.constants = look.constants;
     set_view(renderer, plan, extent, plan.constants);
     plan.sky = sky_corners(plan.light, look, plan.constants);
+    renderer.last_view = plan.view;
 }
 
 }  // namespace flaneur

@@ -52,7 +52,8 @@ struct FramePlan {
 // Whether something is laid over the picture.
 inline bool has_overlay(const FramePlan& plan) { return plan.lines > 0 || plan.fills > 0 || plan.are_ghosts; }
 
-// Culls a frame's walkers and the city. `renderer`'s crowd and casters are filled too.
+// Culls a frame's walkers and the city. `renderer`'s crowd, casters, walls seen (`hidden`) and last view are
+// those of the frame then.
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan);
 
 }  // namespace flaneur

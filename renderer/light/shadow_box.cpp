@@ -6,12 +6,20 @@
 namespace flaneur {
 
 Slice fine_shadow_slice(const View& view, float height) {
-    constexpr float step = 4;
-    const float h = std::clamp(std::floor(height / step) * step, 0.0f, 200.0f);
+    constexpr float highest = 8000;
+    height = std::clamp(height, 0.0f, highest);
+    const float step = std::max(std::exp2(std::floor(std::log2(std::max(height, 1.0f)))) / 32, 4.0f);
+    const float h = std::floor(height / step) * step;
     const float fall = -(view.forward.y + view.down.y);  // of the lowest ray, for each metre ahead
     float near = 2 * h;
     if (fall > 0) near = std::min(near, std::floor(0.8f * h / fall / step) * step);
     return {near, std::max(60 + 3 * h, near + 60)};
+}
+
+Slice far_shadow_slice(Slice fine) {
+    float far = 250;
+    while (far < 1.3f * fine.far) far *= 2;
+    return {0, far};
 }
 
 namespace {

@@ -15,6 +15,10 @@ struct Slice {
 // comes into sight, for an eye `height` metres above it.
 Slice fine_shadow_slice(const View& view, float height);
 
+// The part where the city throws shadows at all: 250 m ahead, and twice, four times... as far where the fine
+// part reaches far.
+Slice far_shadow_slice(Slice fine);
+
 // A square map of depths seen from the sun.
 struct ShadowBox {
     glm::mat4 map_from_world{0.0f};  // u, v and depth within 0..1; depth grows away from the sun

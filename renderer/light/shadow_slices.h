@@ -26,10 +26,6 @@ struct ShadowState {
     std::array<std::array<HeldMap, 2>, k_reaches> maps;
     std::array<uint8_t, k_reaches> seen = {};  // which of the two
 };
-inline const HeldMap& seen_map(const ShadowState& state, Reach reach) {
-    const auto r = static_cast<size_t>(reach);
-    return state.maps[r][state.seen[r]];
-}
 
 // Slices of a map, to be drawn.
 struct ShadowSlices {

@@ -157,10 +157,6 @@ glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v) {
     return v + joint.rotation.w * t + glm::cross(u, t) + glm::vec3(joint.translation);
 }
 
-uint32_t lod_of(const View& view, glm::vec3 centre, float radius) {
-    return lod_of(pixels_of(view, centre, radius));
-}
-
 // Whether the eye is within a standing body, of which only shards beyond the near plane would be seen.
 static bool is_eye_inside(const View& view, const WalkerDraw& walker) {
     constexpr float k_girth = 0.4f;  // share of the radius

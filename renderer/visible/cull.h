@@ -88,9 +88,6 @@ bool is_drawable(const CrowdInput& input, const WalkerDraw& walker);
 
 glm::vec3 moved_by(const JointTransform& joint, glm::vec3 v);
 
-// The level of a mesh for a body: by its height on the picture.
-uint32_t lod_of(const View& view, glm::vec3 centre, float radius);
-
 // Those that the view sees.
 void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out);
 

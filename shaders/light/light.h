@@ -149,8 +149,10 @@ SHARED real3 lamplight(real3 place, real3 normal, real before) {
     Lamp c = lamp_texel(x, y + real(1.0f)), d = lamp_texel(x + real(1.0f), y + real(1.0f));
     real3 lamps = lerp(lerp(a.light, b.light, s), lerp(c.light, d.light, s), t);
     real ground = lerp(lerp(a.ground, b.ground, s), lerp(c.ground, d.ground, s), t);
-    real above = max(place.y - ground - real(3.0f), real(0.0f)) * real(0.4f);
+    real height = place.y - ground, above = max(height - real(3.0f), real(0.0f)) * real(0.4f);
     lamps = lamps * inverse(real(1.0f) + above * above);
+    // From above the lamps they shine up.
+    lamps = make3(lamps.x, lamps.y * (real(1.0f) - real(2.0f) * saturate((height - real(3.5f)) * real(0.3f))), lamps.z);
     real length = sqrt(inner(lamps, lamps));
     return scaled(frame.lamp_light, max(inner(lamps, normal), real(0.0f)) + real(0.14f) * min(length, real(0.7f)));
 }
@@ -241,12 +243,13 @@ SHARED real3 surface_lit(Kept kept, real3 ray, real distance, real3 place) {
     if (some(kept.mirror > real(0.0f))) {
         real mirror = kept.mirror * real(1.0f / 255.0f), steep = square(square(grazing));
         real3 way = reflected(ray, normal);
-        real3 glassy = light + street_towards(make3(way.x, abs(way.y), way.z)) *
+        real3 glassy = light + street_towards(make3(way.x, max(way.y, real(0.0f)), way.z)) *
                                    (mirror * (real(0.09f) + real(0.91f) * steep * grazing));
         real3 wet = lerp(light, sky_towards(way), mirror * (real(0.1f) + real(0.9f) * steep));
         light = select(is_wall, glassy, wet);
     }
-    return through_air(light, ray, distance);
+    // Of the colour that is shown, whose square is about its light; the air before it stays as bright.
+    return through_air(light * square(kept.open * real(1.0f / 255.0f)), ray, distance);
 }
 
 // The display-ready colour of a sample at a place on the picture, 0..1.
@@ -265,7 +268,7 @@ SHARED real3 colour_seen(Kept kept, real u, real v) {
         real3 sky = frame.backdrop.w > 0.0f ? scaled(frame.backdrop, real(1.0f)) : sky_seen(kept, u, v, way);
         colour = select(is_sky, sky, colour);
     }
-    return colour * select(is_sky, real(1.0f), kept.open * real(1.0f / 255.0f));
+    return colour;
 }
 
 // Pixels of four samples, in two rows

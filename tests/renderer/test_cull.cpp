@@ -104,14 +104,22 @@ TEST(Cull, ManyThreadsListWhatOneLists) {
 }
 
 TEST(Cull, LevelsGetCoarserWithDistance) {
+    std::vector<PersonRanges> people(1);
+    people[0].lods.assign(k_max_lods, {0, 3});
+    std::vector<WalkerDraw> walkers = ring_of_walkers(1);
     const View view = make_view({}, 1280, 720);
-    uint32_t last = 0;
+    uint8_t first = k_unseen, last = 0;
     for (float distance = 1; distance < 300; distance *= 1.1f) {
-        const uint32_t lod = lod_of(view, view.eye + view.forward * distance, 0.95f);
-        EXPECT_GE(lod, last);
-        last = lod;
+        walkers[0].centre = view.eye + view.forward * distance;
+        CrowdDraws out;
+        cull_crowd({walkers, people, k_palette_joints}, view, out);
+        const Levels levels = out.levels.at(0);
+        EXPECT_GE(levels.fine, last);
+        EXPECT_GE(levels.coarse, levels.fine);
+        EXPECT_LE(levels.coarse, levels.fine + 1);
+        first = std::min(first, levels.fine), last = levels.fine;
     }
-    EXPECT_EQ(lod_of(view, view.eye + view.forward, 0.95f), 0u);
+    EXPECT_EQ(first, 0u);
     EXPECT_EQ(last, k_max_lods - 1);
 }
 

@@ -159,6 +159,10 @@ TEST(Shadow, MapsAreDrawnAheadBySlicesForACameraThatMoves) {
          {1.4f, 5.0f, 20.0f}) {  // metres a second, along a wide circle, with a step's bobbing
         Walk walk;
         uint32_t slices = 0, late = 0, most = 0;
+        auto seen_box = [&](Reach reach) {
+            const auto r = static_cast<size_t>(reach);
+            return walk.state.maps[r][walk.state.seen[r]].box;
+        };
         for (int frame = 0; frame < 3000; ++frame) {
             const float turn = speed / 60 / 80 * static_cast<float>(frame);
             const glm::vec3 eye(80 * std::sin(turn),
@@ -167,8 +171,8 @@ TEST(Shadow, MapsAreDrawnAheadBySlicesForACameraThatMoves) {
             const View view = make_view(
                 {.eye = eye, .target = eye + glm::vec3(std::cos(turn), 0.02f, -std::sin(turn))}, 1280, 720);
             const uint32_t drawn = walk.step(view);
-            EXPECT_EQ(seen_map(walk.state, Reach::near).box, walk.box_of(view, walk.near));
-            EXPECT_EQ(seen_map(walk.state, Reach::far).box, walk.box_of(view, walk.far));
+            EXPECT_EQ(seen_box(Reach::near), walk.box_of(view, walk.near));
+            EXPECT_EQ(seen_box(Reach::far), walk.box_of(view, walk.far));
             ASSERT_TRUE(holds(walk.box_of(view, walk.near), view, walk.near) &&
                         holds(walk.box_of(view, walk.far), view, walk.far));
             if (frame > 0) slices += drawn, late += drawn > 1, most = std::max(most, drawn);
