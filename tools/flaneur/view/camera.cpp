@@ -155,19 +155,23 @@ Camera crowd_camera(const World& world) {
     constexpr size_t k_sample = 300;
     constexpr int k_sides = 16;
     constexpr float k_near = 12, k_dearth = 0.7f;  // metres; what a view without anybody so near is worth
+    constexpr float k_clear = 45;                  // metres to which people count whole, and less beyond
+    constexpr float k_throng = 30;                 // metres
     const std::vector<Vec3>& places = world.crowd.motion.position;
     std::vector<Vec3> chests;
-    Vec3 middle{};
     for (size_t i = 0; i < world.crowd.count; i += world.crowd.count / k_sample + 1) {
         if (!is_there(world.crowd, static_cast<uint32_t>(i))) continue;
         chests.push_back(places[i] + Vec3{0, 1.2f, 0});
-        middle += places[i];
     }
     if (chests.empty()) return make_camera({0, k_eye, 0}, {0, k_eye, 10});
-    middle = middle * (1 / static_cast<float>(chests.size()));
+    auto throng = [&](Vec3 at) {
+        return std::count_if(chests.begin(), chests.end(), [&](Vec3 p) { return length(p - at) < k_throng; });
+    };
+    const Vec3 middle = *std::max_element(chests.begin(), chests.end(),
+                                          [&](Vec3 a, Vec3 b) { return throng(a) < throng(b); });
     float best = -1;
     Camera camera;
-    for (const float height : {2.0f, 4.0f, 8.0f, 16.0f, 32.0f, 60.0f, 120.0f, 240.0f})
+    for (const float height : {2.0f, 3.0f, 5.0f, 8.0f, 12.0f, 18.0f, 25.0f})
         for (const float away : {8.0f, 15.0f, 25.0f, 40.0f, 60.0f, 90.0f, 140.0f})
             for (int side = 0; side < k_sides; ++side) {
                 const Vec3 out = heading_vector(static_cast<float>(side) * (2 * k_pi / k_sides));
@@ -178,14 +182,15 @@ Camera crowd_camera(const World& world) {
                 const Vec3 eye{place.x, ground->height + height, place.z};
                 const Camera tried = make_camera(eye, middle + Vec3{0, 1, 0} + out * (0.25f * away));
                 const View view = make_view(tried, 16, 9);
-                int seen = 0;
+                float seen = 0;
                 bool is_near = false;
                 for (const Vec3 chest : chests) {
                     if (!sees_sphere(view, to_glm(chest), 0.3f) || !sees(*world.ground, eye, chest)) continue;
-                    ++seen;
-                    is_near = is_near || length(chest - eye) < k_near;
+                    const float distance = length(chest - eye);
+                    seen += std::min(1.0f, k_clear / distance);
+                    is_near = is_near || distance < k_near;
                 }
-                const float worth = static_cast<float>(seen) * (is_near ? 1.0f : k_dearth);
+                const float worth = seen * (is_near ? 1.0f : k_dearth);
                 if (worth <= best) continue;
                 best = worth;
                 camera = tried;
