@@ -25,7 +25,7 @@ Camera overview_camera(const World& world, std::span<const Building> buildings, 
 // sight now, and no wall is within half a metre. Depends on the state alone.
 Camera street_camera(const City& city, const World& world);
 
-// From where most people are in view, some of them near: from a pedestrian's eye up to the height of a roof.
+// Before the densest throng, some of it near: from a pedestrian's eye up to 25 m above the ground.
 Camera crowd_camera(const World& world);
 
 // From behind a walker, over its right shoulder, who is in the picture from hat to soles, whatever its
