@@ -14,6 +14,7 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_largest_picture = 8192;
+constexpr float k_least_resolution = 0.1f;
 constexpr uint64_t k_patience = 200'000'000;  // ns that an image of the window is waited for
 
 Result<void> make_slots(Renderer& renderer) {
@@ -53,21 +54,30 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     return renderer;
 }
 
-// An image to draw into off-screen, and the buffer that it is read from.
-Result<void> fit_picture(Renderer& renderer, uint32_t width, uint32_t height) {
+// An image to draw into that no window shows.
+Result<void> fit_picture(Renderer& renderer, VkExtent2D extent) {
     GpuImage& picture = renderer.picture;
-    if (!picture.view || picture.width != width || picture.height != height ||
-        picture.format != k_picture_format) {
-        destroy_image(renderer.device, picture);
-        ImageShape shape{.format = k_picture_format, .width = width, .height = height};
-        shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        if (Result<void> made = make_image(renderer.device, shape, picture); !made) {
-            destroy_image(renderer.device, picture);
-            return made;
-        }
-    }
-    return reserve_buffer(renderer.device, VkDeviceSize{4} * width * height, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                          MemoryKind::readback, renderer.readback);
+    if (picture.view && picture.width == extent.width && picture.height == extent.height &&
+        picture.format == k_picture_format)
+        return {};
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    destroy_image(renderer.device, picture);
+    ImageShape shape{.format = k_picture_format, .width = extent.width, .height = extent.height};
+    shape.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                  VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    Result<void> made = make_image(renderer.device, shape, picture);
+    if (!made) destroy_image(renderer.device, picture);
+    return made;
+}
+
+// Where the host lights, the memory that it does so in, if the picture goes on to an image.
+Result<void> light_into_slot(Renderer& renderer, FrameSlot& slot, PictureTarget& target) {
+    if (!renderer.is_lit_on_host) return {};
+    FLANEUR_TRY(reserve_buffer(renderer.device, VkDeviceSize{4} * target.extent.width * target.extent.height,
+                               VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload, slot.picture));
+    target.pixels = static_cast<uint32_t*>(slot.picture.mapped);
+    target.staging = slot.picture.handle;
+    return {};
 }
 
 Result<void> check_size(const Renderer& renderer, uint32_t width, uint32_t height) {
@@ -132,6 +142,7 @@ void RendererDelete::operator()(Renderer* renderer) const {
         destroy_picture_targets(r.device, r.targets);
         destroy_shadow_maps(r.device, r.shadows);
         destroy_image(r.device, r.picture);
+        destroy_image(r.device, r.letters);
         destroy_buffer(r.device, r.readback);
         for (FrameSlot& slot : r.slots) destroy_slot(r.device, slot);
         if (r.descriptor_pool) vkDestroyDescriptorPool(r.device.handle, r.descriptor_pool, nullptr);
@@ -176,6 +187,24 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     return made;
 }
 
+Result<void> upload_letters(Renderer& renderer, const Letters& letters) {
+    if (letters.texels.size() != size_t{letters.width} * letters.height || letters.texels.empty())
+        return Error{"The letters' size does not agree with their texels."};
+    GpuImage image;
+    auto make = [&]() -> Result<void> {
+        ImageShape shape{.format = VK_FORMAT_R8_UNORM, .width = letters.width, .height = letters.height};
+        shape.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        FLANEUR_TRY(make_image(renderer.device, shape, image));
+        FLANEUR_TRY(upload_layers(renderer.device, std::as_bytes(letters.texels), image));
+        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+        return {};
+    };
+    Result<void> made = make();
+    if (made) std::swap(renderer.letters, image);
+    destroy_image(renderer.device, image);
+    return made;
+}
+
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer) {
     return read_impostors(renderer.device, renderer.scene.impostors);
 }
@@ -204,15 +233,19 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     Image image{width, height, {}};
     const size_t bytes = size_t{4} * width * height;
     PictureTarget target{.extent = {width, height}};
-    if (renderer.is_lit_on_host) {
+    if (renderer.is_lit_on_host && frame.panels.draws.empty()) {
         image.rgba.resize(bytes);
         target.pixels = reinterpret_cast<uint32_t*>(image.rgba.data());
         FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
         return image;
     }
-    FLANEUR_TRY(fit_picture(renderer, width, height));
+    FLANEUR_TRY(fit_picture(renderer, target.extent));
+    FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback,
+                               renderer.readback));
+    FLANEUR_TRY(light_into_slot(renderer, slot, target));
     target.image = &renderer.picture;
     target.smooth = renderer.pipelines.smooth_image;
+    target.panels = renderer.pipelines.panels_image;
     target.after = k_copied_from;
     target.readback = renderer.readback.handle;
     FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
@@ -250,22 +283,30 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
             return vulkan_error(result, "get an image of the window");
     }
     GpuImage& image = swapchain.images[index];
-    PictureTarget target{
-        .extent = swapchain.extent,
-        .image = &image,
-        .smooth = renderer.pipelines.smooth_window,
-        .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
-        .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
     auto draw = [&]() -> Result<void> {
+        PictureTarget target{
+            .extent = swapchain.extent,
+            .image = &image,
+            .smooth = renderer.pipelines.smooth_window,
+            .panels = renderer.pipelines.panels_window,
+            .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
+            .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
         FLANEUR_TRY(check_size(renderer, target.extent.width, target.extent.height));
-        if (renderer.is_lit_on_host) {
-            FLANEUR_TRY(reserve_buffer(renderer.device,
-                                       VkDeviceSize{4} * target.extent.width * target.extent.height,
-                                       VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload, slot.picture));
-            target.pixels = static_cast<uint32_t*>(slot.picture.mapped);
-            target.staging = slot.picture.handle;
+        if (frame.resolution < 1 && swapchain.takes_copies) {
+            const float share = std::max(frame.resolution, k_least_resolution);
+            auto scaled = [&](uint32_t pixels) {
+                return std::max(static_cast<uint32_t>(static_cast<float>(pixels) * share), 1u);
+            };
+            target.extent = {scaled(target.extent.width), scaled(target.extent.height)};
+            FLANEUR_TRY(fit_picture(renderer, target.extent));
+            target.image = &renderer.picture;
+            target.scaled = &image;
+            target.smooth = renderer.pipelines.smooth_image;
+            target.is_blue_first = false;
         }
-        const Access written = renderer.is_lit_on_host ? k_copied_to : k_colour_target;
+        FLANEUR_TRY(light_into_slot(renderer, slot, target));
+        const bool is_copied = renderer.is_lit_on_host || target.scaled;
+        const Access written = is_copied ? k_copied_to : k_colour_target;
         // Its semaphore is waited for before the picture is written.
         image.last.assign(1, {written.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
         return draw_frame(renderer, slot, frame, target, {slot.image_ready, written.stage},

@@ -45,6 +45,9 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);
 uint64_t impostors_key(const Renderer& renderer, std::span<const PersonMesh> people);
 
+// The letters of panels, from the next frame on.
+Result<void> upload_letters(Renderer& renderer, const Letters& letters);
+
 struct Image {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgba;  // sRGB, opaque, rows from the top

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "renderer/panels.h"
 #include "renderer/shared.h"
 #include "renderer/work_views.h"
 #include "sim/base/levels.h"
@@ -164,6 +165,10 @@ struct FrameInput {
     bool are_ghosts = false;                // people are seen through, but for their outlines; not impostors
     std::span<const GizmoLine> lines = {};  // later ones over earlier ones
     std::span<const GizmoCorner> fills = {};  // three a triangle
+    Panels panels = {};                       // over all of it
+    // In a window, (0, 1]: the picture is drawn in this share of its pixels along each edge, and scaled up to
+    // it; panels stay sharp.
+    float resolution = 1;
 };
 
 }  // namespace flaneur

@@ -124,7 +124,8 @@ FLANEUR_CONST int k_binding_occlusion = 14;  // half as wide and high as the pic
 FLANEUR_CONST int k_binding_picture = 15;    // the picture before anti-aliasing, luma in alpha
 FLANEUR_CONST int k_binding_overlay = 16;    // what is laid over it, alpha multiplied in
 FLANEUR_CONST int k_binding_even_occlusion = 17;  // evened out
-FLANEUR_CONST int k_bindings = 18;
+FLANEUR_CONST int k_binding_letters = 18;         // of panels
+FLANEUR_CONST int k_bindings = 19;
 
 // Specialisation constants.
 FLANEUR_CONST int k_constant_textured = 0;  // whether people have textures

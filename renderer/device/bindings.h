@@ -36,6 +36,7 @@ inline constexpr std::array<BindingKind, k_bindings> k_binding_kinds = [] {
     kinds[k_binding_textures] = {image, fragment, SamplerKind::blended};
     kinds[k_binding_atlas] = {image, fragment, SamplerKind::texels};
     kinds[k_binding_scenery] = {image, fragment, SamplerKind::blended};
+    kinds[k_binding_letters] = {image, fragment, SamplerKind::blended};
     for (int texels : {k_binding_lamps, k_binding_colour, k_binding_surface, k_binding_depth,
                        k_binding_occlusion, k_binding_even_occlusion, k_binding_picture, k_binding_overlay})
         kinds[static_cast<size_t>(texels)] = {image, fragment, SamplerKind::texels};

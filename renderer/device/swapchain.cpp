@@ -98,6 +98,7 @@ Result<void> make_swapchain(const Device& device, VkExtent2D wanted, Swapchain& 
     info.imageColorSpace = swapchain.colour_space;
     info.imageExtent = extent;
     info.imageArrayLayers = 1;
+    swapchain.takes_copies = (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
     info.imageUsage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | (surface.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     const uint32_t families[] = {device.queue_family, device.present_family};

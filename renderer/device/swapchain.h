@@ -13,6 +13,7 @@ struct Swapchain {
     VkColorSpaceKHR colour_space = VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
     VkExtent2D extent = {};
     std::vector<GpuImage> images;
+    bool takes_copies = false;       // pictures may be copied into them, rather than only drawn
     std::vector<VkSemaphore> drawn;  // one an image: the picture may be presented
 };
 

@@ -157,6 +157,7 @@ void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, 
     plan.are_ghosts = input.are_ghosts;
     plan.lines = static_cast<uint32_t>(input.lines.size());
     plan.fills = static_cast<uint32_t>(input.fills.size());
+    plan.panels = input.panels.draws;
     plan_light(renderer, input, plan);
     if (input.skips_hidden)
         draw_walls(renderer.scene.wall_groups, renderer.scene.walls, plan.view, renderer.hidden);

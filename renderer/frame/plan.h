@@ -45,6 +45,7 @@ struct FramePlan {
     Surfaces surfaces_view = Surfaces::lit;
     bool are_tinted = false, are_ghosts = false;  // people
     uint32_t lines = 0, fills = 0;                // gizmos, and corners of fills
+    std::span<const PanelDraw> panels;            // of the frame's input
     FrameConstants constants;
     std::vector<vec4> sky;  // at the corners of its grid
 };

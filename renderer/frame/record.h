@@ -10,7 +10,9 @@ struct PictureTarget {
     VkExtent2D extent = {};
     GpuImage* image = nullptr;   // null: the host lights, and nobody else wants the picture
     VkPipeline smooth = {};      // the one for the image's format, where the device lights
-    Access after = {};           // what is done to the image then
+    GpuImage* scaled = nullptr;  // a larger image that the picture then goes to; null: none
+    VkPipeline panels = {};      // the one for the last of these images
+    Access after = {};           // what is done to that one then
     VkBuffer readback = {};      // where the device copies the picture to; null: nowhere
     uint32_t* pixels = nullptr;  // where the host puts it, if it lights
     VkBuffer staging = {};       // which that is, for the image to be copied from
@@ -24,6 +26,11 @@ struct FrameRecord {
     const PictureTarget& target;
     VkCommandBuffer commands;
 };
+
+// Where the picture ends up.
+inline GpuImage& final_image(const FrameRecord& record) {
+    return record.target.scaled ? *record.target.scaled : *record.target.image;
+}
 
 void begin_stage(const FrameRecord& record, const char* name);
 void end_stage(const FrameRecord& record);

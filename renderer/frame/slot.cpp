@@ -27,8 +27,9 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
 
 void destroy_slot(const Device& device, FrameSlot& slot) {
     for (Buffer* buffer : {&slot.constants, &slot.instances, &slot.palette, &slot.impostors, &slot.sky,
-                           &slot.draws, &slot.contacts, &slot.lines, &slot.fills, &slot.crowd.vertices,
-                           &slot.crowd.indices, &slot.casters.vertices, &slot.casters.indices, &slot.picture})
+                           &slot.draws, &slot.contacts, &slot.lines, &slot.fills, &slot.panel_vertices,
+                           &slot.panel_indices, &slot.crowd.vertices, &slot.crowd.indices,
+                           &slot.casters.vertices, &slot.casters.indices, &slot.picture})
         destroy_buffer(device, *buffer);
     destroy_stages(device, slot.stages);
     if (slot.image_ready) vkDestroySemaphore(device.handle, slot.image_ready, nullptr);

@@ -19,7 +19,8 @@ struct FrameSlot {
     VkSemaphore image_ready = {};  // of a window
     VkDescriptorSet set = {};
     Stages stages;
-    Buffer constants, instances, palette, impostors, sky, draws, contacts, lines, fills;
+    Buffer constants, instances, palette, impostors, sky, draws, contacts, lines, fills, panel_vertices,
+        panel_indices;
     SkinBuffers crowd, casters;  // skinned by the host
     Buffer picture;              // lit by the host, on the way into a window
     bool is_pending = false;     // submitted, and not yet waited for

@@ -23,7 +23,9 @@ struct Renderer {
     GpuScene scene;
     ShadowMaps shadows;
     PictureTargets targets;
-    GpuImage picture;  // off-screen, where the device lights
+    GpuImage picture;  // off-screen, where the device lights, or panels lie over it; in a window, where it is
+                       // scaled
+    GpuImage letters;  // of panels
     Buffer readback;
     LitPicture lit;  // where the host lights
     GLFWwindow* window = nullptr;

@@ -42,6 +42,17 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, vertices, slot.contacts));
     if (plan.lines > 0) FLANEUR_TRY(upload<GizmoLine>(device, input.lines, {}, vertices, slot.lines));
+    if (!plan.panels.empty()) {
+        const Panels& panels = input.panels;
+        for (const PanelDraw& draw : panels.draws)
+            if (uint64_t{draw.first_index} + draw.index_count > panels.indices.size())
+                return Error{"A panel refers to index " +
+                             std::to_string(uint64_t{draw.first_index} + draw.index_count - 1) +
+                             " but there are only " + std::to_string(panels.indices.size()) + "."};
+        FLANEUR_TRY(upload<PanelVertex>(device, panels.vertices, {}, vertices, slot.panel_vertices));
+        FLANEUR_TRY(upload<uint16_t>(device, panels.indices, {}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                                     slot.panel_indices));
+    }
     if (plan.fills > 0) FLANEUR_TRY(upload<GizmoCorner>(device, input.fills, {}, vertices, slot.fills));
     return {};
 }
@@ -62,6 +73,7 @@ void bind_frame(const Renderer& renderer, const FrameSlot& slot) {
     bound[k_binding_textures].view = scene.textures.view;
     bound[k_binding_atlas].view = scene.impostors.atlas.view;
     bound[k_binding_scenery].view = scene.scenery.view;
+    bound[k_binding_letters].view = or_none(renderer.letters);
     bound[k_binding_lamps].view = scene.lamps.view;
     bound[k_binding_colour].view = targets.colour.view;
     bound[k_binding_surface].view = targets.surface.view;

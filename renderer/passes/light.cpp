@@ -20,7 +20,7 @@ void draw_smooth(const FrameRecord& record) {
 }
 
 void copy_picture(const FrameRecord& record) {
-    GpuImage& image = *record.target.image;
+    GpuImage& image = final_image(record);
     const VkBufferImageCopy region = whole_of(image);
     vkCmdCopyImageToBuffer(record.commands, image.handle, k_copied_from.layout, record.target.readback, 1,
                            &region);
@@ -46,7 +46,6 @@ void take_from_host(const FrameRecord& record) {
     const VkBufferImageCopy region = whole_of(image);
     vkCmdCopyBufferToImage(record.commands, record.target.staging, image.handle, k_copied_to.layout, 1,
                            &region);
-    image_to(record.commands, image, record.target.after);
 }
 
 }  // namespace flaneur

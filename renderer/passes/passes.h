@@ -31,7 +31,12 @@ std::vector<ViewPipeline> view_pipelines_for(const FrameInput& input);
 void draw_occlusion(const FrameRecord& record);
 void draw_light(const FrameRecord& record);
 void draw_smooth(const FrameRecord& record);
-void copy_picture(const FrameRecord& record);  // to the host
+
+// On the picture once it is done: scales it into the target's larger image; lays panels over; copies it to
+// the host.
+void scale_picture(const FrameRecord& record);
+void draw_panels(const FrameRecord& record);
+void copy_picture(const FrameRecord& record);
 
 // Where the host lights: hands on what it reads, and the picture that it has made to the target's image.
 void hand_to_host(const FrameRecord& record);

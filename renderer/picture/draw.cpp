@@ -48,6 +48,7 @@ void forget_images(Renderer& renderer, const PictureTarget& target) {
                             &targets.occlusion, &targets.even_occlusion, &targets.picture, &shadows.map})
         forget_image(*image);
     if (target.image) forget_image(*target.image);
+    if (target.scaled) forget_image(*target.scaled);
     shadows.state = {};
 }
 
@@ -127,7 +128,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
         FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
         light_on_host(renderer, plan, target);
         if (!target.image) return {};
-        FLANEUR_TRY(record(frame, take_from_host));
+        FLANEUR_TRY(record(frame, record_picture_from_host));
         return submit_slot(renderer.device, slot, wait, signal);
     };
     Result<void> done = draw();

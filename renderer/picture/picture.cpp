@@ -91,8 +91,22 @@ void record_picture(const FrameRecord& record) {
     if (renderer.is_lit_on_host) return draw_stage(record, {"surfaces to host", hand_to_host});
     draw_stage(record, {"light", draw_light});
     draw_stage(record, {"smooth", draw_smooth});
-    image_to(record.commands, *record.target.image, record.target.after);
+    if (record.target.scaled) draw_stage(record, {"scale", scale_picture});
+    if (!plan.panels.empty()) draw_stage(record, {"panels", draw_panels});
+    image_to(record.commands, final_image(record), record.target.after);
     if (record.target.readback) draw_stage(record, {"copy", copy_picture});
+}
+
+void record_picture_from_host(const FrameRecord& record) {
+    take_from_host(record);
+    if (record.target.scaled) scale_picture(record);
+    if (!record.plan.panels.empty()) {
+        vkCmdBindDescriptorSets(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                                record.renderer.pipelines.layout, 0, 1, &record.slot.set, 0, nullptr);
+        draw_panels(record);
+    }
+    image_to(record.commands, final_image(record), record.target.after);
+    if (record.target.readback) copy_picture(record);
 }
 
 }  // namespace flaneur

@@ -21,6 +21,8 @@
 #include "spirv/light.frag.h"
 #include "spirv/occlude.frag.h"
 #include "spirv/occlusion.frag.h"
+#include "spirv/panel.frag.h"
+#include "spirv/panel.vert.h"
 #include "spirv/prop.frag.h"
 #include "spirv/prop.vert.h"
 #include "spirv/scenery.frag.h"
@@ -152,6 +154,18 @@ Result<void> make_picture_pipelines(const Device& device, const QualityLevel& qu
         FLANEUR_TRY(make(shape, p.occlude));
         shape.blend = Blend::none;
     }
+    PipelineShape panels{.vertex = k_spirv_panel_vert,
+                         .fragment = k_spirv_panel_frag,
+                         .attributes = {{0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(PanelVertex, place)},
+                                        {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(PanelVertex, uv)},
+                                        {2, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(PanelVertex, colour)}},
+                         .stride = sizeof(PanelVertex),
+                         .colour = k_picture_format,
+                         .writes_depth = false,
+                         .blend = Blend::covers};
+    FLANEUR_TRY(make(panels, p.panels_image));
+    panels.colour = window_format;
+    if (window_format != VK_FORMAT_UNDEFINED) FLANEUR_TRY(make(panels, p.panels_window));
     if (is_lit_on_host) return {};
     shape.colour = k_picture_format;
     shape.fragment = k_spirv_light_frag;
@@ -219,7 +233,8 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, b
 void destroy_pipelines(const Device& device, Pipelines& p) {
     std::vector<VkPipeline> all = {p.shadow_city,    p.shadow_crowd,  p.shadow_impostor, p.shadow_skinned,
                                    p.shadow_scenery, p.impostor_bake, p.occlusion,       p.even_out,
-                                   p.occlude,        p.light,         p.smooth_image,    p.smooth_window};
+                                   p.occlude,        p.light,         p.smooth_image,    p.smooth_window,
+                                   p.panels_image,   p.panels_window};
     const SurfacePipelines& surfaces = p.surfaces;
     all.insert(all.end(),
                {surfaces.city_surface, surfaces.city_facade, surfaces.city_prop, surfaces.city_scenery,

@@ -45,6 +45,7 @@ struct Pipelines {
     SurfacePipelines surfaces;
     VkPipeline occlusion = {}, even_out = {}, occlude = {};        // made where the quality has occlusion
     VkPipeline light = {}, smooth_image = {}, smooth_window = {};  // made where the device lights
+    VkPipeline panels_image = {}, panels_window = {};              // over pictures, and over windows
     std::array<VkPipeline, k_view_pipelines> views = {};           // by ViewPipeline; null until wanted
 };
 

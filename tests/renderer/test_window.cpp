@@ -1,6 +1,8 @@
 #include <GLFW/glfw3.h>
 #include <volk.h>
 
+#include <cmath>
+
 #include "renderer/frame/state.h"
 #include "tests/renderer/faults.h"
 #include "tests/renderer/synthetic_scene.h"
@@ -105,6 +107,47 @@ TEST_F(Window, IsIconifiedAndRestored) {
     draw_some(2);
     glfwShowWindow(window);
     draw_some(2);
+}
+
+// Sharp panels over a picture that is drawn coarser and scaled, by host and device, and through changes of
+// size.
+TEST_F(Window, PicturesAreScaledUnderPanels) {
+    const PanelVertex corners[3] = {
+        {{0, 0}, {0, 0}, ~0u}, {{90, 0}, {1, 0}, ~0u}, {{0, 60}, {0, 1}, 0x80ffffffu}};
+    const uint16_t indices[3] = {0, 1, 2};
+    const PanelDraw draws[2] = {{0, 3, 0, {0, 0, 50, 50}}, {0, 3, 0, {-5, -5, 1e6f, 1e6f}}};
+    const uint8_t letters[4] = {255, 0, 128, 255};
+    for (const bool is_host : {true, false}) {
+        renderer.reset();
+        RendererOptions options = validated();
+        options.lights_on_host = is_host;
+        Result<RendererPtr> made = make_window_renderer(options, window);
+        ASSERT_TRUE(made) << made.error().message;
+        renderer = std::move(*made);
+        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        ASSERT_TRUE(upload_letters(*renderer, {2, 2, letters}));
+        auto draw = [&](float resolution) {
+            FrameInput frame = scene.frame(street_camera());
+            frame.panels = {corners, indices, draws};
+            frame.resolution = resolution;
+            glfwPollEvents();
+            return draw_window(*renderer, frame);
+        };
+        int width = 320;
+        for (const float resolution :
+             {1.0f, 0.6f, 0.6f, 0.31f, 1.0f, 0.0f, -1.0f, std::nanf(""), 2.0f, 0.5f}) {
+            for (int i = 0; i < 2; ++i) ASSERT_TRUE(draw(resolution)) << resolution;
+            glfwSetWindowSize(window, width = width % 400 + 37, 200);
+        }
+        EXPECT_GT(fail_everywhere(
+                      [&] {
+                          renderer->is_swapchain_stale = true;
+                          return draw(0.4f);
+                      },
+                      [&] { ASSERT_TRUE(draw(0.7f)); }),
+                  10);
+        EXPECT_EQ(validation_messages(*renderer), 0u);
+    }
 }
 
 TEST_F(Window, IsClosedWhileFramesAreInFlight) {

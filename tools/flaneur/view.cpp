@@ -17,15 +17,15 @@
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/asked.h"
+#include "tools/flaneur/window/gui.h"
+#include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/panels.h"
 
 namespace flaneur {
 
 namespace {
 
-constexpr double k_longest_step = 0.1;               // seconds of simulation for one frame, at most
-constexpr float k_walk_speed = 4, k_run_speed = 25;  // of the flying eye, metres a second
-constexpr float k_look_speed = 0.003f;               // radians a pixel
-constexpr float k_steepest = 1.55f;                  // radians
 constexpr double k_title_seconds = 0.5, k_note_seconds = 4;
 constexpr double k_idle_seconds = 0.1;  // between looks at the keys while nothing is drawn
 
@@ -38,109 +38,6 @@ struct GlfwSession {
     bool started = glfwInit() == GLFW_TRUE;
     ~GlfwSession() { glfwTerminate(); }
 };
-
-// What the keys and the mouse do to.
-struct Viewer {
-    CameraChoice choice;
-    bool paused = false, wants_picture = false, looking = false, chosen = false;
-    bool lists_keys = false;
-    std::vector<WorkView> toggles;  // in the order of their keys
-    uint32_t walkers = 0;
-    Camera camera;
-    float yaw = 0, pitch = 0;  // of the flying eye
-    double mouse_x = 0, mouse_y = 0;
-};
-
-Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
-
-void choose(Viewer& v, CameraChoice::Kind kind) {
-    v.choice.kind = kind;
-    v.chosen = false;
-}
-
-void on_key(GLFWwindow* window, int key, int, int action, int) {
-    if (action != GLFW_PRESS) return;
-    Viewer& v = viewer_of(window);
-    bool following = v.choice.kind == CameraChoice::Kind::follow;
-    switch (key) {
-        case GLFW_KEY_ESCAPE:
-            glfwSetWindowShouldClose(window, GLFW_TRUE);
-            break;
-        case GLFW_KEY_SPACE:
-            v.paused = !v.paused;
-            break;
-        case GLFW_KEY_F12:
-            v.wants_picture = true;
-            break;
-        case GLFW_KEY_1:
-            choose(v, CameraChoice::Kind::street);
-            break;
-        case GLFW_KEY_2:
-            choose(v, CameraChoice::Kind::overview);
-            break;
-        case GLFW_KEY_TAB:
-            if (v.walkers > 0 && following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
-            [[fallthrough]];
-        case GLFW_KEY_3:
-            if (v.walkers > 0) choose(v, CameraChoice::Kind::follow);
-            break;
-        case GLFW_KEY_F1:
-            v.lists_keys = !v.lists_keys;
-            break;
-        default:
-            if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
-                v.toggles.push_back(static_cast<WorkView>(key - GLFW_KEY_F2));
-            break;
-    }
-}
-
-// From wherever the camera is, the eye flies on freely.
-void take_off(Viewer& v) {
-    if (v.choice.kind == CameraChoice::Kind::fixed) return;
-    v.choice.kind = CameraChoice::Kind::fixed;
-    v.chosen = true;
-}
-
-void read_angles(Viewer& v) {
-    glm::vec3 d = glm::normalize(v.camera.target - v.camera.eye);
-    v.yaw = heading_of({d.x, d.z});
-    v.pitch = std::clamp(arctan2(d.y, std::hypot(d.x, d.z)), -k_steepest, k_steepest);
-}
-
-void fly(GLFWwindow* window, Viewer& v, float seconds) {
-    auto down = [&](int a, int b) {
-        return glfwGetKey(window, a) == GLFW_PRESS || glfwGetKey(window, b) == GLFW_PRESS ? 1.0f : 0.0f;
-    };
-    float ahead = down(GLFW_KEY_W, GLFW_KEY_UP) - down(GLFW_KEY_S, GLFW_KEY_DOWN);
-    float left = down(GLFW_KEY_A, GLFW_KEY_LEFT) - down(GLFW_KEY_D, GLFW_KEY_RIGHT);
-    float up = down(GLFW_KEY_E, GLFW_KEY_PAGE_UP) - down(GLFW_KEY_Q, GLFW_KEY_PAGE_DOWN);
-    float speed = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0 ? k_run_speed : k_walk_speed;
-
-    double x = 0, y = 0;
-    glfwGetCursorPos(window, &x, &y);
-    bool looking = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
-                   glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
-    float turn = 0, tilt = 0;
-    if (looking && v.looking) {
-        turn = static_cast<float>(v.mouse_x - x) * k_look_speed;
-        tilt = static_cast<float>(v.mouse_y - y) * k_look_speed;
-    }
-    v.looking = looking;
-    v.mouse_x = x;
-    v.mouse_y = y;
-    if (ahead == 0 && left == 0 && up == 0 && turn == 0 && tilt == 0) return;
-
-    take_off(v);
-    read_angles(v);
-    v.yaw += turn;
-    v.pitch = std::clamp(v.pitch + tilt, -k_steepest, k_steepest);
-    SinCos pitch = sin_cos(v.pitch);
-    Vec2 d = heading_direction(v.yaw);
-    glm::vec3 forward{d.x * pitch.cosine, pitch.sine, d.z * pitch.cosine};
-    glm::vec3 sideways{d.z, 0, -d.x};
-    v.camera.eye += (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * seconds);
-    v.camera.target = v.camera.eye + forward;
-}
 
 // Of the tick, and of no picture that is there.
 std::string picture_path(uint32_t tick) {
@@ -178,21 +75,51 @@ void show_title(GLFWwindow* window, const Show& show, const TitleNote& note, dou
     glfwSetWindowTitle(window, title.c_str());
 }
 
-// Loads on a thread of its own, so that the window says how far that is, and closes at once.
-Result<Show> load_show(GLFWwindow* window, RendererPtr renderer, const Options& options) {
-    auto loading = std::async(std::launch::async, [&] { return make_show(std::move(renderer), options); });
+// Loads on a thread of its own, while the window says how far that is, and closes at once.
+Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options) {
+    say_device(*renderer);
+    auto loading = std::async(std::launch::async, [&] { return prepare_show(options); });
     while (loading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         glfwWaitEventsTimeout(k_idle_seconds);
         if (glfwWindowShouldClose(window)) end_now(0);
-        glfwSetWindowTitle(window, printable("flaneur: " + progress_line()).c_str());
+        const std::string line = printable(progress_line());
+        glfwSetWindowTitle(window, ("flaneur: " + line).c_str());
+        Size size;
+        glfwGetFramebufferSize(window, &size.width, &size.height);
+        if (size.width <= 0 || size.height <= 0) continue;
+        FrameInput frame;
+        begin_gui(gui);
+        lay_out_loading(city_name(options.scene), line, size);
+        frame.panels = end_gui(gui);
+        if (Result<void> drawn = draw_window(*renderer, frame); !drawn) {
+            say(drawn.error().message);
+            end_now(1);
+        }
     }
-    return loading.get();
+    Result<PreparedShow> prepared = loading.get();
+    if (!prepared) return prepared.error();
+    return upload_show(std::move(renderer), std::move(*prepared), options.scene.views);
 }
 
-Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_after) {
+// What a CPU draws while the eye moves is coarser, if whole pictures take too long; sharp once it rests.
+constexpr double k_slow_fps = 24, k_rest_seconds = 0.25;
+constexpr float k_coarse = 0.6f;
+
+// Decides about the next picture's resolution.
+void choose_resolution(Viewer& v, double now, bool is_moving, double picture_seconds, double& moved_at) {
+    if (is_moving) moved_at = now;
+    const bool rests = now - moved_at > k_rest_seconds;
+    if (rests)
+        v.resolution = 1;
+    else if (v.resolution == 1 && picture_seconds > 1 / k_slow_fps)
+        v.resolution = k_coarse;
+}
+
+Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
     World& world = *show.loaded.world;
-    double last = glfwGetTime(), due = 0, title_time = last;
+    double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
+    Mouse mouse;
     TitleNote note;
     while (!glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
@@ -201,37 +128,49 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Viewer& v, uint32_t close_
             glfwWaitEventsTimeout(k_idle_seconds);
         else
             glfwPollEvents();
-        double now = glfwGetTime();
-        double passed = now - last;
+        const double now = glfwGetTime(), passed = now - last;
         last = now;
-        if (!v.paused) due = std::min(due + passed, k_longest_step);
-        for (; due >= static_cast<double>(k_tick); due -= static_cast<double>(k_tick)) step(show);
-        auto between = static_cast<float>(due / static_cast<double>(k_tick));
+        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
+        const float between = between_ticks(v.clock);
 
-        if (v.choice.kind == CameraChoice::Kind::follow || !v.chosen) {
+        const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
+        if (is_following || !v.chosen) {
             v.camera = choose_camera(*show.loaded.city, world, show.sun, v.choice, between);
             v.chosen = true;
         }
-        fly(window, v, static_cast<float>(passed));
+        const bool is_panels = gui_has_mouse();
+        const Mouse before = mouse;
+        read_mouse(window, is_panels, mouse);
+        const bool is_moving =
+            fly(window, before, mouse, static_cast<float>(passed), v) || (is_following && !v.clock.is_paused);
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
         if (!is_hidden && size.width > 0 && size.height > 0) {
+            choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);
-            if (v.lists_keys) add_key_list(show.work_views, show.overlay, frame);
-            if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
             if (std::exchange(v.wants_picture, false)) {
                 Result<std::string> told = save_picture(show, frame, size);
                 if (!told) return told.error();
                 note = {*told, glfwGetTime() + k_note_seconds};
                 title_time = 0;  // at once
             }
+            ask(show, mouse, size, is_panels, v);
+            mark_asked(v, show, frame);
+            begin_gui(gui);
+            lay_out_panels(show, v, size, gui.scale);
+            frame.panels = end_gui(gui);
+            frame.resolution = v.resolution;
+            const double start = glfwGetTime();
+            if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
+            if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
             if (close_after > 0 && ++drawn >= close_after) break;
         }
         if (now - title_time >= k_title_seconds) {
-            show_title(window, show, note, title_frames / (now - title_time));
+            v.fps = title_frames / (now - title_time);
+            show_title(window, show, note, v.fps);
             title_time = now;
             title_frames = 0;
         }
@@ -258,12 +197,13 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Viewer viewer;
     viewer.choice = options.scene.camera;
-    glfwSetWindowUserPointer(window.get(), &viewer);
-    glfwSetKeyCallback(window.get(), on_key);
-    Result<Show> show = load_show(window.get(), std::move(*renderer), options);
+    listen(window.get(), viewer);
+    Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0);
+    if (!gui) return gui.error();
+    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options);
     if (!show) return show.error();
     viewer.walkers = show->loaded.world->crowd.count;
-    return run_loop(*show, window.get(), viewer, options.close_after);
+    return run_loop(*show, window.get(), **gui, viewer, options.close_after);
 }
 
 }  // namespace

@@ -75,8 +75,9 @@ Examples:
 
 constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
-Space pauses; 1 street, 2 overview, 3 follow a walker, Tab the next one; F12 writes a picture to out/; Esc quits.
-F1 lists the keys of the views for work, F2 to F11.
+Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
+next one; who is clicked is told about, F follows; L lists layers, the views for work, F2 to F11; H hides the panels;
+F12 writes a picture to out/; F1 lists the keys; Esc quits.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12

@@ -176,15 +176,4 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     frame.fills = overlay.fills;
 }
 
-void add_key_list(WorkViews views, Overlay& overlay, FrameInput& frame) {
-    add_row(overlay, {0, 0}, 0.5f, "F1  this list", k_white, 0);
-    for (int i = 0; i < k_work_views; ++i) {
-        const bool is_on = views[static_cast<WorkView>(i)];
-        add_row(overlay, {0, 0}, 1.5f + static_cast<float>(i),
-                std::string("F").append(std::to_string(i + 2)).append("  ").append(k_work_view_names[i]),
-                is_on ? ink(0xf2c14e) : k_white, 0);
-    }
-    frame.lines = overlay.lines;
-}
-
 }  // namespace flaneur

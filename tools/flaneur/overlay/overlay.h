@@ -40,9 +40,6 @@ struct OverlayInput {
 void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, Overlay& overlay,
               FrameInput& frame);
 
-// Lists the keys that switch the views in a window, over a frame.
-void add_key_list(WorkViews views, Overlay& overlay, FrameInput& frame);
-
 // The views, each adding to the overlay.
 void add_density(const OverlayInput& input, Overlay& overlay);
 void add_walkable(const OverlayInput& input, Overlay& overlay);

@@ -46,24 +46,41 @@ Result<void> check_messages(uint32_t messages) {
                  " times); see above."};
 }
 
-Result<Show> make_show(RendererPtr renderer, const Options& options) {
-    Show show;
-    show.renderer = std::move(renderer);
-    say("Drawing on " + device_name(*show.renderer) + ", " + quality_name(*show.renderer) + " quality");
+Result<PreparedShow> prepare_show(const Options& options) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     show_progress("handing the city to the device");
+    PreparedShow prepared;
+    Show& show = prepared.show;
     show.loaded = std::move(*loaded);
-    set_work_views(show, options.scene.views);
     show.sun = scene_sun(options.scene, show.loaded.city->latitude);
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
-    SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
-    if (make_daylight(show.sun, show.is_overcast).lamps > 0) meshes.lamps = extract_lamps(*show.loaded.city);
-    Result<void> uploaded = upload_with_impostors(*show.renderer, meshes);
+    prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    if (make_daylight(show.sun, show.is_overcast).lamps > 0)
+        prepared.meshes.lamps = extract_lamps(*show.loaded.city);
+    return prepared;
+}
+
+Result<Show> upload_show(RendererPtr renderer, PreparedShow prepared, WorkViews views) {
+    Show show = std::move(prepared.show);
+    show.renderer = std::move(renderer);
+    set_work_views(show, views);
+    Result<void> uploaded = upload_with_impostors(*show.renderer, prepared.meshes);
     clear_progress();
     if (!uploaded) return uploaded.error();
     return show;
+}
+
+void say_device(const Renderer& renderer) {
+    say("Drawing on " + device_name(renderer) + ", " + quality_name(renderer) + " quality");
+}
+
+Result<Show> make_show(RendererPtr renderer, const Options& options) {
+    say_device(*renderer);
+    Result<PreparedShow> prepared = prepare_show(options);
+    if (!prepared) return prepared.error();
+    return upload_show(std::move(renderer), std::move(*prepared), options.scene.views);
 }
 
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {

@@ -27,7 +27,18 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
 // Refuses if it said anything.
 Result<void> check_messages(uint32_t messages);
 
-// Loads what the options name and uploads it. Says on stderr which device draws.
+// A show without a renderer, and what is to be uploaded for it.
+struct PreparedShow {
+    Show show;
+    SceneMeshes meshes;
+};
+// Loads what the options name. Says on stderr what an import repaired, and how far it is.
+Result<PreparedShow> prepare_show(const Options& options);
+Result<Show> upload_show(RendererPtr renderer, PreparedShow prepared, WorkViews views);
+// Says on stderr which device draws.
+void say_device(const Renderer& renderer);
+
+// All of it.
 Result<Show> make_show(RendererPtr renderer, const Options& options);
 
 // One tick, and what the views for work keep of it.

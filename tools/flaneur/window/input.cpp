@@ -1,0 +1,150 @@
+#include "tools/flaneur/window/input.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/window/gui.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_walk_speed = 4, k_run_speed = 25;  // of the flying eye, metres a second
+constexpr float k_look_speed = 0.003f;               // radians a pixel
+constexpr float k_steepest = 1.55f;                  // radians
+constexpr double k_drag = 4;                         // pixels that a click may move
+
+Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
+
+void follow_next(Viewer& v, bool is_other) {
+    if (v.walkers == 0) return;
+    const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
+    if (is_other && is_following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
+    choose(v, CameraChoice::Kind::follow);
+}
+
+void follow_asked(Viewer& v) {
+    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    if (!who) return;
+    v.choice.walker = *who;
+    choose(v, CameraChoice::Kind::follow);
+}
+
+void on_key(GLFWwindow* window, int key, int, int action, int) {
+    if (action == GLFW_RELEASE || gui_has_keys()) return;
+    Viewer& v = viewer_of(window);
+    if (key == GLFW_KEY_PERIOD) v.clock.is_paused = true, ++v.clock.steps;  // and on, while it is held
+    if (action != GLFW_PRESS) return;
+    switch (key) {
+        case GLFW_KEY_ESCAPE:
+            return glfwSetWindowShouldClose(window, GLFW_TRUE);
+        case GLFW_KEY_SPACE:
+            v.clock.is_paused = !v.clock.is_paused;
+            return;
+        case GLFW_KEY_MINUS:
+        case GLFW_KEY_KP_SUBTRACT:
+            v.clock.rate = slower(v.clock.rate);
+            return;
+        case GLFW_KEY_EQUAL:
+        case GLFW_KEY_KP_ADD:
+            v.clock.rate = faster(v.clock.rate);
+            return;
+        case GLFW_KEY_F12:
+            v.wants_picture = true;
+            return;
+        case GLFW_KEY_1:
+            return choose(v, CameraChoice::Kind::street);
+        case GLFW_KEY_2:
+            return choose(v, CameraChoice::Kind::overview);
+        case GLFW_KEY_3:
+            return follow_next(v, false);
+        case GLFW_KEY_TAB:
+            return follow_next(v, true);
+        case GLFW_KEY_F:
+            return follow_asked(v);
+        case GLFW_KEY_H:
+            v.has_panels = !v.has_panels;
+            return;
+        case GLFW_KEY_L:
+            v.lists_layers = !v.lists_layers;
+            return;
+        case GLFW_KEY_F1:
+            v.lists_keys = !v.lists_keys;
+            return;
+        default:
+            if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
+                v.toggles.push_back(static_cast<WorkView>(key - GLFW_KEY_F2));
+            return;
+    }
+}
+
+void read_angles(Viewer& v) {
+    const glm::vec3 d = glm::normalize(v.camera.target - v.camera.eye);
+    v.yaw = heading_of({d.x, d.z});
+    v.pitch = std::clamp(arctan2(d.y, std::hypot(d.x, d.z)), -k_steepest, k_steepest);
+}
+
+}  // namespace
+
+void choose(Viewer& v, CameraChoice::Kind kind) {
+    v.choice.kind = kind;
+    v.chosen = false;
+}
+
+void take_off(Viewer& v) {
+    if (v.choice.kind == CameraChoice::Kind::fixed) return;
+    v.choice.kind = CameraChoice::Kind::fixed;
+    v.chosen = true;
+}
+
+void listen(GLFWwindow* window, Viewer& viewer) {
+    glfwSetWindowUserPointer(window, &viewer);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetInputMode(window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);  // clicks between two frames too
+}
+
+void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
+    const bool was_held = mouse.is_held;
+    glfwGetCursorPos(window, &mouse.x, &mouse.y);
+    mouse.is_held = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
+                    glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
+    if (is_panels && !was_held) mouse.is_held = false;
+    if (mouse.is_held && !was_held) mouse.held_x = mouse.x, mouse.held_y = mouse.y;
+    mouse.has_clicked =
+        was_held && !mouse.is_held && std::hypot(mouse.x - mouse.held_x, mouse.y - mouse.held_y) < k_drag;
+}
+
+bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& v) {
+    const bool is_typing = gui_has_keys();
+    auto down = [&](int a, int b) {
+        return !is_typing && (glfwGetKey(window, a) == GLFW_PRESS || glfwGetKey(window, b) == GLFW_PRESS)
+                   ? 1.0f
+                   : 0.0f;
+    };
+    const float ahead = down(GLFW_KEY_W, GLFW_KEY_UP) - down(GLFW_KEY_S, GLFW_KEY_DOWN);
+    const float left = down(GLFW_KEY_A, GLFW_KEY_LEFT) - down(GLFW_KEY_D, GLFW_KEY_RIGHT);
+    const float up = down(GLFW_KEY_E, GLFW_KEY_PAGE_UP) - down(GLFW_KEY_Q, GLFW_KEY_PAGE_DOWN);
+    const float speed = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0 ? k_run_speed : k_walk_speed;
+    float turn = 0, tilt = 0;
+    if (before.is_held && now.is_held) {
+        turn = static_cast<float>(before.x - now.x) * k_look_speed;
+        tilt = static_cast<float>(before.y - now.y) * k_look_speed;
+    }
+    if (ahead == 0 && left == 0 && up == 0 && turn == 0 && tilt == 0) return false;
+
+    take_off(v);
+    read_angles(v);
+    v.yaw += turn;
+    v.pitch = std::clamp(v.pitch + tilt, -k_steepest, k_steepest);
+    const SinCos pitch = sin_cos(v.pitch);
+    const Vec2 d = heading_direction(v.yaw);
+    const glm::vec3 forward{d.x * pitch.cosine, pitch.sine, d.z * pitch.cosine};
+    const glm::vec3 sideways{d.z, 0, -d.x};
+    v.camera.eye += (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * seconds);
+    v.camera.target = v.camera.eye + forward;
+    return true;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,26 @@
+// Keys and mouse.
+#pragma once
+
+#include "tools/flaneur/window/viewer.h"
+
+struct GLFWwindow;
+
+namespace flaneur {
+
+// From now on the window's keys do to `viewer`, which must outlive it.
+void listen(GLFWwindow* window, Viewer& viewer);
+
+// The mouse, from one frame to the next.
+struct Mouse {
+    double x = 0, y = 0;
+    bool is_held = false;
+    double held_x = 0, held_y = 0;  // where it was when a button went down
+    bool has_clicked = false;       // in this frame, without a drag
+};
+// What is a panel's is left to it.
+void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse);
+
+// Moves the eye as keys and a dragging mouse say; tells whether they did.
+bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& viewer);
+
+}  // namespace flaneur

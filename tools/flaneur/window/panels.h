@@ -1,0 +1,18 @@
+// The panels of the window: time and pace above, what is drawn over the city, who is under the cursor, the
+// keys.
+#pragma once
+
+#include <string>
+
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+// While a city is loaded: what is being done.
+void lay_out_loading(const std::string& city, const std::string& doing, Size size);
+
+// Lays them out, and changes the viewer as they are used. Between begin_gui() and end_gui().
+void lay_out_panels(const Show& show, Viewer& viewer, Size size, float scale);
+
+}  // namespace flaneur
