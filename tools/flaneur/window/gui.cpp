@@ -82,7 +82,6 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     gui->scale = scale > 0 ? scale : display_scale(window);
     set_style(gui->scale);

@@ -15,9 +15,10 @@
 namespace flaneur {
 namespace {
 
+// Without ways by keyboard, for Tab and the arrows are the city's.
 constexpr ImGuiWindowFlags k_plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                     ImGuiWindowFlags_NoMove;
+                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
 
 struct KeyRow {
     const char *keys, *what;
@@ -156,7 +157,7 @@ void lay_out_keys(Viewer& v, Size size) {
                             ImGuiCond_Always, {0.5f, 0.5f});
     if (ImGui::Begin("Keys", &v.lists_keys,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoCollapse) &&
+                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav) &&
         ImGui::BeginTable("keys", 2)) {
         for (const KeyRow& row : k_keys) {
             ImGui::TableNextColumn();
