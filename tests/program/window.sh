@@ -2,6 +2,7 @@
 # window.sh FLANEUR: a window under Xvfb is resized, minimised, restored, steered and closed, and the validation layer
 # has nothing to say about it. It obeys while it loads, loses no key and no picture, and draws nothing while minimised.
 set -euo pipefail
+here=$(realpath "$(dirname "$0")")
 folder=$(mktemp -d)
 children=()
 finish() {
@@ -77,6 +78,13 @@ xdotool key --delay 0 F7 F10 F11
 take together.png
 if cmp --silent plain.png apart.png; then failed "views change nothing"; fi
 cmp apart.png together.png || failed "keys pressed within one frame are lost"
+# The command that C copies, and that the picture holds, draws the picture.
+xdotool key c
+for _ in {1..40}; do if grep --quiet '^flaneur render' said; then break; fi; sleep 0.25; done
+command=$(grep '^flaneur render' said | tail -1)
+grep --quiet --text --fixed-strings "$command" together.png || failed "the picture does not hold its command"
+(eval "$1 ${command#flaneur }")
+"$here/pictures/differ.py" together.png picture.png 0
 rm -r out && touch out
 xdotool key F12
 for _ in {1..80}; do if grep --quiet 'Cannot write out/view-' said; then break; fi; sleep 0.25; done

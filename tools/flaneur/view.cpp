@@ -18,6 +18,7 @@
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/asked.h"
+#include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/panels.h"
@@ -26,7 +27,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr double k_title_seconds = 0.5, k_note_seconds = 4;
+constexpr double k_title_seconds = 0.5;
 constexpr double k_idle_seconds = 0.1;  // between looks at the keys while nothing is drawn
 
 struct WindowDelete {
@@ -49,30 +50,23 @@ std::string picture_path(uint32_t tick) {
 }
 
 // Fails only with the device; tells whether the picture could be written.
-Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size) {
+Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size, const std::string& command) {
     Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
                                      static_cast<uint32_t>(size.height));
     if (!image) return image.error();
     std::string path = picture_path(show.loaded.world->tick);
     Result<PartFilePtr> file = open_file(path);
-    Result<void> written = file ? write_png(std::move(*file), image->rgba, size) : file.error();
+    Result<void> written = file ? write_png(std::move(*file), image->rgba, size, command) : file.error();
     std::string told = written ? "Wrote " + path : written.error().message;
     say(told);
     return told;
 }
 
-// Shown for a while in place of the figures.
-struct TitleNote {
-    std::string text;
-    double until = 0;  // of glfwGetTime
-};
-
-void show_title(GLFWwindow* window, const Show& show, const TitleNote& note, double fps) {
+void show_title(GLFWwindow* window, const Show& show, double fps) {
     char figures[256];
-    std::snprintf(figures, sizeof figures, "%.0f fps - %u walkers - %s", fps, show.loaded.world->crowd.count,
-                  device_name(*show.renderer).c_str());
-    std::string title = "flaneur - " + (glfwGetTime() < note.until ? printable(note.text) : figures);
-    glfwSetWindowTitle(window, title.c_str());
+    std::snprintf(figures, sizeof figures, "flaneur - %.0f fps - %u walkers - %s", fps,
+                  show.loaded.world->crowd.count, device_name(*show.renderer).c_str());
+    glfwSetWindowTitle(window, figures);
 }
 
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
@@ -115,12 +109,12 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
+Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
+                      const std::vector<std::string>& words, uint32_t close_after) {
     World& world = *show.loaded.world;
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
-    TitleNote note;
     while (!glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
@@ -150,11 +144,19 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);
+            const std::string command =
+                v.wants_picture || v.wants_command
+                    ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
+                    : std::string();
             if (std::exchange(v.wants_picture, false)) {
-                Result<std::string> told = save_picture(show, frame, size);
+                Result<std::string> told = save_picture(show, frame, size, command);
                 if (!told) return told.error();
-                note = {*told, glfwGetTime() + k_note_seconds};
-                title_time = 0;  // at once
+                tell(v, printable(*told));
+            }
+            if (std::exchange(v.wants_command, false)) {
+                glfwSetClipboardString(window, command.c_str());
+                say(command);
+                tell(v, "Copied: " + printable(command));
             }
             ask(show, mouse, size, is_panels, v);
             mark_asked(v, show, frame);
@@ -170,7 +172,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         }
         if (now - title_time >= k_title_seconds) {
             v.fps = title_frames / (now - title_time);
-            show_title(window, show, note, v.fps);
+            show_title(window, show, v.fps);
             title_time = now;
             title_frames = 0;
         }
@@ -203,7 +205,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options);
     if (!show) return show.error();
     viewer.walkers = show->loaded.world->crowd.count;
-    return run_loop(*show, window.get(), **gui, viewer, options.close_after);
+    return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
 Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
 next one; who is clicked is told about, F follows; L lists layers, the views for work, F2 to F11; H hides the panels;
-F12 writes a picture to out/; F1 lists the keys; Esc quits.
+F12 writes a picture to out/; C copies the command that draws it; F1 lists the keys; Esc quits.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
@@ -547,6 +547,7 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
         return refusal(app, error, argc, argv);
     }
     const CLI::App& command = *app.get_subcommands().front();
+    for (int i = 2; i < argc; ++i) options.words.emplace_back(argv[i]);
     if (Result<void> filled = check_values(command); !filled) return filled.error();
     if (Result<void> named = check_folders(command); !named) return named.error();
     Result<void> settled = settle_scene(words, options);

@@ -88,7 +88,8 @@ struct Options {
     std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
 
     // view
-    uint32_t close_after = 0;  // frames; 0: stays open
+    uint32_t close_after = 0;        // frames; 0: stays open
+    std::vector<std::string> words;  // that followed the command's name
 
     // render
     TickRange ticks;

@@ -32,8 +32,7 @@ uint32_t ticks_due(Clock& clock, double seconds) {
 }
 
 float between_ticks(const Clock& clock) {
-    // Between ticks that were made one by one there is no way.
-    if (clock.is_paused && clock.due == 0) return 1;
+    if (clock.is_paused) return 1;
     return static_cast<float>(std::clamp(clock.due / static_cast<double>(k_tick), 0.0, 1.0));
 }
 

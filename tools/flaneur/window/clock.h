@@ -19,7 +19,7 @@ inline constexpr float k_least_rate = 0.1f, k_most_rate = 16;
 // keeps answering.
 uint32_t ticks_due(Clock& clock, double seconds);
 
-// How far the next picture is between the last two ticks, 0..1.
+// How far the next picture is between the last two ticks, 0..1; of what stands still the last one is shown.
 float between_ticks(const Clock& clock);
 
 // One of the usual rates (0.1, 0.25, 0.5, 1, 2, 4, 8, 16) slower or faster.

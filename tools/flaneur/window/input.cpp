@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/gui.h"
 
 namespace flaneur {
@@ -50,6 +51,9 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
         case GLFW_KEY_EQUAL:
         case GLFW_KEY_KP_ADD:
             v.clock.rate = faster(v.clock.rate);
+            return;
+        case GLFW_KEY_C:
+            v.wants_command = true;
             return;
         case GLFW_KEY_F12:
             v.wants_picture = true;
@@ -97,6 +101,7 @@ void take_off(Viewer& v) {
     if (v.choice.kind == CameraChoice::Kind::fixed) return;
     v.choice.kind = CameraChoice::Kind::fixed;
     v.chosen = true;
+    v.camera.vertical_fov = make_camera({}, {0, 0, 1}).vertical_fov;  // the usual lens
 }
 
 void listen(GLFWwindow* window, Viewer& viewer) {

@@ -36,6 +36,7 @@ constexpr std::array k_keys = {
     KeyRow{"3  Tab", "follow; the next one"},
     KeyRow{"L  F2 - F11", "layers"},
     KeyRow{"F12", "a picture, into out/"},
+    KeyRow{"C", "copy the command that draws this"},
     KeyRow{"H", "no panels, and back"},
     KeyRow{"F1", "this list"},
     KeyRow{"Esc", "close"},
@@ -170,7 +171,26 @@ void lay_out_keys(Viewer& v, Size size) {
     ImGui::End();
 }
 
+void lay_out_note(const Viewer& v, Size size, float scale) {
+    if (ImGui::GetTime() >= v.note_until) return;
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(size.width) / 2, static_cast<float>(size.height) - 12 * scale}, ImGuiCond_Always,
+        {0.5f, 1});
+    if (ImGui::Begin("note", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
+        ImGui::PushTextWrapPos(std::max(static_cast<float>(size.width) - 60 * scale, 100.0f));
+        ImGui::TextUnformatted(v.note.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
 }  // namespace
+
+void tell(Viewer& viewer, const std::string& what) {
+    constexpr double k_seconds = 5;
+    viewer.note = what;
+    viewer.note_until = ImGui::GetTime() + k_seconds;
+}
 
 void lay_out_loading(const std::string& city, const std::string& doing, Size size) {
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
@@ -191,6 +211,7 @@ void lay_out_loading(const std::string& city, const std::string& doing, Size siz
 
 void lay_out_panels(const Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_keys(viewer, size);
+    lay_out_note(viewer, size, scale);
     if (!viewer.has_panels) return;
     lay_out_bar(show, viewer, scale);
     lay_out_layers(show, viewer, scale);

@@ -12,6 +12,9 @@ namespace flaneur {
 // While a city is loaded: what is being done.
 void lay_out_loading(const std::string& city, const std::string& doing, Size size);
 
+// Says something for a while.
+void tell(Viewer& viewer, const std::string& what);
+
 // Lays them out, and changes the viewer as they are used. Between begin_gui() and end_gui().
 void lay_out_panels(const Show& show, Viewer& viewer, Size size, float scale);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/scene.h"
@@ -16,13 +17,15 @@ struct Viewer {
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
     float yaw = 0, pitch = 0;  // of the flying eye
-    bool wants_picture = false;
+    bool wants_picture = false, wants_command = false;
     bool lists_keys = false, lists_layers = false, has_panels = true;
     std::vector<WorkView> toggles;  // in the order of their keys
     uint32_t walkers = 0;
     std::optional<uint32_t> hovered, selected;  // walkers, by slot
     double fps = 0;
-    float resolution = 1;  // share of the window's pixels that the picture is drawn in
+    std::string note;       // told for a while
+    double note_until = 0;  // of the panels' time
+    float resolution = 1;   // share of the window's pixels that the picture is drawn in
 };
 
 void choose(Viewer& viewer, CameraChoice::Kind kind);

@@ -1,0 +1,77 @@
+#include "tools/flaneur/window/command.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "assets/files/words.h"
+
+namespace flaneur {
+namespace {
+
+// Options of one value that what is shown says anew, or that only a window has.
+constexpr std::array k_replaced = {"--camera", "--view", "--size", "--frames", "--out", "--close-after"};
+
+bool is_replaced(std::string_view option) {
+    return std::find(k_replaced.begin(), k_replaced.end(), option) != k_replaced.end();
+}
+
+std::string quoted(const std::string& word) {
+    auto is_plain = [](unsigned char c) {
+        return std::isalnum(c) ||
+               std::string_view("_-./,:=+@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+    std::string out(1, '\'');
+    for (const char c : word) {
+        if (c == '\'')
+            out.append("'\\''");
+        else
+            out.push_back(c);
+    }
+    out.push_back('\'');
+    return out;
+}
+
+std::string point(glm::vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
+
+std::string camera_of(const Shown& shown) {
+    if (shown.choice.kind == CameraChoice::Kind::follow)
+        return "follow:" + std::to_string(shown.choice.walker);
+    return point(shown.camera.eye) + "/" + point(shown.camera.target);
+}
+
+std::string views_of(WorkViews views) {
+    std::vector<std::string> all;
+    for (int i = 0; i < k_work_views; ++i)
+        if (views[static_cast<WorkView>(i)]) all.emplace_back(k_work_view_names[i]);
+    std::string text;
+    for (const std::string& view : all) text.append(text.empty() ? "" : ",").append(view);
+    return text;
+}
+
+}  // namespace
+
+std::string command_of(const std::vector<std::string>& words, const Shown& shown) {
+    std::vector<std::string> all = {"flaneur", "render"};
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string_view option = std::string_view(words[i]).substr(0, words[i].find('='));
+        if (!is_replaced(option))
+            all.push_back(words[i]);
+        else if (option.size() == words[i].size())
+            ++i;  // and its value
+    }
+    auto add = [&](const char* option, const std::string& value) {
+        if (!value.empty()) all.insert(all.end(), {option, value});
+    };
+    add("--camera", camera_of(shown));
+    add("--view", views_of(shown.views));
+    add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
+    add("--frames", std::to_string(shown.tick));
+    add("--out", "picture.png");
+    std::string text;
+    for (const std::string& word : all) text.append(text.empty() ? "" : " ").append(quoted(word));
+    return text;
+}
+
+}  // namespace flaneur
