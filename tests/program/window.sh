@@ -51,7 +51,8 @@ for key in 2 3 Tab Tab space F12 1 F1 F1 l F2 F10 F11 F3 l minus equal equal per
 done
 xdotool mousemove --window "$window" 40 20 sleep 0.3 click 1 sleep 0.3 click 1 sleep 0.3  # Stop, Go
 xdotool mousemove --window "$window" 250 200 sleep 0.3 click 1 sleep 0.3 key f sleep 0.5 key 1 sleep 0.3
-xdotool mousedown 1 mousemove_relative 40 10 sleep 0.3 mouseup 1 sleep 0.3
+for button in 1 2 3; do xdotool mousedown $button mousemove_relative 40 10 sleep 0.3 mouseup $button sleep 0.3; done
+xdotool click 4 sleep 0.3 click 5 click 5 sleep 0.3
 kill -0 $viewer $manager
 
 # It is paused, since Space was pressed once: pictures of one tick, of which none is lost, after views went on and off

@@ -21,6 +21,7 @@
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
 
 namespace flaneur {
@@ -115,6 +116,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
+    Grip grip;
     while (!glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
@@ -135,12 +137,13 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         const bool is_panels = gui_has_mouse();
         const Mouse before = mouse;
         read_mouse(window, is_panels, mouse);
-        const bool is_moving =
-            fly(window, before, mouse, static_cast<float>(passed), v) || (is_following && !v.clock.is_paused);
-        for (WorkView view : std::exchange(v.toggles, {}))
-            set_work_views(show, toggled(show.work_views, view));
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
+        bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
+        is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
+        is_moving |= is_following && !v.clock.is_paused;
+        for (WorkView view : std::exchange(v.toggles, {}))
+            set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);

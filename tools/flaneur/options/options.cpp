@@ -74,7 +74,8 @@ Examples:
   flaneur render --no-cache --out out/city.png)";
 
 constexpr const char* k_view_footer =
-    R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around;
+    R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around,
+the wheel zooms to the cursor, the middle button drags along and the right one round;
 Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
 next one; who is clicked is told about, F follows; L lists layers, the views for work, F2 to F11; H hides the panels;
 F12 writes a picture to out/; C copies the command that draws it; F1 lists the keys; Esc quits.

@@ -129,6 +129,7 @@ Panels end_gui(Gui& gui) {
 }
 
 bool gui_has_mouse() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantCaptureMouse; }
+float gui_wheel() { return gui_has_mouse() ? 0 : ImGui::GetIO().MouseWheel; }
 bool gui_has_keys() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput; }
 
 }  // namespace flaneur

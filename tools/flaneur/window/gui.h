@@ -33,5 +33,7 @@ Panels end_gui(Gui& gui);
 // Whether the cursor, or the keys, are a panel's.
 bool gui_has_mouse();
 bool gui_has_keys();
+// Notches that the wheel was turned since the last frame, away from the hand; none over a panel.
+float gui_wheel();
 
 }  // namespace flaneur

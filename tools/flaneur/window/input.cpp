@@ -111,14 +111,17 @@ void listen(GLFWwindow* window, Viewer& viewer) {
 }
 
 void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
-    const bool was_held = mouse.is_held;
+    const Mouse before = mouse;
     glfwGetCursorPos(window, &mouse.x, &mouse.y);
-    mouse.is_held = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS ||
-                    glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
-    if (is_panels && !was_held) mouse.is_held = false;
-    if (mouse.is_held && !was_held) mouse.held_x = mouse.x, mouse.held_y = mouse.y;
-    mouse.has_clicked =
-        was_held && !mouse.is_held && std::hypot(mouse.x - mouse.held_x, mouse.y - mouse.held_y) < k_drag;
+    auto holds = [&](int button, bool held) {
+        return glfwGetMouseButton(window, button) == GLFW_PRESS && (held || !is_panels);
+    };
+    mouse.is_held = holds(GLFW_MOUSE_BUTTON_LEFT, before.is_held);
+    mouse.pans = holds(GLFW_MOUSE_BUTTON_MIDDLE, before.pans);
+    mouse.orbits = holds(GLFW_MOUSE_BUTTON_RIGHT, before.orbits);
+    if (mouse.is_held && !before.is_held) mouse.held_x = mouse.x, mouse.held_y = mouse.y;
+    mouse.has_clicked = before.is_held && !mouse.is_held &&
+                        std::hypot(mouse.x - mouse.held_x, mouse.y - mouse.held_y) < k_drag;
 }
 
 bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& v) {

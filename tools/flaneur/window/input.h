@@ -13,9 +13,10 @@ void listen(GLFWwindow* window, Viewer& viewer);
 // The mouse, from one frame to the next.
 struct Mouse {
     double x = 0, y = 0;
-    bool is_held = false;
-    double held_x = 0, held_y = 0;  // where it was when a button went down
-    bool has_clicked = false;       // in this frame, without a drag
+    bool is_held = false;               // the left button
+    bool pans = false, orbits = false;  // the middle one, the right one
+    double held_x = 0, held_y = 0;      // where it was when a button went down
+    bool has_clicked = false;           // in this frame, without a drag
 };
 // What is a panel's is left to it.
 void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse);

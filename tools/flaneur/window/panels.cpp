@@ -30,6 +30,8 @@ constexpr std::array k_keys = {
     KeyRow{"W A S D  arrows", "fly; Shift: fast"},
     KeyRow{"Q E", "down, up"},
     KeyRow{"drag", "look about"},
+    KeyRow{"wheel", "nearer, farther"},
+    KeyRow{"middle, right", "drag along, round"},
     KeyRow{"click", "ask who that is"},
     KeyRow{"F", "follow who was asked"},
     KeyRow{"1  2", "street, overview"},
