@@ -79,30 +79,30 @@ void colour_by_speed(const World& world, PeopleFrame& people) {
                     speed_colour(length(world.crowd.motion.velocity[i])));
 }
 
-void add_row(Overlay& overlay, glm::vec2 corner, float row, std::string_view text, uint32_t colour,
-             uint32_t swatch) {
-    const float y = (corner.y > 0.5f ? -1.0f : 1.0f) * (k_margin + row * 1.9f * k_letters);
-    if (swatch != 0) {
-        Pen pen{.a = glm::vec3(corner, 0), .b = glm::vec3(corner, 0), .place = GizmoPlace::on_picture};
-        pen.shift_a = {k_margin + 4, y - 0.5f * k_letters};
-        pen.shift_b = pen.shift_a + glm::vec2(12, 0);
-        pen.pixels = 10;
-        pen.colour = swatch | 0xff000000u;
-        overlay.lines.push_back(pen);
-    }
-    add_text(overlay.lines,
-             {glm::vec3(corner, 0), {k_margin + (swatch != 0 ? 30.0f : 0.0f), y}, GizmoPlace::on_picture},
-             text, colour, k_letters);
-}
-
-// From the lower left corner up.
+// From the lower left corner up, each row on a dark ground. Kept apart, so that it lies over all other lines.
 struct Legend {
-    Overlay& overlay;
+    static constexpr float k_row = 1.9f * k_letters, k_indent = 30;
+    std::vector<GizmoLine> grounds, rows;
     float row = 0;
+
+    void add_row(std::string_view text, uint32_t colour, uint32_t swatch) {
+        constexpr glm::vec3 corner(0, 1, 0);
+        const float y = -(k_margin + row * k_row), left = k_margin + (swatch != 0 ? k_indent : 0);
+        auto bar = [&](float from, float to, float pixels, uint32_t ink) {
+            Pen pen{.a = corner, .b = corner, .place = GizmoPlace::on_picture};
+            pen.shift_a = {from, y - 0.5f * k_letters};
+            pen.shift_b = {to, y - 0.5f * k_letters};
+            pen.pixels = pixels;
+            pen.colour = ink;
+            return pen;
+        };
+        grounds.push_back(bar(k_margin, left + text_width(text, k_letters), k_row + 2, ink(0x1b1e22, 0.6f)));
+        if (swatch != 0) rows.push_back(bar(k_margin + 4, k_margin + 16, 10, swatch | 0xff000000u));
+        add_text(rows, {corner, {left, y}, GizmoPlace::on_picture}, text, colour, k_letters);
+    }
     void add(const char* title, std::span<const LegendEntry> entries) {
-        for (size_t i = entries.size(); i-- > 0;)
-            add_row(overlay, {0, 1}, row++, entries[i].what, k_white, entries[i].colour);
-        add_row(overlay, {0, 1}, row, title, k_grey, 0);
+        for (size_t i = entries.size(); i-- > 0; ++row) add_row(entries[i].what, k_white, entries[i].colour);
+        add_row(title, k_grey, 0);
         row += 1.6f;
     }
 };
@@ -139,7 +139,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     overlay.lines.clear();
     overlay.fills.clear();
     if (views.mask == 0) return;
-    Legend legend{overlay};
+    Legend legend;
     if (views[wireframe]) frame.surfaces = Surfaces::wireframe;
     if (views[normals]) frame.surfaces = Surfaces::normals;
     if (views[overdraw]) {
@@ -172,6 +172,8 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
         legend.add("Skeletons", k_skeleton_legend);
     }
     if (views[gizmos]) add_gait_gizmos(input, people, overlay);
+    for (const auto* lines : {&legend.grounds, &legend.rows})
+        overlay.lines.insert(overlay.lines.end(), lines->begin(), lines->end());
     frame.lines = overlay.lines;
     frame.fills = overlay.fills;
 }
