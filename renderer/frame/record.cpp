@@ -34,8 +34,7 @@ void draw_indirect(const FrameRecord& record, DrawRange range) {
                           range.count);
 }
 
-void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load,
-               VkPipeline pipeline) {
+void begin_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load) {
     const VkRenderingAttachmentInfo colour = attachment(image.view, load);
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = extent_of(image);
@@ -44,6 +43,11 @@ void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoa
     info.pColorAttachments = &colour;
     vkCmdBeginRendering(record.commands, &info);
     set_viewport(record.commands, info.renderArea.extent);
+}
+
+void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load,
+               VkPipeline pipeline) {
+    begin_over(record, image, load);
     bind(record, pipeline);
     vkCmdDraw(record.commands, 3, 1, 0, 0);
     vkCmdEndRendering(record.commands);

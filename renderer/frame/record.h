@@ -43,6 +43,8 @@ void bind_vertices(const FrameRecord& record, VkBuffer vertices);
 // With the index buffer that is bound: the scene's, where nobody has bound another.
 void draw_indirect(const FrameRecord& record, DrawRange range);
 
+// Begins to draw all over an image, without depth.
+void begin_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load);
 // Draws a triangle that covers an image with a pipeline without vertices.
 void draw_over(const FrameRecord& record, const GpuImage& image, VkAttachmentLoadOp load,
                VkPipeline pipeline);

@@ -35,14 +35,7 @@ void scale_picture(const FrameRecord& record) {
 void draw_panels(const FrameRecord& record) {
     GpuImage& image = final_image(record);
     image_to(record.commands, image, k_colour_target);
-    const VkRenderingAttachmentInfo colour = attachment(image.view, VK_ATTACHMENT_LOAD_OP_LOAD);
-    VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea.extent = extent_of(image);
-    info.layerCount = 1;
-    info.colorAttachmentCount = 1;
-    info.pColorAttachments = &colour;
-    vkCmdBeginRendering(record.commands, &info);
-    set_viewport(record.commands, info.renderArea.extent);
+    begin_over(record, image, VK_ATTACHMENT_LOAD_OP_LOAD);
     bind(record, record.target.panels);
     bind_vertices(record, record.slot.panel_vertices.handle);
     vkCmdBindIndexBuffer(record.commands, record.slot.panel_indices.handle, 0, VK_INDEX_TYPE_UINT16);
@@ -50,7 +43,7 @@ void draw_panels(const FrameRecord& record) {
     vkCmdPushConstants(record.commands, record.renderer.pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                        sizeof scale, &scale);
     for (const PanelDraw& draw : record.plan.panels) {
-        const VkRect2D scissor = scissor_of(draw, info.renderArea.extent);
+        const VkRect2D scissor = scissor_of(draw, extent_of(image));
         if (draw.index_count == 0 || scissor.extent.width == 0 || scissor.extent.height == 0) continue;
         vkCmdSetScissor(record.commands, 0, 1, &scissor);
         vkCmdDrawIndexed(record.commands, draw.index_count, 1, draw.first_index, draw.vertex_offset, 0);
