@@ -60,6 +60,10 @@ inline constexpr const char* k_quality_names[] = {"low", "medium", "high", "ultr
 
 // "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0".
 Result<CameraChoice> parse_camera(const std::string& text);
+// As parse_camera() takes it, to the last bit.
+std::string told_camera(const CameraChoice& camera);
+// Of those that are on.
+std::vector<std::string> names_of(WorkViews views);
 // "1280x720".
 Result<Size> parse_size(const std::string& text);
 // Names of views. Refuses unknown ones and rivals.

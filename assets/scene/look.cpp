@@ -135,4 +135,27 @@ Result<std::string> parse_quality(const std::string& text) {
     return Error{excerpt(text) + " is none of " + joined(k_quality_names)};
 }
 
+std::string told_camera(const CameraChoice& camera) {
+    auto point = [](Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); };
+    switch (camera.kind) {
+        case CameraChoice::Kind::overview:
+            return "overview";
+        case CameraChoice::Kind::street:
+            return "street";
+        case CameraChoice::Kind::crowd:
+            return "crowd";
+        case CameraChoice::Kind::follow:
+            return "follow:" + std::to_string(camera.walker);
+        default:
+            return point(camera.eye) + "/" + point(camera.target);
+    }
+}
+
+std::vector<std::string> names_of(WorkViews views) {
+    std::vector<std::string> names;
+    for (int view = 0; view < k_work_views; ++view)
+        if (views[static_cast<WorkView>(view)]) names.emplace_back(k_work_view_names[view]);
+    return names;
+}
+
 }  // namespace flaneur

@@ -20,7 +20,10 @@ class Window : public testing::Test {
         glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
         window = glfwCreateWindow(320, 200, "flaneur test", nullptr, nullptr);
         ASSERT_TRUE(window);
-        Result<RendererPtr> made = make_window_renderer(validated(), window);
+        make(validated());
+    }
+    void make(const RendererOptions& options) {
+        Result<RendererPtr> made = make_window_renderer(options, window);
         ASSERT_TRUE(made) << made.error().message;
         renderer = std::move(*made);
         ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
@@ -121,10 +124,7 @@ TEST_F(Window, PicturesAreScaledUnderPanels) {
         renderer.reset();
         RendererOptions options = validated();
         options.lights_on_host = is_host;
-        Result<RendererPtr> made = make_window_renderer(options, window);
-        ASSERT_TRUE(made) << made.error().message;
-        renderer = std::move(*made);
-        ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+        ASSERT_NO_FATAL_FAILURE(make(options));
         ASSERT_TRUE(upload_letters(*renderer, {2, 2, letters}));
         auto draw = [&](float resolution) {
             FrameInput frame = scene.frame(street_camera());
@@ -192,10 +192,7 @@ TEST_F(Window, IsDrawnIntoByPoorDevices) {
             poverty() = offered;
             RendererOptions options = on_lavapipe();
             options.lights_on_host = is_host;
-            Result<RendererPtr> made = make_window_renderer(options, window);
-            ASSERT_TRUE(made) << made.error().message;
-            renderer = std::move(*made);
-            ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+            ASSERT_NO_FATAL_FAILURE(make(options));
             draw_some(4);
             renderer.reset();
             poverty() = {};

@@ -13,8 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string told_point(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
-
 // With the height and the heading that the scene gives the sun, if it does.
 std::string told_time(const Scene& scene) {
     const long minutes = std::lround(scene.hour * 60);
@@ -34,21 +32,6 @@ std::string told_file(const std::string& path) {
            (unknown ? "" : " of " + std::to_string(bytes) + " bytes");
 }
 
-std::string told_camera(const CameraChoice& camera) {
-    switch (camera.kind) {
-        case CameraChoice::Kind::overview:
-            return "overview";
-        case CameraChoice::Kind::street:
-            return "street";
-        case CameraChoice::Kind::crowd:
-            return "crowd";
-        case CameraChoice::Kind::follow:
-            return "follow:" + std::to_string(camera.walker);
-        default:
-            return told_point(camera.eye) + "/" + told_point(camera.target);
-    }
-}
-
 std::string told_people(const std::vector<PeopleShare>& people) {
     std::vector<std::string> all;
     all.reserve(people.size());
@@ -62,13 +45,6 @@ std::string told_idles(const std::vector<std::string>& idles) {
     std::vector<std::string> all;
     all.reserve(idles.size());
     for (const std::string& idle : idles) all.push_back(told_file(idle));
-    return joined(all);
-}
-
-std::string told_views(WorkViews views) {
-    std::vector<std::string> all;
-    for (int view = 0; view < k_work_views; ++view)
-        if (views[static_cast<WorkView>(view)]) all.emplace_back(k_work_view_names[view]);
     return joined(all);
 }
 
@@ -112,7 +88,7 @@ std::string record_of(const Options& options) {
     put("--camera", told_camera(s.camera));
     put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
     put("--quality", s.quality);
-    put("--view", told_views(s.views));
+    put("--view", joined(names_of(s.views)));
     put("--frames", "from " + std::to_string(t.first) + " by " + std::to_string(t.step));
     return record.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

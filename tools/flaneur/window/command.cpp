@@ -4,8 +4,6 @@
 #include <array>
 #include <cctype>
 
-#include "assets/files/words.h"
-
 namespace flaneur {
 namespace {
 
@@ -33,20 +31,16 @@ std::string quoted(const std::string& word) {
     return out;
 }
 
-std::string point(glm::vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
+Vec3 from_glm(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
-std::string camera_of(const Shown& shown) {
-    if (shown.choice.kind == CameraChoice::Kind::follow)
-        return "follow:" + std::to_string(shown.choice.walker);
-    return point(shown.camera.eye) + "/" + point(shown.camera.target);
+CameraChoice camera_of(const Shown& shown) {
+    if (shown.choice.kind == CameraChoice::Kind::follow) return shown.choice;
+    return {CameraChoice::Kind::fixed, 0, from_glm(shown.camera.eye), from_glm(shown.camera.target)};
 }
 
 std::string views_of(WorkViews views) {
-    std::vector<std::string> all;
-    for (int i = 0; i < k_work_views; ++i)
-        if (views[static_cast<WorkView>(i)]) all.emplace_back(k_work_view_names[i]);
     std::string text;
-    for (const std::string& view : all) text.append(text.empty() ? "" : ",").append(view);
+    for (const std::string& view : names_of(views)) text.append(text.empty() ? "" : ",").append(view);
     return text;
 }
 
@@ -64,7 +58,7 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
     auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) all.insert(all.end(), {option, value});
     };
-    add("--camera", camera_of(shown));
+    add("--camera", told_camera(camera_of(shown)));
     add("--view", views_of(shown.views));
     add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
     add("--frames", std::to_string(shown.tick));

@@ -84,12 +84,6 @@ void on_key(GLFWwindow* window, int key, int, int action, int) {
     }
 }
 
-void read_angles(Viewer& v) {
-    const glm::vec3 d = glm::normalize(v.camera.target - v.camera.eye);
-    v.yaw = heading_of({d.x, d.z});
-    v.pitch = std::clamp(arctan2(d.y, std::hypot(d.x, d.z)), -k_steepest, k_steepest);
-}
-
 }  // namespace
 
 void choose(Viewer& v, CameraChoice::Kind kind) {
@@ -143,11 +137,11 @@ bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float second
     if (ahead == 0 && left == 0 && up == 0 && turn == 0 && tilt == 0) return false;
 
     take_off(v);
-    read_angles(v);
-    v.yaw += turn;
-    v.pitch = std::clamp(v.pitch + tilt, -k_steepest, k_steepest);
-    const SinCos pitch = sin_cos(v.pitch);
-    const Vec2 d = heading_direction(v.yaw);
+    const glm::vec3 way = glm::normalize(v.camera.target - v.camera.eye);
+    const float slope = arctan2(way.y, std::hypot(way.x, way.z));
+    const SinCos pitch =
+        sin_cos(std::clamp(std::clamp(slope, -k_steepest, k_steepest) + tilt, -k_steepest, k_steepest));
+    const Vec2 d = heading_direction(heading_of({way.x, way.z}) + turn);
     const glm::vec3 forward{d.x * pitch.cosine, pitch.sine, d.z * pitch.cosine};
     const glm::vec3 sideways{d.z, 0, -d.x};
     v.camera.eye += (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * seconds);

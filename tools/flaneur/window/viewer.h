@@ -16,7 +16,6 @@ struct Viewer {
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
-    float yaw = 0, pitch = 0;  // of the flying eye
     bool wants_picture = false, wants_command = false;
     bool lists_keys = false, lists_layers = false, has_panels = true;
     std::vector<WorkView> toggles;  // in the order of their keys
