@@ -46,7 +46,7 @@ done
 xdotool windowmap "$window"
 until xwininfo -id "$window" | grep 'IsViewable'; do sleep 0.1; done
 xdotool windowfocus "$window" mousemove --window "$window" 200 150
-for key in 2 3 Tab Tab space F12 1 F1 F1 l F2 F10 F11 F3 l minus equal equal period h h w a; do
+for key in 2 3 Tab Tab space F12 1 F1 F1 l F2 F10 F11 F3 l minus equal equal period h h w a ctrl+p Down Up Escape; do
     xdotool key $key sleep 0.3
 done
 xdotool mousemove --window "$window" 40 20 sleep 0.3 click 1 sleep 0.3 click 1 sleep 0.3  # Stop, Go

@@ -17,6 +17,7 @@
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/asked.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
@@ -71,12 +72,13 @@ void show_title(GLFWwindow* window, const Show& show, double fps) {
 }
 
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
-Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options) {
+Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options,
+                       const Viewer& viewer) {
     say_device(*renderer);
     auto loading = std::async(std::launch::async, [&] { return prepare_show(options); });
     while (loading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         glfwWaitEventsTimeout(k_idle_seconds);
-        if (glfwWindowShouldClose(window)) end_now(0);
+        if (viewer.wants_close || glfwWindowShouldClose(window)) end_now(0);
         const std::string line = printable(progress_line());
         glfwSetWindowTitle(window, ("flaneur: " + line).c_str());
         Size size;
@@ -117,7 +119,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
     Grip grip;
-    while (!glfwWindowShouldClose(window)) {
+    while (!v.wants_close && !glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
         if (is_hidden)
@@ -126,6 +128,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             glfwPollEvents();
         const double now = glfwGetTime(), passed = now - last;
         last = now;
+        act_on_presses(show, v);
         for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
         const float between = between_ticks(v.clock);
 
@@ -205,8 +208,9 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     listen(window.get(), viewer);
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0);
     if (!gui) return gui.error();
-    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options);
+    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer);
     if (!show) return show.error();
+    viewer.is_loading = false;
     viewer.walkers = show->loaded.world->crowd.count;
     return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
 }

@@ -19,69 +19,13 @@ constexpr double k_drag = 4;                         // pixels that a click may 
 
 Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
 
-void follow_next(Viewer& v, bool is_other) {
-    if (v.walkers == 0) return;
-    const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
-    if (is_other && is_following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
-    choose(v, CameraChoice::Kind::follow);
-}
-
-void follow_asked(Viewer& v) {
-    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
-    if (!who) return;
-    v.choice.walker = *who;
-    choose(v, CameraChoice::Kind::follow);
-}
-
-void on_key(GLFWwindow* window, int key, int, int action, int) {
-    if (action == GLFW_RELEASE || gui_has_keys()) return;
+// While a city is loaded nothing can be done but to close the window. The palette has keys of its own, though
+// one types in it.
+void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Viewer& v = viewer_of(window);
-    if (key == GLFW_KEY_PERIOD) v.clock.is_paused = true, ++v.clock.steps;  // and on, while it is held
-    if (action != GLFW_PRESS) return;
-    switch (key) {
-        case GLFW_KEY_ESCAPE:
-            return glfwSetWindowShouldClose(window, GLFW_TRUE);
-        case GLFW_KEY_SPACE:
-            v.clock.is_paused = !v.clock.is_paused;
-            return;
-        case GLFW_KEY_MINUS:
-        case GLFW_KEY_KP_SUBTRACT:
-            v.clock.rate = slower(v.clock.rate);
-            return;
-        case GLFW_KEY_EQUAL:
-        case GLFW_KEY_KP_ADD:
-            v.clock.rate = faster(v.clock.rate);
-            return;
-        case GLFW_KEY_C:
-            v.wants_command = true;
-            return;
-        case GLFW_KEY_F12:
-            v.wants_picture = true;
-            return;
-        case GLFW_KEY_1:
-            return choose(v, CameraChoice::Kind::street);
-        case GLFW_KEY_2:
-            return choose(v, CameraChoice::Kind::overview);
-        case GLFW_KEY_3:
-            return follow_next(v, false);
-        case GLFW_KEY_TAB:
-            return follow_next(v, true);
-        case GLFW_KEY_F:
-            return follow_asked(v);
-        case GLFW_KEY_H:
-            v.has_panels = !v.has_panels;
-            return;
-        case GLFW_KEY_L:
-            v.lists_layers = !v.lists_layers;
-            return;
-        case GLFW_KEY_F1:
-            v.lists_keys = !v.lists_keys;
-            return;
-        default:
-            if (key >= GLFW_KEY_F2 && key < GLFW_KEY_F2 + k_work_views)
-                v.toggles.push_back(static_cast<WorkView>(key - GLFW_KEY_F2));
-            return;
-    }
+    if (action == GLFW_RELEASE || (gui_has_keys() && !v.palette.is_open)) return;
+    if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
+    if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});
 }
 
 }  // namespace
@@ -120,11 +64,11 @@ void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
 
 bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& v) {
     const bool is_typing = gui_has_keys();
-    auto down = [&](int a, int b) {
-        return !is_typing && (glfwGetKey(window, a) == GLFW_PRESS || glfwGetKey(window, b) == GLFW_PRESS)
-                   ? 1.0f
-                   : 0.0f;
-    };
+    // Ctrl and Alt make actions of letters.
+    auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
+    const bool is_action = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL) ||
+                           held(GLFW_KEY_LEFT_ALT) || held(GLFW_KEY_RIGHT_ALT);
+    auto down = [&](int a, int b) { return !is_typing && !is_action && (held(a) || held(b)) ? 1.0f : 0.0f; };
     const float ahead = down(GLFW_KEY_W, GLFW_KEY_UP) - down(GLFW_KEY_S, GLFW_KEY_DOWN);
     const float left = down(GLFW_KEY_A, GLFW_KEY_LEFT) - down(GLFW_KEY_D, GLFW_KEY_RIGHT);
     const float up = down(GLFW_KEY_E, GLFW_KEY_PAGE_UP) - down(GLFW_KEY_Q, GLFW_KEY_PAGE_DOWN);

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,37 +10,19 @@
 #include <string>
 
 #include "sim/base/tick.h"
+#include "tools/flaneur/window/card.h"
+#include "tools/flaneur/window/palette.h"
+#include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
 namespace {
 
-// Without ways by keyboard, for Tab and the arrows are the city's.
-constexpr ImGuiWindowFlags k_plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+constexpr float k_below_bar = 58;  // at scale 1, as k_edge
 
-struct KeyRow {
-    const char *keys, *what;
-};
-constexpr std::array k_keys = {
-    KeyRow{"Space", "stop and go"},
-    KeyRow{".", "one tick, 1/60 s"},
-    KeyRow{"-  +", "slower, faster"},
-    KeyRow{"W A S D  arrows", "fly; Shift: fast"},
-    KeyRow{"Q E", "down, up"},
-    KeyRow{"drag", "look about"},
-    KeyRow{"wheel", "nearer, farther"},
-    KeyRow{"middle, right", "drag along, round"},
-    KeyRow{"click", "ask who that is"},
-    KeyRow{"F", "follow who was asked"},
-    KeyRow{"1  2", "street, overview"},
-    KeyRow{"3  Tab", "follow; the next one"},
-    KeyRow{"L  F2 - F11", "layers"},
-    KeyRow{"F12", "a picture, into out/"},
-    KeyRow{"C", "copy the command that draws this"},
-    KeyRow{"H", "no panels, and back"},
-    KeyRow{"F1", "this list"},
-    KeyRow{"Esc", "close"},
+struct RoomPanel {
+    Room room;
+    const char *name, *tip;
+    void (*lay_out)(Show& show, Viewer& viewer, float scale);
 };
 
 std::string clock_text(const Show& show) {
@@ -54,12 +35,37 @@ std::string clock_text(const Show& show) {
     return text;
 }
 
-void tip(const char* what) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
+// What is drawn over the city.
+void lay_out_layers(Show& show, Viewer& v, float scale) {
+    for (int i = 0; i < k_work_views; ++i) {
+        bool is_on = show.work_views[static_cast<WorkView>(i)];
+        if (ImGui::Checkbox(k_work_view_names[i], &is_on)) v.toggles.push_back(static_cast<WorkView>(i));
+        ImGui::SameLine(130 * scale);
+        ImGui::TextDisabled("F%d", i + 2);
+    }
+}
+
+constexpr RoomPanel k_rooms[] = {
+    {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
+};
+
+void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
+    for (const RoomPanel& room : k_rooms) {
+        if (room.room != v.room) continue;
+        // Between the bar above and what lies below.
+        ImGui::SetNextWindowPos({k_edge * scale, k_below_bar * scale});
+        ImGui::SetNextWindowSizeConstraints(
+            {0, 0}, {static_cast<float>(size.width) * 0.45f,
+                     std::max(static_cast<float>(size.height) - (k_below_bar + k_edge) * scale, 80.0f)});
+        bool is_open = true;
+        if (ImGui::Begin(room.name, &is_open, k_room)) room.lay_out(show, v, scale);
+        ImGui::End();
+        if (!is_open) v.room = Room::none;
+    }
 }
 
 void lay_out_bar(const Show& show, Viewer& v, float scale) {
-    ImGui::SetNextWindowPos({10 * scale, 10 * scale});
+    ImGui::SetNextWindowPos({k_edge * scale, k_edge * scale});
     if (!ImGui::Begin("time", nullptr, k_plain)) return ImGui::End();
     if (ImGui::Button(v.clock.is_paused ? "  Go  " : " Stop ")) v.clock.is_paused = !v.clock.is_paused;
     tip("Space");
@@ -76,26 +82,17 @@ void lay_out_bar(const Show& show, Viewer& v, float scale) {
     ImGui::SameLine();
     ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps,
                         v.resolution < 1 ? "   coarser while you move" : "");
+    for (const RoomPanel& room : k_rooms) {
+        ImGui::SameLine();
+        if (ImGui::Button(room.name)) v.room = v.room == room.room ? Room::none : room.room;
+        tip(room.tip);
+    }
     ImGui::SameLine();
-    if (ImGui::Button("Layers")) v.lists_layers = !v.lists_layers;
-    tip("what is drawn over the city (L)");
+    if (ImGui::Button("Find")) v.palette = {.is_open = true};
+    tip("any action by its name (Ctrl+P)");
     ImGui::SameLine();
     if (ImGui::Button("Keys")) v.lists_keys = !v.lists_keys;
     tip("F1");
-    ImGui::End();
-}
-
-void lay_out_layers(const Show& show, Viewer& v, float scale) {
-    if (!v.lists_layers) return;
-    ImGui::SetNextWindowPos({10 * scale, 58 * scale});
-    if (ImGui::Begin("layers", nullptr, k_plain)) {
-        for (int i = 0; i < k_work_views; ++i) {
-            bool is_on = show.work_views[static_cast<WorkView>(i)];
-            if (ImGui::Checkbox(k_work_view_names[i], &is_on)) v.toggles.push_back(static_cast<WorkView>(i));
-            ImGui::SameLine(130 * scale);
-            ImGui::TextDisabled("F%d", i + 2);
-        }
-    }
     ImGui::End();
 }
 
@@ -105,72 +102,6 @@ std::optional<float> share_of(const std::string& line) {
     const size_t space = line.rfind(' ', line.size() - 3);
     return space == std::string::npos ? std::nullopt
                                       : std::optional(std::strtof(&line[space], nullptr) / 100);
-}
-
-const char* doing(const World& world, uint32_t walker) {
-    const Journey& journey = world.crowd.journeys[walker];
-    if (journey.arrived) return "stands at its goal";
-    if (world.tick < journey.pause_until) return "waits a moment";
-    if (journey.path_due != PathDue::no) return "looks for a way";
-    if (journey.stuck > 0) return "does not get on";
-    return "on the way";
-}
-
-void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
-    const World& world = *show.loaded.world;
-    if (v.selected && !is_there(world.crowd, *v.selected)) v.selected.reset();
-    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
-    if (!who) return;
-    const uint32_t walker = *who, kind = world.crowd.identity.body[walker];
-    const Character& character = show.loaded.characters[kind];
-    const float height = world.kinds[kind].body.height * world.crowd.identity.scale[walker];
-    const Vec2 velocity = world.crowd.motion.velocity[walker];
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) - 10 * scale, 10 * scale}, ImGuiCond_Always,
-                            {1, 0});
-    if (!ImGui::Begin("who", nullptr, k_plain)) return ImGui::End();
-    if (character.found.scale == 0)
-        ImGui::Text("%s, %.0f", character.person.woman ? "Woman" : "Man",
-                    static_cast<double>(character.person.age));
-    else
-        ImGui::Text("%s", character.name.c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("no. %u", walker);
-    ImGui::Text("%.2f m tall", static_cast<double>(height));
-    ImGui::Text("%.2f m/s, likes %.2f", static_cast<double>(length(velocity)),
-                static_cast<double>(world.crowd.identity.preferred_speed[walker]));
-    if (!world.roam) {
-        const Vec3 goal = world.crowd.journeys[walker].goal.position,
-                   at = world.crowd.motion.position[walker];
-        ImGui::Text("%s, %.0f m to go", doing(world, walker), static_cast<double>(length(goal - at)));
-    }
-    if (!v.selected) {
-        ImGui::TextDisabled("click to keep, F to follow");
-    } else {
-        if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
-        tip("F");
-        ImGui::SameLine();
-        if (ImGui::Button("Let go")) v.selected.reset();
-    }
-    ImGui::End();
-}
-
-void lay_out_keys(Viewer& v, Size size) {
-    if (!v.lists_keys) return;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
-                            ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::Begin("Keys", &v.lists_keys,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNav) &&
-        ImGui::BeginTable("keys", 2)) {
-        for (const KeyRow& row : k_keys) {
-            ImGui::TableNextColumn();
-            ImGui::TextUnformatted(row.keys);
-            ImGui::TableNextColumn();
-            ImGui::TextDisabled("%s", row.what);
-        }
-        ImGui::EndTable();
-    }
-    ImGui::End();
 }
 
 void lay_out_note(const Viewer& v, Size size, float scale) {
@@ -211,12 +142,13 @@ void lay_out_loading(const std::string& city, const std::string& doing, Size siz
     ImGui::End();
 }
 
-void lay_out_panels(const Show& show, Viewer& viewer, Size size, float scale) {
-    lay_out_keys(viewer, size);
+void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
+    lay_out_keys(viewer, size, scale);
+    lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
     if (!viewer.has_panels) return;
     lay_out_bar(show, viewer, scale);
-    lay_out_layers(show, viewer, scale);
+    lay_out_room(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);
 }
 

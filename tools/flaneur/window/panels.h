@@ -1,5 +1,5 @@
-// The panels of the window: time and pace above, what is drawn over the city, who is under the cursor, the
-// keys.
+// The panels of the window: time and pace in a bar above; on the left what the chosen room is about; on the
+// right who was asked about.
 #pragma once
 
 #include <string>
@@ -16,6 +16,6 @@ void lay_out_loading(const std::string& city, const std::string& doing, Size siz
 void tell(Viewer& viewer, const std::string& what);
 
 // Lays them out, and changes the viewer as they are used. Between begin_gui() and end_gui().
-void lay_out_panels(const Show& show, Viewer& viewer, Size size, float scale);
+void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale);
 
 }  // namespace flaneur

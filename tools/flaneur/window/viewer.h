@@ -11,13 +11,33 @@
 
 namespace flaneur {
 
+// What the panel on the left is about: one thing at a time.
+enum class Room : uint8_t { none, layers };
+
+struct KeyPress {
+    int key = 0, mods = 0;
+    bool repeats = false;
+};
+
+// What is looked for among all actions.
+struct Palette {
+    bool is_open = false;
+    char typed[64] = {};
+    int chosen = 0;
+};
+
 struct Viewer {
     Clock clock;
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
-    bool wants_picture = false, wants_command = false;
-    bool lists_keys = false, lists_layers = false, has_panels = true;
+    bool is_loading = true;
+    std::vector<KeyPress> presses;  // not acted upon yet
+    bool wants_picture = false, wants_command = false, wants_close = false;
+    bool lists_keys = false, has_panels = true;
+    Room room = Room::none;
+    Palette palette;
+    double escaped_at = -1e9;       // of the window's time
     std::vector<WorkView> toggles;  // in the order of their keys
     uint32_t walkers = 0;
     std::optional<uint32_t> hovered, selected;  // walkers, by slot

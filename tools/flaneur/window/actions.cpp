@@ -1,0 +1,163 @@
+#include "tools/flaneur/window/actions.h"
+
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "tools/flaneur/window/palette.h"
+#include "tools/flaneur/window/panels.h"
+
+namespace flaneur {
+namespace {
+
+template <WorkView View>
+void turn(Show&, Viewer& v) {
+    v.toggles.push_back(View);
+}
+
+void follow_next(Viewer& v, bool is_other) {
+    if (v.walkers == 0) return;
+    const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
+    if (is_other && is_following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
+    choose(v, CameraChoice::Kind::follow);
+}
+
+void follow_asked(Show&, Viewer& v) {
+    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    if (!who) return tell(v, "Click somebody, or point at them, to follow them.");
+    v.choice.walker = *who;
+    choose(v, CameraChoice::Kind::follow);
+}
+
+// What lies on top goes first; the window itself only by a second time.
+void dismiss(Show&, Viewer& v) {
+    constexpr double k_again_seconds = 2;
+    if (std::exchange(v.lists_keys, false)) return;
+    if (std::exchange(v.room, Room::none) != Room::none) return;
+    if (v.selected) return v.selected.reset();
+    const double now = glfwGetTime();
+    if (now - v.escaped_at < k_again_seconds) {
+        v.wants_close = true;
+        return;
+    }
+    v.escaped_at = now;
+    tell(v, "Esc once more closes the window.");
+}
+
+template <Room To>
+void open(Show&, Viewer& v) {
+    v.room = v.room == To ? Room::none : To;
+}
+
+constexpr std::array k_time = {
+    Action{"Stop or go", "Space", GLFW_KEY_SPACE, 0,
+           [](Show&, Viewer& v) { v.clock.is_paused = !v.clock.is_paused; }},
+    Action{"One tick, 1/60 s", ".", GLFW_KEY_PERIOD, 0,
+           [](Show&, Viewer& v) { v.clock.is_paused = true, ++v.clock.steps; }, true},
+    Action{"Slower", "-", GLFW_KEY_MINUS, 0, [](Show&, Viewer& v) { v.clock.rate = slower(v.clock.rate); }},
+    Action{"Faster", "+", GLFW_KEY_EQUAL, 0, [](Show&, Viewer& v) { v.clock.rate = faster(v.clock.rate); }},
+    Action{"As fast as it is", "", 0, 0, [](Show&, Viewer& v) { v.clock.rate = 1; }},
+};
+constexpr std::array k_cameras = {
+    Action{"Look down the street", "1", GLFW_KEY_1, 0,
+           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::street); }},
+    Action{"Look from above", "2", GLFW_KEY_2, 0,
+           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::overview); }},
+    Action{"Look at the densest crowd", "", 0, 0,
+           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::crowd); }},
+    Action{"Follow somebody", "3", GLFW_KEY_3, 0, [](Show&, Viewer& v) { follow_next(v, false); }},
+    Action{"Follow the next one", "Tab", GLFW_KEY_TAB, 0, [](Show&, Viewer& v) { follow_next(v, true); }},
+    Action{"Follow who was asked about", "F", GLFW_KEY_F, 0, follow_asked},
+};
+constexpr std::array k_layers = {
+    Action{"Layers", "L", GLFW_KEY_L, 0, open<Room::layers>},
+    Action{"Layer: wireframe", "F2", GLFW_KEY_F2, 0, turn<WorkView::wireframe>},
+    Action{"Layer: normals", "F3", GLFW_KEY_F3, 0, turn<WorkView::normals>},
+    Action{"Layer: overdraw", "F4", GLFW_KEY_F4, 0, turn<WorkView::overdraw>},
+    Action{"Layer: levels of detail", "F5", GLFW_KEY_F5, 0, turn<WorkView::lods>},
+    Action{"Layer: speed", "F6", GLFW_KEY_F6, 0, turn<WorkView::speed>},
+    Action{"Layer: density", "F7", GLFW_KEY_F7, 0, turn<WorkView::density>},
+    Action{"Layer: walkable ground", "F8", GLFW_KEY_F8, 0, turn<WorkView::walkable>},
+    Action{"Layer: trails", "F9", GLFW_KEY_F9, 0, turn<WorkView::trails>},
+    Action{"Layer: skeletons", "F10", GLFW_KEY_F10, 0, turn<WorkView::skeletons>},
+    Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
+};
+constexpr std::array k_window = {
+    Action{"Write a picture, into out/", "F12", GLFW_KEY_F12, 0,
+           [](Show&, Viewer& v) { v.wants_picture = true; }},
+    Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
+           [](Show&, Viewer& v) { v.wants_command = true; }},
+    Action{"Hide the panels, or show them", "H", GLFW_KEY_H, 0,
+           [](Show&, Viewer& v) { v.has_panels = !v.has_panels; }},
+    Action{"Find an action by its name", "Ctrl+P", GLFW_KEY_P, GLFW_MOD_CONTROL,
+           [](Show&, Viewer& v) { v.palette = {.is_open = true}; }},
+    Action{"List the keys", "F1", GLFW_KEY_F1, 0, [](Show&, Viewer& v) { v.lists_keys = !v.lists_keys; }},
+    Action{"Let go, or dismiss what is open", "Esc", GLFW_KEY_ESCAPE, 0, dismiss},
+    Action{"Close the window", "Ctrl+Q", GLFW_KEY_Q, GLFW_MOD_CONTROL,
+           [](Show&, Viewer& v) { v.wants_close = true; }},
+};
+constexpr std::array k_groups = {
+    ActionGroup{"Time", k_time},
+    ActionGroup{"Cameras", k_cameras},
+    ActionGroup{"Layers", k_layers},
+    ActionGroup{"Window", k_window},
+};
+
+// Of keys that have a twin.
+int plain(int key) {
+    if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
+    if (key == GLFW_KEY_KP_SUBTRACT) return GLFW_KEY_MINUS;
+    return key;
+}
+
+bool is_for(const Action& action, const KeyPress& press) {
+    constexpr int k_mods = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
+    // Shift makes one fast while flying, and is held where + is above =.
+    const int held = press.mods & k_mods;
+    return action.key != 0 && action.key == plain(press.key) &&
+           (held == action.mods || (held == GLFW_MOD_SHIFT && action.mods == 0)) &&
+           (action.repeats || !press.repeats);
+}
+
+}  // namespace
+
+std::span<const ActionGroup> action_groups() { return k_groups; }
+
+void act_on_presses(Show& show, Viewer& v) {
+    for (const KeyPress& press : std::exchange(v.presses, {})) {
+        if (v.palette.is_open) {
+            press_in_palette(press.key, show, v);
+            continue;
+        }
+        const Action* found = nullptr;
+        for (const ActionGroup& group : action_groups())
+            for (const Action& action : group.actions)
+                if (is_for(action, press) && (!found || action.mods > found->mods)) found = &action;
+        if (found) found->act(show, v);
+    }
+}
+
+int match(std::string_view typed, std::string_view name) {
+    auto low = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    int worth = 1;
+    size_t at = 0;
+    bool is_next = false;
+    for (const char c : typed) {
+        if (c == ' ') {
+            is_next = false;
+            continue;
+        }
+        size_t found = at;
+        while (found < name.size() && low(name[found]) != low(c)) ++found;
+        if (found == name.size()) return 0;
+        const bool begins = found == 0 || name[found - 1] == ' ';
+        worth += 1 + (is_next && found == at ? 3 : 0) + (begins ? 2 : 0);
+        at = found + 1;
+        is_next = true;
+    }
+    return worth;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,11 @@
+// Who is asked about, or else under the cursor, on a card at the right.
+#pragma once
+
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+void lay_out_card(const Show& show, Viewer& viewer, Size size, float scale);
+
+}  // namespace flaneur

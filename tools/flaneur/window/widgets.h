@@ -1,0 +1,24 @@
+// What panels have in common. Private to the files that lay panels out.
+#pragma once
+
+#include <imgui.h>
+
+namespace flaneur {
+
+inline constexpr float k_edge = 10;  // between panels and the window's edge, at scale 1
+
+// A panel that stays where it is put.
+inline constexpr ImGuiWindowFlags k_plain =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+// One with a title, which is closed by a cross.
+inline constexpr ImGuiWindowFlags k_room =
+    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+
+// What the last item is for, while one points at it.
+inline void tip(const char* what) {
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
+}
+
+}  // namespace flaneur
