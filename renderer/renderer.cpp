@@ -40,11 +40,11 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
     const bool is_cpu = r.device.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     r.quality = quality_level(options.quality.value_or(usual_quality(r.device.properties.deviceType)));
     r.are_people_skinned_on_host = options.skins_on_host.value_or(is_cpu);
-    const bool can_host_light = can_host_read_surfaces(r.device) && (!window || can_copy_to_window(r.device));
+    const bool can_host_light = !window || can_copy_to_window(r.device);
     r.is_lit_on_host = options.lights_on_host.value_or(is_cpu && can_host_light);
     if (r.is_lit_on_host && !can_host_light)
         return Error{
-            "The host cannot read what this device draws: let the device light it (--light device)."};
+            "The host cannot hand pictures to this window: let the device light them (--light device)."};
     r.workers = make_workers(0);
     FLANEUR_TRY(make_pipelines(r.device, r.quality, r.is_lit_on_host, r.swapchain.format, r.pipelines));
     FLANEUR_TRY(make_slots(r));

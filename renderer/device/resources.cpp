@@ -175,6 +175,34 @@ VkImageAspectFlags aspect_of(VkFormat format) {
     return depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
+namespace {
+
+// Whether the host reads such an image where it lies. A CPU draws into any; GPUs that say they draw into rows
+// lose themselves where there is depth beside them.
+bool can_share(const Device& device, const ImageShape& shape) {
+    if (device.properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU ||
+        aspect_of(shape.format) != VK_IMAGE_ASPECT_COLOR_BIT)
+        return false;
+    VkImageFormatProperties properties;
+    return vkGetPhysicalDeviceImageFormatProperties(device.physical, shape.format, VK_IMAGE_TYPE_2D,
+                                                    VK_IMAGE_TILING_LINEAR, shape.usage, 0,
+                                                    &properties) == VK_SUCCESS &&
+           properties.maxExtent.width >= shape.width && properties.maxExtent.height >= shape.height;
+}
+
+// Of the formats that the host reads.
+uint32_t texel_bytes(VkFormat format) {
+    switch (format) {
+        case VK_FORMAT_R8G8B8A8_UNORM:
+        case VK_FORMAT_D32_SFLOAT:
+            return 4;
+        default:
+            return 8;
+    }
+}
+
+}  // namespace
+
 Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image) {
     image.format = shape.format;
     image.width = shape.width;
@@ -189,16 +217,17 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     info.mipLevels = shape.levels;
     info.arrayLayers = shape.layers;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.tiling = shape.is_read_by_host ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL;
-    info.usage = shape.usage;
+    const bool is_shared = shape.is_read_by_host && can_share(device, shape);
+    const bool is_copied = shape.is_read_by_host && !is_shared;
+    info.tiling = is_shared ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL;
+    info.usage = shape.usage | (is_copied ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : 0);
     FLANEUR_VK(vkCreateImage(device.handle, &info, nullptr, &image.handle),
                "make an image of " + std::to_string(shape.width) + " x " + std::to_string(shape.height));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle, image.handle, &needs);
-    FLANEUR_TRY(allocate(device, needs, shape.is_read_by_host ? MemoryKind::readback : MemoryKind::device,
-                         image.memory));
+    FLANEUR_TRY(allocate(device, needs, is_shared ? MemoryKind::readback : MemoryKind::device, image.memory));
     FLANEUR_VK(vkBindImageMemory(device.handle, image.handle, image.memory, 0), "bind an image");
-    if (shape.is_read_by_host) {
+    if (is_shared) {
         void* mapped = nullptr;
         FLANEUR_VK(vkMapMemory(device.handle, image.memory, 0, VK_WHOLE_SIZE, 0, &mapped), "map an image");
         const VkImageSubresource first{VK_IMAGE_ASPECT_COLOR_BIT, 0, 0};
@@ -206,6 +235,12 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
         vkGetImageSubresourceLayout(device.handle, image.handle, &first, &layout);
         image.mapped = static_cast<const std::byte*>(mapped) + layout.offset;
         image.row_bytes = layout.rowPitch;
+    }
+    if (is_copied) {
+        image.row_bytes = size_t{texel_bytes(shape.format)} * shape.width;
+        FLANEUR_TRY(make_buffer(device, VkDeviceSize{image.row_bytes} * shape.height,
+                                VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback, image.copy));
+        image.mapped = image.copy.mapped;
     }
     constexpr VkImageUsageFlags viewed = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                          VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
@@ -238,19 +273,18 @@ void wait_between(VkCommandBuffer commands, const Access& before, const Access& 
     vkCmdPipelineBarrier2(commands, &info);
 }
 
-bool can_host_read(const Device& device, const ImageShape& shape) {
-    VkImageFormatProperties properties;
-    const uint32_t largest = device.properties.limits.maxImageDimension2D;
-    return vkGetPhysicalDeviceImageFormatProperties(device.physical, shape.format, VK_IMAGE_TYPE_2D,
-                                                    VK_IMAGE_TILING_LINEAR, shape.usage, 0,
-                                                    &properties) == VK_SUCCESS &&
-           std::min(properties.maxExtent.width, properties.maxExtent.height) >= largest;
+void hand_to_host(VkCommandBuffer commands, GpuImage& image) {
+    if (!image.copy.handle) return image_to(commands, image, k_read_by_host);
+    image_to(commands, image, k_copied_from);
+    const VkBufferImageCopy region = whole_of(image);
+    vkCmdCopyImageToBuffer(commands, image.handle, k_copied_from.layout, image.copy.handle, 1, &region);
 }
 
 void destroy_image(const Device& device, GpuImage& image) {
     if (image.view) vkDestroyImageView(device.handle, image.view, nullptr);
     if (image.handle) vkDestroyImage(device.handle, image.handle, nullptr);
     if (image.memory) vkFreeMemory(device.handle, image.memory, nullptr);
+    destroy_buffer(device, image.copy);
     image = {};
 }
 

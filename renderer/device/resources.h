@@ -80,12 +80,10 @@ struct ImageShape {
     uint32_t width = 1, height = 1, layers = 1, levels = 1;
     VkImageUsageFlags usage = 0;
     bool is_array = false;         // the view is of an array even for one layer
-    bool is_read_by_host = false;  // as it lies; see can_host_read()
+    bool is_read_by_host = false;  // the image itself, or a copy; see hand_to_host()
 };
 Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage& image);
 void destroy_image(const Device& device, GpuImage& image);
-// Whether the host may read such an image where it lies, rather than a copy.
-bool can_host_read(const Device& device, const ImageShape& shape);
 VkImageAspectFlags aspect_of(VkFormat format);
 
 // All of an image's first level and layer, without gaps between rows.
@@ -100,6 +98,9 @@ struct Layers {
 // k_sampled). Freshly, what it held is thrown away.
 void image_to(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers = {});
 void image_freshly_to(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers = {});
+// Of one that the host reads: after the commands, and a wait for k_copied_to before k_read_by_host, it finds
+// it at `mapped`.
+void hand_to_host(VkCommandBuffer commands, GpuImage& image);
 // After commands that refer to an image were recorded and given up: it may be in any state, and holds
 // nothing.
 void forget_image(GpuImage& image);

@@ -24,12 +24,6 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
     FLANEUR_TRY(make_image(device, shape, targets.surface));
     shape.format = k_depth_format;
     shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-    if (is_read_by_host) {
-        FLANEUR_TRY(make_buffer(device, VkDeviceSize{4} * shape.width * shape.height,
-                                VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback, targets.depth_copy));
-        shape.usage |= VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        shape.is_read_by_host = false;
-    }
     FLANEUR_TRY(make_image(device, shape, targets.depth));
     ImageShape pixels{.format = k_occlusion_format,
                       .width = (extent.width + 1) / 2,
@@ -59,13 +53,7 @@ void destroy_picture_targets(const Device& device, PictureTargets& targets) {
     for (GpuImage* image : {&targets.colour, &targets.surface, &targets.depth, &targets.overlay,
                             &targets.occlusion, &targets.even_occlusion, &targets.picture})
         destroy_image(device, *image);
-    destroy_buffer(device, targets.depth_copy);
     targets = {};
-}
-
-bool can_host_read_surfaces(const Device& device) {
-    return can_host_read(device, {.format = k_colour_format, .usage = k_drawn_and_read}) &&
-           can_host_read(device, {.format = k_surface_format, .usage = k_drawn_and_read});
 }
 
 Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,

@@ -15,7 +15,6 @@ struct PictureTargets {
     GpuImage overlay;                    // in as many samples; made when it is first wanted
     GpuImage occlusion, even_occlusion;  // half as wide and high as the picture; evened out
     GpuImage picture;                    // lit, before anti-aliasing
-    Buffer depth_copy;                   // where the host reads depth
     VkExtent2D extent = {};              // of the picture, pixels
 };
 // `is_read_by_host`: the host lights what is drawn into them.
@@ -24,8 +23,6 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
 // What is laid over the picture, once there is something.
 Result<void> make_overlay(const Device& device, bool is_read_by_host, PictureTargets& targets);
 void destroy_picture_targets(const Device& device, PictureTargets& targets);
-// Whether the host can.
-bool can_host_read_surfaces(const Device& device);
 
 // The city's shadows are drawn when their boxes move; each frame takes people's out of a copy of the near
 // ones and adds them anew. Far away only the city throws shadows.

@@ -27,16 +27,12 @@ void copy_picture(const FrameRecord& record) {
     wait_between(record.commands, k_copied_to, k_read_by_host);
 }
 
-void hand_to_host(const FrameRecord& record) {
+void hand_surfaces_to_host(const FrameRecord& record) {
     PictureTargets& targets = record.renderer.targets;
-    image_to(record.commands, targets.colour, k_read_by_host);
-    if (record.plan.surfaces_view == Surfaces::lit)
-        image_to(record.commands, targets.surface, k_read_by_host);
-    if (has_overlay(record.plan)) image_to(record.commands, targets.overlay, k_read_by_host);
-    image_to(record.commands, targets.depth, k_copied_from);
-    const VkBufferImageCopy region = whole_of(targets.depth);
-    vkCmdCopyImageToBuffer(record.commands, targets.depth.handle, k_copied_from.layout,
-                           targets.depth_copy.handle, 1, &region);
+    hand_to_host(record.commands, targets.colour);
+    if (record.plan.surfaces_view == Surfaces::lit) hand_to_host(record.commands, targets.surface);
+    if (has_overlay(record.plan)) hand_to_host(record.commands, targets.overlay);
+    hand_to_host(record.commands, targets.depth);
     wait_between(record.commands, k_copied_to, k_read_by_host);
 }
 

@@ -39,7 +39,7 @@ void draw_panels(const FrameRecord& record);
 void copy_picture(const FrameRecord& record);
 
 // Where the host lights: hands on what it reads, and the picture that it has made to the target's image.
-void hand_to_host(const FrameRecord& record);
+void hand_surfaces_to_host(const FrameRecord& record);
 void take_from_host(const FrameRecord& record);
 
 }  // namespace flaneur

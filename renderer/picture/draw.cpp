@@ -60,7 +60,7 @@ void light_on_host(Renderer& renderer, const FramePlan& plan, const PictureTarge
     unlit.frame = &plan.constants;
     unlit.colours = {static_cast<const int32_t*>(from.colour.mapped), from.colour.row_bytes / 4};
     unlit.surfaces = {static_cast<const int32_t*>(from.surface.mapped), from.surface.row_bytes / 8};
-    unlit.depths = {static_cast<const float*>(from.depth_copy.mapped), from.depth.width};
+    unlit.depths = {static_cast<const float*>(from.depth.mapped), from.depth.row_bytes / 4};
     unlit.overlay = {static_cast<const int32_t*>(from.overlay.mapped), from.overlay.row_bytes / 4};
     unlit.shadows = static_cast<const uint16_t*>(renderer.shadows.copy.mapped);
     unlit.lamps = renderer.scene.lamp_texels;

@@ -88,7 +88,7 @@ void record_picture(const FrameRecord& record) {
     if (renderer.quality.has_occlusion && plan.surfaces_view == Surfaces::lit && !plan.backdrop)
         draw_stage(record, {"occlusion", draw_occlusion});
     if (has_overlay(plan)) draw_stage(record, {"overlay", draw_what_is_over});
-    if (renderer.is_lit_on_host) return draw_stage(record, {"surfaces to host", hand_to_host});
+    if (renderer.is_lit_on_host) return draw_stage(record, {"surfaces to host", hand_surfaces_to_host});
     draw_stage(record, {"light", draw_light});
     draw_stage(record, {"smooth", draw_smooth});
     if (record.target.scaled) draw_stage(record, {"scale", scale_picture});

@@ -187,6 +187,14 @@ VKAPI_ATTR VkResult VKAPI_CALL create_swapchain(VkDevice device, const VkSwapcha
     return real_swapchain(device, &asked, allocator, out);
 }
 
+PFN_vkGetPhysicalDeviceImageFormatProperties real_formats;
+VKAPI_ATTR VkResult VKAPI_CALL tell_formats(VkPhysicalDevice device, VkFormat format, VkImageType type,
+                                            VkImageTiling tiling, VkImageUsageFlags usage,
+                                            VkImageCreateFlags flags, VkImageFormatProperties* out) {
+    if (poor.draws_no_rows && tiling == VK_IMAGE_TILING_LINEAR) return VK_ERROR_FORMAT_NOT_SUPPORTED;
+    return real_formats(device, format, type, tiling, usage, flags, out);
+}
+
 struct Teller {
     const char* name;
     PFN_vkVoidFunction told;
@@ -206,6 +214,7 @@ const Teller k_tellers[] = {
     teller("vkGetDeviceQueue", get_queue, real_queue),
     teller("vkCreateDevice", create, real_create),
     teller("vkGetPhysicalDeviceFeatures", tell_features, real_features),
+    teller("vkGetPhysicalDeviceImageFormatProperties", tell_formats, real_formats),
     teller("vkGetPhysicalDeviceProperties", tell_properties, real_properties),
     teller("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", tell_surface, real_surface),
     teller("vkCreateSwapchainKHR", create_swapchain, real_swapchain),

@@ -32,6 +32,7 @@ struct Poverty {
     bool presents_elsewhere = false;  // by a second family of queues
     uint32_t timestamp_bits = 64;     //
     bool lacks_options = false;       // every feature and limit that drawing can do without
+    bool draws_no_rows = false;       // images lie as only the device knows: the host reads copies
     bool is_never_opaque =
         false;  // windows know one way to mix with what is behind: before they are handed on
 };

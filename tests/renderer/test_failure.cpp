@@ -101,11 +101,9 @@ TEST(Failure, APictureThatFailsCanBeDrawnAgain) {
 TEST(Failure, APoorDeviceDrawsTheSamePicture) {
     SyntheticScene scene = synthetic_scene(60);
     scene.meshes.people.push_back(scene.meshes.people[0]);  // impostors are baked by several draws
-    const Poverty all[] = {{.has_own_memory = true},
-                           {.has_own_memory = true, .shared = 100'000},
-                           {.timestamp_bits = 36},
-                           {.timestamp_bits = 0},
-                           {.lacks_options = true}};
+    const Poverty all[] = {{.has_own_memory = true}, {.has_own_memory = true, .shared = 100'000},
+                           {.timestamp_bits = 36},   {.timestamp_bits = 0},
+                           {.draws_no_rows = true},  {.lacks_options = true}};
     for (const bool is_host : {false, true}) {
         RendererOptions options = validated();
         options.lights_on_host = is_host;
