@@ -153,6 +153,9 @@ struct FrameInput {
     // picture is drawn, but this colour (sRGB) where nothing is.
     std::optional<glm::vec3> backdrop = {};
     bool is_finest = false;    // every walker is drawn by its finest mesh
+    // Index of a walker with whom the eye goes, and who so would stay between two levels of detail: drawn by
+    // one of them. ~0: nobody.
+    uint32_t companion = ~0u;
     bool skips_hidden = true;  // what walls hide is not drawn; the picture is the same either way
     // Crowd, city and sky are stages of their own rather than one, the scene, and what shaders were called
     // for is counted: slower, and the same picture.

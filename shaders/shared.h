@@ -75,6 +75,7 @@ FLANEUR_CONST uint k_material_leaves = 13;
 FLANEUR_CONST uint k_material_trunk = 14;
 FLANEUR_CONST uint k_material_metal = 15;    // lamps, bollards, benches
 FLANEUR_CONST uint k_material_light = 16;    // heads of street lamps, which glow at night
+FLANEUR_CONST uint k_material_signal = 19;   // what glows in its own colour then: traffic lights, lit signs
 FLANEUR_CONST uint k_material_shade = 17;    // darkens the ground below it; u: 0 where most, 1 where it ends,
                                              //   v: how much
 FLANEUR_CONST uint k_material_scenery = 18;  // u, v of a picture; extra: its layer, 0 for none

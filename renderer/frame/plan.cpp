@@ -85,8 +85,8 @@ void plan_light(const Renderer& renderer, const FrameInput& input, FramePlan& pl
 // Who is seen, whose shadows are, and what of their map changes.
 void plan_people(Renderer& renderer, const FrameInput& input, FramePlan& plan) {
     const GpuScene& scene = renderer.scene;
-    const CrowdInput crowd{input.walkers,   scene.people,     input.palette.size(),  scene.impostors.pixels,
-                           input.is_finest, &renderer.hidden, renderer.workers.get()};
+    const CrowdInput crowd{input.walkers,   scene.people,    input.palette.size(), scene.impostors.pixels,
+                           input.is_finest, input.companion, &renderer.hidden,     renderer.workers.get()};
     View finer = plan.view;
     finer.pixels_at_one_metre *= renderer.quality.detail;
     cull_crowd(crowd, finer, renderer.crowd);

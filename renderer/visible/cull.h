@@ -64,6 +64,7 @@ struct CrowdInput {
     size_t palette_size = 0;    // walkers that refer beyond it are left out, as are those of unknown meshes
     float impostor_pixels = 0;  // smaller ones are impostors, if their meshes have any
     bool is_finest = false;     // all by their finest meshes
+    uint32_t companion = ~0u;   // see FrameInput
     const OcclusionMap* hidden = nullptr;  // who is out of sight behind walls; null: nobody
     Workers* workers = nullptr;            // who help; null: nobody
 };

@@ -13,11 +13,16 @@ layout(location = 3) flat out uint out_rest;
 
 const uint k_metal_mirror = 20u << 16;  // 0.08
 const uint k_lamp_glow = 221u << 24;    // 6
+const uint k_signal_glow = 180u << 24;  // 4
 
 void main() {
     bool is_lamp = in_material.x == k_material_light;
     out_normal = in_normal.xyz;
     out_root = is_lamp ? vec3(1) : sqrt(linear_from_srgb(in_colour.rgb));
-    out_rest = 0xffffu | (is_lamp ? k_lamp_glow : in_material.x == k_material_metal ? k_metal_mirror : 0u);
+    uint rest = is_lamp                              ? k_lamp_glow
+                : in_material.x == k_material_signal ? k_signal_glow
+                : in_material.x == k_material_metal  ? k_metal_mirror
+                                                     : 0u;
+    out_rest = 0xffffu | rest;
     gl_Position = frame.clip_from_world * vec4(in_place, 1);
 }

@@ -162,6 +162,27 @@ TEST(Cull, SmallOnesAreImpostorsInTurnsNearTheBorder) {
     EXPECT_EQ(parts, 16);
 }
 
+TEST(Cull, ACompanionTakesNoTurns) {
+    const std::vector<PersonRanges> people = two_kinds();
+    const View view = make_view({}, 1280, 720);
+    std::vector<WalkerDraw> walkers = ring_of_walkers(3);
+    for (WalkerDraw& walker : walkers) {
+        walker.centre = view.eye + view.forward * (2 * 0.95f * view.pixels_at_one_metre / 420);
+        walker.mesh = 0;
+    }
+    CrowdInput input{walkers, people, 3 * k_palette_joints};
+    input.companion = 1;
+    CrowdDraws out;
+    cull_crowd(input, view, out);
+    EXPECT_EQ(out.instances.size(), 5u);
+    EXPECT_EQ(out.levels[1].fine, out.levels[1].coarse);
+    EXPECT_EQ(out.levels[1].hidden, 0);
+    EXPECT_NE(out.levels[0].fine, out.levels[0].coarse);
+    input.companion = 3;  // nobody
+    cull_crowd(input, view, out);
+    EXPECT_EQ(out.instances.size(), 6u);
+}
+
 TEST(Cull, LevelsThatAreOneMeshTakeNoTurns) {
     const std::vector<PersonRanges> people = two_kinds();  // the second has two levels only
     const View view = make_view({}, 1280, 720);

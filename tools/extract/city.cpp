@@ -332,6 +332,12 @@ constexpr uint32_t k_leaves[] = {rgb(0x87994e), rgb(0x718d48), rgb(0x5f7d45), rg
 
 constexpr glm::vec2 k_within{0.45f, 0.45f};  // of a slab, clear of its joints
 
+// Parked cars have their lamps off.
+bool is_lit_sign(PropKind kind, PropPart part) {
+    if (kind == PropKind::shelter) return part == PropPart::light;
+    return kind == PropKind::signal && (part == PropPart::red || part == PropPart::green);
+}
+
 void add_props(CityMesh& mesh, const City& city) {
     mesh.seen_from.assign(mesh.indices.size() / 3, SeenFrom::anywhere);
     for (const Prop& prop : city.props) {
@@ -352,6 +358,7 @@ void add_props(CityMesh& mesh, const City& city) {
                 auto [colour, material] = look_of(v.part);
                 if (v.part == PropPart::paint) colour = paint;
                 if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
+                if (is_lit_sign(prop.kind, v.part)) material = k_material_signal;
                 colour = v.part == PropPart::leaves ? leaf_colour(leaves, v.shade) : shaded(colour, v.shade);
                 add_vertex(mesh, vertex(v.position, v.normal, colour, k_within, material));
             }

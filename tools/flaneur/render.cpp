@@ -25,6 +25,14 @@ Error stopped(const Options& options, Output& output, uint32_t drawn) {
                        std::to_string(count(ticks)) + " pictures; --resume goes on");
 }
 
+// One that was chosen may be wanted again, at another time or tick.
+void say_camera(const CameraChoice& choice, const Camera& camera) {
+    if (choice.kind == CameraChoice::Kind::fixed || choice.kind == CameraChoice::Kind::follow) return;
+    const Vec3 eye{camera.eye.x, camera.eye.y, camera.eye.z};
+    const Vec3 target{camera.target.x, camera.target.y, camera.target.z};
+    say("Seen from --camera " + told_camera({CameraChoice::Kind::fixed, 0, eye, target}));
+}
+
 Result<void> draw_all(Show& show, const Options& options, Output& output) {
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
@@ -41,12 +49,15 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         if (is_stopping()) return stopped(options, output, i);
         if (i == 0 || options.scene.camera.kind == CameraChoice::Kind::follow)
             camera = choose_camera(*show.loaded.city, world, show.sun, options.scene.camera, 1);
+        if (i == 0) say_camera(options.scene.camera, camera);
         if (is_written(output, i, tick)) continue;
         is_new = true;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
-        Result<Image> image = draw_image(*show.renderer, extract_frame(show, camera, options.scene.size, 1),
-                                         static_cast<uint32_t>(options.scene.size.width),
-                                         static_cast<uint32_t>(options.scene.size.height));
+        FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
+        frame.companion = companion_of(options.scene.camera);
+        Result<Image> image =
+            draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
+                       static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
         Result<void> written = write_image(output, image->rgba, tick);
         if (!written) return written;

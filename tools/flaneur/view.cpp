@@ -150,6 +150,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);
+            frame.companion = companion_of(v.choice);
             const std::string command =
                 v.wants_picture || v.wants_command
                     ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})

@@ -75,11 +75,13 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(0, k_max_walkers))
         ->group("Scene");
-    add_parsed(
-        app, "--time", parse_time, words.hour,
-        "The time of day, or dawn, noon, dusk or night, which moves the sun and sends people elsewhere; the "
-        "sun is that of 26 August by summer time, when it sets in London about 20:15",
-        "HH:MM", "17:30")
+    add_parsed(app, "--time", parse_time, words.hour,
+               "The time of day when it begins, or dawn, noon, dusk or night: the sun stands where it does "
+               "then on 26 "
+               "August by a summer time whose noon is 13:20, and people go where they go then; without it, "
+               "17:30 and "
+               "the scene's own sun",
+               "HH:MM", "")
         ->group("Scene");
     add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");

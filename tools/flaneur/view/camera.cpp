@@ -232,6 +232,10 @@ Camera follow_camera(const World& world, uint32_t walker, float between) {
     return camera;
 }
 
+uint32_t companion_of(const CameraChoice& choice) {
+    return choice.kind == CameraChoice::Kind::follow ? choice.walker : ~0u;
+}
+
 Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,
                      float between) {
     switch (choice.kind) {

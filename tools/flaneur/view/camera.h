@@ -33,6 +33,9 @@ Camera crowd_camera(const World& world);
 // ticks.
 Camera follow_camera(const World& world, uint32_t walker, float between);
 
+// FrameInput::companion: who is followed.
+uint32_t companion_of(const CameraChoice& choice);
+
 Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,
                      float between);
 
