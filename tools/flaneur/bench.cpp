@@ -49,7 +49,7 @@ void add_setting(Figures& figures, const Options& options, const World& world) {
 }
 
 void add_stages(Figures& figures, const World& world) {
-    for (int s = 0; s < k_stage_count; ++s) add_sample(figures, k_stage_names[s], world.stage_ms[s]);
+    for (int s = 0; s < k_stage_count; ++s) add_sample(figures, k_stage_names[s], world.stage_ms[s], "step");
 }
 
 Result<void> run_bench(const Options& options) {

@@ -38,5 +38,5 @@ for scene in corner square district asteroid; do
 done
 for walkers in 500 10000 100000; do
     "$flaneur" bench frame "${on_gpu[@]}" --walkers $walkers --camera crowd --frames 30 2> "$folder/said" |
-        grep -E '^(walkers|quality|size|step|record|gpu|frame|all threads)'
+        grep -E '^ *(walkers|quality|size|step|record|gpu|frame|all threads)'
 done

@@ -26,20 +26,20 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     auto start = Clock::now();
     const double cpu_start = cpu_ms();
     step(world);
-    add_sample(figures, "step", ms_since(start));
+    add_sample(figures, "step", ms_since(start), "frame");
     add_stages(figures, world);
     auto extracting = Clock::now();
     FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
-    add_sample(figures, "extract", ms_since(extracting));
+    add_sample(figures, "extract", ms_since(extracting), "frame");
     auto drawing = Clock::now();
     Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                                      static_cast<uint32_t>(options.scene.size.height));
     if (!image) return image.error();
-    add_sample(figures, "draw", ms_since(drawing));
+    add_sample(figures, "draw", ms_since(drawing), "frame");
     const FrameStats& stats = frame_stats(*show.renderer);
-    add_sample(figures, "record", stats.cpu_record_ms);
+    add_sample(figures, "record", stats.cpu_record_ms, "draw");
     for (const FrameStats::Stage& stage : stats.stages)
-        add_sample(figures, "gpu " + stage.name, stage.gpu_ms);
+        add_sample(figures, "gpu " + stage.name, stage.gpu_ms, "draw");
     add_sample(figures, "frame", ms_since(start));
     add_sample(figures, "all threads", cpu_ms() - cpu_start);
     return {};
@@ -54,7 +54,7 @@ Result<void> measure_passes(Show& show, const Options& options, const Camera& ca
     if (!image) return image.error();
     for (const FrameStats::Stage& stage : frame_stats(*show.renderer).stages)
         if (stage.name == "crowd" || stage.name == "city" || stage.name == "sky")
-            add_sample(figures, "gpu " + stage.name, stage.gpu_ms);
+            add_sample(figures, "gpu " + stage.name, stage.gpu_ms, "gpu scene");
     return {};
 }
 
