@@ -11,8 +11,8 @@ namespace flaneur {
 
 struct PanelVertex {
     glm::vec2 place;  // pixels from the upper left corner
-    glm::vec2 uv;     // of the letters, 0..1
-    uint32_t colour;  // sRGB, R in the lowest byte; alpha is not multiplied in
+    glm::vec2 uv;     // of the letters and pictures, 0..1
+    uint32_t colour;  // sRGB, R in the lowest byte; alpha is not multiplied in. Times that of the texel
 };
 static_assert(sizeof(PanelVertex) == 20);
 
@@ -30,7 +30,8 @@ struct Panels {
     std::span<const PanelDraw> draws;
 };
 
-// How much of each texel letters and shapes cover, 0..255, rows from the top.
+// All that panels show in one picture: letters and shapes, white with how much of a texel they cover as its
+// alpha, and pictures beside them. sRGB, R, G, B and A a texel, rows from the top.
 struct Letters {
     uint32_t width = 0, height = 0;
     std::span<const uint8_t> texels;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/device/check.h"
+#include "renderer/picture/depths.h"
 #include "renderer/picture/draw.h"
 #include "renderer/picture/warm_up.h"
 #include "renderer/visible/contacts.h"
@@ -188,11 +189,11 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
 }
 
 Result<void> upload_letters(Renderer& renderer, const Letters& letters) {
-    if (letters.texels.size() != size_t{letters.width} * letters.height || letters.texels.empty())
+    if (letters.texels.size() != size_t{4} * letters.width * letters.height || letters.texels.empty())
         return Error{"The letters' size does not agree with their texels."};
     GpuImage image;
     auto make = [&]() -> Result<void> {
-        ImageShape shape{.format = VK_FORMAT_R8_UNORM, .width = letters.width, .height = letters.height};
+        ImageShape shape{.width = letters.width, .height = letters.height};
         shape.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
         FLANEUR_TRY(make_image(renderer.device, shape, image));
         FLANEUR_TRY(upload_layers(renderer.device, std::as_bytes(letters.texels), image));
@@ -230,13 +231,14 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     FLANEUR_TRY(check_size(renderer, width, height));
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     FrameSlot& slot = renderer.slots[0];
-    Image image{width, height, {}};
+    Image image{width, height, {}, {}};
     const size_t bytes = size_t{4} * width * height;
     PictureTarget target{.extent = {width, height}};
     if (renderer.is_lit_on_host && frame.panels.draws.empty()) {
         image.rgba.resize(bytes);
         target.pixels = reinterpret_cast<uint32_t*>(image.rgba.data());
         FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
+        if (frame.wants_depths) FLANEUR_TRY(read_depths(renderer, frame.camera.near_plane, image));
         return image;
     }
     FLANEUR_TRY(fit_picture(renderer, target.extent));
@@ -252,6 +254,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
     image.rgba.assign(first, first + bytes);
+    if (frame.wants_depths) FLANEUR_TRY(read_depths(renderer, frame.camera.near_plane, image));
     return image;
 }
 

@@ -45,12 +45,16 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);
 uint64_t impostors_key(const Renderer& renderer, std::span<const PersonMesh> people);
 
-// The letters of panels, from the next frame on.
+// The letters and pictures of panels, from the next frame on.
 Result<void> upload_letters(Renderer& renderer, const Letters& letters);
 
 struct Image {
     uint32_t width = 0, height = 0;
     std::vector<uint8_t> rgba;  // sRGB, opaque, rows from the top
+    // Where FrameInput::wants_depths asked for them, one a pixel: how far ahead of the eye, along the way
+    // that it looks, the nearest thing in it is, metres, infinite where only sky is. Alpha says then how much
+    // of the pixel is no sky. Lines and fills count for neither.
+    std::vector<float> depths;
 };
 
 // Draws one frame off-screen and reads it back. Sizes 1..8192, or less where the device draws no larger

@@ -160,6 +160,7 @@ struct FrameInput {
     // Crowd, city and sky are stages of their own rather than one, the scene, and what shaders were called
     // for is counted: slower, and the same picture.
     bool times_passes = false;
+    bool wants_depths = false;  // off-screen: those of the picture too; see Image
     bool is_overcast = false;
     float lit_windows = 0.3f;  // share of windows with a light on in the dark
     // Views for work. What is not asked for costs nothing.

@@ -26,6 +26,10 @@ Result<DecodedPicture> decode_picture(std::span<const uint8_t> bytes, size_t mos
 std::string encode_png(std::span<const uint8_t> pixels, int width, int height, int channels,
                        const std::string& comment = {});
 
+// A PNG of one number of 16 bits a pixel, in greys; else the same.
+std::string encode_png(std::span<const uint16_t> numbers, int width, int height,
+                       const std::string& comment = {});
+
 // The comment of a PNG; its first bytes, before those of the picture, do. Empty where it has none.
 std::string png_comment(std::span<const uint8_t> bytes);
 

@@ -23,7 +23,8 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
     shape.format = k_surface_format;
     FLANEUR_TRY(make_image(device, shape, targets.surface));
     shape.format = k_depth_format;
-    shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+    shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                  VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     FLANEUR_TRY(make_image(device, shape, targets.depth));
     ImageShape pixels{.format = k_occlusion_format,
                       .width = (extent.width + 1) / 2,

@@ -47,6 +47,35 @@ TEST(Failure, ASceneThatCannotBeUploadedLeavesTheOldOne) {
     EXPECT_EQ(alive(), before);
 }
 
+// A window shows one city after the other.
+TEST(Failure, OneSceneAfterAnotherLeavesNothingBehind) {
+    const auto before = (faults(), alive());
+    const SyntheticScene first = synthetic_scene(12);
+    SyntheticScene second = synthetic_scene(40);
+    second.meshes.people.push_back(second.meshes.people[0]);
+    second.meshes.lamps = {2, 2, {-5, -5}, 5, std::vector<glm::vec4>(4, glm::vec4(0.5f, 0.5f, 0.5f, 0))};
+    {
+        const RendererPtr renderer = std::move(*make_renderer(validated()));
+        std::vector<std::vector<uint8_t>> pictures;
+        std::map<std::string, int> held;
+        for (int i = 0; i < 6; ++i) {
+            const SyntheticScene& scene = i % 2 == 0 ? first : second;
+            ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+            for (int k = 0; k < 3; ++k) {
+                const Image image = draw_image(*renderer, scene.frame(street_camera()), 64, 48).value();
+                if (k == 0) pictures.push_back(image.rgba);
+                EXPECT_EQ(image.rgba, pictures.back());
+            }
+            if (i < 2) continue;
+            EXPECT_EQ(pictures[static_cast<size_t>(i)], pictures[static_cast<size_t>(i) - 2]) << i;
+            if (i == 2) held = alive();
+            if (i % 2 == 0) EXPECT_EQ(alive(), held) << i;
+        }
+        EXPECT_NE(pictures[0], pictures[1]);
+    }
+    EXPECT_EQ(alive(), before);
+}
+
 TEST(Failure, WhatIsLeftBehindIsHeard) {
     int messages = 0;
     RendererOptions options;

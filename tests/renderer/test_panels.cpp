@@ -37,7 +37,7 @@ class PanelsTest : public testing::TestWithParam<bool> {
         ASSERT_TRUE(made) << made.error().message;
         renderer = std::move(*made);
         ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
-        const std::array<uint8_t, 4> full = {255, 255, 255, 255};
+        const std::vector<uint8_t> full(size_t{4} * 2 * 2, 255);
         ASSERT_TRUE(upload_letters(*renderer, {2, 2, full}));
     }
     Image draw(const Panels& panels) {
@@ -74,9 +74,25 @@ TEST_P(PanelsTest, AreSeenThroughByTheirAlphaAndLetters) {
     for (uint32_t x = 0; x < k_width; x += 7)
         for (size_t c = 0; c < 3; ++c)
             EXPECT_NEAR(pixel(half, x, 40)[c], (255 * 128 + pixel(bare, x, 40)[c] * 127) / 255, 1);
-    const std::array<uint8_t, 1> nothing = {0};
+    const std::array<uint8_t, 4> nothing = {255, 255, 255, 0};
     ASSERT_TRUE(upload_letters(*renderer, {1, 1, nothing}));
     EXPECT_EQ(draw(sheet({0, 0, 120, 80}, 0xffffffffu, {0, 0, 120, 80}).panels()).rgba, bare.rgba);
+}
+
+TEST_P(PanelsTest, ShowPicturesBesideTheirLetters) {
+    // Four texels: white letters on the left, a picture of two colours on the right.
+    const std::array<uint8_t, 16> texels = {255, 255, 255, 255, 200, 40, 10,  255,
+                                            255, 255, 255, 255, 20,  90, 240, 255};
+    ASSERT_TRUE(upload_letters(*renderer, {2, 2, texels}));
+    auto shown = [&](glm::vec2 uv, uint32_t colour) {
+        Sheet s = sheet({0, 0, 120, 80}, colour, {0, 0, 120, 80});
+        for (PanelVertex& v : s.vertices) v.uv = uv;
+        return pixel(draw(s.panels()), 60, 40);
+    };
+    EXPECT_EQ(shown({0.75f, 0.25f}, ~0u), (std::array{200, 40, 10})) << "colours as they are";
+    EXPECT_EQ(shown({0.75f, 0.75f}, ~0u), (std::array{20, 90, 240}));
+    EXPECT_EQ(shown({0.25f, 0.25f}, 0xff0000ffu), (std::array{255, 0, 0}))
+        << "letters in the vertices' colour";
 }
 
 TEST_P(PanelsTest, OddOnesDoNoHarm) {

@@ -4,11 +4,16 @@
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <thread>
 #include <tuple>
 
+#include "assets/files/file.h"
+#include "assets/files/picture.h"
 #include "tools/flaneur/output/film.h"
 #include "tools/flaneur/output/output.h"
 
@@ -47,6 +52,38 @@ TEST_F(Files, AreNotWrittenOverWhatIsRead) {
     EXPECT_TRUE(open_file((path / "other.osm").string()));
     protect_inputs([] { return std::vector<std::string>{}; });
     EXPECT_TRUE(open_file((path / "read.osm").string()));
+}
+
+TEST_F(Files, KeepTransparencyWhereItIsAskedFor) {
+    std::vector<uint8_t> rgba(5 * 3 * 4);
+    for (size_t i = 0; i < rgba.size(); ++i) rgba[i] = static_cast<uint8_t>(i * 4);
+    for (const Alpha alpha : {Alpha::dropped, Alpha::kept}) {
+        const std::string name = path / "picture.png";
+        ASSERT_TRUE(write_png(std::move(*open_file(name)), rgba, k_size, "", alpha));
+        const DecodedPicture read = decode_picture(*read_bytes(name, 1 << 20), 100).value();
+        for (size_t i = 0; i < rgba.size(); ++i)
+            EXPECT_EQ(read.rgba[i], i % 4 == 3 && alpha == Alpha::dropped ? 255 : rgba[i]);
+    }
+}
+
+TEST_F(Files, HoldDepthsInCentimetresOrMetres) {
+    std::vector<float> depths(5 * 3, 12.345f);
+    depths[0] = std::numeric_limits<float>::infinity(), depths[1] = 1e9f, depths[14] = 0.1f;
+    const std::string png = path / "depth.png", pfm = path / "depth.pfm";
+    ASSERT_TRUE(write_depths(std::move(*open_file(png)), depths, k_size));
+    ASSERT_TRUE(write_depths(std::move(*open_file(pfm)), depths, k_size));
+    const Bytes text = *read_bytes(pfm, 1 << 20), head = *read_bytes(png, 1 << 20);
+    EXPECT_EQ(head[24], 16) << "bits";
+    EXPECT_EQ(head[25], 0) << "grey";
+    const std::string begin = "Pf\n5 3\n-1.0\n";
+    ASSERT_EQ(text.size(), begin.size() + sizeof(float) * 15);
+    EXPECT_EQ(std::string(text.begin(), text.begin() + static_cast<ptrdiff_t>(begin.size())), begin);
+    std::array<float, 15> metres{};
+    std::memcpy(metres.data(), &text[begin.size()], sizeof metres);
+    EXPECT_FLOAT_EQ(metres[4], 0.1f) << "rows from the bottom";
+    EXPECT_FLOAT_EQ(metres[10], 0) << "nothing";
+    EXPECT_FLOAT_EQ(metres[11], 1e9f);
+    EXPECT_FLOAT_EQ(metres[12], 12.345f);
 }
 
 TEST_F(Files, AppearWhenTheyAreWhole) {

@@ -25,6 +25,7 @@ Error stopped(const Options& options, Output& output, uint32_t drawn) {
                        std::to_string(count(ticks)) + " pictures; --resume goes on");
 }
 
+<<<<<<< HEAD
 // One that was chosen may be wanted again, at another time or tick.
 void say_camera(const CameraChoice& choice, const Camera& camera) {
     if (choice.kind == CameraChoice::Kind::fixed || choice.kind == CameraChoice::Kind::follow) return;
@@ -34,6 +35,10 @@ void say_camera(const CameraChoice& choice, const Camera& camera) {
 }
 
 Result<void> draw_all(Show& show, const Options& options, Output& output) {
+=======
+// `depth`: a file for how far away things are; null: nowhere.
+Result<void> draw_all(Show& show, const Options& options, Output& output, PartFilePtr depth) {
+>>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
     uint32_t pictures = count(ticks);
@@ -54,12 +59,18 @@ Result<void> draw_all(Show& show, const Options& options, Output& output) {
         is_new = true;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
+<<<<<<< HEAD
         frame.companion = companion_of(options.scene.camera);
+=======
+        frame.wants_depths = options.is_transparent || depth;
+>>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
         Result<Image> image =
             draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                        static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
-        Result<void> written = write_image(output, image->rgba, tick);
+        Result<void> written =
+            write_image(output, image->rgba, tick, options.is_transparent ? Alpha::kept : Alpha::dropped);
+        if (written && depth) written = write_depths(std::move(depth), image->depths, options.scene.size);
         if (!written) return written;
         if (has_ending(options.out, ".mp4")) be_patient(k_film_patience);
     }
@@ -75,11 +86,13 @@ Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
     Result<OutputPtr> output =
         open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
     if (!output) return output.error();
+    Result<PartFilePtr> depth = options.depth.empty() ? PartFilePtr() : open_file(options.depth);
+    if (!depth) return depth.error();
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
-    Result<void> drawn = draw_all(*show, options, **output);
+    Result<void> drawn = draw_all(*show, options, **output, std::move(*depth));
     clear_progress();
     return drawn;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <future>
 #include <memory>
 #include <string>
@@ -14,7 +13,6 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
@@ -23,7 +21,10 @@
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/navigate.h"
+#include "tools/flaneur/window/open/open.h"
+#include "tools/flaneur/window/open/pictures.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/record/record.h"
 
 namespace flaneur {
 
@@ -41,28 +42,6 @@ struct GlfwSession {
     bool started = glfwInit() == GLFW_TRUE;
     ~GlfwSession() { glfwTerminate(); }
 };
-
-// Of the tick, and of no picture that is there.
-std::string picture_path(uint32_t tick) {
-    std::string stem = "out/view-" + std::to_string(tick), path = stem + ".png";
-    std::error_code ignored;
-    for (int number = 2; std::filesystem::exists(path, ignored); ++number)
-        path = stem + "-" + std::to_string(number) + ".png";
-    return path;
-}
-
-// Fails only with the device; tells whether the picture could be written.
-Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size, const std::string& command) {
-    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
-                                     static_cast<uint32_t>(size.height));
-    if (!image) return image.error();
-    std::string path = picture_path(show.loaded.world->tick);
-    Result<PartFilePtr> file = open_file(path);
-    Result<void> written = file ? write_png(std::move(*file), image->rgba, size, command) : file.error();
-    std::string told = written ? "Wrote " + path : written.error().message;
-    say(told);
-    return told;
-}
 
 void show_title(GLFWwindow* window, const Show& show, double fps) {
     char figures[256];
@@ -86,7 +65,7 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
         if (size.width <= 0 || size.height <= 0) continue;
         FrameInput frame;
         begin_gui(gui);
-        lay_out_loading(city_name(options.scene), line, size);
+        lay_out_loading(city_name(options.scene), line, "Esc closes", size, gui.scale);
         frame.panels = end_gui(gui);
         if (Result<void> drawn = draw_window(*renderer, frame); !drawn) {
             say(drawn.error().message);
@@ -95,7 +74,11 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
     }
     Result<PreparedShow> prepared = loading.get();
     if (!prepared) return prepared.error();
-    return upload_show(std::move(renderer), std::move(*prepared), options.scene.views);
+    Show show;
+    show.renderer = std::move(renderer);
+    if (Result<void> uploaded = upload_show(show, std::move(*prepared), options.scene.views); !uploaded)
+        return uploaded.error();
+    return show;
 }
 
 // What a CPU draws while the eye moves is coarser, if whole pictures take too long; sharp once it rests.
@@ -112,9 +95,7 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
-                      const std::vector<std::string>& words, uint32_t close_after) {
-    World& world = *show.loaded.world;
+Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -126,11 +107,14 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             glfwWaitEventsTimeout(k_idle_seconds);
         else
             glfwPollEvents();
-        const double now = glfwGetTime(), passed = now - last;
+        const double now = glfwGetTime();
+        const double passed = is_hidden && v.record.filming ? 0 : seconds_to_pass(v.record, now - last);
         last = now;
+        go_on_opening(show, v);
+        World& world = *show.loaded.world;
         act_on_presses(show, v);
         for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
-        const float between = between_ticks(v.clock);
+        const float between = between_pictures(v.record, v.clock);
 
         const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
         if (is_following || !v.chosen) {
@@ -149,7 +133,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
+            if (Result<void> done = take_pictures(show, v, size, between); !done) return done;
             FrameInput frame = extract_frame(show, v.camera, size, between);
+<<<<<<< HEAD
             frame.companion = companion_of(v.choice);
             const std::string command =
                 v.wants_picture || v.wants_command
@@ -160,7 +146,11 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                 if (!told) return told.error();
                 tell(v, printable(*told));
             }
+=======
+>>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
             if (std::exchange(v.wants_command, false)) {
+                const std::string command =
+                    command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, world.tick});
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
                 tell(v, "Copied: " + printable(command));
@@ -170,6 +160,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             begin_gui(gui);
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
+            if (Result<void> done = take_picture_with_panels(show, v, frame, size); !done) return done;
             frame.resolution = v.resolution;
             const double start = glfwGetTime();
             if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
@@ -206,14 +197,19 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Viewer viewer;
     viewer.choice = options.scene.camera;
+    begin_opening(options, viewer.opening);
     listen(window.get(), viewer);
-    Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0);
+    Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0, scene_pictures());
     if (!gui) return gui.error();
+    viewer.opening.pictures = (*gui)->boxes;
     Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer);
     if (!show) return show.error();
     viewer.is_loading = false;
     viewer.walkers = show->loaded.world->crowd.count;
-    return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
+    Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
+    end_film(viewer);
+    if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded
+    return done;
 }
 
 }  // namespace

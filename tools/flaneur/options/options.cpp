@@ -3,6 +3,7 @@
 
 #include "assets/files/file.h"
 #include "assets/files/words.h"
+#include "tools/flaneur/options/like.h"
 #include "tools/flaneur/options/refusal.h"
 #include "tools/flaneur/options/scene.h"
 #include "tools/flaneur/options/unused.h"
@@ -78,10 +79,12 @@ constexpr const char* k_view_footer =
 the wheel zooms to the cursor, the middle button drags along and the right one round;
 Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
 next one; who is clicked is told about, F follows; L lists layers, the views for work, F2 to F11; H hides the panels;
-F12 writes a picture to out/; C copies the command that draws it; F1 lists the keys; Esc quits.
+F12 writes a picture to out/, R a film; C copies the command that draws it; Ctrl+O opens a file, and so does dropping
+it; F1 lists the keys; Esc quits.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
+  flaneur view --start                                          scenes to choose from
   flaneur view --character me.glb --character you.glb
   flaneur view --character robot.glb:1 --character builtin:9    one in ten is a robot)";
 
@@ -96,7 +99,9 @@ Examples:
   flaneur render --time 22:00 --quality high --out out/night.png
   flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
   flaneur render --view skeletons,trails --camera follow:3 --out out/bones.png
-  flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png)";
+  flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png
+  flaneur render --like out/view-361.png --size 3840x2160 --out out/large.png
+  flaneur render --transparent --depth out/depth.png --out out/cut_out.png)";
 
 constexpr const char* k_sim_footer =
     R"(Runs without Vulkan. The hash covers the whole state; the same city, people, walkers and seed give the same
@@ -215,6 +220,7 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*view, words, options);
     add_camera_option(*view, words);
     add_work_views(*view, words);
+    view->add_flag("--start", options.starts, "Begin with the built-in scenes, and the files opened of late");
     view->add_option("--frames", options.close_after, "Close when so many pictures were shown; 0: stay open")
         ->type_name("N")
         ->transform(whole_between(0, 1'000'000'000))
@@ -237,6 +243,18 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
             "FILE.png for one picture, DIR/%05d.png for one a tick, FILE.mp4 for a film (needs ffmpeg)")
         ->type_name("FILE")
         ->required();
+    render
+        ->add_option("--like", options.like,
+                     "A picture, .png, that F12 wrote in `flaneur view`: its options, but for those that are "
+                     "given here")
+        ->type_name("FILE");
+    render->add_flag("--transparent", options.is_transparent,
+                     "Where there is sky, pictures are seen through");
+    render
+        ->add_option("--depth", options.depth,
+                     "Write how far away it is too, what one picture shows: centimetres in a FILE.png of 16 "
+                     "bits, 0 for the sky, or metres in a FILE.pfm")
+        ->type_name("FILE");
     render->add_flag("--resume", options.resume,
                      "Go on with a film, or numbered pictures, that the same command began");
 }
@@ -520,7 +538,7 @@ Result<void> check_folders(const CLI::App& command) {
 
 }  // namespace
 
-Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv) {
+static Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv) {
     using Parsed = std::variant<std::monostate, Options>;
     Options options;
     SceneWords words;
@@ -551,12 +569,30 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     }
     const CLI::App& command = *app.get_subcommands().front();
     for (int i = 2; i < argc; ++i) options.words.emplace_back(argv[i]);
+    if (options.starts && command.count("--scene") + command.count("--city") == 0) {
+        words.scene = "corner";  // quick to load, behind what one chooses from
+        options.words.insert(options.words.end(), {"--scene", words.scene});
+    }
     if (Result<void> filled = check_values(command); !filled) return filled.error();
     if (Result<void> named = check_folders(command); !named) return named.error();
     Result<void> settled = settle_scene(words, options);
     if (!settled) return settled.error();
     if (Result<void> used = check_used(command, options); !used) return used.error();
     return Parsed(std::move(options));
+}
+
+Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv) {
+    if (argc < 2 || std::string_view(argv[1]) != "render") return parse_words(argc, argv);
+    const std::vector<std::string> said(argv + 2, argv + argc);
+    Result<std::vector<std::string>> words = words_like(said);
+    if (!words) return words.error();
+    std::vector<char*> all = {argv[0], argv[1]};
+    for (std::string& word : *words) all.push_back(word.data());
+    all.push_back(nullptr);
+    auto parsed = parse_words(static_cast<int>(all.size()) - 1, all.data());
+    Options* const options = parsed ? std::get_if<Options>(&*parsed) : nullptr;
+    if (options) options->inputs.push_back(options->like = picture_of_like(said));
+    return parsed;
 }
 
 }  // namespace flaneur

@@ -90,10 +90,14 @@ struct Options {
     // view
     uint32_t close_after = 0;        // frames; 0: stays open
     std::vector<std::string> words;  // that followed the command's name
+    bool starts = false;             // with scenes to choose from
 
     // render
     TickRange ticks;
     bool resume = false;
+    std::string like;             // a picture whose options these are, where no others are given
+    bool is_transparent = false;  // where there is sky
+    std::string depth;            // a file for depths; empty: none
 
     std::string out;  // where render, city and bench peers write
 

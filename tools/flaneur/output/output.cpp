@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -276,15 +277,42 @@ Result<void> keep_file(PartFilePtr f) {
     return {};
 }
 
-Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size,
-                       const std::string& comment) {
-    size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
-    assert(rgba.size() == pixels * 4);
-    std::vector<uint8_t> rgb(pixels * 3);
-    for (size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[i * 3], &rgba[i * 4], 3);
-    std::string png = encode_png(rgb, size.width, size.height, 3, comment);
+static Result<void> write_encoded(PartFilePtr f, const std::string& png) {
     if (png.empty()) return cannot_write(f->path, "there is not enough memory to compress the picture");
     std::fwrite(png.data(), 1, png.size(), f->file);
+    return keep_file(std::move(f));
+}
+
+Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size, const std::string& comment,
+                       Alpha alpha) {
+    size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
+    assert(rgba.size() == pixels * 4);
+    if (alpha == Alpha::kept)
+        return write_encoded(std::move(f), encode_png(rgba, size.width, size.height, 4, comment));
+    std::vector<uint8_t> rgb(pixels * 3);
+    for (size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[i * 3], &rgba[i * 4], 3);
+    return write_encoded(std::move(f), encode_png(rgb, size.width, size.height, 3, comment));
+}
+
+Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size size) {
+    static constexpr float k_most = 65534;
+    const auto width = static_cast<size_t>(size.width), height = static_cast<size_t>(size.height);
+    assert(depths.size() == width * height);
+    if (has_ending(f->path, ".png")) {
+        std::vector<uint16_t> centimetres(depths.size());
+        std::transform(depths.begin(), depths.end(), centimetres.begin(), [](float metres) {
+            if (std::isinf(metres)) return uint16_t{0};
+            return static_cast<uint16_t>(std::clamp(std::round(metres * 100), 1.0f, k_most));
+        });
+        return write_encoded(std::move(f), encode_png(centimetres, size.width, size.height, "centimetres"));
+    }
+    std::fprintf(f->file, "Pf\n%d %d\n-1.0\n", size.width, size.height);
+    std::vector<float> row(width);
+    for (size_t y = height; y-- > 0;) {
+        std::transform(&depths[y * width], &depths[y * width] + width, row.begin(),
+                       [](float metres) { return std::isinf(metres) ? 0.0f : metres; });
+        std::fwrite(row.data(), sizeof(float), width, f->file);
+    }
     return keep_file(std::move(f));
 }
 
@@ -371,7 +399,7 @@ bool is_written(const Output& output, uint32_t number, uint32_t tick) {
     return is_whole_png(path_for(*output.numbered, tick));
 }
 
-Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick) {
+Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick, Alpha alpha) {
     if (output.film) return write_film(*output.film, rgba);
     PartFilePtr picture = std::move(output.first);
     if (!picture) {
@@ -379,7 +407,7 @@ Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint3
         if (!file) return file.error();
         picture = std::move(*file);
     }
-    return write_png(std::move(picture), rgba, output.size, output.numbered ? output.record : "");
+    return write_png(std::move(picture), rgba, output.size, output.numbered ? output.record : "", alpha);
 }
 
 Result<void> finish_output(Output& output) {

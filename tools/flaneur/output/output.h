@@ -50,9 +50,15 @@ bool is_unread(FILE* file);
 // when the process is about to end.
 void abandon_outputs();
 
-// `rgba` has rows from the top; alpha is dropped.
+// `rgba` has rows from the top.
+enum class Alpha : uint8_t { dropped, kept };
 Result<void> write_png(PartFilePtr file, const std::vector<uint8_t>& rgba, Size size,
-                       const std::string& comment = {});
+                       const std::string& comment = {}, Alpha alpha = Alpha::dropped);
+
+// How far away each pixel is, metres, rows from the top, infinite where there is nothing. In a .png of 16
+// bits of grey: centimetres, rounded, 65534 for all that is farther, 0 for nothing. Else as a portable float
+// map, .pfm: metres, 0 for nothing, rows from the bottom, the least byte first.
+Result<void> write_depths(PartFilePtr file, const std::vector<float>& depths, Size size);
 
 // Where render's pictures go: FILE.png or a stream (one tick), a pattern such as DIR/%05d.png (numbered by
 // tick), or FILE.mp4.
@@ -71,7 +77,8 @@ Result<OutputPtr> open_output(const std::string& path, Size size, const TickRang
 std::string picture_path(const std::string& path, uint32_t tick);
 // Whether the picture, the one with this number from 0, was there when it went on.
 bool is_written(const Output& output, uint32_t number, uint32_t tick);
-Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick);
+Result<void> write_image(Output& output, const std::vector<uint8_t>& rgba, uint32_t tick,
+                         Alpha alpha = Alpha::dropped);
 // To be called once after the last image. Numbered pictures are kept as they come; a film of the images so
 // far is whole.
 Result<void> finish_output(Output& output);

@@ -35,7 +35,7 @@ static Result<void> upload_with_impostors(Renderer& renderer, SceneMeshes& meshe
     }
     if (Result<void> done = upload_scene(renderer, meshes); !done || !meshes.impostors.empty()) return done;
     const Result<std::vector<uint32_t>> baked = baked_impostors(renderer);
-    if (!baked) return baked.error();
+    if (!baked) return {};  // they are baked anew next time
     keep(path, key, {reinterpret_cast<const char*>(baked->data()), baked->size() * sizeof(uint32_t)});
     return {};
 }
@@ -62,14 +62,14 @@ Result<PreparedShow> prepare_show(const Options& options) {
     return prepared;
 }
 
-Result<Show> upload_show(RendererPtr renderer, PreparedShow prepared, WorkViews views) {
-    Show show = std::move(prepared.show);
-    show.renderer = std::move(renderer);
-    set_work_views(show, views);
+Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views) {
     Result<void> uploaded = upload_with_impostors(*show.renderer, prepared.meshes);
     clear_progress();
-    if (!uploaded) return uploaded.error();
-    return show;
+    if (!uploaded) return uploaded;
+    prepared.show.renderer = std::move(show.renderer);
+    show = std::move(prepared.show);
+    set_work_views(show, views);
+    return {};
 }
 
 void say_device(const Renderer& renderer) {
@@ -80,7 +80,11 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     say_device(*renderer);
     Result<PreparedShow> prepared = prepare_show(options);
     if (!prepared) return prepared.error();
-    return upload_show(std::move(renderer), std::move(*prepared), options.scene.views);
+    Show show;
+    show.renderer = std::move(renderer);
+    if (Result<void> uploaded = upload_show(show, std::move(*prepared), options.scene.views); !uploaded)
+        return uploaded.error();
+    return show;
 }
 
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {

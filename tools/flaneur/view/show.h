@@ -34,7 +34,9 @@ struct PreparedShow {
 };
 // Loads what the options name. Says on stderr what an import repaired, and how far it is.
 Result<PreparedShow> prepare_show(const Options& options);
-Result<Show> upload_show(RendererPtr renderer, PreparedShow prepared, WorkViews views);
+// Puts what was prepared in place of all that `show` has but its renderer. After a failure `show` is as it
+// was.
+Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views);
 // Says on stderr which device draws.
 void say_device(const Renderer& renderer);
 

@@ -6,8 +6,10 @@
 #include <cctype>
 #include <utility>
 
+#include "tools/flaneur/window/open/actions.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/record/actions.h"
 
 namespace flaneur {
 namespace {
@@ -35,6 +37,7 @@ void follow_asked(Show&, Viewer& v) {
 void dismiss(Show&, Viewer& v) {
     constexpr double k_again_seconds = 2;
     if (std::exchange(v.lists_keys, false)) return;
+    if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
     const double now = glfwGetTime();
@@ -85,8 +88,6 @@ constexpr std::array k_layers = {
     Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
 };
 constexpr std::array k_window = {
-    Action{"Write a picture, into out/", "F12", GLFW_KEY_F12, 0,
-           [](Show&, Viewer& v) { v.wants_picture = true; }},
     Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
            [](Show&, Viewer& v) { v.wants_command = true; }},
     Action{"Hide the panels, or show them", "H", GLFW_KEY_H, 0,
@@ -102,6 +103,8 @@ constexpr std::array k_groups = {
     ActionGroup{"Time", k_time},
     ActionGroup{"Cameras", k_cameras},
     ActionGroup{"Layers", k_layers},
+    ActionGroup{"Opening", k_opening_actions},
+    ActionGroup{"Pictures and films", k_record_actions},
     ActionGroup{"Window", k_window},
 };
 
@@ -131,6 +134,7 @@ void act_on_presses(Show& show, Viewer& v) {
             press_in_palette(press.key, show, v);
             continue;
         }
+        if (press_in_opening(press.key, show, v)) continue;
         const Action* found = nullptr;
         for (const ActionGroup& group : action_groups())
             for (const Action& action : group.actions)

@@ -1,35 +1,17 @@
 #include "tools/flaneur/window/command.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
+#include <string_view>
+
+#include "tools/flaneur/options/shell_words.h"
 
 namespace flaneur {
 namespace {
 
-// Options of one value that what is shown says anew, or that only a window has.
-constexpr std::array k_replaced = {"--camera", "--view", "--size", "--frames", "--out", "--close-after"};
-
-bool is_replaced(std::string_view option) {
-    return std::find(k_replaced.begin(), k_replaced.end(), option) != k_replaced.end();
-}
-
-std::string quoted(const std::string& word) {
-    auto is_plain = [](unsigned char c) {
-        return std::isalnum(c) ||
-               std::string_view("_-./,:=+@%").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
-    std::string out(1, '\'');
-    for (const char c : word) {
-        if (c == '\'')
-            out.append("'\\''");
-        else
-            out.push_back(c);
-    }
-    out.push_back('\'');
-    return out;
-}
+// Options of one value that what is shown says anew, or that only a window has; and those without a value.
+constexpr std::array<std::string_view, 6> k_replaced = {"--camera", "--view", "--size",
+                                                        "--frames", "--out",  "--close-after"};
+constexpr std::array<std::string_view, 1> k_of_windows = {"--start"};
 
 Vec3 from_glm(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
@@ -48,13 +30,7 @@ std::string views_of(WorkViews views) {
 
 std::string command_of(const std::vector<std::string>& words, const Shown& shown) {
     std::vector<std::string> all = {"flaneur", "render"};
-    for (size_t i = 0; i < words.size(); ++i) {
-        const std::string_view option = std::string_view(words[i]).substr(0, words[i].find('='));
-        if (!is_replaced(option))
-            all.push_back(words[i]);
-        else if (option.size() == words[i].size())
-            ++i;  // and its value
-    }
+    for (std::string& word : without_options(words, k_replaced, k_of_windows)) all.push_back(std::move(word));
     auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) all.insert(all.end(), {option, value});
     };
@@ -63,9 +39,8 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
     add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
     add("--frames", std::to_string(shown.tick));
     add("--out", "picture.png");
-    std::string text;
-    for (const std::string& word : all) text.append(text.empty() ? "" : " ").append(quoted(word));
-    return text;
+    if (shown.is_transparent) all.emplace_back("--transparent");
+    return shell_line(all);
 }
 
 }  // namespace flaneur

@@ -16,6 +16,7 @@ struct Shown {
     WorkViews views;
     Size size;
     uint32_t tick = 0;
+    bool is_transparent = false;  // where there is sky
 };
 
 // `flaneur render` with the words that opened the window (what followed `flaneur view`), but for those that

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "letters.h"
 
@@ -56,27 +58,56 @@ float display_scale(GLFWwindow* window) {
     return std::clamp(std::max(x, y), 1.0f, 3.0f);
 }
 
-Result<void> load_letters(Renderer& renderer, float scale) {
+// Copies a picture into the one that letters are in, and says where it is there.
+glm::vec4 lay_in(const RgbaImage& picture, const ImFontAtlasCustomRect& place, int width, int height,
+                 unsigned char* texels) {
+    const size_t row = size_t{4} * picture.width;
+    for (size_t y = 0; y < picture.height; ++y)
+        std::memcpy(texels + 4 * ((place.Y + y) * static_cast<size_t>(width) + place.X),
+                    &picture.rgba[y * row], row);
+    // Half a texel within, so that no neighbour is mixed in.
+    const auto u = [&](float x) { return (static_cast<float>(place.X) + x) / static_cast<float>(width); };
+    const auto v = [&](float y) { return (static_cast<float>(place.Y) + y) / static_cast<float>(height); };
+    return {u(0.5f), v(0.5f), u(static_cast<float>(picture.width) - 0.5f),
+            v(static_cast<float>(picture.height) - 0.5f)};
+}
+
+Result<void> load_letters(Renderer& renderer, Gui& gui) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
-    const float size = std::round(k_letter_size * scale);
+    const float size = std::round(k_letter_size * gui.scale);
     // ImGui does not write to what it does not own.
     auto* letters = const_cast<unsigned char*>(k_letters_ttf);
-    if (!atlas.AddFontFromMemoryTTF(letters, static_cast<int>(sizeof k_letters_ttf), size, &config))
+    if (!atlas.AddFontFromMemoryTTF(letters, static_cast<int>(sizeof k_letters_ttf), size, &config) ||
+        !atlas.AddFontFromMemoryTTF(letters, static_cast<int>(sizeof k_letters_ttf), std::round(1.5f * size),
+                                    &config))
         return Error{"The letters of the panels cannot be read."};
+    std::vector<int> places;
+    for (const RgbaImage& picture : gui.pictures)
+        places.push_back(
+            atlas.AddCustomRectRegular(static_cast<int>(picture.width), static_cast<int>(picture.height)));
     unsigned char* texels = nullptr;
     int width = 0, height = 0;
-    atlas.GetTexDataAsAlpha8(&texels, &width, &height);
-    const Letters all{static_cast<uint32_t>(width), static_cast<uint32_t>(height),
-                      std::span(texels, static_cast<size_t>(width) * static_cast<size_t>(height))};
+    atlas.GetTexDataAsRGBA32(&texels, &width, &height);
+    gui.boxes.clear();
+    for (size_t i = 0; i < places.size(); ++i)
+        gui.boxes.push_back(
+            lay_in(gui.pictures[i], *atlas.GetCustomRectByIndex(places[i]), width, height, texels));
+    const Letters all{
+        static_cast<uint32_t>(width), static_cast<uint32_t>(height),
+        std::span(texels, size_t{4} * static_cast<size_t>(width) * static_cast<size_t>(height))};
     return upload_letters(renderer, all);
 }
 
 }  // namespace
 
-Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale) {
+ImFont* title_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
+
+Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale,
+                        std::vector<RgbaImage> pictures) {
     GuiPtr gui(new Gui);
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -84,9 +115,10 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale) {
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     gui->scale = scale > 0 ? scale : display_scale(window);
+    gui->pictures = std::move(pictures);
     set_style(gui->scale);
     ImGui_ImplGlfw_InitForOther(window, true);
-    if (Result<void> loaded = load_letters(renderer, gui->scale); !loaded) return loaded.error();
+    if (Result<void> loaded = load_letters(renderer, *gui); !loaded) return loaded.error();
     return gui;
 }
 

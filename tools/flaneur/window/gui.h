@@ -7,6 +7,7 @@
 #include "renderer/renderer.h"
 
 struct GLFWwindow;
+struct ImFont;
 
 namespace flaneur {
 
@@ -16,7 +17,9 @@ struct Gui {
     std::vector<PanelVertex> vertices;
     std::vector<uint16_t> indices;
     std::vector<PanelDraw> draws;
-    float scale = 1;  // of letters and all else
+    float scale = 1;                  // of letters and all else
+    std::vector<RgbaImage> pictures;  // that panels show beside letters,
+    std::vector<glm::vec4> boxes;     // and where they find them: u and v of two corners
 };
 struct GuiDelete {
     void operator()(Gui* gui) const;
@@ -24,7 +27,10 @@ struct GuiDelete {
 using GuiPtr = std::unique_ptr<Gui, GuiDelete>;
 
 // `scale`: of letters, 1..3; 0: the display's own.
-Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale);
+Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale, std::vector<RgbaImage> pictures);
+
+// Letters of headings, half as large again.
+ImFont* title_font();
 
 // Between these two the calls of ImGui lay out what is seen. What is returned is valid until the next call.
 void begin_gui(Gui& gui);

@@ -23,9 +23,15 @@ Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWind
 // one types in it.
 void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Viewer& v = viewer_of(window);
-    if (action == GLFW_RELEASE || (gui_has_keys() && !v.palette.is_open)) return;
+    const bool has_own_keys = v.palette.is_open || v.opening.prompt.is_open;
+    if (action == GLFW_RELEASE || (gui_has_keys() && !has_own_keys)) return;
     if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
     if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});
+}
+
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+    std::vector<std::string>& dropped = viewer_of(window).opening.dropped;
+    dropped.insert(dropped.end(), paths, paths + count);
 }
 
 }  // namespace
@@ -45,6 +51,7 @@ void take_off(Viewer& v) {
 void listen(GLFWwindow* window, Viewer& viewer) {
     glfwSetWindowUserPointer(window, &viewer);
     glfwSetKeyCallback(window, on_key);
+    glfwSetDropCallback(window, on_drop);
     glfwSetInputMode(window, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);  // clicks between two frames too
 }
 

@@ -17,8 +17,6 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_below_bar = 58;  // at scale 1, as k_edge
-
 struct RoomPanel {
     Room room;
     const char *name, *tip;
@@ -47,6 +45,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 
 constexpr RoomPanel k_rooms[] = {
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
+    {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
 };
 
 void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
@@ -125,10 +124,11 @@ void tell(Viewer& viewer, const std::string& what) {
     viewer.note_until = ImGui::GetTime() + k_seconds;
 }
 
-void lay_out_loading(const std::string& city, const std::string& doing, Size size) {
+void lay_out_loading(const std::string& city, const std::string& doing, const char* hint, Size size,
+                     float scale) {
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
                             ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(460.0f, static_cast<float>(size.width)), 0});
+    ImGui::SetNextWindowSize({std::min(460 * scale, static_cast<float>(size.width)), 0});
     if (ImGui::Begin("loading", nullptr, k_plain)) {
         ImGui::Text("%s", city.c_str());
         // A bar where the line says how many hundredths; else dots that come and go.
@@ -136,8 +136,8 @@ void lay_out_loading(const std::string& city, const std::string& doing, Size siz
         const auto dots = static_cast<size_t>(ImGui::GetTime() * 3) % 4;
         const std::string line = doing.empty() ? "opening" : doing;
         ImGui::TextDisabled("%s", (share ? line : line + std::string(dots, '.')).c_str());
-        ImGui::ProgressBar(share.value_or(0), {-1, 6}, "");
-        ImGui::TextDisabled("Esc closes");
+        ImGui::ProgressBar(share.value_or(0), {-1, 6 * scale}, "");
+        ImGui::TextDisabled("%s", hint);
     }
     ImGui::End();
 }
@@ -146,6 +146,8 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_keys(viewer, size, scale);
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
+    lay_out_filming(viewer, size, scale);
+    lay_out_opening(show, viewer, size, scale);
     if (!viewer.has_panels) return;
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);

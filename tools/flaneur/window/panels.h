@@ -9,8 +9,9 @@
 
 namespace flaneur {
 
-// While a city is loaded: what is being done.
-void lay_out_loading(const std::string& city, const std::string& doing, Size size);
+// While a city is loaded: what is being done, and what one can do meanwhile.
+void lay_out_loading(const std::string& city, const std::string& doing, const char* hint, Size size,
+                     float scale);
 
 // Says something for a while.
 void tell(Viewer& viewer, const std::string& what);

@@ -8,11 +8,13 @@
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/open/open.h"
+#include "tools/flaneur/window/record/record.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers };
+enum class Room : uint8_t { none, layers, record };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -33,7 +35,7 @@ struct Viewer {
     Camera camera;
     bool is_loading = true;
     std::vector<KeyPress> presses;  // not acted upon yet
-    bool wants_picture = false, wants_command = false, wants_close = false;
+    bool wants_command = false, wants_close = false;
     bool lists_keys = false, has_panels = true;
     Room room = Room::none;
     Palette palette;
@@ -44,7 +46,9 @@ struct Viewer {
     double fps = 0;
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
-    float resolution = 1;   // share of the window's pixels that the picture is drawn in
+    Opening opening;
+    Record record;
+    float resolution = 1;  // share of the window's pixels that the picture is drawn in
 };
 
 void choose(Viewer& viewer, CameraChoice::Kind kind);

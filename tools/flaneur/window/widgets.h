@@ -5,7 +5,8 @@
 
 namespace flaneur {
 
-inline constexpr float k_edge = 10;  // between panels and the window's edge, at scale 1
+inline constexpr float k_edge = 10;       // between panels and the window's edge, at scale 1
+inline constexpr float k_below_bar = 58;  // where panels begin below the bar, the same
 
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/folder.h"
+#include "tools/flaneur/window/open/complete.h"
+#include "tools/flaneur/window/open/plan.h"
+#include "tools/flaneur/window/open/recent.h"
+
+namespace flaneur {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(Opening, AMapComesInPlaceOfThePlaceAndItsPeopleStay) {
+    TestFolder folder;
+    const std::string map = folder.write("town.osm", "<osm/>");
+    const Words before = {"--scene",   "square", "--walkers", "70", "--camera=street", "--start",
+                          "--quality", "low",    "--scale",   "2",  "--frames",        "9"};
+    const Result<Wish> wish = wish_for_file(before, map);
+    ASSERT_TRUE(wish) << wish.error().message;
+    EXPECT_EQ(wish->words, (Words{"--walkers", "70", "--quality", "low", "--city", map}));
+    EXPECT_EQ(wish->options.scene.city, map);
+    EXPECT_EQ(wish->options.scene.walkers, 70);
+    EXPECT_EQ(wish->file, map);
+}
+
+TEST(Opening, ASceneComesInPlaceOfAll) {
+    TestFolder folder;
+    const std::string scene = folder.write("mine.json", R"({"walkers": 12, "blocks": 1})");
+    const Words before = {"--city", "x.osm", "--walkers=70", "--character", "me.glb", "--device", "llvm"};
+    const Result<Wish> wish = wish_for_file(before, scene);
+    ASSERT_TRUE(wish) << wish.error().message;
+    EXPECT_EQ(wish->words, (Words{"--device", "llvm", "--scene", scene}));
+    EXPECT_EQ(wish->options.scene.walkers, 12);
+    const Result<Wish> square = wish_for_scene(before, "square");
+    ASSERT_TRUE(square) << square.error().message;
+    EXPECT_EQ(square->words, (Words{"--device", "llvm", "--scene", "square"}));
+    EXPECT_TRUE(square->file.empty());
+}
+
+TEST(Opening, ACharacterJoinsThePeople) {
+    TestFolder folder;
+    const std::string me = folder.write("me.vrm", "no matter what"),
+                      you = folder.write("you:2.vrm", "as well");
+    const Result<Wish> one = wish_for_file({"--walkers", "9", "--camera", "follow:3"}, me);
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_EQ(one->options.scene.people, (std::vector<PeopleShare>{{"", 1}, {me, 1}}));
+    EXPECT_EQ(one->options.scene.walkers, 9);
+    const Result<Wish> two = wish_for_file(one->words, you);
+    ASSERT_TRUE(two) << two.error().message;
+    EXPECT_EQ(two->options.scene.people, (std::vector<PeopleShare>{{"", 1}, {me, 1}, {you, 1}}));
+    EXPECT_NE(two->told.find("one in 3"), std::string::npos) << two->told;
+}
+
+TEST(Opening, HeightsGoUnderAMapAlone) {
+    TestFolder folder;
+    const std::string map = folder.write("town.osm", "<osm/>"), heights = folder.write("N43E007.hgt", "");
+    EXPECT_FALSE(wish_for_file({}, heights));
+    const Result<Wish> wish = wish_for_file({"--city", map, "--terrain", "old.hgt"}, heights);
+    ASSERT_TRUE(wish) << wish.error().message;
+    EXPECT_EQ(wish->options.scene.terrain, heights);
+}
+
+TEST(Opening, OtherFilesAreRefusedByName) {
+    TestFolder folder;
+    for (const std::string& path :
+         {folder.write("notes.txt", "hello"), folder / "nowhere.osm", folder.path.string()})
+        EXPECT_FALSE(wish_for_file({}, path)) << path;
+    const Result<Wish> bad = wish_for_file({}, folder.write("bad.json", "{\"walkers\": -3}"));
+    ASSERT_FALSE(bad);
+    EXPECT_NE(bad.error().message.find("bad.json"), std::string::npos) << bad.error().message;
+}
+
+TEST(Recent, KeepsOrderAndBound) {
+    Words paths;
+    for (int i = 0; i < 30; ++i) remember(paths, "/maps/" + std::to_string(i) + ".osm");
+    EXPECT_EQ(paths.size(), k_most_recent);
+    EXPECT_EQ(paths.front(), "/maps/29.osm");
+    remember(paths, "/maps/25.osm");
+    EXPECT_EQ(paths.size(), k_most_recent);
+    EXPECT_EQ(paths.front(), "/maps/25.osm");
+    EXPECT_EQ(std::count(paths.begin(), paths.end(), "/maps/25.osm"), 1);
+    remember(paths, "relative.osm");
+    remember(paths, "/a\nb.osm");
+    EXPECT_EQ(paths.front(), "/maps/25.osm");
+    TestFolder folder;
+    const std::string file = folder / "deep/down/recent";
+    EXPECT_TRUE(read_recent(file).empty());
+    keep_recent(file, paths);
+    EXPECT_EQ(read_recent(file), paths);
+}
+
+TEST(Recent, MakesWhatItCanOfABrokenFile) {
+    TestFolder folder;
+    std::string text("/a.osm\n/a.osm\nnot a path\n\x01\x02\n/b.osm\n/c\0d", 46);
+    for (int i = 0; i < 100; ++i) text += "\n/more/" + std::to_string(i);
+    const Words read = read_recent(folder.write("recent", text));
+    ASSERT_GE(read.size(), 2u);
+    EXPECT_EQ(read[0], "/a.osm");
+    EXPECT_EQ(read[1], "/b.osm");
+    EXPECT_EQ(read.size(), k_most_recent);
+    EXPECT_TRUE(read_recent(folder.path.string()).empty());
+    EXPECT_TRUE(read_recent("").empty());
+    keep_recent(folder.path.string(), read);  // cannot be written: nothing happens
+    keep_recent("", read);
+}
+
+TEST(Complete, OffersFoldersAndWhatCanBeOpened) {
+    TestFolder folder;
+    std::filesystem::create_directory(folder.path / "towns");
+    std::filesystem::create_directory(folder.path / ".hidden");
+    for (const char* name : {"berlin.osm", "bern.osm.pbf", "notes.txt", "me.GLB", "mine.json"})
+        static_cast<void>(folder.write(name, ""));
+    const std::string at = folder / "";
+    EXPECT_EQ(completions(at), (Words{at + "towns/", at + "berlin.osm", at + "bern.osm.pbf", at + "me.GLB",
+                                      at + "mine.json"}));
+    EXPECT_EQ(completions(at + "be"), (Words{at + "berlin.osm", at + "bern.osm.pbf"}));
+    EXPECT_EQ(completed(at + "be", completions(at + "be")), at + "ber");
+    EXPECT_EQ(completed(at + "t", completions(at + "t")), at + "towns/");
+    EXPECT_EQ(completions(at + ".h"), Words{at + ".hidden/"});
+    EXPECT_EQ(completed("x", {}), "x");
+    EXPECT_TRUE(completions(folder / "nowhere/x").empty());
+    EXPECT_EQ(completions(at, 2).size(), 2u);
+    setenv("HOME", folder.path.c_str(), 1);
+    EXPECT_EQ(completions("~/bern"), Words{"~/bern.osm.pbf"});
+    EXPECT_EQ(full_path("~/a/../b.osm"), folder / "b.osm");
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,133 @@
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/window/open/complete.h"
+#include "tools/flaneur/window/open/open.h"
+#include "tools/flaneur/window/open/start.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+namespace {
+
+constexpr int k_rows = 10;  // of what a typed path may become
+
+void copy_typed(PathPrompt& prompt, const std::string& text) {
+    std::strncpy(prompt.typed, text.c_str(), sizeof prompt.typed - 1);
+}
+
+// ImGui has the text while one types.
+int replace_typed(ImGuiInputTextCallbackData* data) {
+    PathPrompt& prompt = *static_cast<PathPrompt*>(data->UserData);
+    if (!prompt.becomes) return 0;
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, prompt.becomes->c_str());
+    prompt.becomes.reset();
+    return 0;
+}
+
+void become(PathPrompt& prompt, const std::string& text) {
+    prompt.becomes = text;
+    prompt.chosen = -1;
+}
+
+// A folder is looked into; a file is opened.
+void take(Viewer& v, const std::string& path) {
+    if (path.ends_with('/'))
+        become(v.opening.prompt, path);
+    else
+        open_path(v, path);
+}
+
+void lay_out_prompt(Viewer& v, Size size, float scale) {
+    PathPrompt& prompt = v.opening.prompt;
+    if (!prompt.is_open) return;
+    if (prompt.looked_for != prompt.typed || prompt.found.empty()) {
+        prompt.looked_for = prompt.typed;
+        prompt.found = completions(prompt.typed);
+        prompt.chosen = -1;
+    }
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) * 0.18f},
+                            ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize({std::min(620 * scale, static_cast<float>(size.width)), 0});
+    std::optional<std::string> clicked;
+    if (ImGui::Begin("open", nullptr, k_plain & ~ImGuiWindowFlags_NoFocusOnAppearing)) {
+        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        ImGui::SetNextItemWidth(-1);
+        ImGui::InputTextWithHint("##path", "a map, a city, a character or a scene", prompt.typed,
+                                 sizeof prompt.typed,
+                                 ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackCompletion,
+                                 replace_typed, &prompt);
+        if (ImGui::BeginChild("found", {0, k_rows * ImGui::GetTextLineHeightWithSpacing()})) {
+            for (int i = 0; i < static_cast<int>(prompt.found.size()); ++i) {
+                const std::string& path = prompt.found[static_cast<size_t>(i)];
+                const size_t slash = path.rfind('/', path.size() - 2);
+                const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+                ImGui::PushID(i);
+                if (ImGui::Selectable(printable(name).c_str(), i == prompt.chosen)) clicked = path;
+                if (i == prompt.chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+                ImGui::PopID();
+            }
+            if (prompt.found.empty()) ImGui::TextDisabled("nothing here that can be opened");
+        }
+        ImGui::EndChild();
+        ImGui::TextDisabled("Tab completes, Enter opens, Esc leaves it");
+    }
+    ImGui::End();
+    if (clicked) take(v, *clicked);
+}
+
+void press_in_prompt(int key, Viewer& v) {
+    PathPrompt& prompt = v.opening.prompt;
+    const int last = static_cast<int>(prompt.found.size()) - 1;
+    if (key == GLFW_KEY_ESCAPE) prompt.is_open = false;
+    if (key == GLFW_KEY_DOWN) prompt.chosen = std::min(prompt.chosen + 1, last);
+    if (key == GLFW_KEY_UP) prompt.chosen = std::max(prompt.chosen - 1, -1);
+    const bool is_chosen = prompt.chosen >= 0 && prompt.chosen <= last;
+    const std::string chosen = is_chosen ? prompt.found[static_cast<size_t>(prompt.chosen)] : prompt.typed;
+    if (key == GLFW_KEY_TAB) become(prompt, is_chosen ? chosen : completed(prompt.typed, prompt.found));
+    if ((key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) && !chosen.empty()) take(v, chosen);
+}
+
+void lay_out_under_way(const Opening& opening, Size size, float scale) {
+    if (!opening.under_way || opening.is_unwanted) return;
+    lay_out_loading(city_name(opening.under_way->options.scene), printable(progress_line()),
+                    "Esc gives it up", size, scale);
+}
+
+}  // namespace
+
+void ask_for_path(Show&, Viewer& v) {
+    Opening& opening = v.opening;
+    opening.prompt = PathPrompt();
+    opening.prompt.is_open = true;
+    std::error_code error;
+    const std::filesystem::path begin = opening.recent.empty()
+                                            ? std::filesystem::current_path(error)
+                                            : std::filesystem::path(opening.recent.front()).parent_path();
+    if (!error && begin != "/") copy_typed(opening.prompt, begin.string() + "/");
+    opening.prompt.becomes = opening.prompt.typed;  // with nothing selected, to go on from
+}
+
+void open_start_screen(Show&, Viewer& v) { v.opening.start.is_open = true; }
+
+void lay_out_opening(Show& show, Viewer& v, Size size, float scale) {
+    lay_out_start(show, v, size, scale);
+    lay_out_prompt(v, size, scale);
+    lay_out_under_way(v.opening, size, scale);
+}
+
+bool press_in_opening(int key, Show& show, Viewer& v) {
+    if (v.opening.prompt.is_open) return press_in_prompt(key, v), true;
+    if (v.opening.start.is_open) return press_in_start(key, show, v), true;
+    return false;
+}
+
+}  // namespace flaneur

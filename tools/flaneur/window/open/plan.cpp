@@ -1,0 +1,96 @@
+#include "tools/flaneur/window/open/plan.h"
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+#include "assets/character.h"
+#include "assets/files/file.h"
+#include "tools/flaneur/options/shell_words.h"
+
+namespace flaneur {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+// What is said of a place, of people there, and of how a window begins.
+const Names k_place = {"--scene", "--city", "--center", "--radius", "--terrain", "--scale", "--camera"};
+const Names k_people = {"--character", "--idle", "--walkers", "--time", "--weather", "--seed", "--view"};
+constexpr std::array<std::string_view, 1> k_beginning = {"--start"}, k_pictures = {"--frames"};
+
+bool ends_in(const std::string& path, std::initializer_list<std::string_view> endings) {
+    for (const std::string_view ending : endings)
+        if (has_ending(path, ending)) return true;
+    return false;
+}
+
+std::vector<std::string> without(const std::vector<std::string>& words, const Names& options) {
+    return without_options(without_options(words, k_pictures, k_beginning), options);
+}
+
+void add(std::vector<std::string>& words, const char* option, std::string value) {
+    words.emplace_back(option);
+    words.push_back(std::move(value));
+}
+
+Result<Wish> parsed(Wish wish) {
+    std::vector<std::string> all = {"flaneur", "view"};
+    all.insert(all.end(), wish.words.begin(), wish.words.end());
+    std::vector<char*> pointers;
+    for (std::string& word : all) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    auto options = parse_options(static_cast<int>(all.size()), pointers.data());
+    if (!options) return options.error();
+    if (!std::holds_alternative<Options>(*options)) return Error{"There is nothing to show."};
+    wish.options = std::move(std::get<Options>(*options));
+    return wish;
+}
+
+// As `told` says who is how many of all.
+std::string told_share(const Wish& wish, const std::string& name) {
+    const size_t kinds = wish.options.scene.people.size();
+    return name + " walks now: " + (kinds == 2 ? "half" : "one in " + std::to_string(kinds)) +
+           " of the people, whose others stay.";
+}
+
+}  // namespace
+
+Result<Wish> wish_for_file(const std::vector<std::string>& words, const std::string& path) {
+    if (Result<void> found = find_file(path); !found) return found.error();
+    const std::string name = std::filesystem::path(path).filename().string();
+    Wish wish{words, {}, path, {}};
+    const FileKind kind = kind_of(path);
+    if (has_ending(path, ".json")) {
+        wish.words = without(without(words, k_place), k_people);
+        add(wish.words, "--scene", path);
+    } else if (kind == FileKind::map ||
+               (kind == FileKind::gltf && !has_ending(path, ".vrm") && !has_skin(path))) {
+        wish.words = without(words, k_place);
+        add(wish.words, "--city", path);
+    } else if (kind == FileKind::gltf) {
+        wish.words = without(words, {"--camera"});
+        if (!has_option(words, "--character")) add(wish.words, "--character", "builtin");
+        add(wish.words, "--character", path + ":1");
+    } else if (ends_in(path, {".hgt", ".hgt.zip", ".tif", ".tiff"})) {
+        wish.words = without(words, {"--terrain", "--camera"});
+        add(wish.words, "--terrain", path);
+    } else {
+        return Error{
+            name +
+            " cannot be opened here: a map is an .osm or .osm.pbf, a city or a character a .glb, .gltf or "
+            ".vrm, a scene a .json, and heights under a map are a .hgt or .tif."};
+    }
+    Result<Wish> done = parsed(std::move(wish));
+    if (!done) return Error{name + " cannot be opened: " + done.error().message};
+    const bool is_person = kind == FileKind::gltf && done->options.scene.city != path;
+    done->told = is_person ? told_share(*done, name) : name + " is open.";
+    return done;
+}
+
+Result<Wish> wish_for_scene(const std::vector<std::string>& words, const std::string& name) {
+    Wish wish{without(without(words, k_place), k_people), {}, {}, "The scene " + name + " is open."};
+    add(wish.words, "--scene", name);
+    return parsed(std::move(wish));
+}
+
+}  // namespace flaneur

@@ -1,0 +1,222 @@
+#include "tools/flaneur/window/record/record.h"
+
+#include <GLFW/glfw3.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "sim/base/math.h"
+#include "sim/base/tick.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/window/command.h"
+#include "tools/flaneur/window/navigate.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+namespace {
+
+constexpr double k_film_patience = 30;        // seconds that ffmpeg may take to finish what it was given
+constexpr uint32_t k_film_ticks = 60;         // a second
+constexpr float k_filming_resolution = 0.5f;  // of the window, which is drawn besides
+
+// out/view-361.png, or another number where that is there.
+std::string free_path(const char* what, uint32_t tick, const char* ending) {
+    std::string stem = "out/";
+    stem.append(what).append("-").append(std::to_string(tick));
+    std::string path = stem + ending;
+    std::error_code ignored;
+    for (int number = 2; std::filesystem::exists(path, ignored); ++number)
+        path = stem + "-" + std::to_string(number) + ending;
+    return path;
+}
+
+void report(Viewer& v, const std::string& what) {
+    say(what);
+    tell(v, printable(what));
+}
+
+std::string command_now(const Show& show, const Viewer& v, Size size) {
+    return command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, show.loaded.world->tick,
+                                        v.record.picture.is_transparent});
+}
+
+// A picture, and how far away it is if that is asked for; what was written where.
+Result<std::string> write_picture(const Show& show, const Viewer& v, const Image& image, bool has_command) {
+    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
+    const std::string path = free_path("view", show.loaded.world->tick, ".png");
+    const bool is_transparent = v.record.picture.is_transparent && !image.depths.empty();
+    Result<PartFilePtr> file = open_file(path);
+    if (!file) return file.error();
+    if (Result<void> done =
+            write_png(std::move(*file), image.rgba, size, has_command ? command_now(show, v, size) : "",
+                      is_transparent ? Alpha::kept : Alpha::dropped);
+        !done)
+        return done.error();
+    if (!v.record.picture.has_depth || image.depths.empty()) return "Wrote " + path;
+    const std::string depth = path.substr(0, path.size() - 4) + "-depth.png";
+    Result<PartFilePtr> second = open_file(depth);
+    if (!second) return second.error();
+    if (Result<void> done = write_depths(std::move(*second), image.depths, size); !done) return done.error();
+    return "Wrote " + path + " and " + depth;
+}
+
+Result<Image> draw(Show& show, const FrameInput& frame, Size size) {
+    return draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
+                      static_cast<uint32_t>(size.height));
+}
+
+// Draws and writes one of the chosen size.
+void take_picture(Show& show, Viewer& v, Size window, float between) {
+    const Result<Size> size = size_of(v.record.picture, window);
+    if (!size) return report(v, size.error().message);
+    FrameInput frame = extract_frame(show, v.camera, *size, between);
+    frame.wants_depths = v.record.picture.is_transparent || v.record.picture.has_depth;
+    const Result<Image> image = draw(show, frame, *size);
+    const Result<std::string> told = image ? write_picture(show, v, *image, true) : image.error();
+    report(v, told ? *told : told.error().message);
+}
+
+glm::vec3 middle_of(const Show& show, const Turntable& turn) {
+    if (!turn.walker) return turn.middle;
+    const Vec3 at = show.loaded.world->crowd.motion.position[*turn.walker];
+    return {at.x, at.y + 1, at.z};
+}
+
+// Round who was asked about, or what is in the middle of the picture.
+Turntable turn_of(const Show& show, Viewer& v, uint32_t step) {
+    take_off(v);
+    Turntable turn{
+        {}, v.selected, v.camera, static_cast<uint32_t>(v.record.turn_seconds) * k_film_ticks / step};
+    turn.middle = place_along(*show.loaded.world, v.camera, glm::normalize(v.camera.target - v.camera.eye));
+    turn.middle = middle_of(show, turn);
+    return turn;
+}
+
+void begin_film(Show& show, Viewer& v, Size window, bool turns) {
+    PictureChoice choice = v.record.picture;
+    choice.extent = v.record.film_extent;
+    const Result<Size> size = size_of(choice, window);
+    if (!size) return report(v, size.error().message);
+    Filming filming;
+    filming.size = *size;
+    filming.step = v.record.is_smooth ? 1 : 2;
+    filming.path = free_path(turns ? "turn" : "film", show.loaded.world->tick, ".mp4");
+    Result<FilmPtr> film = open_film(filming.path, *size, filming.step, command_now(show, v, *size), false);
+    if (!film) return report(v, film.error().message);
+    be_patient(k_film_patience);
+    filming.film = std::move(*film);
+    if (turns) filming.turn = turn_of(show, v, filming.step);
+    v.clock.due = 0;
+    v.record.filming = std::move(filming);
+}
+
+// One picture of the film that is being made.
+Result<void> go_on_filming(Show& show, Viewer& v, float between) {
+    Filming& filming = *v.record.filming;
+    if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
+    const Result<Image> image =
+        draw(show, extract_frame(show, v.camera, filming.size, between), filming.size);
+    if (!image) return image.error();
+    if (Result<void> written = write_film(*filming.film, image->rgba); !written) {
+        v.record.filming.reset();
+        report(v, written.error().message);
+        return {};
+    }
+    v.resolution = std::min(v.resolution, k_filming_resolution);
+    ++filming.pictures;
+    if (filming.turn && filming.pictures == filming.turn->pictures) {
+        v.camera = filming.turn->from;
+        end_film(v);
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Size> size_of(const PictureChoice& choice, Size window) {
+    switch (choice.extent) {
+        case Extent::window:
+            return window;
+        case Extent::hd:
+            return Size{1920, 1080};
+        case Extent::uhd:
+            return Size{3840, 2160};
+        case Extent::uhd_8k:
+            return Size{7680, 4320};
+        default:
+            break;
+    }
+    Result<Size> size = parse_size(choice.typed);
+    if (!size) return Error{size.error().message + "."};
+    return size;
+}
+
+Camera turned(const Turntable& turn, glm::vec3 middle, uint32_t picture) {
+    const float share = static_cast<float>(picture) / static_cast<float>(std::max(turn.pictures, 1u));
+    const SinCos a = sin_cos(share * 2 * k_pi);
+    auto round = [&](glm::vec3 place) {
+        const glm::vec3 out = place - turn.middle;
+        return middle +
+               glm::vec3(out.x * a.cosine + out.z * a.sine, out.y, out.z * a.cosine - out.x * a.sine);
+    };
+    Camera camera = turn.from;
+    camera.eye = round(turn.from.eye);
+    camera.target = round(turn.from.target);
+    return camera;
+}
+
+double seconds_to_pass(const Record& record, double passed) {
+    if (!record.filming) return passed;
+    return static_cast<double>(record.filming->step) * static_cast<double>(k_tick);
+}
+
+float between_pictures(const Record& record, const Clock& clock) {
+    return record.filming && clock.rate == 1 ? 1 : between_ticks(clock);
+}
+
+Result<void> take_pictures(Show& show, Viewer& v, Size window, float between) {
+    Record& r = v.record;
+    const bool wants_turn = std::exchange(r.wants_turn, false);
+    if (std::exchange(r.wants_film, false) || wants_turn) {
+        if (r.filming)
+            end_film(v);
+        else
+            begin_film(show, v, window, wants_turn);
+    } else if (r.filming) {
+        if (Result<void> done = go_on_filming(show, v, between); !done) return done;
+    }
+    if (!std::exchange(r.wants_picture, false)) return {};
+    r.wants_panels = r.picture.has_panels && r.picture.extent == Extent::window;
+    if (!r.wants_panels) take_picture(show, v, window, between);
+    return {};
+}
+
+Result<void> take_picture_with_panels(Show& show, Viewer& v, const FrameInput& frame, Size window) {
+    if (!std::exchange(v.record.wants_panels, false)) return {};
+    const Result<Image> image = draw(show, frame, window);
+    if (!image) return image.error();
+    const Result<std::string> told = write_picture(show, v, *image, false);
+    report(v, told ? *told : told.error().message);
+    return {};
+}
+
+void end_film(Viewer& v) {
+    if (!v.record.filming) return;
+    Filming filming = std::move(*std::exchange(v.record.filming, std::nullopt));
+    if (!filming.film) return;
+    if (filming.pictures == 0) return report(v, "The film is not kept: it had no picture yet.");
+    const Result<void> done = finish_film(std::move(filming.film));
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f", filming.pictures * filming.step / 60.0);
+    report(v, done ? "Wrote " + filming.path + ", " + seconds + " s" : done.error().message);
+}
+
+void ask_for_picture(Show&, Viewer& v) { v.record.wants_picture = true; }
+void ask_for_film(Show&, Viewer& v) { v.record.wants_film = true; }
+void ask_for_turn(Show&, Viewer& v) { v.record.wants_turn = true; }
+void open_record_room(Show&, Viewer& v) { v.room = v.room == Room::record ? Room::none : Room::record; }
+
+}  // namespace flaneur

@@ -1,0 +1,86 @@
+#include <imgui.h>
+
+#include <array>
+
+#include "tools/flaneur/window/record/record.h"
+#include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+namespace {
+
+constexpr std::array k_extents = {"as the window", "1920 x 1080", "3840 x 2160", "7680 x 4320", "typed:"};
+
+// Which of them; the last one has a field to type in.
+void lay_out_extent(const char* name, Extent& extent, char (&typed)[16], float scale) {
+    ImGui::PushID(name);
+    ImGui::SetNextItemWidth(150 * scale);
+    int chosen = static_cast<int>(extent);
+    if (ImGui::Combo("##size", &chosen, k_extents.data(), static_cast<int>(k_extents.size())))
+        extent = static_cast<Extent>(chosen);
+    if (extent == Extent::typed) {
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(100 * scale);
+        ImGui::InputText("##typed", typed, sizeof typed);
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void lay_out_record(Show&, Viewer& v, float scale) {
+    Record& r = v.record;
+    ImGui::TextUnformatted("Picture");
+    lay_out_extent("picture", r.picture.extent, r.picture.typed, scale);
+    ImGui::Checkbox("the sky is transparent", &r.picture.is_transparent);
+    ImGui::Checkbox("depth, in a further file", &r.picture.has_depth);
+    tip("16 bits of grey: centimetres, 0 for the sky");
+    if (r.picture.extent == Extent::window) ImGui::Checkbox("with panels", &r.picture.has_panels);
+    if (ImGui::Button("Write a picture")) r.wants_picture = true;
+    tip("F12");
+    ImGui::Dummy({0, 4 * scale});
+    ImGui::TextUnformatted("Film");
+    const bool is_filming = r.filming.has_value();
+    ImGui::BeginDisabled(is_filming);
+    lay_out_extent("film", r.film_extent, r.picture.typed, scale);
+    int rate = r.is_smooth;
+    if (ImGui::RadioButton("30 a second", &rate, 0)) r.is_smooth = false;
+    ImGui::SameLine();
+    if (ImGui::RadioButton("60", &rate, 1)) r.is_smooth = true;
+    ImGui::EndDisabled();
+    if (ImGui::Button(is_filming ? "End the film" : "Record a film")) r.wants_film = true;
+    tip("R");
+    ImGui::BeginDisabled(is_filming);
+    if (ImGui::Button("Film a turn")) r.wants_turn = true;
+    tip("once round who was asked about, or what is in the middle (Shift+R)");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(110 * scale);
+    ImGui::SliderInt("##turn", &r.turn_seconds, 3, 60, "in %d s", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::EndDisabled();
+    ImGui::TextDisabled("They go into the folder out/.");
+}
+
+void lay_out_filming(const Viewer& v, Size size, float scale) {
+    if (!v.record.filming) return;
+    const Filming& filming = *v.record.filming;
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, k_below_bar * scale}, ImGuiCond_Always,
+                            {0.5f, 0});
+    if (ImGui::Begin("filming", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
+        const float height = ImGui::GetTextLineHeight();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + height / 2, at.y + height / 2}, height * 0.36f,
+                                                    0xff3030e0u);
+        ImGui::Dummy({height, height});
+        ImGui::SameLine();
+        const double seconds = filming.pictures * filming.step / 60.0;
+        if (filming.turn)
+            ImGui::Text("%.1f of %.0f s", seconds, filming.turn->pictures * filming.step / 60.0);
+        else
+            ImGui::Text("%.1f s", seconds);
+        ImGui::SameLine();
+        ImGui::TextDisabled("of a film of %d x %d, R ends it", filming.size.width, filming.size.height);
+    }
+    ImGui::End();
+}
+
+}  // namespace flaneur
