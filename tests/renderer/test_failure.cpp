@@ -69,7 +69,9 @@ TEST(Failure, OneSceneAfterAnotherLeavesNothingBehind) {
             if (i < 2) continue;
             EXPECT_EQ(pictures[static_cast<size_t>(i)], pictures[static_cast<size_t>(i) - 2]) << i;
             if (i == 2) held = alive();
-            if (i % 2 == 0) EXPECT_EQ(alive(), held) << i;
+            if (i % 2 == 0) {
+                EXPECT_EQ(alive(), held) << i;
+            }
         }
         EXPECT_NE(pictures[0], pictures[1]);
     }

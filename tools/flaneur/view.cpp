@@ -6,6 +6,7 @@
 #include <future>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,9 @@
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/open/pictures.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
+#include "tools/flaneur/window/settings/settings.h"
 
 namespace flaneur {
 
@@ -95,6 +98,12 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
+// Of the window's time.
+void rest_until(double then) {
+    const double left = then - glfwGetTime();
+    if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+}
+
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
@@ -121,13 +130,15 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             v.camera = choose_camera(*show.loaded.city, world, show.sun, v.choice, between);
             v.chosen = true;
         }
-        const bool is_panels = gui_has_mouse();
+        const bool is_panels = gui_has_mouse() || v.presentation.is_on;
         const Mouse before = mouse;
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
         bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
-        is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
+        is_moving |= navigate(world, before, mouse, gui_wheel() * (v.settings.inverts_wheel ? -1.0f : 1.0f),
+                              size, grip, v);
+        go_on_presenting(show, v, passed);
         is_moving |= is_following && !v.clock.is_paused;
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
@@ -157,7 +168,12 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             }
             ask(show, mouse, size, is_panels, v);
             mark_asked(v, show, frame);
-            begin_gui(gui);
+            if (Result<void> done =
+                    suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);
+                !done)
+                return done;
+            v.opening.pictures = gui.boxes;
+            begin_gui(gui, v.panel_keys.are_on, next_tap(v.panel_keys));
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
             if (Result<void> done = take_picture_with_panels(show, v, frame, size); !done) return done;
@@ -168,6 +184,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             ++title_frames;
             if (close_after > 0 && ++drawn >= close_after) break;
         }
+        if (v.settings.fps > 0 && !v.record.filming) rest_until(now + 1.0 / v.settings.fps);
         if (now - title_time >= k_title_seconds) {
             v.fps = title_frames / (now - title_time);
             show_title(window, show, v.fps);
@@ -198,13 +215,17 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Viewer viewer;
     viewer.choice = options.scene.camera;
     begin_opening(options, viewer.opening);
+    Result<Settings> settings = read_settings(settings_file());
+    if (!settings) say(settings.error().message);
+    if (settings) viewer.settings = viewer.kept_settings = *settings;
     listen(window.get(), viewer);
-    Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0, scene_pictures());
+    Result<GuiPtr> gui = make_gui(window.get(), **renderer, viewer.settings.letters, scene_pictures());
     if (!gui) return gui.error();
     viewer.opening.pictures = (*gui)->boxes;
     Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer);
     if (!show) return show.error();
     viewer.is_loading = false;
+    if (!settings) tell(viewer, printable(settings.error().message));
     viewer.walkers = show->loaded.world->crowd.count;
     Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
     end_film(viewer);

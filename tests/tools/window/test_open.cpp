@@ -17,7 +17,7 @@ TEST(Opening, AMapComesInPlaceOfThePlaceAndItsPeopleStay) {
     const std::string map = folder.write("town.osm", "<osm/>");
     const Words before = {"--scene",   "square", "--walkers", "70", "--camera=street", "--start",
                           "--quality", "low",    "--scale",   "2",  "--frames",        "9"};
-    const Result<Wish> wish = wish_for_file(before, map);
+    const Result<ShowWish> wish = wish_for_file(before, map);
     ASSERT_TRUE(wish) << wish.error().message;
     EXPECT_EQ(wish->words, (Words{"--walkers", "70", "--quality", "low", "--city", map}));
     EXPECT_EQ(wish->options.scene.city, map);
@@ -29,11 +29,11 @@ TEST(Opening, ASceneComesInPlaceOfAll) {
     TestFolder folder;
     const std::string scene = folder.write("mine.json", R"({"walkers": 12, "blocks": 1})");
     const Words before = {"--city", "x.osm", "--walkers=70", "--character", "me.glb", "--device", "llvm"};
-    const Result<Wish> wish = wish_for_file(before, scene);
+    const Result<ShowWish> wish = wish_for_file(before, scene);
     ASSERT_TRUE(wish) << wish.error().message;
     EXPECT_EQ(wish->words, (Words{"--device", "llvm", "--scene", scene}));
     EXPECT_EQ(wish->options.scene.walkers, 12);
-    const Result<Wish> square = wish_for_scene(before, "square");
+    const Result<ShowWish> square = wish_for_scene(before, "square");
     ASSERT_TRUE(square) << square.error().message;
     EXPECT_EQ(square->words, (Words{"--device", "llvm", "--scene", "square"}));
     EXPECT_TRUE(square->file.empty());
@@ -43,11 +43,11 @@ TEST(Opening, ACharacterJoinsThePeople) {
     TestFolder folder;
     const std::string me = folder.write("me.vrm", "no matter what"),
                       you = folder.write("you:2.vrm", "as well");
-    const Result<Wish> one = wish_for_file({"--walkers", "9", "--camera", "follow:3"}, me);
+    const Result<ShowWish> one = wish_for_file({"--walkers", "9", "--camera", "follow:3"}, me);
     ASSERT_TRUE(one) << one.error().message;
     EXPECT_EQ(one->options.scene.people, (std::vector<PeopleShare>{{"", 1}, {me, 1}}));
     EXPECT_EQ(one->options.scene.walkers, 9);
-    const Result<Wish> two = wish_for_file(one->words, you);
+    const Result<ShowWish> two = wish_for_file(one->words, you);
     ASSERT_TRUE(two) << two.error().message;
     EXPECT_EQ(two->options.scene.people, (std::vector<PeopleShare>{{"", 1}, {me, 1}, {you, 1}}));
     EXPECT_NE(two->told.find("one in 3"), std::string::npos) << two->told;
@@ -57,7 +57,7 @@ TEST(Opening, HeightsGoUnderAMapAlone) {
     TestFolder folder;
     const std::string map = folder.write("town.osm", "<osm/>"), heights = folder.write("N43E007.hgt", "");
     EXPECT_FALSE(wish_for_file({}, heights));
-    const Result<Wish> wish = wish_for_file({"--city", map, "--terrain", "old.hgt"}, heights);
+    const Result<ShowWish> wish = wish_for_file({"--city", map, "--terrain", "old.hgt"}, heights);
     ASSERT_TRUE(wish) << wish.error().message;
     EXPECT_EQ(wish->options.scene.terrain, heights);
 }
@@ -67,7 +67,7 @@ TEST(Opening, OtherFilesAreRefusedByName) {
     for (const std::string& path :
          {folder.write("notes.txt", "hello"), folder / "nowhere.osm", folder.path.string()})
         EXPECT_FALSE(wish_for_file({}, path)) << path;
-    const Result<Wish> bad = wish_for_file({}, folder.write("bad.json", "{\"walkers\": -3}"));
+    const Result<ShowWish> bad = wish_for_file({}, folder.write("bad.json", "{\"walkers\": -3}"));
     ASSERT_FALSE(bad);
     EXPECT_NE(bad.error().message.find("bad.json"), std::string::npos) << bad.error().message;
 }

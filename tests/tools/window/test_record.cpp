@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/tick.h"
+#include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
 
 namespace flaneur {
@@ -50,6 +52,30 @@ TEST(Turntable, GoesOnceRoundAndComesBack) {
     EXPECT_NEAR(glm::length(turned(turn, turn.middle, 180).eye - glm::vec3(-7, 6, -2)), 0, 1e-3f);
     const glm::vec3 walked(1, 0, 4);
     EXPECT_NEAR(glm::length(turned(turn, turn.middle + walked, 0).eye - turn.from.eye - walked), 0, 1e-4f);
+}
+
+TEST(Presentation, ViewsComeAndGoGently) {
+    EXPECT_EQ(darkness_at(0), 1);
+    EXPECT_EQ(darkness_at(k_view_seconds), 1);
+    EXPECT_EQ(darkness_at(k_view_seconds / 2), 0);
+    EXPECT_EQ(title_at(0), 0);
+    EXPECT_EQ(title_at(4), 1);
+    EXPECT_EQ(title_at(k_view_seconds), 0);
+    Presentation p;
+    p.from.eye = {0, 10, -50};
+    p.middle = {0, 0, 0};
+    p.from.target = {0, 9.8f, -49};
+    constexpr double k_frame = 1.0 / 60;
+    for (const bool goes_nearer : {false, true})
+        for (p.seconds = 0; p.seconds < k_view_seconds; p.seconds += k_frame) {
+            Presentation next = p;
+            next.seconds += k_frame;
+            const glm::vec3 now = presented(p, goes_nearer).eye, then = presented(next, goes_nearer).eye;
+            EXPECT_LT(glm::length(then - now), 1 * k_frame) << "metres, at less than one a second";
+            EXPECT_LT(std::abs(darkness_at(next.seconds) - darkness_at(p.seconds)), 0.05f) << "no flash";
+        }
+    p.middle = p.from.eye;
+    EXPECT_EQ(presented(p, true).eye, p.from.eye) << "nothing is ahead";
 }
 
 TEST(Pictures, AreOfTheChosenSize) {

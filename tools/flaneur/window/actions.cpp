@@ -6,10 +6,9 @@
 #include <cctype>
 #include <utility>
 
-#include "tools/flaneur/window/open/actions.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
-#include "tools/flaneur/window/record/actions.h"
+#include "tools/flaneur/window/settings/room.h"
 
 namespace flaneur {
 namespace {
@@ -99,15 +98,6 @@ constexpr std::array k_window = {
     Action{"Close the window", "Ctrl+Q", GLFW_KEY_Q, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { v.wants_close = true; }},
 };
-constexpr std::array k_groups = {
-    ActionGroup{"Time", k_time},
-    ActionGroup{"Cameras", k_cameras},
-    ActionGroup{"Layers", k_layers},
-    ActionGroup{"Opening", k_opening_actions},
-    ActionGroup{"Pictures and films", k_record_actions},
-    ActionGroup{"Window", k_window},
-};
-
 // Of keys that have a twin.
 int plain(int key) {
     if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
@@ -126,15 +116,31 @@ bool is_for(const Action& action, const KeyPress& press) {
 
 }  // namespace
 
-std::span<const ActionGroup> action_groups() { return k_groups; }
+std::span<const ActionGroup> action_groups() {
+    static const std::array all = {
+        ActionGroup{"Time", k_time},
+        ActionGroup{"Cameras", k_cameras},
+        ActionGroup{"Layers", k_layers},
+        ActionGroup{"Opening", opening_actions()},
+        ActionGroup{"Pictures and films", record_actions()},
+        ActionGroup{"Window", k_window},
+        ActionGroup{"Settings and keys", settings_actions()},
+    };
+    return all;
+}
 
 void act_on_presses(Show& show, Viewer& v) {
+    if (v.presentation.is_on && !v.presses.empty()) {
+        v.presses.clear();
+        end_presentation(v);
+    }
     for (const KeyPress& press : std::exchange(v.presses, {})) {
         if (v.palette.is_open) {
             press_in_palette(press.key, show, v);
             continue;
         }
         if (press_in_opening(press.key, show, v)) continue;
+        if (v.panel_keys.are_on && press_in_panels(press.key, press.mods, v)) continue;
         const Action* found = nullptr;
         for (const ActionGroup& group : action_groups())
             for (const Action& action : group.actions)

@@ -16,39 +16,50 @@ namespace {
 
 constexpr float k_letter_size = 15;  // pixels, at scale 1
 
-// Dark, calm, of few lines: what is looked at is the city.
-void set_style(float scale) {
+// What panels are painted in, sRGB: dark, or light.
+struct Paint {
+    ImGuiCol what;
+    uint32_t dark, light;
+    float alpha;
+};
+constexpr Paint k_paints[] = {
+    {ImGuiCol_Text, 0xf2efe9, 0x20242a, 1},
+    {ImGuiCol_TextDisabled, 0xa7a29a, 0x5b5f66, 1},
+    {ImGuiCol_WindowBg, 0x1b1e22, 0xf6f4ef, 0.9f},
+    {ImGuiCol_PopupBg, 0x1b1e22, 0xf6f4ef, 0.97f},
+    {ImGuiCol_FrameBg, 0x353a41, 0xdcdad3, 0.95f},
+    {ImGuiCol_FrameBgHovered, 0x454c55, 0xcdcbc4, 1},
+    {ImGuiCol_FrameBgActive, 0x4f5862, 0xbfbdb6, 1},
+    {ImGuiCol_Button, 0x353a41, 0xdcdad3, 0.95f},
+    {ImGuiCol_ButtonHovered, 0x4b5763, 0xc6cfd2, 1},
+    {ImGuiCol_ButtonActive, 0x2f7f8c, 0x7fc4cf, 1},
+    {ImGuiCol_CheckMark, 0x58c4d2, 0x14707e, 1},
+    {ImGuiCol_SliderGrab, 0x58c4d2, 0x14707e, 1},
+    {ImGuiCol_SliderGrabActive, 0x7fdbe6, 0x0f5a66, 1},
+    {ImGuiCol_Header, 0x2f7f8c, 0x7fc4cf, 0.6f},
+    {ImGuiCol_HeaderHovered, 0x2f7f8c, 0x7fc4cf, 0.8f},
+    {ImGuiCol_HeaderActive, 0x2f7f8c, 0x7fc4cf, 1},
+    {ImGuiCol_TitleBgActive, 0x24282d, 0xe6e3dc, 1},
+    {ImGuiCol_PlotHistogram, 0x58c4d2, 0x14707e, 1},
+    {ImGuiCol_NavHighlight, 0x58c4d2, 0x14707e, 1},
+};
+
+// Calm, of few lines: what is looked at is the city.
+void set_style(float scale, bool is_light) {
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
-    ImGui::StyleColorsDark(&style);
+    is_light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
     style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 4;
     style.WindowBorderSize = 0;
     style.WindowPadding = {10, 8};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 6};
-    auto set = [&](ImGuiCol colour, uint32_t rgb, float alpha) {
-        style.Colors[colour] = {static_cast<float>(rgb >> 16 & 255) / 255,
-                                static_cast<float>(rgb >> 8 & 255) / 255, static_cast<float>(rgb & 255) / 255,
-                                alpha};
-    };
-    set(ImGuiCol_Text, 0xf2efe9, 1);
-    set(ImGuiCol_TextDisabled, 0xa7a29a, 1);
-    set(ImGuiCol_WindowBg, 0x1b1e22, 0.86f);
-    set(ImGuiCol_PopupBg, 0x1b1e22, 0.96f);
-    set(ImGuiCol_FrameBg, 0x353a41, 0.9f);
-    set(ImGuiCol_FrameBgHovered, 0x454c55, 1);
-    set(ImGuiCol_FrameBgActive, 0x4f5862, 1);
-    set(ImGuiCol_Button, 0x353a41, 0.9f);
-    set(ImGuiCol_ButtonHovered, 0x4b5763, 1);
-    set(ImGuiCol_ButtonActive, 0x2f7f8c, 1);
-    set(ImGuiCol_CheckMark, 0x58c4d2, 1);
-    set(ImGuiCol_SliderGrab, 0x58c4d2, 1);
-    set(ImGuiCol_SliderGrabActive, 0x7fdbe6, 1);
-    set(ImGuiCol_Header, 0x2f7f8c, 0.6f);
-    set(ImGuiCol_HeaderHovered, 0x2f7f8c, 0.8f);
-    set(ImGuiCol_TitleBgActive, 0x24282d, 1);
-    set(ImGuiCol_PlotHistogram, 0x58c4d2, 1);
-    set(ImGuiCol_NavHighlight, 0x58c4d2, 1);
+    for (const Paint& paint : k_paints) {
+        const uint32_t rgb = is_light ? paint.light : paint.dark;
+        style.Colors[paint.what] = {static_cast<float>(rgb >> 16 & 255) / 255,
+                                    static_cast<float>(rgb >> 8 & 255) / 255,
+                                    static_cast<float>(rgb & 255) / 255, paint.alpha};
+    }
     style.ScaleAllSizes(scale);
 }
 
@@ -116,7 +127,7 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale,
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     gui->scale = scale > 0 ? scale : display_scale(window);
     gui->pictures = std::move(pictures);
-    set_style(gui->scale);
+    set_style(gui->scale, gui->is_light);
     ImGui_ImplGlfw_InitForOther(window, true);
     if (Result<void> loaded = load_letters(renderer, *gui); !loaded) return loaded.error();
     return gui;
@@ -130,8 +141,25 @@ void GuiDelete::operator()(Gui* gui) const {
     delete gui;
 }
 
-void begin_gui(Gui&) {
+Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float scale, bool is_light) {
+    const float wanted = scale > 0 ? scale : display_scale(window);
+    if (wanted == gui.scale && is_light == gui.is_light) return {};
+    const bool is_larger = wanted != gui.scale;
+    gui.scale = wanted;
+    gui.is_light = is_light;
+    set_style(gui.scale, is_light);
+    return is_larger ? load_letters(renderer, gui) : Result<void>();
+}
+
+void begin_gui(Gui&, bool keys, int tap) {
+    constexpr int k_moving[] = {GLFW_KEY_TAB,      GLFW_KEY_SPACE,  GLFW_KEY_ENTER,
+                                GLFW_KEY_KP_ENTER, GLFW_KEY_ESCAPE, GLFW_KEY_LEFT,
+                                GLFW_KEY_RIGHT,    GLFW_KEY_UP,     GLFW_KEY_DOWN};
     ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags = keys ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+    if (keys)
+        for (const int key : k_moving) io.KeysDown[key] = key == tap;
     ImGui::NewFrame();
 }
 
@@ -162,6 +190,8 @@ Panels end_gui(Gui& gui) {
 
 bool gui_has_mouse() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantCaptureMouse; }
 float gui_wheel() { return gui_has_mouse() ? 0 : ImGui::GetIO().MouseWheel; }
-bool gui_has_keys() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput; }
+bool gui_has_keys() {
+    return ImGui::GetCurrentContext() && (ImGui::GetIO().WantTextInput || ImGui::GetIO().ConfigFlags != 0);
+}
 
 }  // namespace flaneur

@@ -18,6 +18,7 @@ struct Gui {
     std::vector<uint16_t> indices;
     std::vector<PanelDraw> draws;
     float scale = 1;                  // of letters and all else
+    bool is_light = false;            // of theme
     std::vector<RgbaImage> pictures;  // that panels show beside letters,
     std::vector<glm::vec4> boxes;     // and where they find them: u and v of two corners
 };
@@ -32,8 +33,14 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale, std
 // Letters of headings, half as large again.
 ImFont* title_font();
 
+// Letters and all else in another size (as make_gui takes it) and theme, from the next frame on; nothing
+// happens where they are so already.
+Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float scale, bool is_light);
+
 // Between these two the calls of ImGui lay out what is seen. What is returned is valid until the next call.
-void begin_gui(Gui& gui);
+// `keys`: whether arrows, Tab, Space and Enter move about in panels; of them ImGui learns in this frame that
+// `tap` is pressed, and of none in another way. 0: of none.
+void begin_gui(Gui& gui, bool keys = false, int tap = 0);
 Panels end_gui(Gui& gui);
 
 // Whether the cursor, or the keys, are a panel's.

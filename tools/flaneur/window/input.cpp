@@ -23,7 +23,7 @@ Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWind
 // one types in it.
 void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Viewer& v = viewer_of(window);
-    const bool has_own_keys = v.palette.is_open || v.opening.prompt.is_open;
+    const bool has_own_keys = v.palette.is_open || v.opening.prompt.is_open || v.panel_keys.are_on;
     if (action == GLFW_RELEASE || (gui_has_keys() && !has_own_keys)) return;
     if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
     if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});
@@ -83,7 +83,7 @@ bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float second
     float turn = 0, tilt = 0;
     if (before.is_held && now.is_held) {
         turn = static_cast<float>(before.x - now.x) * k_look_speed;
-        tilt = static_cast<float>(before.y - now.y) * k_look_speed;
+        tilt = static_cast<float>(before.y - now.y) * k_look_speed * (v.settings.inverts_look ? -1.0f : 1.0f);
     }
     if (ahead == 0 && left == 0 && up == 0 && turn == 0 && tilt == 0) return false;
 
@@ -95,7 +95,8 @@ bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float second
     const Vec2 d = heading_direction(heading_of({way.x, way.z}) + turn);
     const glm::vec3 forward{d.x * pitch.cosine, pitch.sine, d.z * pitch.cosine};
     const glm::vec3 sideways{d.z, 0, -d.x};
-    v.camera.eye += (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * seconds);
+    v.camera.eye +=
+        (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * v.settings.pace * seconds);
     v.camera.target = v.camera.eye + forward;
     return true;
 }

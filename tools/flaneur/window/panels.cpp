@@ -8,10 +8,13 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/base/tick.h"
 #include "tools/flaneur/window/card.h"
 #include "tools/flaneur/window/palette.h"
+#include "tools/flaneur/window/settings/room.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
@@ -22,16 +25,6 @@ struct RoomPanel {
     const char *name, *tip;
     void (*lay_out)(Show& show, Viewer& viewer, float scale);
 };
-
-std::string clock_text(const Show& show) {
-    const float seconds = static_cast<float>(show.loaded.world->tick) * k_tick;
-    const double hour =
-        static_cast<double>(show.loaded.world->crowd.demand.hour) + static_cast<double>(seconds) / 3600;
-    const auto second = static_cast<int>(std::fmod(hour, 24.0) * 3600);
-    char text[32];
-    std::snprintf(text, sizeof text, "%02d:%02d:%02d", second / 3600, second / 60 % 60, second % 60);
-    return text;
-}
 
 // What is drawn over the city.
 void lay_out_layers(Show& show, Viewer& v, float scale) {
@@ -46,6 +39,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 constexpr RoomPanel k_rooms[] = {
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
+    {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
 };
 
 void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
@@ -61,6 +55,16 @@ void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
         ImGui::End();
         if (!is_open) v.room = Room::none;
     }
+}
+
+// To the panel whose turn it is: the bar, the room, the card.
+void give_keys(Viewer& v) {
+    if (!std::exchange(v.panel_keys.wants_focus, false)) return;
+    std::vector<const char*> shown = {"time"};
+    for (const RoomPanel& room : k_rooms)
+        if (room.room == v.room) shown.push_back(room.name);
+    if (v.selected) shown.push_back("who");
+    ImGui::SetWindowFocus(shown[v.panel_keys.panel % shown.size()]);
 }
 
 void lay_out_bar(const Show& show, Viewer& v, float scale) {
@@ -118,6 +122,16 @@ void lay_out_note(const Viewer& v, Size size, float scale) {
 
 }  // namespace
 
+std::string clock_text(const Show& show) {
+    const float seconds = static_cast<float>(show.loaded.world->tick) * k_tick;
+    const double hour =
+        static_cast<double>(show.loaded.world->crowd.demand.hour) + static_cast<double>(seconds) / 3600;
+    const auto second = static_cast<int>(std::fmod(hour, 24.0) * 3600);
+    char text[32];
+    std::snprintf(text, sizeof text, "%02d:%02d:%02d", second / 3600, second / 60 % 60, second % 60);
+    return text;
+}
+
 void tell(Viewer& viewer, const std::string& what) {
     constexpr double k_seconds = 5;
     viewer.note = what;
@@ -143,6 +157,7 @@ void lay_out_loading(const std::string& city, const std::string& doing, const ch
 }
 
 void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
+    if (viewer.presentation.is_on) return lay_out_presentation(show, viewer, size, scale);
     lay_out_keys(viewer, size, scale);
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
@@ -152,6 +167,8 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);
+    give_keys(viewer);
+    keep_changed_settings(viewer);
 }
 
 }  // namespace flaneur

@@ -13,6 +13,9 @@ namespace flaneur {
 void lay_out_loading(const std::string& city, const std::string& doing, const char* hint, Size size,
                      float scale);
 
+// The time of day in the city: "17:30:05".
+std::string clock_text(const Show& show);
+
 // Says something for a while.
 void tell(Viewer& viewer, const std::string& what);
 

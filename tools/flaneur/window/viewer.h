@@ -9,12 +9,15 @@
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/window/clock.h"
 #include "tools/flaneur/window/open/open.h"
+#include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
+#include "tools/flaneur/window/settings/panel_keys.h"
+#include "tools/flaneur/window/settings/settings.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, record };
+enum class Room : uint8_t { none, layers, record, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -48,6 +51,10 @@ struct Viewer {
     double note_until = 0;  // of the panels' time
     Opening opening;
     Record record;
+    Presentation presentation;
+    Settings settings, kept_settings;  // these in their file
+    int letters_percent = 100;         // while they are dragged
+    PanelKeys panel_keys;
     float resolution = 1;  // share of the window's pixels that the picture is drawn in
 };
 

@@ -11,11 +11,11 @@ inline constexpr float k_below_bar = 58;  // where panels begin below the bar, t
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove;
 // One with a title, which is closed by a cross.
-inline constexpr ImGuiWindowFlags k_room =
-    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
-    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+inline constexpr ImGuiWindowFlags k_room = ImGuiWindowFlags_AlwaysAutoResize |
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                                           ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove;
 
 // What the last item is for, while one points at it.
 inline void tip(const char* what) {

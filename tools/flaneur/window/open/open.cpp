@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tools/flaneur/console/console.h"
+#include "tools/flaneur/load/load.h"
 #include "tools/flaneur/window/open/complete.h"
 #include "tools/flaneur/window/open/recent.h"
 #include "tools/flaneur/window/panels.h"
@@ -21,7 +22,7 @@ void keep_in_mind(Opening& opening, const std::string& path) {
     keep_recent(recent_file(), opening.recent);
 }
 
-void wish(Viewer& v, Result<Wish> wish) {
+void wish(Viewer& v, Result<ShowWish> wish) {
     if (!wish) {
         say(wish.error().message);
         return tell(v, printable(wish.error().message));
@@ -39,7 +40,7 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
     v.clock.due = 0;
 }
 
-void show_next(Show& show, Wish wish, Result<PreparedShow> prepared, Viewer& v) {
+void show_next(Show& show, ShowWish wish, Result<PreparedShow> prepared, Viewer& v) {
     Result<void> done =
         prepared ? upload_show(show, std::move(*prepared), show.work_views) : Result<void>(prepared.error());
     if (!done) {
@@ -48,8 +49,10 @@ void show_next(Show& show, Wish wish, Result<PreparedShow> prepared, Viewer& v) 
         return tell(v, printable(done.error().message));
     }
     end_film(v);
+    end_presentation(v);
     begin_anew(show, wish.options, v);
     v.opening.words = std::move(wish.words);
+    v.opening.name = city_name(wish.options.scene);
     keep_in_mind(v.opening, wish.file);
     say(wish.told);
     tell(v, printable(wish.told));
@@ -59,6 +62,7 @@ void show_next(Show& show, Wish wish, Result<PreparedShow> prepared, Viewer& v) 
 
 void begin_opening(const Options& options, Opening& opening) {
     opening.words = options.words;
+    opening.name = city_name(options.scene);
     opening.start.is_open = options.starts;
     opening.recent = read_recent(recent_file());
     const Scene& scene = options.scene;
@@ -76,7 +80,7 @@ void go_on_opening(Show& show, Viewer& v) {
     if (!o.dropped.empty()) open_path(v, std::exchange(o.dropped, {}).back());
     if (o.under_way && o.loading.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         Result<PreparedShow> prepared = o.loading.get();
-        Wish loaded = std::move(*std::exchange(o.under_way, std::nullopt));
+        ShowWish loaded = std::move(*std::exchange(o.under_way, std::nullopt));
         const bool is_wanted = !std::exchange(o.is_unwanted, false) && !o.next;
         if (is_wanted) show_next(show, std::move(loaded), std::move(prepared), v);
         clear_progress();

@@ -15,6 +15,7 @@
 
 namespace flaneur {
 
+struct Action;
 struct Viewer;
 
 // Where a path is typed.
@@ -35,11 +36,12 @@ struct StartScreen {
 };
 
 struct Opening {
-    std::vector<std::string> words;    // that what is shown was opened with, after `flaneur view`
-    std::vector<std::string> dropped;  // files, not looked at yet
-    std::optional<Wish> next;          // to be loaded
-    std::optional<Wish> under_way;     // is being loaded
-    bool is_unwanted = false;          // what is under way
+    std::string name;                   // of the city that is shown
+    std::vector<std::string> words;     // that what is shown was opened with, after `flaneur view`
+    std::vector<std::string> dropped;   // files, not looked at yet
+    std::optional<ShowWish> next;       // to be loaded
+    std::optional<ShowWish> under_way;  // is being loaded
+    bool is_unwanted = false;           // what is under way
     std::future<Result<PreparedShow>> loading;
     PathPrompt prompt;
     StartScreen start;
@@ -71,5 +73,8 @@ void open_start_screen(Show& show, Viewer& viewer);
 void lay_out_opening(Show& show, Viewer& viewer, Size size, float scale);
 // Keys while a path is typed, or one chooses what to begin with; whether they were for that.
 bool press_in_opening(int key, Show& show, Viewer& viewer);
+
+// All of it (window/actions.h).
+std::span<const Action> opening_actions();
 
 }  // namespace flaneur

@@ -33,7 +33,7 @@ void add(std::vector<std::string>& words, const char* option, std::string value)
     words.push_back(std::move(value));
 }
 
-Result<Wish> parsed(Wish wish) {
+Result<ShowWish> parsed(ShowWish wish) {
     std::vector<std::string> all = {"flaneur", "view"};
     all.insert(all.end(), wish.words.begin(), wish.words.end());
     std::vector<char*> pointers;
@@ -47,7 +47,7 @@ Result<Wish> parsed(Wish wish) {
 }
 
 // As `told` says who is how many of all.
-std::string told_share(const Wish& wish, const std::string& name) {
+std::string told_share(const ShowWish& wish, const std::string& name) {
     const size_t kinds = wish.options.scene.people.size();
     return name + " walks now: " + (kinds == 2 ? "half" : "one in " + std::to_string(kinds)) +
            " of the people, whose others stay.";
@@ -55,10 +55,10 @@ std::string told_share(const Wish& wish, const std::string& name) {
 
 }  // namespace
 
-Result<Wish> wish_for_file(const std::vector<std::string>& words, const std::string& path) {
+Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std::string& path) {
     if (Result<void> found = find_file(path); !found) return found.error();
     const std::string name = std::filesystem::path(path).filename().string();
-    Wish wish{words, {}, path, {}};
+    ShowWish wish{words, {}, path, {}};
     const FileKind kind = kind_of(path);
     if (has_ending(path, ".json")) {
         wish.words = without(without(words, k_place), k_people);
@@ -80,15 +80,15 @@ Result<Wish> wish_for_file(const std::vector<std::string>& words, const std::str
             " cannot be opened here: a map is an .osm or .osm.pbf, a city or a character a .glb, .gltf or "
             ".vrm, a scene a .json, and heights under a map are a .hgt or .tif."};
     }
-    Result<Wish> done = parsed(std::move(wish));
+    Result<ShowWish> done = parsed(std::move(wish));
     if (!done) return Error{name + " cannot be opened: " + done.error().message};
     const bool is_person = kind == FileKind::gltf && done->options.scene.city != path;
     done->told = is_person ? told_share(*done, name) : name + " is open.";
     return done;
 }
 
-Result<Wish> wish_for_scene(const std::vector<std::string>& words, const std::string& name) {
-    Wish wish{without(without(words, k_place), k_people), {}, {}, "The scene " + name + " is open."};
+Result<ShowWish> wish_for_scene(const std::vector<std::string>& words, const std::string& name) {
+    ShowWish wish{without(without(words, k_place), k_people), {}, {}, "The scene " + name + " is open."};
     add(wish.words, "--scene", name);
     return parsed(std::move(wish));
 }

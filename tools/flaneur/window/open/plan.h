@@ -9,7 +9,7 @@
 namespace flaneur {
 
 // What is to be shown next.
-struct Wish {
+struct ShowWish {
     std::vector<std::string> words;  // as they would follow `flaneur view`
     Options options;                 // what they say
     std::string file;                // that was opened, a full path; empty: a built-in scene
@@ -20,9 +20,9 @@ struct Wish {
 // people stay; a character, a glTF with one or .vrm, joins them, with as large a share as each of the others;
 // an elevation file, .hgt, .hgt.zip or .tif, goes under a map; a scene, .json, comes in place of all. What is
 // said of the device, the window and threads stays. Refuses other files, and what cannot be opened.
-Result<Wish> wish_for_file(const std::vector<std::string>& words, const std::string& path);
+Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std::string& path);
 
 // The same of a built-in scene.
-Result<Wish> wish_for_scene(const std::vector<std::string>& words, const std::string& name);
+Result<ShowWish> wish_for_scene(const std::vector<std::string>& words, const std::string& name);
 
 }  // namespace flaneur

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -154,17 +155,23 @@ Result<Size> size_of(const PictureChoice& choice, Size window) {
     return size;
 }
 
-Camera turned(const Turntable& turn, glm::vec3 middle, uint32_t picture) {
-    const float share = static_cast<float>(picture) / static_cast<float>(std::max(turn.pictures, 1u));
-    const SinCos a = sin_cos(share * 2 * k_pi);
+Camera turned_round(const Camera& from, glm::vec3 middle, float angle) {
+    const SinCos a = sin_cos(angle);
     auto round = [&](glm::vec3 place) {
-        const glm::vec3 out = place - turn.middle;
+        const glm::vec3 out = place - middle;
         return middle +
                glm::vec3(out.x * a.cosine + out.z * a.sine, out.y, out.z * a.cosine - out.x * a.sine);
     };
-    Camera camera = turn.from;
-    camera.eye = round(turn.from.eye);
-    camera.target = round(turn.from.target);
+    Camera camera = from;
+    camera.eye = round(from.eye);
+    camera.target = round(from.target);
+    return camera;
+}
+
+Camera turned(const Turntable& turn, glm::vec3 middle, uint32_t picture) {
+    const float share = static_cast<float>(picture) / static_cast<float>(std::max(turn.pictures, 1u));
+    Camera camera = turned_round(turn.from, turn.middle, share * 2 * k_pi);
+    camera.eye += middle - turn.middle, camera.target += middle - turn.middle;
     return camera;
 }
 

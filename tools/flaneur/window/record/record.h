@@ -3,16 +3,18 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/output/film.h"
 #include "tools/flaneur/view/show.h"
-#include "tools/flaneur/window/clock.h"
 
 namespace flaneur {
 
+struct Action;
+struct Clock;
 struct Viewer;
 
 // How large a picture is to be.
@@ -34,6 +36,8 @@ struct Turntable {
     Camera from;
     uint32_t pictures = 0;
 };
+// A camera further round the upright line through a place, by an angle, radians.
+Camera turned_round(const Camera& from, glm::vec3 middle, float angle);
 // That of a picture, from 0; `middle` is where the middle is by now.
 Camera turned(const Turntable& turn, glm::vec3 middle, uint32_t picture);
 
@@ -81,5 +85,8 @@ void open_record_room(Show& show, Viewer& viewer);
 void lay_out_record(Show& show, Viewer& viewer, float scale);
 // How far the film is, over the city.
 void lay_out_filming(const Viewer& viewer, Size size, float scale);
+
+// All of it (window/actions.h).
+std::span<const Action> record_actions();
 
 }  // namespace flaneur
