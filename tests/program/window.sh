@@ -4,6 +4,7 @@
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=$(mktemp -d)
+export XDG_STATE_HOME=$folder/state XDG_CONFIG_HOME=$folder/config
 children=()
 finish() {
     for child in "${children[@]}"; do kill "$child" 2> /dev/null || true; done
@@ -84,8 +85,25 @@ xdotool key c
 for _ in {1..40}; do if grep --quiet '^flaneur render' said; then break; fi; sleep 0.25; done
 command=$(grep '^flaneur render' said | tail -1)
 grep --quiet --text --fixed-strings "$command" together.png || failed "the picture does not hold its command"
-(eval "$1 ${command#flaneur }")
-"$here/pictures/differ.py" together.png picture.png 0
+"$1" render --like together.png --out again.png
+"$here/pictures/differ.py" together.png again.png 0
+# A film of steps, and the next city in the same window; a scene that cannot be read changes nothing.
+xdotool key r sleep 2 key r
+for _ in {1..80}; do if grep --quiet '^Wrote out/film-.*mp4' said; then break; fi; sleep 0.25; done
+ffprobe -loglevel error "$(find out -name 'film-*.mp4')" || failed "the film is not whole"
+echo '{"walkers": -1}' > bad.json
+echo '{"walkers": 5, "blocks": 1, "camera": "overview"}' > good.json
+open_typed() {  # FILE SAID
+    xdotool key ctrl+o sleep 1 key ctrl+a type "$folder/$1"
+    xdotool sleep 1 key Return
+    for _ in {1..160}; do if grep --quiet "$2" said; then return; fi; sleep 0.25; done
+    failed "no word of $1"
+}
+open_typed bad.json '^bad.json cannot be opened'
+xdotool key Escape
+open_typed good.json '^good.json is open'
+[[ $(xdotool sleep 2 getwindowname "$window") == *' 5 walkers '* ]] || failed "the scene is not shown"
+xdotool windowfocus "$window"
 rm -r out && touch out
 xdotool key F12
 for _ in {1..80}; do if grep --quiet 'Cannot write out/view-' said; then break; fi; sleep 0.25; done

@@ -16,7 +16,8 @@ uint32_t ticks_of(Clock& clock, uint32_t step, uint32_t pictures, double each) {
     uint32_t ticks = 0;
     for (uint32_t i = 0; i < pictures; ++i) {
         ticks += ticks_due(clock, seconds_to_pass(record, each));
-        if (!clock.is_paused && clock.rate == 1) EXPECT_EQ(between_pictures(record, clock), 1);
+        const bool is_usual = !clock.is_paused && clock.rate == 1;
+        EXPECT_TRUE(!is_usual || between_pictures(record, clock) == 1) << "each tick as it is";
     }
     return ticks;
 }

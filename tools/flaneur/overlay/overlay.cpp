@@ -30,11 +30,11 @@ struct SpeedColour {
     const char* what;
     uint32_t colour;
 };
-constexpr SpeedColour k_speed_colours[] = {{0, "stands", ink(0x3d5a99)},
+constexpr SpeedColour k_speed_colours[] = {{0, "stands", ink(0x34508f)},
                                            {0.6f, "0.6 m/s", ink(0x3f9f9a)},
-                                           {1.2f, "1.2 m/s", ink(0x8fc15a)},
-                                           {1.6f, "1.6 m/s", ink(0xe9c445)},
-                                           {2.2f, "2.2 m/s", ink(0xdb5a3a)}};
+                                           {1.2f, "1.2 m/s", ink(0xa3c95f)},
+                                           {1.6f, "1.6 m/s", ink(0xf1d04a)},
+                                           {2.2f, "2.2 m/s", ink(0xb83a2c)}};
 
 // Fruin's levels of service on walkways, people to a square metre (J. J. Fruin, Pedestrian Planning and
 // Design, 1971: 35, 25, 15, 10 and 5 square feet a person).

@@ -53,9 +53,11 @@ glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint
 glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Character& character, Joint joint,
                        glm::vec3 v);
 
-// Of Fruin's levels of service, A to F.
-inline constexpr uint32_t k_fruin_colours[] = {ink(0x4f9f6a), ink(0x9dbb4f), ink(0xe0cf4a),
-                                               ink(0xe79a3c), ink(0xd9573a), ink(0x9b2335)};
+// Of Fruin's levels of service, A to F. Any two are at least 18 apart in CIELAB for those too who see no red,
+// no green or no blue (G. M. Machado and others, A Physiologically-based Model for Simulation of Color Vision
+// Deficiency, 2009); so are the colours of speed.
+inline constexpr uint32_t k_fruin_colours[] = {ink(0x2f6f9f), ink(0x4fa3a5), ink(0xa9c66c),
+                                               ink(0xf0d24a), ink(0xe08a34), ink(0xa8323f)};
 inline constexpr uint32_t k_surface_colours[k_surface_count] = {
     ink(0x5f6f86, 0.6f), ink(0x3f9f9a, 0.6f), ink(0xe7c14a, 0.6f), ink(0xd98c5f, 0.6f), ink(0x9dbb4f, 0.6f),
     ink(0xa06ab4, 0.6f), ink(0x5f8f3f, 0.6f), ink(0x3d5a99, 0.6f), ink(0x6b5f57, 0.6f)};

@@ -84,7 +84,9 @@ void lay_out_bar(const Show& show, Viewer& v, float scale) {
     ImGui::Text("%s", clock_text(show).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps,
-                        v.resolution < 1 ? "   coarser while you move" : "");
+                        v.resolution < 1 ? (v.record.filming ? "   coarser while a film is made"
+                                                             : "   coarser while you move")
+                                         : "");
     for (const RoomPanel& room : k_rooms) {
         ImGui::SameLine();
         if (ImGui::Button(room.name)) v.room = v.room == room.room ? Room::none : room.room;

@@ -46,6 +46,7 @@ void lay_out_settings(Show&, Viewer& v, float scale) {
     Settings& s = v.settings;
     lay_out_letters(s, v.letters_percent, scale);
     int theme = s.is_light;
+    ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("panels");
     ImGui::SameLine();
     if (ImGui::RadioButton("dark", &theme, 0)) s.is_light = false;
