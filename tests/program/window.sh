@@ -94,8 +94,8 @@ ffprobe -loglevel error "$(find out -name 'film-*.mp4')" || failed "the film is 
 echo '{"walkers": -1}' > bad.json
 echo '{"walkers": 5, "blocks": 1, "camera": "overview"}' > good.json
 open_typed() {  # FILE SAID
-    xdotool key ctrl+o sleep 1 key ctrl+a type "$folder/$1"
-    xdotool sleep 1 key Return
+    xdotool key ctrl+o sleep 2 type "$1"  # in the folder that it begins with
+    xdotool sleep 2 key Return
     for _ in {1..160}; do if grep --quiet "$2" said; then return; fi; sleep 0.25; done
     failed "no word of $1"
 }

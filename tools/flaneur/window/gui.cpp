@@ -158,8 +158,9 @@ void begin_gui(Gui&, bool keys, int tap) {
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = keys ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
-    if (keys)
-        for (const int key : k_moving) io.KeysDown[key] = key == tap;
+    if (!keys) io.KeysDown[GLFW_KEY_TAB] = false;  // which would go to a field all the same
+    for (const int key : k_moving)
+        if (keys) io.KeysDown[key] = key == tap;
     ImGui::NewFrame();
 }
 
