@@ -25,7 +25,6 @@ Error stopped(const Options& options, Output& output, uint32_t drawn) {
                        std::to_string(count(ticks)) + " pictures; --resume goes on");
 }
 
-<<<<<<< HEAD
 // One that was chosen may be wanted again, at another time or tick.
 void say_camera(const CameraChoice& choice, const Camera& camera) {
     if (choice.kind == CameraChoice::Kind::fixed || choice.kind == CameraChoice::Kind::follow) return;
@@ -34,11 +33,8 @@ void say_camera(const CameraChoice& choice, const Camera& camera) {
     say("Seen from --camera " + told_camera({CameraChoice::Kind::fixed, 0, eye, target}));
 }
 
-Result<void> draw_all(Show& show, const Options& options, Output& output) {
-=======
 // `depth`: a file for how far away things are; null: nowhere.
 Result<void> draw_all(Show& show, const Options& options, Output& output, PartFilePtr depth) {
->>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
     uint32_t pictures = count(ticks);
@@ -59,11 +55,8 @@ Result<void> draw_all(Show& show, const Options& options, Output& output, PartFi
         is_new = true;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
-<<<<<<< HEAD
         frame.companion = companion_of(options.scene.camera);
-=======
         frame.wants_depths = options.is_transparent || depth;
->>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
         Result<Image> image =
             draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                        static_cast<uint32_t>(options.scene.size.height));

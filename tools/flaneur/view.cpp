@@ -146,19 +146,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             if (Result<void> done = take_pictures(show, v, size, between); !done) return done;
             FrameInput frame = extract_frame(show, v.camera, size, between);
-<<<<<<< HEAD
             frame.companion = companion_of(v.choice);
-            const std::string command =
-                v.wants_picture || v.wants_command
-                    ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
-                    : std::string();
-            if (std::exchange(v.wants_picture, false)) {
-                Result<std::string> told = save_picture(show, frame, size, command);
-                if (!told) return told.error();
-                tell(v, printable(*told));
-            }
-=======
->>>>>>> 8dee0bb (Files, scenes and pictures: what is dropped or typed is opened in the window that is there; a start screen; films by steps; depth and transparency)
             if (std::exchange(v.wants_command, false)) {
                 const std::string command =
                     command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, world.tick});

@@ -11,6 +11,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
@@ -69,11 +70,17 @@ Result<Image> draw(Show& show, const FrameInput& frame, Size size) {
                       static_cast<uint32_t>(size.height));
 }
 
+FrameInput frame_of(Show& show, const Viewer& v, Size size, float between) {
+    FrameInput frame = extract_frame(show, v.camera, size, between);
+    frame.companion = companion_of(v.choice);
+    return frame;
+}
+
 // Draws and writes one of the chosen size.
 void take_picture(Show& show, Viewer& v, Size window, float between) {
     const Result<Size> size = size_of(v.record.picture, window);
     if (!size) return report(v, size.error().message);
-    FrameInput frame = extract_frame(show, v.camera, *size, between);
+    FrameInput frame = frame_of(show, v, *size, between);
     frame.wants_depths = v.record.picture.is_transparent || v.record.picture.has_depth;
     const Result<Image> image = draw(show, frame, *size);
     const Result<std::string> told = image ? write_picture(show, v, *image, true) : image.error();
@@ -118,8 +125,7 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
 Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     Filming& filming = *v.record.filming;
     if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
-    const Result<Image> image =
-        draw(show, extract_frame(show, v.camera, filming.size, between), filming.size);
+    const Result<Image> image = draw(show, frame_of(show, v, filming.size, between), filming.size);
     if (!image) return image.error();
     if (Result<void> written = write_film(*filming.film, image->rgba); !written) {
         v.record.filming.reset();
