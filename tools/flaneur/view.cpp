@@ -15,7 +15,6 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
-#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/asked.h"
@@ -112,9 +111,11 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
-                      const std::vector<std::string>& words, uint32_t close_after) {
+Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, const Options& options) {
     World& world = *show.loaded.world;
+    const std::vector<std::string>& words = options.words;
+    const uint32_t close_after = options.close_after;
+    const bool has_lens = options.scene.fov > 0;
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -129,22 +130,22 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         const double now = glfwGetTime(), passed = now - last;
         last = now;
         act_on_presses(show, v);
-        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
+        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
+            step(show);
+            ride(world, v.cameras, v.choice);
+        }
         const float between = between_ticks(v.clock);
 
-        const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
-        if (is_following || !v.chosen) {
-            v.camera = choose_camera(*show.loaded.city, world, show.sun, v.choice, between);
-            v.chosen = true;
-        }
         const bool is_panels = gui_has_mouse();
         const Mouse before = mouse;
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
-        bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
-        is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
-        is_moving |= is_following && !v.clock.is_paused;
+        const auto seconds = static_cast<float>(passed);
+        const Steering hands = steering_of(window, before, mouse) + read_pad(window, seconds, v);
+        bool is_moving = navigate(world, before, mouse, gui_wheel(), size, grip, v);
+        is_moving |= steer(show, hands, seconds, v);
+        is_moving |= move_camera(show, size, seconds, between, v);
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
@@ -153,7 +154,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             frame.companion = companion_of(v.choice);
             const std::string command =
                 v.wants_picture || v.wants_command
-                    ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
+                    ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick, has_lens})
                     : std::string();
             if (std::exchange(v.wants_picture, false)) {
                 Result<std::string> told = save_picture(show, frame, size, command);
@@ -167,6 +168,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             }
             ask(show, mouse, size, is_panels, v);
             mark_asked(v, show, frame);
+            mark_path(v, show, frame);
             begin_gui(gui);
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
@@ -206,6 +208,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Viewer viewer;
     viewer.choice = options.scene.camera;
+    viewer.cameras.fov = options.scene.fov;
     listen(window.get(), viewer);
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, 0);
     if (!gui) return gui.error();
@@ -213,7 +216,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!show) return show.error();
     viewer.is_loading = false;
     viewer.walkers = show->loaded.world->crowd.count;
-    return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
+    return run_loop(*show, window.get(), **gui, viewer, options);
 }
 
 }  // namespace

@@ -93,6 +93,8 @@ struct Options {
 
     // render
     TickRange ticks;
+    std::string camera_path;  // a file (view/path.h); empty: the scene's camera
+    bool has_ticks = false;   // they were asked for
     bool resume = false;
 
     std::string out;  // where render, city and bench peers write

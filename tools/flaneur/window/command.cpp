@@ -4,11 +4,14 @@
 #include <array>
 #include <cctype>
 
+#include "tools/flaneur/view/camera.h"
+
 namespace flaneur {
 namespace {
 
 // Options of one value that what is shown says anew, or that only a window has.
-constexpr std::array k_replaced = {"--camera", "--view", "--size", "--frames", "--out", "--close-after"};
+constexpr std::array k_replaced = {"--camera", "--fov", "--view",       "--size",
+                                   "--frames", "--out", "--close-after"};
 
 bool is_replaced(std::string_view option) {
     return std::find(k_replaced.begin(), k_replaced.end(), option) != k_replaced.end();
@@ -34,7 +37,7 @@ std::string quoted(const std::string& word) {
 Vec3 from_glm(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
 CameraChoice camera_of(const Shown& shown) {
-    if (shown.choice.kind == CameraChoice::Kind::follow) return shown.choice;
+    if (shown.choice.kind == CameraChoice::Kind::map) return shown.choice;
     return {CameraChoice::Kind::fixed, 0, from_glm(shown.camera.eye), from_glm(shown.camera.target)};
 }
 
@@ -59,6 +62,9 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
         if (!value.empty()) all.insert(all.end(), {option, value});
     };
     add("--camera", told_camera(camera_of(shown)));
+    const bool has_lens = shown.choice.kind != CameraChoice::Kind::map &&
+                          (shown.has_lens || shown.camera.vertical_fov != k_fov);
+    add("--fov", has_lens ? told_fov(shown.camera.vertical_fov) : "");
     add("--view", views_of(shown.views));
     add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
     add("--frames", std::to_string(shown.tick));

@@ -11,11 +11,12 @@ namespace flaneur {
 
 // What is shown.
 struct Shown {
-    CameraChoice choice;  // of it only who is followed counts
+    CameraChoice choice;  // of it only a map counts: else the camera's place is told
     Camera camera;
     WorkViews views;
     Size size;
     uint32_t tick = 0;
+    bool has_lens = false;  // the words, or the scene that they name, have one
 };
 
 // `flaneur render` with the words that opened the window (what followed `flaneur view`), but for those that

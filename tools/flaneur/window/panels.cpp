@@ -10,6 +10,7 @@
 #include <string>
 
 #include "sim/base/tick.h"
+#include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/card.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/widgets.h"
@@ -46,6 +47,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 }
 
 constexpr RoomPanel k_rooms[] = {
+    {Room::cameras, "Cameras", "where to look from: modes, lens, bookmarks, path", lay_out_cameras},
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
 };
 
@@ -146,6 +148,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_keys(viewer, size, scale);
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
+    lay_out_map(viewer, size, scale);
     if (!viewer.has_panels) return;
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);

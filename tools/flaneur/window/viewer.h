@@ -7,12 +7,13 @@
 
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/clock.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers };
+enum class Room : uint8_t { none, layers, cameras };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -31,6 +32,7 @@ struct Viewer {
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
+    Cameras cameras;
     bool is_loading = true;
     std::vector<KeyPress> presses;  // not acted upon yet
     bool wants_picture = false, wants_command = false, wants_close = false;
@@ -46,9 +48,5 @@ struct Viewer {
     double note_until = 0;  // of the panels' time
     float resolution = 1;   // share of the window's pixels that the picture is drawn in
 };
-
-void choose(Viewer& viewer, CameraChoice::Kind kind);
-// From wherever the camera is, the eye flies on freely.
-void take_off(Viewer& viewer);
 
 }  // namespace flaneur
