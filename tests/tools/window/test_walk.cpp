@@ -23,8 +23,8 @@ class OnFoot : public testing::Test {
         loaded = std::move(*made);
     }
     const World& world() const { return *loaded.world; }
-    Stroll set_down() const {
-        const Vec3 at = world().crowd.motion.position[0];
+    Stroll set_down(uint32_t where = 0) const {
+        const Vec3 at = world().crowd.motion.position[where];
         return set_foot(world(), make_camera(at + Vec3{0, 1.7f, 0}, at + Vec3{1, 1.7f, 0})).value();
     }
     Loaded loaded;
@@ -32,33 +32,36 @@ class OnFoot : public testing::Test {
 
 TEST_F(OnFoot, NeverGoesThroughWallsNorUnderTheGround) {
     const Ground& ground = *world().ground;
-    Stroll stroll = set_down();
     std::mt19937 chance(3);
     auto share = [&] { return static_cast<float>(chance() % 1000) / 1000; };
     Steering hands;
     int walls_met = 0;
     float way = 0;
-    for (int step = 0; step < 1000; ++step) {
-        if (step % 25 == 0)
-            hands = {.ahead = 0.3f + share(), .left = share() - 0.5f, .is_fast = step % 50 == 0};
-        hands.turn = step % 25 == 0 ? 5 * (share() - 0.5f) : 0.02f * (share() - 0.5f);
-        const Vec3 before = stroll.at.position;
-        walk(world(), hands, 0.02f + 0.2f * share(), stroll);
-        const Vec3 now = stroll.at.position;
-        way += length(on_ground(now - before));
-        // One tick's way is short against any wall's thickness, and no wall is between its ends.
-        const Vec3 chest{0, 1, 0};
-        EXPECT_TRUE(sees(ground, before + chest, now + chest)) << step;
-        const auto wall = closest_wall(ground, now + chest, 0.5f);
-        EXPECT_FALSE(wall && wall->distance < 0.1f) << step << ": " << wall->distance;
-        walls_met += wall.has_value();
-        const auto under = ground_at(ground, now, 0.6f, 1.5f);
-        ASSERT_TRUE(under) << step << ": inside a building, or off the ground";
-        EXPECT_GT(stroll.height.value, under->height + 1.1f) << step;
-        EXPECT_LT(stroll.height.value, under->height + 2.1f) << step;
+    for (uint32_t start = 0; start < 10; ++start) {
+        Stroll stroll = set_down(start);
+        for (int step = 0; step < 1000; ++step) {
+            if (step % 40 == 0)
+                hands = {.ahead = 0.6f + share(), .left = share() - 0.5f, .is_fast = step % 80 == 0};
+            hands.turn = step % 40 == 0 ? 5 * (share() - 0.5f) : 0.02f * (share() - 0.5f);
+            const Vec3 before = stroll.at.position;
+            walk(world(), hands, 0.02f + 0.2f * share(), stroll);
+            const Vec3 now = stroll.at.position;
+            way += length(on_ground(now - before));
+            // One tick's way is short against any wall's thickness, and no wall is between its ends.
+            const Vec3 chest{0, 1, 0};
+            EXPECT_TRUE(sees(ground, before + chest, now + chest)) << step;
+            const auto wall = closest_wall(ground, now + chest, 0.8f);
+            EXPECT_FALSE(wall && wall->distance < 0.15f) << step << ": " << wall->distance;
+            walls_met += wall.has_value();
+            const auto under = ground_at(ground, now, 0.6f, 1.5f);
+            ASSERT_TRUE(under) << step << ": inside a building, or off the ground, at " << now.x << " "
+                               << now.y << " " << now.z;
+            EXPECT_GT(stroll.height.value, under->height + 1.1f) << step;
+            EXPECT_LT(stroll.height.value, under->height + 2.1f) << step;
+        }
     }
     EXPECT_GT(walls_met, 10) << "or nothing was tried";
-    EXPECT_GT(way, 100);
+    EXPECT_GT(way, 1000);
 }
 
 TEST_F(OnFoot, StandsAtEyeHeightAndStopsWhenLetGo) {

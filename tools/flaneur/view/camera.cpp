@@ -256,9 +256,21 @@ Camera follow_camera(const World& world, uint32_t walker, float between) {
     return camera_behind(place);
 }
 
+// What stands between two places, and is not seen by rays, as seen from above.
+static bool is_beside_obstacles(const Ground& ground, Vec2 from, Vec2 to) {
+    constexpr float k_room = 0.2f;  // metres
+    const Vec2 way = to - from;
+    return std::none_of(ground.obstacles.begin(), ground.obstacles.end(), [&](const Obstacle& o) {
+        const Vec2 at = on_ground(o.position);
+        const float along = clamp(dot(at - from, way) / std::max(length_squared(way), 1e-6f), 0, 1);
+        return length(at - (from + way * along)) < std::max(o.half.x, o.half.z) + k_room;
+    });
+}
+
 Camera framing_camera(const World& world, Vec3 feet, float height, Vec3 from, float fov) {
     constexpr float k_share = 1.0f / 3, k_least = 1;  // of the picture; metres
     constexpr float k_dips[] = {0.12f, 0.35f, 0.7f};  // radians that one looks down
+    constexpr float k_obstacle = 0.8f;                // as much as so many radians round
     const Vec3 middle = feet + Vec3{0, 0.5f * height, 0}, away = from - middle;
     const float distance = std::max(height / k_share / (2 * std::tan(fov / 2)), k_least);
     const float nearest = length(on_ground(away)) > 1e-3f ? heading_of(on_ground(away)) : 0;
@@ -269,7 +281,8 @@ Camera framing_camera(const World& world, Vec3 feet, float height, Vec3 from, fl
             const float off = wrap_angle(static_cast<float>(side) * (2 * k_pi / k_headings));
             const Vec3 out = heading_vector(nearest + off) * std::cos(dip) + Vec3{0, std::sin(dip), 0};
             const Vec3 eye = middle + out * distance;
-            const float cost = std::fabs(off) + 2 * dip;
+            float cost = std::fabs(off) + 2 * dip;
+            if (!is_beside_obstacles(*world.ground, on_ground(eye), on_ground(feet))) cost += k_obstacle;
             if (cost >= least || !ground_at(*world.ground, eye, 0, 3 * distance)) continue;
             bool is_seen = true;
             for (const float part : {0.1f, 0.5f, 0.95f})

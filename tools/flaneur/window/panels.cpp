@@ -124,7 +124,8 @@ void lay_out_note(const Viewer& v, Size size, float scale) {
 void tell(Viewer& viewer, const std::string& what) {
     constexpr double k_seconds = 5;
     viewer.note = what;
-    viewer.note_until = ImGui::GetTime() + k_seconds;
+    const bool has_window = ImGui::GetCurrentContext() != nullptr;  // tests have none
+    viewer.note_until = (has_window ? ImGui::GetTime() : 0) + k_seconds;
 }
 
 void lay_out_loading(const std::string& city, const std::string& doing, Size size) {

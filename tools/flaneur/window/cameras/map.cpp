@@ -50,7 +50,7 @@ void draw_scale(ImDrawList& list, ImVec2 left, float pixels, float scale) {
 }  // namespace
 
 CameraChoice map_around(const World& world, const Camera& camera, Size size) {
-    constexpr float k_sight = 500, k_least = 60, k_most = 1500;  // metres
+    constexpr float k_sight = 500, k_least = 100, k_most = 1500;  // metres
     if (world.roam) return {};
     const glm::vec3 way = glm::normalize(camera.target - camera.eye);
     const auto hit =

@@ -16,10 +16,23 @@ constexpr float k_step_seconds = 1.0f / 30;  // at a time: never so far as past 
 constexpr float k_longest = 0.25f;           // seconds that are made up for
 constexpr float k_steepest = 1.5f;           // radians
 
-float ground_height(const World& world, Vec3 at) {
+std::optional<GroundHit> ground_under(const World& world, Vec3 at) {
     constexpr float k_up = 0.6f, k_down = 1.5f;  // how far the mesh may be off
-    const auto hit = ground_at(*world.ground, at, k_up, k_down);
+    return ground_at(*world.ground, at, k_up, k_down);
+}
+
+float ground_height(const World& world, Vec3 at) {
+    const auto hit = ground_under(world, at);
     return hit ? hit->height : at.y;
+}
+
+// A step on the mesh, which is coarser than the ground and may reach beyond it: never there.
+NavPoint stepped(const World& world, NavPoint from, Vec2 step) {
+    for (const Vec2 tried : {step, Vec2{step.x, 0}, Vec2{0, step.z}}) {
+        const NavPoint to = move_along(*world.navmesh, 0, from, from.position + at_height(tried, 0));
+        if (ground_under(world, to.position)) return to;
+    }
+    return from;
 }
 
 std::optional<NavPoint> near(const World& world, Vec3 place) {
@@ -72,8 +85,7 @@ bool walk(const World& world, const Steering& hands, float seconds, Stroll& walk
         walk.velocity += (wish - walk.velocity) * (1 - std::exp(-k_quickness * dt));
         if (wish == Vec2{} && length(walk.velocity) < 0.02f) walk.velocity = {};
         const Vec3 from = walk.at.position;
-        if (!(walk.velocity == Vec2{}))
-            walk.at = move_along(*world.navmesh, 0, walk.at, from + at_height(walk.velocity * dt, 0));
+        if (!(walk.velocity == Vec2{})) walk.at = stepped(world, walk.at, walk.velocity * dt);
         walk.velocity = on_ground(walk.at.position - from) / dt;  // walls take what goes against them
         const float ground = ground_height(world, walk.at.position);
         draw_towards(walk.height, ground + k_walking_eye, k_climb, dt);
