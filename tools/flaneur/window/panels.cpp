@@ -149,8 +149,8 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_keys(viewer, size, scale);
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
-    lay_out_map(viewer, size, scale);
     if (!viewer.has_panels) return;
+    lay_out_map(viewer, size, scale);
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);
