@@ -15,6 +15,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/asked.h"
@@ -151,7 +152,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, const
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);
-            frame.companion = companion_of(v.choice);
+            // A picture is the one that the command draws, which tells a place and no companion.
+            if (!v.wants_picture) frame.companion = companion_of(v.choice);
             const std::string command =
                 v.wants_picture || v.wants_command
                     ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick, has_lens})
