@@ -86,6 +86,16 @@ TEST_F(OnFoot, ComesDownWhereOneLooksAndOnlyWhereThereIsGround) {
     ASSERT_TRUE(down);
     EXPECT_LT(length(on_ground(down->at.position - at)), 15);
     EXPECT_EQ(down->pitch, 0) << "and looks ahead";
+    // Above a house, too, one comes down beside it.
+    for (const Face& face : world().ground->faces) {
+        if (face.kind != FaceKind::facade) continue;
+        const Vec3 inside =
+            (face.a + face.b) * 0.5f - cross(face.b - face.a, {0, 1, 0}) / length(face.b - face.a);
+        const auto beside =
+            set_foot(world(), make_camera(inside + Vec3{0, 300, 0}, inside + Vec3{0, 0, 0.2f}));
+        ASSERT_TRUE(beside);
+        EXPECT_LT(length(on_ground(beside->at.position - inside)), 45);
+    }
     EXPECT_FALSE(set_foot(world(), make_camera({5000, 50, 5000}, {5000, 100, 6000}))) << "beyond the city";
 }
 

@@ -36,24 +36,21 @@ NavPoint stepped(const World& world, NavPoint from, Vec2 step) {
 }
 
 std::optional<NavPoint> near(const World& world, Vec3 place) {
-    for (const float reach : {3.0f, 12.0f, 40.0f})
-        if (const auto found = nearest(*world.navmesh, 0, place, {reach, std::min(reach, 6.0f), reach}))
-            return found;
+    // Farther up, for who looks at a facade, or down at a house.
+    for (const Vec3 reach : {Vec3{3, 3, 3}, Vec3{12, 60, 12}, Vec3{40, 20'000, 40}})
+        if (const auto found = nearest(*world.navmesh, 0, place, reach)) return found;
     return {};
 }
 
 }  // namespace
 
 std::optional<Stroll> set_foot(const World& world, const Camera& camera) {
-    constexpr float k_on_foot = 6, k_sight = 1500, k_sky = 10'000;  // metres
+    constexpr float k_on_foot = 6, k_sight = 1500;  // metres
     if (!world.navmesh || world.roam) return {};
     const Gaze gaze = gaze_of(camera);
     std::optional<NavPoint> at;
-    auto below = [&](float down) {
-        const auto hit = ground_at(*world.ground, gaze.eye, 0.3f, down);
-        if (hit && !at) at = near(world, {gaze.eye.x, hit->height, gaze.eye.z});
-    };
-    below(k_on_foot);
+    if (const auto hit = ground_at(*world.ground, gaze.eye, 0.3f, k_on_foot))
+        at = near(world, {gaze.eye.x, hit->height, gaze.eye.z});
     if (!at) {
         const glm::vec3 way = glm::normalize(camera.target - camera.eye);
         const Vec3 ahead{way.x, way.y, way.z};
@@ -61,7 +58,7 @@ std::optional<Stroll> set_foot(const World& world, const Camera& camera) {
         // Before a wall, not behind it.
         if (hit) at = near(world, gaze.eye + ahead * std::max(hit->distance - 0.5f, 0.0f));
     }
-    if (!at) below(k_sky);
+    if (!at) at = near(world, gaze.eye);
     if (!at) return {};
     Stroll walk;
     walk.at = *at;
