@@ -40,8 +40,23 @@ double passing(double before, double here, double after, double to_here, double 
     return std::clamp(middle, -most, most);
 }
 
+// Long stretches beside short ones do not swing out: a place is passed so fast at most that it would take the
+// longer stretch's time for three times the shorter one's length.
+double most_passing(const CameraKey& before, const CameraKey& here, const CameraKey& after) {
+    constexpr double k_swing = 3;
+    const float shorter = std::min(length(here.eye - before.eye), length(after.eye - here.eye));
+    return k_swing * static_cast<double>(shorter) / std::max(here.time - before.time, after.time - here.time);
+}
+
 constexpr size_t k_places = 3;  // values of a key: x, y, z; then heading, pitch, lens
 using KeyValues = std::array<double, 6>;
+
+// A speed among places.
+void hold_back(KeyValues& speed, double most) {
+    const double now = std::hypot(speed[0], speed[1], speed[2]);
+    if (now <= most) return;
+    for (size_t i = 0; i < k_places; ++i) speed[i] *= most / now;
+}
 
 // Headings go on from `before` the shorter way round.
 KeyValues values_of(const CameraKey& key, double before) {
@@ -148,20 +163,20 @@ Camera camera_at(const CameraPath& path, double seconds) {
     const KeyValues after = has_after ? values_of(keys[b + 1], to[k_places]) : to;
     const double span = keys[b].time - keys[a].time;
     const double share = (time - keys[a].time) / span;
-    // Where it stays from one key to the next, it stays.
-    const bool stays = keys[a].eye == keys[b].eye;
-    const bool stayed = has_before && keys[a - 1].eye == keys[a].eye;
-    const bool will_stay = has_after && keys[b + 1].eye == keys[b].eye;
-    KeyValues now;
+    KeyValues leaving{}, arriving{}, now;
     for (size_t i = 0; i < now.size(); ++i) {
-        const bool is_place = i < k_places;
-        double leaving = 0, arriving = 0;
-        if (has_before && !(is_place && (stays || stayed)))
-            leaving = passing(before[i], from[i], to[i], keys[a].time - keys[a - 1].time, span, !is_place);
-        if (has_after && !(is_place && (stays || will_stay)))
-            arriving = passing(from[i], to[i], after[i], span, keys[b + 1].time - keys[b].time, !is_place);
-        now[i] = cubic(from[i], to[i], leaving, arriving, span, share);
+        const bool is_monotone = i >= k_places;
+        if (has_before)
+            leaving[i] =
+                passing(before[i], from[i], to[i], keys[a].time - keys[a - 1].time, span, is_monotone);
+        if (has_after)
+            arriving[i] =
+                passing(from[i], to[i], after[i], span, keys[b + 1].time - keys[b].time, is_monotone);
     }
+    if (has_before) hold_back(leaving, most_passing(keys[a - 1], keys[a], keys[b]));
+    if (has_after) hold_back(arriving, most_passing(keys[a], keys[b], keys[b + 1]));
+    for (size_t i = 0; i < now.size(); ++i)
+        now[i] = cubic(from[i], to[i], leaving[i], arriving[i], span, share);
     return camera_of(now);
 }
 

@@ -102,7 +102,8 @@ void save_path(Viewer& v) {
     const std::string text = path_text(v.cameras.path);
     std::fwrite(text.data(), 1, text.size(), (*to)->file);
     Result<void> kept = keep_file(std::move(*to));
-    tell(v, kept ? "Wrote " + file + ": flaneur render --camera-path " + file + " --out way.mp4 films it."
+    tell(v, kept ? "Wrote " + file + ": flaneur render --camera-path " + file +
+                       " --out way.mp4 films it, with the options of this scene."
                  : kept.error().message);
 }
 
@@ -199,6 +200,7 @@ void mark_path(const Viewer& v, Show& show, FrameInput& frame) {
     if (v.room != Room::cameras || c.is_on_path || c.path.keys.empty()) return;
     constexpr double k_piece = 0.15;  // seconds
     constexpr uint32_t k_most_pieces = 2000;
+    constexpr float k_out_of_sight = 1.5f;  // metres from the eye, where lines would lie across the picture
     constexpr uint32_t k_way = ink(0xf0b45a, 0.9f);
     Pen pen{.place = GizmoPlace::in_world};
     pen.pixels = 2.5f, pen.colour = k_way;
@@ -207,11 +209,12 @@ void mark_path(const Viewer& v, Show& show, FrameInput& frame) {
     glm::vec3 last = camera_at(c.path, 0).eye;
     for (uint32_t i = 1; i <= pieces; ++i) {
         const glm::vec3 next = camera_at(c.path, duration(c.path) * i / pieces).eye;
-        add_line(lines, pen, last, next);
+        if (glm::length(next - v.camera.eye) > k_out_of_sight) add_line(lines, pen, last, next);
         last = next;
     }
     for (const CameraKey& key : c.path.keys) {
         const glm::vec3 eye(key.eye.x, key.eye.y, key.eye.z), to(key.target.x, key.target.y, key.target.z);
+        if (glm::length(eye - v.camera.eye) < k_out_of_sight) continue;
         add_arrow(lines, pen, eye, eye + 1.2f * glm::normalize(to - eye), {0, 1, 0});
     }
     frame.lines = lines;
