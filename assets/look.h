@@ -18,9 +18,14 @@ struct Size {
 };
 
 struct CameraChoice {
-    enum class Kind { overview, street, crowd, follow, fixed } kind = Kind::street;
-    uint32_t walker = 0;  // follow
+    enum class Kind { overview, street, crowd, follow, eyes, map, fixed } kind = Kind::street;
+    uint32_t walker = 0;  // follow, eyes
     Vec3 eye, target;     // fixed, metres
+    // Of a map. `across` are the metres from the picture's left border to its right one; 0: all of the city,
+    // whose middle it then has.
+    Vec2 middle{0, 0};
+    float across = 0;
+    float bearing = 0;  // that is up, degrees clockwise from north
     bool operator==(const CameraChoice&) const = default;
 };
 
@@ -54,11 +59,19 @@ uint32_t rivals_of(WorkView view);
 // Switching one on switches its rivals off.
 WorkViews toggled(WorkViews views, WorkView view);
 
+inline constexpr float k_least_across = 5, k_most_across = 20'000;  // of a map, metres
+// Of lenses: how much is seen from the picture's lower border to its upper one, degrees.
+inline constexpr double k_least_fov = 1, k_most_fov = 150;
+// Radians, and back: the shortest degrees of which the same radians come.
+float fov_of(double degrees);
+std::string told_fov(float radians);
+
 inline constexpr const char* k_quality_names[] = {"low", "medium", "high", "ultra"};
 
 // What reads a value refuses in a sentence that begins with the text: "12 is not a width and ...".
 
-// "overview", "street", "follow:12" or "0,1.7,0/10,1.5,0".
+// "overview", "street", "crowd", "follow:12", "eyes:12", "map", "map:X,Z,ACROSS", "map:X,Z,ACROSS,BEARING" or
+// "0,1.7,0/10,1.5,0".
 Result<CameraChoice> parse_camera(const std::string& text);
 // As parse_camera() takes it, to the last bit.
 std::string told_camera(const CameraChoice& camera);
@@ -66,6 +79,8 @@ std::string told_camera(const CameraChoice& camera);
 std::vector<std::string> names_of(WorkViews views);
 // "1280x720".
 Result<Size> parse_size(const std::string& text);
+// Degrees from k_least_fov to k_most_fov, as radians.
+Result<float> parse_fov(const std::string& text);
 // Names of views. Refuses unknown ones and rivals.
 Result<WorkViews> parse_work_views(const std::vector<std::string>& names);
 // "52.5163,13.3777", blanks behind the comma or not: latitude and longitude, degrees.

@@ -42,6 +42,7 @@ struct Scene {
     std::optional<float> sun_height, sun_heading;
     bool is_overcast = false;
     CameraChoice camera;
+    float fov = 0;        // of its lens, upright, radians; 0: what suits the camera
     Size size;            // of the picture or the window
     std::string quality;  // one of k_quality_names; empty: what suits the device
     WorkViews views;

@@ -136,6 +136,7 @@ struct Camera {
     glm::vec3 target{0, 1.6f, 1};
     float vertical_fov = 0.6f;  // radians
     float near_plane = 0.1f;    // metres; the far plane is at infinity (reversed depth)
+    float clear_air = 0;        // metres before the eye in which there is no haze, for maps from high above
 };
 
 struct Sun {

@@ -113,6 +113,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
     using Reading = SceneReading;
     const std::string coordinate = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
     const std::string point = coordinate + "," + coordinate + "," + coordinate;
+    const std::string across = R"(0*(([5-9]|[1-9][0-9]{1,3}|1[0-9]{4})(\.[0-9]*)?|20000(\.0*)?))",
+                      bearing = R"(-?0*(([0-9]|[1-9][0-9]|[12][0-9]{2}|3[0-5][0-9])(\.[0-9]*)?|360(\.0*)?))";
     auto degrees = [](const std::string& digits) { return "-?0*" + digits; };
     const std::string pixels = "0*([1-9][0-9]{0,2}|[1-7][0-9]{3}|80[0-9]{2}|81[0-8][0-9]|819[0-2])";
     static const std::vector<SceneKey<Scene>> keys = {
@@ -229,14 +231,23 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "The weather.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
         {"camera",
-         {text, 0, 0, "street|overview|crowd|follow:0*[0-9]{1,5}|" + point + "/" + point},
+         {text, 0, 0,
+          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate + "," + coordinate + "," +
+              across + "(," + bearing + ")?|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
          "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID "
-         "(behind a "
-         "walker, "
-         "numbered from 0), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
+         "(behind a walker, numbered from 0), eyes:ID (through its eyes), map (of all of the city), "
+         "map:X,Z,ACROSS or map:X,Z,ACROSS,BEARING (its middle, its width, metres, and the degrees clockwise "
+         "from north that are up), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_camera(v), s.camera); }},
+        {"fov",
+         {number, k_least_fov, k_most_fov},
+         nullptr,
+         "50",
+         "The field of view from the picture's lower border to its upper one, degrees; without it, 32, or "
+         "what follow:ID needs. Not of a map.",
+         [](Reading&, Scene& s, const Json& v) { s.fov = fov_of(v.get<double>()); }},
         {"size",
          {text, 0, 0, pixels + "x" + pixels},
          R"("1280x720")",
@@ -381,10 +392,10 @@ constexpr SceneClash k_clashes[] = {
          return s.asteroid && on_ground;
      },
      [](const char* key) {
-         return OrderedJson{
-             {"required", OrderedJson::array({"asteroid", key})},
-             {"properties",
-              {{"asteroid", {{"const", true}}}, {key, {{"pattern", "^(street|crowd|follow:.*)$"}}}}}};
+         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
+                            {"properties",
+                             {{"asteroid", {{"const", true}}},
+                              {key, {{"pattern", "^(street|crowd|map|(follow|eyes|map):.*)$"}}}}}};
      }},
     {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },

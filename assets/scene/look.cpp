@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 #include "assets/files/file.h"
@@ -24,7 +26,56 @@ bool parse_point(std::string_view text, Vec3& to) {
     return true;
 }
 
+// Digits with a sign and a point at most, not in the words and powers that numbers may be written in.
+bool is_plain(std::string_view text) {
+    const size_t first = text.starts_with('-');
+    return text.size() > first && text[first] != '.' &&
+           text.find_first_not_of("0123456789.", first) == std::string_view::npos;
+}
+
+// "map" or "map:X,Z,ACROSS[,BEARING]".
+bool parse_map(std::string_view text, CameraChoice& to) {
+    constexpr float k_far = 1e6f, k_round = 360;
+    if (text == "map") return true;
+    if (!text.starts_with("map:")) return false;
+    const auto parts = split(text.substr(4), ',');
+    if (parts.size() != 3 && parts.size() != 4) return false;
+    if (!std::all_of(parts.begin() + 2, parts.end(), is_plain)) return false;
+    const bool are_numbers = parse_number(parts[0], to.middle.x) && parse_number(parts[1], to.middle.z) &&
+                             parse_number(parts[2], to.across) &&
+                             (parts.size() == 3 || parse_number(parts[3], to.bearing));
+    return are_numbers && std::fabs(to.middle.x) <= k_far && std::fabs(to.middle.z) <= k_far &&
+           to.across >= k_least_across && to.across <= k_most_across && std::fabs(to.bearing) <= k_round;
+}
+
+// "eyes:12" after `word`, "eyes:".
+bool parse_walker(std::string_view text, std::string_view word, uint32_t& to) {
+    return text.starts_with(word) && parse_number(text.substr(word.size()), to) && to < k_max_walkers;
+}
+
 }  // namespace
+
+float fov_of(double degrees) { return static_cast<float>(degrees * (3.14159265358979323846 / 180)); }
+
+std::string told_fov(float radians) {
+    const double degrees = static_cast<double>(radians) * (180 / 3.14159265358979323846);
+    char text[40];
+    for (int digits = 1; digits <= 17; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, degrees);
+        if (fov_of(std::strtod(text, nullptr)) == radians) break;
+    }
+    return text;
+}
+
+Result<float> parse_fov(const std::string& text) {
+    double degrees = 0;
+    if (parse_number(text, degrees) && degrees >= k_least_fov && degrees <= k_most_fov)
+        return fov_of(degrees);
+    return Error{
+        excerpt(text) +
+        " is not a field of view from 1 to 150 degrees, from the lower border to the upper one, such "
+        "as 32, the usual one"};
+}
 
 Result<CameraChoice> parse_camera(const std::string& text) {
     CameraChoice camera;
@@ -33,21 +84,25 @@ Result<CameraChoice> parse_camera(const std::string& text) {
     if (text == "overview") return camera;
     camera.kind = CameraChoice::Kind::crowd;
     if (text == "crowd") return camera;
-    constexpr std::string_view k_follow = "follow:";
     camera.kind = CameraChoice::Kind::follow;
-    if (text.starts_with(k_follow) &&
-        parse_number(std::string_view(text).substr(k_follow.size()), camera.walker) &&
-        camera.walker < k_max_walkers)
-        return camera;
-    camera.kind = CameraChoice::Kind::fixed;
+    if (parse_walker(text, "follow:", camera.walker)) return camera;
+    camera.kind = CameraChoice::Kind::eyes;
+    if (parse_walker(text, "eyes:", camera.walker)) return camera;
+    camera.kind = CameraChoice::Kind::map;
+    if (parse_map(text, camera)) return camera;
+    camera = {CameraChoice::Kind::fixed, 0, {}, {}};
     auto points = split(text, '/');
     if (points.size() == 2 && parse_point(points[0], camera.eye) && parse_point(points[1], camera.target)) {
         if (length(camera.target - camera.eye) > 1e-3f) return camera;
         return Error{excerpt(text) + " looks at where it stands; eye and target must differ"};
     }
-    return Error{
-        excerpt(text) +
-        " is none of overview, street, crowd, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)"};
+    if (text.starts_with("map"))
+        return Error{excerpt(text) +
+                     " is no map: say map, or map:X,Z,ACROSS with its middle and 5 to 20000 metres from left "
+                     "to right, or map:X,Z,ACROSS,BEARING with the degrees clockwise from north that are up"};
+    return Error{excerpt(text) +
+                 " is none of overview, street, crowd, follow:ID and eyes:ID (a walker's number), map, "
+                 "map:X,Z,ACROSS and EX,EY,EZ/TX,TY,TZ (metres)"};
 }
 
 uint32_t rivals_of(WorkView view) {
@@ -96,12 +151,6 @@ Result<MapPlace> parse_place(const std::string& text) {
     MapPlace place;
     // "52.5163, 13.3777", as sites with maps have it copied.
     if (parts.size() == 2) parts[1].remove_prefix(std::min(parts[1].find_first_not_of(' '), parts[1].size()));
-    // Digits with a sign and a point at most, not in the words and powers that numbers may be written in.
-    auto is_plain = [](std::string_view part) {
-        size_t first = part.starts_with('-');
-        return part.size() > first && part[first] != '.' &&
-               part.find_first_not_of("0123456789.", first) == std::string_view::npos;
-    };
     if (parts.size() == 2 && is_plain(parts[0]) && is_plain(parts[1]) &&
         parse_number(parts[0], place.latitude) && parse_number(parts[1], place.longitude) &&
         std::abs(place.latitude) <= 90 && std::abs(place.longitude) <= 180)
@@ -137,6 +186,13 @@ Result<std::string> parse_quality(const std::string& text) {
 
 std::string told_camera(const CameraChoice& camera) {
     auto point = [](Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); };
+    auto map = [&] {
+        std::string text("map:");
+        text.append(plainly(camera.middle.x)).append(",").append(plainly(camera.middle.z));
+        text.append(",").append(plainly(camera.across));
+        if (camera.bearing != 0) text.append(",").append(plainly(camera.bearing));
+        return text;
+    };
     switch (camera.kind) {
         case CameraChoice::Kind::overview:
             return "overview";
@@ -146,6 +202,11 @@ std::string told_camera(const CameraChoice& camera) {
             return "crowd";
         case CameraChoice::Kind::follow:
             return "follow:" + std::to_string(camera.walker);
+        case CameraChoice::Kind::eyes:
+            return "eyes:" + std::to_string(camera.walker);
+        case CameraChoice::Kind::map:
+            if (camera.across == 0) return "map";
+            return map();
         default:
             return point(camera.eye) + "/" + point(camera.target);
     }

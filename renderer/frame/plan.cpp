@@ -1,6 +1,7 @@
 #include "renderer/frame/plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/light/look.h"
 
@@ -37,6 +38,7 @@ void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent
     const float reach = plan.slice.far, faded = reach * reach * (1 - k_plain_shadows * k_plain_shadows);
     out.people_shadows = {reach * reach / faded, 1 / faded, 0, 0};
     out.eye = v4(plan.view.eye);
+    out.haze_away.w += plan.clear_air;
     out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
     out.ray_down = v4(plan.view.down);
@@ -151,6 +153,7 @@ void plan_city(const Renderer& renderer, FramePlan& plan) {
 void plan_frame(Renderer& renderer, const FrameInput& input, VkExtent2D extent, FramePlan& plan) {
     plan.view = make_view(input.camera, extent.width, extent.height);
     plan.backdrop = input.backdrop;
+    plan.clear_air = std::isfinite(input.camera.clear_air) ? std::max(input.camera.clear_air, 0.0f) : 0;
     plan.times_passes = input.times_passes;
     plan.surfaces_view = input.surfaces;
     plan.are_tinted = input.people_colours != PeopleColours::own;

@@ -34,6 +34,7 @@ struct FramePlan {
     std::vector<ShadowSlices> slices;  // of the city's shadows, to be drawn
     std::vector<CityCasters> slice_casters;
     std::optional<vec3> backdrop;                    // see FrameInput
+    float clear_air = 0;                             // see Camera
     bool times_passes = false;                       // see FrameInput
     std::array<DrawRange, k_city_classes> surfaces;  // of the city in view, by CityClass
     DrawRange crowd, crowd_skinned;                  // of people: skinned by the device, and by the host

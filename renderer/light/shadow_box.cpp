@@ -13,6 +13,12 @@ Slice fine_shadow_slice(const View& view, float height) {
     const float fall = -(view.forward.y + view.down.y);  // of the lowest ray, for each metre ahead
     float near = 2 * h;
     if (fall > 0) near = std::min(near, std::floor(0.8f * h / fall / step) * step);
+    // Maps, which are looked at from straight above: no farther than the ground, and from roofs and hills on.
+    constexpr float plunging = 0.9f;
+    const float least_fall = -(view.forward.y - view.down.y);
+    if (least_fall > plunging)
+        return {std::floor(0.5f * h / step) * step,
+                std::ceil(1.02f * height / least_fall / step) * step + step};
     return {near, std::max(60 + 3 * h, near + 60)};
 }
 

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <utility>
+
 #include "assets/files/file.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
@@ -5,6 +8,8 @@
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
 #include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/path.h"
+#include "tools/flaneur/view/rig.h"
 #include "tools/flaneur/view/show.h"
 
 namespace flaneur {
@@ -13,6 +18,8 @@ namespace {
 
 // Seconds that ffmpeg may take to finish what it was given.
 constexpr double k_film_patience = 30;
+
+constexpr uint32_t k_ticks_a_second = 60;
 
 // What there is of the pictures when it is time to stop: a film is finished with those that it has.
 Error stopped(const Options& options, Output& output, uint32_t drawn) {
@@ -27,18 +34,23 @@ Error stopped(const Options& options, Output& output, uint32_t drawn) {
 
 // One that was chosen may be wanted again, at another time or tick.
 void say_camera(const CameraChoice& choice, const Camera& camera) {
-    if (choice.kind == CameraChoice::Kind::fixed || choice.kind == CameraChoice::Kind::follow) return;
-    const Vec3 eye{camera.eye.x, camera.eye.y, camera.eye.z};
-    const Vec3 target{camera.target.x, camera.target.y, camera.target.z};
-    say("Seen from --camera " + told_camera({CameraChoice::Kind::fixed, 0, eye, target}));
+    using enum CameraChoice::Kind;
+    if (choice.kind != street && choice.kind != overview && choice.kind != crowd) return;
+    const CameraKey seen = key_of(camera, 0);
+    const std::string lens = seen.fov == k_fov ? "" : std::string(" --fov ").append(told_fov(seen.fov));
+    say("Seen from --camera " + told_camera({fixed, 0, seen.eye, seen.target}) + lens);
 }
 
 // `depth`: a file for how far away things are; null: nowhere.
-Result<void> draw_all(Show& show, const Options& options, Output& output, PartFilePtr depth) {
+Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, Output& output,
+                      PartFilePtr depth) {
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
     uint32_t pictures = count(ticks);
+    const CameraChoice& choice = options.scene.camera;
     Camera camera;
+    CameraRig rig;
+    advance(rig, world, choice);
     bool is_new = false;
     for (uint32_t i = 0; i < pictures; ++i) {
         uint32_t tick = ticks.first + i * ticks.step;
@@ -46,16 +58,21 @@ Result<void> draw_all(Show& show, const Options& options, Output& output, PartFi
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
             step(show);
+            advance(rig, world, choice);
         }
         if (is_stopping()) return stopped(options, output, i);
-        if (i == 0 || options.scene.camera.kind == CameraChoice::Kind::follow)
-            camera = choose_camera(*show.loaded.city, world, show.sun, options.scene.camera, 1);
-        if (i == 0) say_camera(options.scene.camera, camera);
+        if (!path.keys.empty())
+            camera = camera_at(path, static_cast<double>(tick - ticks.first) / k_ticks_a_second);
+        else if (goes_along(choice.kind))
+            camera = camera_of(rig, options.scene.fov, 1);
+        else if (i == 0)
+            camera = choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
+        if (i == 0 && path.keys.empty()) say_camera(choice, camera);
         if (is_written(output, i, tick)) continue;
         is_new = true;
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
-        frame.companion = companion_of(options.scene.camera);
+        if (path.keys.empty()) frame.companion = companion_of(choice);
         frame.wants_depths = options.is_transparent || depth;
         Result<Image> image =
             draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
@@ -74,8 +91,24 @@ Result<void> draw_all(Show& show, const Options& options, Output& output, PartFi
     return finished;
 }
 
-Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
-    if (Result<void> found = find_files(options.scene); !found) return found;
+// All of a path, where no ticks were asked for.
+TickRange ticks_of(const Options& options, const CameraPath& path) {
+    TickRange ticks = options.ticks;
+    if (options.camera_path.empty() || options.has_ticks) return ticks;
+    ticks.last = ticks.first + static_cast<uint32_t>(std::ceil(duration(path) * k_ticks_a_second));
+    return ticks;
+}
+
+Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
+    if (Result<void> found = find_files(asked.scene); !found) return found;
+    Options options = asked;
+    CameraPath path;
+    if (!options.camera_path.empty()) {
+        Result<CameraPath> loaded = load_path(options.camera_path);
+        if (!loaded) return loaded.error();
+        path = std::move(*loaded);
+        options.ticks = ticks_of(options, path);
+    }
     Result<OutputPtr> output =
         open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
     if (!output) return output.error();
@@ -85,7 +118,7 @@ Result<void> render(const Options& options, std::atomic<uint32_t>& messages) {
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
-    Result<void> drawn = draw_all(*show, options, **output, std::move(*depth));
+    Result<void> drawn = draw_all(*show, options, path, **output, std::move(*depth));
     clear_progress();
     return drawn;
 }

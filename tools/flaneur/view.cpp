@@ -122,24 +122,24 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         go_on_opening(show, v);
         World& world = *show.loaded.world;
         act_on_presses(show, v);
-        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
+        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
+            step(show);
+            ride(world, v.cameras, v.choice);
+        }
         const float between = between_pictures(v.record, v.clock);
 
-        const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
-        if (is_following || !v.chosen) {
-            v.camera = choose_camera(*show.loaded.city, world, show.sun, v.choice, between);
-            v.chosen = true;
-        }
         const bool is_panels = gui_has_mouse() || v.presentation.is_on;
         const Mouse before = mouse;
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
-        bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
-        is_moving |= navigate(world, before, mouse, gui_wheel() * (v.settings.inverts_wheel ? -1.0f : 1.0f),
-                              size, grip, v);
+        const auto seconds = static_cast<float>(passed);
+        const Steering hands =
+            steering_of(window, before, mouse, v.settings.inverts_look) + read_pad(window, seconds, v);
+        bool is_moving = navigate(world, before, mouse, gui_wheel(v.settings.inverts_wheel), size, grip, v);
+        is_moving |= steer(show, hands, seconds, v);
+        is_moving |= move_camera(show, size, seconds, between, v);
         go_on_presenting(show, v, passed);
-        is_moving |= is_following && !v.clock.is_paused;
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
@@ -148,14 +148,14 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             FrameInput frame = extract_frame(show, v.camera, size, between);
             frame.companion = companion_of(v.choice);
             if (std::exchange(v.wants_command, false)) {
-                const std::string command =
-                    command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, world.tick});
+                const std::string command = command_now(show, v, size);
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
                 tell(v, "Copied: " + printable(command));
             }
             ask(show, mouse, size, is_panels, v);
             mark_asked(v, show, frame);
+            mark_path(v, show, frame);
             if (Result<void> done =
                     suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);
                 !done)
@@ -201,7 +201,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Result<RendererPtr> renderer = make_window_renderer(renderer_options(options, messages), window.get());
     if (!renderer) return renderer.error();
     Viewer viewer;
-    viewer.choice = options.scene.camera;
+    begin_cameras(options.scene, viewer);
     begin_opening(options, viewer.opening);
     Result<Settings> settings = read_settings(settings_file());
     if (!settings) say(settings.error().message);

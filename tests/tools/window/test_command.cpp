@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/command.h"
 
 namespace flaneur {
@@ -10,6 +13,7 @@ Shown shown() {
     s.choice.kind = CameraChoice::Kind::fixed;
     s.camera.eye = {1.5f, 1.7f, -0.1f};
     s.camera.target = {2, 1.25f, 3};
+    s.camera.vertical_fov = k_fov;
     s.size = {800, 600};
     s.tick = 361;
     return s;
@@ -24,15 +28,40 @@ TEST(Command, DrawsWhatIsSeen) {
 
 TEST(Command, ReplacesWhatIsSeenOtherwise) {
     Shown s = shown();
-    s.choice = {CameraChoice::Kind::follow, 12, {}, {}};
+    s.choice = {CameraChoice::Kind::follow, 12, {}, {}};  // told as where it was seen from
+    s.camera.vertical_fov = fov_of(47.5);
     s.views = toggled(toggled({}, WorkView::density), WorkView::skeletons);
-    EXPECT_EQ(
-        command_of(
-            {"--camera", "overview", "--size=10x10", "--view", "lods", "--close-after", "3", "--validate"},
-            s),
-        "flaneur render --validate --camera follow:12 --view density,skeletons --size 800x600 --frames 361 "
-        "--out picture.png");
+    EXPECT_EQ(command_of({"--camera", "overview", "--fov", "20", "--size=10x10", "--view", "lods",
+                          "--close-after", "3", "--validate"},
+                         s),
+              "flaneur render --validate --camera 1.5,1.7,-0.1/2,1.25,3 --fov 47.5 --view density,skeletons "
+              "--size 800x600 --frames 361 --out picture.png");
     EXPECT_EQ(command_of({"--camera"}, s), command_of({}, s));
+}
+
+TEST(Command, TellsMapsAndLensesToTheLastBit) {
+    Shown s = shown();
+    s.choice.kind = CameraChoice::Kind::map;
+    s.choice.middle = {-12.34567f, 1e-3f}, s.choice.across = 217.3f, s.choice.bearing = -33.33333f;
+    s.camera.vertical_fov = 0.14f;
+    auto told = [&](const char* option) {
+        const std::string all = command_of({}, s);
+        const size_t at = all.find(option);
+        if (at == std::string::npos) return std::string();
+        const size_t from = all.find(' ', at) + 1;
+        return all.substr(from, all.find(' ', from) - from);
+    };
+    EXPECT_EQ(*parse_camera(told("--camera")), s.choice);
+    EXPECT_EQ(told("--fov"), "") << "a map has none";
+    s.choice.kind = CameraChoice::Kind::fixed;
+    for (float fov = 0.02f; fov < 2.6f; fov = std::nextafter(fov * 1.0371f, 3.0f)) {
+        s.camera.vertical_fov = fov;
+        EXPECT_EQ(*parse_fov(told("--fov")), fov);
+    }
+    s.camera.vertical_fov = k_fov;
+    EXPECT_EQ(told("--fov"), "") << "the usual lens goes without saying";
+    s.has_lens = true;
+    EXPECT_EQ(*parse_fov(told("--fov")), k_fov) << "but not where a scene has another";
 }
 
 TEST(Command, QuotesForAShell) {

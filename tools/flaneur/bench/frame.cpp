@@ -64,12 +64,11 @@ constexpr float k_orbit_rate = 0.2f;  // radians a second
 
 // Where the camera is a tick later.
 Camera moved(Camera camera, const Options& options, const Show& show, uint32_t frame) {
-    const World& world = *show.loaded.world;
     CameraChoice choice = options.scene.camera;
     if (options.move == BenchMove::follow && choice.kind != CameraChoice::Kind::follow)
         choice = {CameraChoice::Kind::follow, 0, {}, {}};
-    if (choice.kind == CameraChoice::Kind::follow)
-        return choose_camera(*show.loaded.city, world, show.sun, choice, 1);
+    if (choice.kind == CameraChoice::Kind::follow || choice.kind == CameraChoice::Kind::eyes)
+        return choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
     const glm::vec3 way = camera.target - camera.eye;
     if (options.move == BenchMove::walk) {
         // Down the street, and back before its end.
@@ -128,7 +127,7 @@ Result<Figures> bench_frame(const Options& options) {
     CameraChoice choice = options.scene.camera;
     if (options.move == BenchMove::orbit && choice.kind == CameraChoice::Kind::street)
         choice.kind = CameraChoice::Kind::overview;
-    Camera camera = choose_camera(*show->loaded.city, world, show->sun, choice, 1);
+    Camera camera = choose_camera(*show, choice, options.scene.fov, options.scene.size, 1);
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);

@@ -78,9 +78,10 @@ constexpr const char* k_view_footer =
     R"(Keys: W A S D or arrows fly, E and Q rise and sink, Shift is faster, dragging the mouse looks around,
 the wheel zooms to the cursor, the middle button drags along and the right one round;
 Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
-next one; who is clicked is told about, F follows; L lists layers, the views for work, F2 to F11; H hides the panels;
-F12 writes a picture to out/, R a film; C copies the command that draws it; Ctrl+O opens a file, and so does dropping
-it; F1 lists the keys; Esc quits.
+next one, 4 through its eyes, 5 a map, G walk on foot; who is clicked is told about, F looks at them, Shift+F follows;
+[ and ] change the lens; Ctrl+1 to 9 keep a camera, Alt+1 to 9 go back there; L lists layers, the views for work, F2 to
+F11; H hides the panels; F12 writes a picture to out/, R a film; C copies the command that draws it; Ctrl+O opens a
+file, and so does dropping it; Ctrl+P finds any action by its name; F1 lists the keys; Ctrl+Q quits.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
@@ -99,9 +100,14 @@ Examples:
   flaneur render --time 22:00 --quality high --out out/night.png
   flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
   flaneur render --view skeletons,trails --camera follow:3 --out out/bones.png
-  flaneur render --camera 0,1.7,-20/0,1.5,0 --walkers 100 --out out/from_here.png
+  flaneur render --camera 0,1.7,-20/0,1.5,0 --fov 50 --walkers 100 --out out/from_here.png
+  flaneur render --camera eyes:3 --frames 600:1200:2 --out out/eyes.mp4   what walker 3 sees
+  flaneur render --camera map --out out/map.png                           all of the city from straight above
+  flaneur render --camera-path way.json --out out/way.mp4                 a camera that moves
   flaneur render --like out/view-361.png --size 3840x2160 --out out/large.png
-  flaneur render --transparent --depth out/depth.png --out out/cut_out.png)";
+  flaneur render --transparent --depth out/depth.png --out out/cut_out.png
+A camera path is JSON: { "keys": [ { "time": 0, "eye": [0, 1.7, -20], "target": [0, 1.5, 0], "fov": 32 }, ... ] } in
+seconds, metres and degrees; the window's Cameras room records one, plays it and writes it.)";
 
 constexpr const char* k_sim_footer =
     R"(Runs without Vulkan. The hash covers the whole state; the same city, people, walkers and seed give the same
@@ -229,7 +235,10 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
 
 void add_render(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* render = app.add_subcommand("render", "Write pictures or a film")->footer(k_render_footer);
-    render->callback([&] { options.command = Command::render; });
+    render->callback([&, render] {
+        options.command = Command::render;
+        options.has_ticks = render->count("--frames") > 0;
+    });
     add_scene_options(*render, words, options);
     add_drawing_options(*render, words, options);
     add_camera_option(*render, words);
@@ -237,6 +246,14 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_parsed(*render, "--frames", parse_ticks, options.ticks,
                "Which ticks of the simulation, 60 to the second, to draw: N, A:B or A:B:STEP", "TICKS",
                "600");
+    CLI::Option* path =
+        render
+            ->add_option(
+                "--camera-path", options.camera_path,
+                "A way of the camera, as the window's Cameras room writes it; see docs/views.md. The "
+                "first picture is at its second 0; without --frames, all of it from tick 600 on")
+            ->type_name("FILE");
+    for (const char* other : {"--camera", "--fov"}) path->excludes(render->get_option(other));
     render
         ->add_option(
             "--out", options.out,

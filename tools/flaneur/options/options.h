@@ -94,6 +94,8 @@ struct Options {
 
     // render
     TickRange ticks;
+    std::string camera_path;  // a file (view/path.h); empty: the scene's camera
+    bool has_ticks = false;   // they were asked for
     bool resume = false;
     std::string like;             // a picture whose options these are, where no others are given
     bool is_transparent = false;  // where there is sky

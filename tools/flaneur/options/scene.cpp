@@ -113,10 +113,16 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
 }
 
 void add_camera_option(CLI::App& app, SceneWords& words) {
-    add_parsed(app, "--camera", parse_camera, words.camera,
-               "overview, street, crowd, follow:ID, or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks "
-               "at, metres",
-               "CAMERA", "");
+    add_parsed(
+        app, "--camera", parse_camera, words.camera,
+        "overview, street, crowd, follow:ID, eyes:ID (through a walker's), map or map:X,Z,ACROSS (its "
+        "middle and width, metres), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres",
+        "CAMERA", "");
+    add_parsed(
+        app, "--fov", parse_fov, words.fov,
+        "The lens: from the picture's lower border to its upper one, 1 to 150 degrees; without it, 32, "
+        "or what follow:ID needs",
+        "DEGREES", "");
 }
 
 // Refuses a camera that has nothing to show, where something is drawn with it.
@@ -129,13 +135,14 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     std::string who = words.camera ? "--camera " : "The camera of the scene " + words.scene + ", ";
     if (options.scene.asteroid && options.command == Command::render && camera.kind != fixed &&
         camera.kind != overview) {
-        return Error{who + (camera.kind == street ? "street" : "follow") +
+        return Error{who + told_camera(camera) +
                      ", is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
                      "22,13,34/1,0,0."};
     }
-    if (camera.kind == follow && camera.walker >= static_cast<uint32_t>(options.scene.walkers)) {
-        return Error{who + "follow:" + std::to_string(camera.walker) +
-                     " follows nobody: walkers are numbered from 0, and there are " +
+    const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
+    if (is_of_walker && camera.walker >= static_cast<uint32_t>(options.scene.walkers)) {
+        return Error{who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
+                     " nobody: walkers are numbered from 0, and there are " +
                      std::to_string(options.scene.walkers) + "."};
     }
     return {};
@@ -179,7 +186,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     }
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
-    options.inputs = {words.scene, options.file};
+    options.inputs = {words.scene, options.file, options.camera_path};
     if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {
@@ -204,6 +211,9 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
     if (words.camera) options.scene.camera = *words.camera;
+    if (words.fov) options.scene.fov = *words.fov;
+    if (words.fov && options.scene.camera.kind == CameraChoice::Kind::map)
+        return Error{"--fov is for a picture in perspective: a map is as wide as map:X,Z,ACROSS says."};
     if (words.size) options.scene.size = *words.size;
     if (words.quality) options.scene.quality = *words.quality;
     if (words.views) options.scene.views = *words.views;

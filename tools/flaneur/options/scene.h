@@ -23,6 +23,7 @@ struct SceneWords {
     std::optional<float> hour;
     std::optional<bool> is_overcast;
     std::optional<CameraChoice> camera;
+    std::optional<float> fov;
     std::optional<Size> size;
     std::optional<WorkViews> views;
 };

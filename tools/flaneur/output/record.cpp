@@ -85,7 +85,11 @@ std::string record_of(const Options& options) {
     put("--idle", told_idles(s.idles));
     put("--time", told_time(s));
     put("--weather", s.is_overcast ? "overcast" : "clear");
-    put("--camera", told_camera(s.camera));
+    if (options.camera_path.empty())
+        put("--camera", told_camera(s.camera));
+    else
+        put("--camera-path", told_file(options.camera_path));
+    put("--fov", s.fov > 0 ? told_fov(s.fov) : "");
     put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
     put("--quality", s.quality);
     put("--transparent", options.is_transparent ? "yes" : "");

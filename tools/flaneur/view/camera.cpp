@@ -8,6 +8,8 @@
 #include "renderer/view.h"
 #include "sim/base/math.h"
 #include "tools/extract/convert.h"
+#include "tools/flaneur/view/rig.h"
+#include "tools/flaneur/view/show.h"
 
 namespace flaneur {
 
@@ -198,33 +200,39 @@ Camera crowd_camera(const World& world) {
     return camera;
 }
 
-Camera follow_camera(const World& world, uint32_t walker, float between) {
-    // Shares of the height of the one who is followed.
-    constexpr float k_hat = 0.1f;                                 // over the crown
-    constexpr float k_behind = 2.35f, k_aside = 0.4f;             // where the eye is
-    constexpr float k_stride = 0.35f;                             // how far back a foot gets
-    constexpr float k_margin = 0.13f;                             // of the picture, above and below in all
+namespace {
+
+constexpr float k_hat = 0.1f;  // over the crown; a share of the height of the one who is followed
+
+Vec3 crown_of(const Behind& place) { return place.feet + Vec3{0, place.height, 0}; }
+
+}  // namespace
+
+Vec3 eye_behind(const Behind& place) {
+    constexpr float k_behind = 2.35f, k_aside = 0.4f;  // shares of the height
+    Vec3 ahead = heading_vector(place.heading + place.round), right{-ahead.z, 0, ahead.x};
+    Vec3 away = (ahead * -k_behind + right * k_aside + Vec3{0, k_hat, 0}) * place.height;
+    return crown_of(place) + away + Vec3{0, place.lift, 0};
+}
+
+float clear_behind(const Ground& ground, const Behind& place) {
     constexpr float k_off_walls = 0.3f, k_least_distance = 0.6f;  // metres
-    constexpr float k_widest = 1.4f;                              // lens, where there is little room
-    Vec2 velocity = world.crowd.motion.velocity[walker];
-    float back = (1 - between) * k_tick;
-    Vec3 feet = world.crowd.motion.position[walker] - Vec3{velocity.x, 0, velocity.z} * back;
-    Vec3 ahead =
-        heading_vector(world.crowd.motion.heading[walker] - world.crowd.motion.turn_rate[walker] * back);
-    Vec3 right{-ahead.z, 0, ahead.x};
-    float height =
-        world.kinds[world.crowd.identity.body[walker]].body.height * world.crowd.identity.scale[walker];
-    Vec3 head = feet + Vec3{0, height, 0};
-    Vec3 away = (ahead * -k_behind + right * k_aside + Vec3{0, k_hat, 0}) * height;
+    Vec3 head = crown_of(place), away = eye_behind(place) - head;
     float distance = length(away);
-    Vec3 direction = away / distance;
-    if (auto hit = raycast(*world.ground, head, direction, distance + k_off_walls))
-        distance = std::max(hit->distance - k_off_walls, k_least_distance);
-    Vec3 eye = head + direction * distance;
+    auto hit = raycast(ground, head, away / distance, distance + k_off_walls);
+    return hit ? std::min(distance, std::max(hit->distance - k_off_walls, k_least_distance)) : distance;
+}
+
+Camera camera_behind(const Behind& place) {
+    constexpr float k_stride = 0.35f;  // how far back a foot gets, a share of the height
+    constexpr float k_margin = 0.13f;  // of the picture, above and below in all
+    constexpr float k_widest = 1.4f;   // lens, where there is little room
+    Vec3 ahead = heading_vector(place.heading + place.round), right{-ahead.z, 0, ahead.x};
+    Vec3 head = crown_of(place), eye = head + (eye_behind(place) - head) * place.reach;
     // From the crown of the hat to the sole of the hind foot.
-    float away_along = length(on_ground(eye - feet)), above = eye.y - feet.y;
-    float top = std::atan2((1 + k_hat) * height - above, away_along);
-    float bottom = std::atan2(-above, std::max(away_along - k_stride * height, 0.2f));
+    float away_along = length(on_ground(eye - place.feet)), above = eye.y - place.feet.y;
+    float top = std::atan2((1 + k_hat) * place.height - above, away_along);
+    float bottom = std::atan2(-above, std::max(away_along - k_stride * place.height, 0.2f));
     float pitch = 0.5f * (top + bottom);
     Camera camera =
         make_camera(eye, eye + (ahead + right * -0.08f) * std::cos(pitch) + Vec3{0, std::sin(pitch), 0});
@@ -236,22 +244,86 @@ uint32_t companion_of(const CameraChoice& choice) {
     return choice.kind == CameraChoice::Kind::follow ? choice.walker : ~0u;
 }
 
-Camera choose_camera(const City& city, const World& world, const Sun& sun, const CameraChoice& choice,
-                     float between) {
-    switch (choice.kind) {
-        case CameraChoice::Kind::overview:
-            return overview_camera(world, city.buildings,
-                                   {sun.direction.x, sun.direction.y, sun.direction.z});
-        case CameraChoice::Kind::street:
-            return street_camera(city, world);
-        case CameraChoice::Kind::crowd:
-            return crowd_camera(world);
-        case CameraChoice::Kind::follow:
-            return follow_camera(world, choice.walker, between);
-        case CameraChoice::Kind::fixed:
-            return make_camera(choice.eye, choice.target);
-    }
-    return {};
+Camera follow_camera(const World& world, uint32_t walker, float between) {
+    Vec2 velocity = world.crowd.motion.velocity[walker];
+    float back = (1 - between) * k_tick;
+    Behind place;
+    place.feet = world.crowd.motion.position[walker] - Vec3{velocity.x, 0, velocity.z} * back;
+    place.heading = world.crowd.motion.heading[walker] - world.crowd.motion.turn_rate[walker] * back;
+    place.height =
+        world.kinds[world.crowd.identity.body[walker]].body.height * world.crowd.identity.scale[walker];
+    place.reach = clear_behind(*world.ground, place) / length(eye_behind(place) - crown_of(place));
+    return camera_behind(place);
+}
+
+// What stands between two places, and is not seen by rays, as seen from above.
+static bool is_beside_obstacles(const Ground& ground, Vec2 from, Vec2 to) {
+    constexpr float k_room = 0.2f;  // metres
+    const Vec2 way = to - from;
+    return std::none_of(ground.obstacles.begin(), ground.obstacles.end(), [&](const Obstacle& o) {
+        const Vec2 at = on_ground(o.position);
+        const float along = clamp(dot(at - from, way) / std::max(length_squared(way), 1e-6f), 0, 1);
+        return length(at - (from + way * along)) < std::max(o.half.x, o.half.z) + k_room;
+    });
+}
+
+Camera framing_camera(const World& world, Vec3 feet, float height, Vec3 from, float fov) {
+    constexpr float k_share = 1.0f / 3, k_least = 1;  // of the picture; metres
+    constexpr float k_dips[] = {0.12f, 0.35f, 0.7f};  // radians that one looks down
+    constexpr float k_obstacle = 0.8f;                // as much as so many radians round
+    const Vec3 middle = feet + Vec3{0, 0.5f * height, 0}, away = from - middle;
+    const float distance = std::max(height / k_share / (2 * std::tan(fov / 2)), k_least);
+    const float nearest = length(on_ground(away)) > 1e-3f ? heading_of(on_ground(away)) : 0;
+    Camera best = make_camera(middle + Vec3{0, distance, 0.01f}, middle);
+    float least = 1e9f;
+    for (const float dip : k_dips)
+        for (int side = 0; side < k_headings; ++side) {
+            const float off = wrap_angle(static_cast<float>(side) * (2 * k_pi / k_headings));
+            const Vec3 out = heading_vector(nearest + off) * std::cos(dip) + Vec3{0, std::sin(dip), 0};
+            const Vec3 eye = middle + out * distance;
+            float cost = std::fabs(off) + 2 * dip;
+            if (!is_beside_obstacles(*world.ground, on_ground(eye), on_ground(feet))) cost += k_obstacle;
+            if (cost >= least || !ground_at(*world.ground, eye, 0, 3 * distance)) continue;
+            bool is_seen = true;
+            for (const float part : {0.1f, 0.5f, 0.95f})
+                is_seen = is_seen && sees(*world.ground, feet + Vec3{0, part * height, 0}, eye + out * 0.3f);
+            if (!is_seen) continue;
+            least = cost;
+            best = make_camera(eye, middle);
+        }
+    best.vertical_fov = fov;
+    return best;
+}
+
+Camera choose_camera(const Show& show, const CameraChoice& choice, float fov, Size size, float between) {
+    const City& city = *show.loaded.city;
+    const World& world = *show.loaded.world;
+    auto chosen = [&]() -> Camera {
+        switch (choice.kind) {
+            case CameraChoice::Kind::overview:
+                return overview_camera(world, city.buildings,
+                                       {show.sun.direction.x, show.sun.direction.y, show.sun.direction.z});
+            case CameraChoice::Kind::street:
+                return street_camera(city, world);
+            case CameraChoice::Kind::crowd:
+                return crowd_camera(world);
+            case CameraChoice::Kind::follow:
+                return follow_camera(world, choice.walker, between);
+            case CameraChoice::Kind::eyes: {
+                CameraRig rig;
+                advance(rig, world, choice);
+                return camera_of(rig, 0, between);
+            }
+            case CameraChoice::Kind::map:
+                return map_camera(world, choice, size);
+            case CameraChoice::Kind::fixed:
+                return make_camera(choice.eye, choice.target);
+        }
+        return {};
+    };
+    Camera camera = chosen();
+    if (fov > 0 && choice.kind != CameraChoice::Kind::map) camera.vertical_fov = fov;
+    return camera;
 }
 
 }  // namespace flaneur

@@ -87,6 +87,14 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     return show;
 }
 
+// Views for work are of what is near the eye; of a map, of what is near its middle.
+static Camera close_camera(Camera camera) {
+    constexpr float k_above = 10;  // metres
+    const bool is_map = camera.clear_air > 0;
+    if (is_map) camera.eye = camera.target - k_above * glm::normalize(camera.target - camera.eye);
+    return camera;
+}
+
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
     const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
                                        static_cast<uint32_t>(size.height));
@@ -99,7 +107,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     frame.grounds = show.people.grounds;
     frame.is_overcast = show.is_overcast;
     frame.lit_windows = show.lit_windows;
-    lay_over({*show.loaded.world, show.loaded.characters, camera, between}, show.work_views, show.people,
+    const Camera close = close_camera(camera);
+    lay_over({*show.loaded.world, show.loaded.characters, close, between}, show.work_views, show.people,
              show.overlay, frame);
     return frame;
 }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <utility>
 
+#include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/settings/room.h"
@@ -16,20 +17,6 @@ namespace {
 template <WorkView View>
 void turn(Show&, Viewer& v) {
     v.toggles.push_back(View);
-}
-
-void follow_next(Viewer& v, bool is_other) {
-    if (v.walkers == 0) return;
-    const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
-    if (is_other && is_following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
-    choose(v, CameraChoice::Kind::follow);
-}
-
-void follow_asked(Show&, Viewer& v) {
-    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
-    if (!who) return tell(v, "Click somebody, or point at them, to follow them.");
-    v.choice.walker = *who;
-    choose(v, CameraChoice::Kind::follow);
 }
 
 // What lies on top goes first; the window itself only by a second time.
@@ -61,17 +48,6 @@ constexpr std::array k_time = {
     Action{"Slower", "-", GLFW_KEY_MINUS, 0, [](Show&, Viewer& v) { v.clock.rate = slower(v.clock.rate); }},
     Action{"Faster", "+", GLFW_KEY_EQUAL, 0, [](Show&, Viewer& v) { v.clock.rate = faster(v.clock.rate); }},
     Action{"As fast as it is", "", 0, 0, [](Show&, Viewer& v) { v.clock.rate = 1; }},
-};
-constexpr std::array k_cameras = {
-    Action{"Look down the street", "1", GLFW_KEY_1, 0,
-           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::street); }},
-    Action{"Look from above", "2", GLFW_KEY_2, 0,
-           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::overview); }},
-    Action{"Look at the densest crowd", "", 0, 0,
-           [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::crowd); }},
-    Action{"Follow somebody", "3", GLFW_KEY_3, 0, [](Show&, Viewer& v) { follow_next(v, false); }},
-    Action{"Follow the next one", "Tab", GLFW_KEY_TAB, 0, [](Show&, Viewer& v) { follow_next(v, true); }},
-    Action{"Follow who was asked about", "F", GLFW_KEY_F, 0, follow_asked},
 };
 constexpr std::array k_layers = {
     Action{"Layers", "L", GLFW_KEY_L, 0, open<Room::layers>},
@@ -119,7 +95,8 @@ bool is_for(const Action& action, const KeyPress& press) {
 std::span<const ActionGroup> action_groups() {
     static const std::array all = {
         ActionGroup{"Time", k_time},
-        ActionGroup{"Cameras", k_cameras},
+        ActionGroup{"Cameras", camera_actions()},
+        ActionGroup{"Bookmarks", bookmark_actions(), "Keep a camera; go back there", "Ctrl+1..9, Alt+1..9"},
         ActionGroup{"Layers", k_layers},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},

@@ -21,6 +21,8 @@ struct Action {
 struct ActionGroup {
     const char* name;
     std::span<const Action> actions;
+    // Of many that are alike: the one row that the list of keys has for all of them.
+    const char *in_short = nullptr, *keys_in_short = nullptr;
 };
 // In the order in which they are listed.
 std::span<const ActionGroup> action_groups();

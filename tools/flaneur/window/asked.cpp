@@ -6,8 +6,8 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_slack = 0.004f;  // radians that one may point beside somebody
-constexpr float k_above = 0.04f;   // metres, of lines over the ground
+constexpr float k_slack = 0.0072f;  // of the lens, that one may point beside somebody
+constexpr float k_above = 0.04f;    // metres, of lines over the ground
 constexpr uint32_t k_asked = ink(0x58c4d2), k_pointed_at = ink(0xffffff, 0.7f), k_way = ink(0x58c4d2, 0.8f);
 
 glm::vec3 over_ground(Vec3 place) { return {place.x, place.y + k_above, place.z}; }
@@ -41,7 +41,8 @@ void ask(const Show& show, const Mouse& mouse, Size size, bool is_panels, Viewer
     v.hovered.reset();
     if (is_panels || (mouse.is_held && !mouse.has_clicked)) return;
     const glm::vec2 pixel(static_cast<float>(mouse.x), static_cast<float>(mouse.y));
-    v.hovered = walker_along(*show.loaded.world, v.camera, ray_through(v.camera, size, pixel), k_slack);
+    v.hovered = walker_along(*show.loaded.world, v.camera, ray_through(v.camera, size, pixel),
+                             k_slack * v.camera.vertical_fov);
     if (mouse.has_clicked) v.selected = v.hovered;
 }
 

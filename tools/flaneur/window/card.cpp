@@ -46,10 +46,13 @@ void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
         ImGui::Text("%s, %.0f m to go", doing(world, walker), static_cast<double>(length(goal - at)));
     }
     if (!v.selected) {
-        ImGui::TextDisabled("click to keep, F to follow");
+        ImGui::TextDisabled("click to keep, F to look at");
     } else {
         if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
-        tip("F");
+        tip("Shift+F");
+        ImGui::SameLine();
+        if (ImGui::Button("Eyes")) v.choice.walker = walker, choose(v, CameraChoice::Kind::eyes);
+        tip("4");
         ImGui::SameLine();
         if (ImGui::Button("Let go")) v.selected.reset();
     }

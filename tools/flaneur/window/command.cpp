@@ -4,19 +4,22 @@
 #include <string_view>
 
 #include "tools/flaneur/options/shell_words.h"
+#include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/viewer.h"
 
 namespace flaneur {
 namespace {
 
 // Options of one value that what is shown says anew, or that only a window has; and those without a value.
-constexpr std::array<std::string_view, 6> k_replaced = {"--camera", "--view", "--size",
-                                                        "--frames", "--out",  "--close-after"};
+constexpr std::array<std::string_view, 7> k_replaced = {"--camera", "--fov", "--view",       "--size",
+                                                        "--frames", "--out", "--close-after"};
 constexpr std::array<std::string_view, 1> k_of_windows = {"--start"};
 
 Vec3 from_glm(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
 CameraChoice camera_of(const Shown& shown) {
-    if (shown.choice.kind == CameraChoice::Kind::follow) return shown.choice;
+    if (shown.choice.kind == CameraChoice::Kind::map) return shown.choice;
     return {CameraChoice::Kind::fixed, 0, from_glm(shown.camera.eye), from_glm(shown.camera.target)};
 }
 
@@ -35,12 +38,20 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
         if (!value.empty()) all.insert(all.end(), {option, value});
     };
     add("--camera", told_camera(camera_of(shown)));
+    const bool has_lens = shown.choice.kind != CameraChoice::Kind::map &&
+                          (shown.has_lens || shown.camera.vertical_fov != k_fov);
+    add("--fov", has_lens ? told_fov(shown.camera.vertical_fov) : "");
     add("--view", views_of(shown.views));
     add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
     add("--frames", std::to_string(shown.tick));
     add("--out", "picture.png");
     if (shown.is_transparent) all.emplace_back("--transparent");
     return shell_line(all);
+}
+
+std::string command_now(const Show& show, const Viewer& v, Size size) {
+    return command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, show.loaded.world->tick,
+                                        v.record.picture.is_transparent, v.cameras.has_lens});
 }
 
 }  // namespace flaneur

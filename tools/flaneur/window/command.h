@@ -11,13 +11,19 @@ namespace flaneur {
 
 // What is shown.
 struct Shown {
-    CameraChoice choice;  // of it only who is followed counts
+    CameraChoice choice;  // of it only a map counts: else the camera's place is told
     Camera camera;
     WorkViews views;
     Size size;
     uint32_t tick = 0;
     bool is_transparent = false;  // where there is sky
+    bool has_lens = false;        // the words, or the scene that they name, have one
 };
+
+struct Show;
+struct Viewer;
+// Of what the window shows, as a picture of this size.
+std::string command_now(const Show& show, const Viewer& viewer, Size size);
 
 // `flaneur render` with the words that opened the window (what followed `flaneur view`), but for those that
 // `shown` says otherwise; it writes picture.png. As a shell takes it.

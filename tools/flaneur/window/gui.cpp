@@ -190,7 +190,12 @@ Panels end_gui(Gui& gui) {
 }
 
 bool gui_has_mouse() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantCaptureMouse; }
-float gui_wheel() { return gui_has_mouse() ? 0 : ImGui::GetIO().MouseWheel; }
+Wheel gui_wheel(bool is_inverted) {
+    if (gui_has_mouse()) return {};
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyShift) return {0, io.MouseWheel + io.MouseWheelH};
+    return {is_inverted ? -io.MouseWheel : io.MouseWheel, io.MouseWheelH};
+}
 bool gui_has_keys() {
     return ImGui::GetCurrentContext() && (ImGui::GetIO().WantTextInput || ImGui::GetIO().ConfigFlags != 0);
 }

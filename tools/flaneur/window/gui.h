@@ -46,7 +46,11 @@ Panels end_gui(Gui& gui);
 // Whether the cursor, or the keys, are a panel's.
 bool gui_has_mouse();
 bool gui_has_keys();
-// Notches that the wheel was turned since the last frame, away from the hand; none over a panel.
-float gui_wheel();
+// Notches that the wheel was turned since the last frame, away from the hand and to the right; none over a
+// panel. With Shift it goes to the side.
+struct Wheel {
+    float away = 0, right = 0;
+};
+Wheel gui_wheel(bool is_inverted);
 
 }  // namespace flaneur

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/gui.h"
 
 namespace flaneur {
@@ -36,18 +35,6 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 
 }  // namespace
 
-void choose(Viewer& v, CameraChoice::Kind kind) {
-    v.choice.kind = kind;
-    v.chosen = false;
-}
-
-void take_off(Viewer& v) {
-    if (v.choice.kind == CameraChoice::Kind::fixed) return;
-    v.choice.kind = CameraChoice::Kind::fixed;
-    v.chosen = true;
-    v.camera.vertical_fov = make_camera({}, {0, 0, 1}).vertical_fov;  // the usual lens
-}
-
 void listen(GLFWwindow* window, Viewer& viewer) {
     glfwSetWindowUserPointer(window, &viewer);
     glfwSetKeyCallback(window, on_key);
@@ -69,34 +56,38 @@ void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
                         std::hypot(mouse.x - mouse.held_x, mouse.y - mouse.held_y) < k_drag;
 }
 
-bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& v) {
+Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, bool inverts_look) {
     const bool is_typing = gui_has_keys();
     // Ctrl and Alt make actions of letters.
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
     const bool is_action = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL) ||
                            held(GLFW_KEY_LEFT_ALT) || held(GLFW_KEY_RIGHT_ALT);
     auto down = [&](int a, int b) { return !is_typing && !is_action && (held(a) || held(b)) ? 1.0f : 0.0f; };
-    const float ahead = down(GLFW_KEY_W, GLFW_KEY_UP) - down(GLFW_KEY_S, GLFW_KEY_DOWN);
-    const float left = down(GLFW_KEY_A, GLFW_KEY_LEFT) - down(GLFW_KEY_D, GLFW_KEY_RIGHT);
-    const float up = down(GLFW_KEY_E, GLFW_KEY_PAGE_UP) - down(GLFW_KEY_Q, GLFW_KEY_PAGE_DOWN);
-    const float speed = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0 ? k_run_speed : k_walk_speed;
-    float turn = 0, tilt = 0;
+    Steering out;
+    out.ahead = down(GLFW_KEY_W, GLFW_KEY_UP) - down(GLFW_KEY_S, GLFW_KEY_DOWN);
+    out.left = down(GLFW_KEY_A, GLFW_KEY_LEFT) - down(GLFW_KEY_D, GLFW_KEY_RIGHT);
+    out.up = down(GLFW_KEY_E, GLFW_KEY_PAGE_UP) - down(GLFW_KEY_Q, GLFW_KEY_PAGE_DOWN);
+    out.is_fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0;
     if (before.is_held && now.is_held) {
-        turn = static_cast<float>(before.x - now.x) * k_look_speed;
-        tilt = static_cast<float>(before.y - now.y) * k_look_speed * (v.settings.inverts_look ? -1.0f : 1.0f);
+        out.turn = static_cast<float>(before.x - now.x) * k_look_speed;
+        out.tilt = static_cast<float>(before.y - now.y) * k_look_speed * (inverts_look ? -1.0f : 1.0f);
     }
-    if (ahead == 0 && left == 0 && up == 0 && turn == 0 && tilt == 0) return false;
+    return out;
+}
 
+bool fly(const Steering& hands, float seconds, Viewer& v) {
+    if (hands == Steering{.is_fast = hands.is_fast}) return false;
     take_off(v);
     const glm::vec3 way = glm::normalize(v.camera.target - v.camera.eye);
     const float slope = arctan2(way.y, std::hypot(way.x, way.z));
     const SinCos pitch =
-        sin_cos(std::clamp(std::clamp(slope, -k_steepest, k_steepest) + tilt, -k_steepest, k_steepest));
-    const Vec2 d = heading_direction(heading_of({way.x, way.z}) + turn);
+        sin_cos(std::clamp(std::clamp(slope, -k_steepest, k_steepest) + hands.tilt, -k_steepest, k_steepest));
+    const Vec2 d = heading_direction(heading_of({way.x, way.z}) + hands.turn);
     const glm::vec3 forward{d.x * pitch.cosine, pitch.sine, d.z * pitch.cosine};
     const glm::vec3 sideways{d.z, 0, -d.x};
+    const float speed = (hands.is_fast ? k_run_speed : k_walk_speed) * v.settings.pace;
     v.camera.eye +=
-        (forward * ahead + sideways * left + glm::vec3(0, up, 0)) * (speed * v.settings.pace * seconds);
+        (forward * hands.ahead + sideways * hands.left + glm::vec3(0, hands.up, 0)) * (speed * seconds);
     v.camera.target = v.camera.eye + forward;
     return true;
 }

@@ -21,7 +21,10 @@ struct Mouse {
 // What is a panel's is left to it.
 void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse);
 
-// Moves the eye as keys and a dragging mouse say; tells whether they did.
-bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& viewer);
+// What keys and a mouse that drags ask for.
+Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, bool inverts_look = false);
+
+// Moves the eye so; tells whether anything was asked for.
+bool fly(const Steering& hands, float seconds, Viewer& viewer);
 
 }  // namespace flaneur

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/pick.h"
 
 namespace flaneur {
@@ -13,6 +14,7 @@ constexpr float k_nowhere = 30, k_reach = 3000;   // metres: where nothing is me
 constexpr float k_notch = 0.85f;                  // of the distance is left after one
 constexpr float k_nearest = 0.6f;                 // metres before what is zoomed to
 constexpr float k_turn = 0.005f;                  // radians a pixel
+constexpr float k_side_pixels = 60;               // that one notch goes to the side
 constexpr float k_level = 0.03f, k_steep = 1.5f;  // radians above and below a place that one looks at it from
 
 glm::vec3 turned(glm::vec3 v, float yaw) {
@@ -76,15 +78,36 @@ void orbit(glm::vec3 place, glm::vec2 pixels, Viewer& v) {
     v.camera.target = v.camera.eye + along * down.cosine + glm::vec3(0, down.sine, 0);
 }
 
-bool navigate(const World& world, const Mouse& before, const Mouse& now, float wheel, Size size, Grip& grip,
+// Where the cursor is, clockwise about the picture's middle, radians.
+static float bearing_on_screen(glm::vec2 pixel, Size size) {
+    return arctan2(pixel.y - 0.5f * static_cast<float>(size.height),
+                   pixel.x - 0.5f * static_cast<float>(size.width));
+}
+
+static bool navigate_map(const Mouse& before, const Mouse& now, Wheel wheel, Size size, glm::vec2 from,
+                         glm::vec2 to, CameraChoice& map) {
+    const CameraChoice was = map;
+    if (wheel.away != 0) zoom_map(map, size, to, wheel.away);
+    if (wheel.right != 0) pan_map(map, size, {k_side_pixels * wheel.right, 0}, {0, 0});
+    if ((before.is_held && now.is_held) || (before.pans && now.pans)) pan_map(map, size, from, to);
+    if (before.orbits && now.orbits)
+        turn_map(map, wrap_angle(bearing_on_screen(from, size) - bearing_on_screen(to, size)));
+    return map != was;
+}
+
+bool navigate(const World& world, const Mouse& before, const Mouse& now, Wheel wheel, Size size, Grip& grip,
               Viewer& v) {
+    if (size.width <= 0 || size.height <= 0) return false;
     const glm::vec2 from(static_cast<float>(before.x), static_cast<float>(before.y));
     const glm::vec2 to(static_cast<float>(now.x), static_cast<float>(now.y));
+    if (v.choice.kind == CameraChoice::Kind::map)
+        return navigate_map(before, now, wheel, size, from, to, v.choice);
     auto under = [&](glm::vec2 pixel) {
         return place_along(world, v.camera, ray_through(v.camera, size, pixel));
     };
     const glm::vec3 eye = v.camera.eye, target = v.camera.target;
-    if (wheel != 0) zoom(under(to), wheel, v);
+    if (wheel.away != 0) zoom(under(to), wheel.away, v);
+    if (wheel.right != 0) pan(under(to), to, to - glm::vec2(k_side_pixels * wheel.right, 0), size, v);
     if (!now.pans && !now.orbits)
         grip.place.reset();
     else if (!grip.place)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/world.h"
+#include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 
 namespace flaneur {
@@ -21,12 +22,13 @@ void pan(glm::vec3 place, glm::vec2 from, glm::vec2 to, Size size, Viewer& viewe
 // Round the upright line through a place, and over or under it, by so many pixels.
 void orbit(glm::vec3 place, glm::vec2 pixels, Viewer& viewer);
 
-// What a hand does with the mouse: the wheel zooms, the middle button pans, the right one orbits what it took
-// hold of. Tells whether the eye has moved.
+// What a hand does with the mouse: the wheel zooms, or pans to the side, the middle button pans, the right
+// one orbits what it took hold of. Of a map the left one pans too, and the right one turns it. Tells whether
+// the eye has moved.
 struct Grip {
     std::optional<glm::vec3> place;
 };
-bool navigate(const World& world, const Mouse& before, const Mouse& now, float wheel, Size size, Grip& grip,
+bool navigate(const World& world, const Mouse& before, const Mouse& now, Wheel wheel, Size size, Grip& grip,
               Viewer& viewer);
 
 }  // namespace flaneur

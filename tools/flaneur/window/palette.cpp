@@ -20,10 +20,11 @@ struct Hand {
 constexpr std::array k_hands = {
     Hand{"Fly; Shift: fast", "W A S D, arrows"},
     Hand{"Down, up", "Q E"},
-    Hand{"Look about", "drag"},
+    Hand{"Look about; along a map", "drag"},
     Hand{"Nearer, farther", "wheel"},
+    Hand{"To the side", "Shift+wheel"},
     Hand{"Drag along", "drag, middle"},
-    Hand{"Look round", "drag, right"},
+    Hand{"Look round; turn a map", "drag, right"},
     Hand{"Ask who that is", "click"},
 };
 
@@ -76,6 +77,7 @@ void lay_out_keys(Viewer& v, Size size, float scale) {
         });
         for (const ActionGroup& group : action_groups())
             table(group.name, [&] {
+                if (group.in_short) return lay_out_row(group.in_short, group.keys_in_short);
                 for (const Action& action : group.actions)
                     if (*action.keys) lay_out_row(action.name, action.keys);
             });

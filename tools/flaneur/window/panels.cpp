@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/base/tick.h"
+#include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/card.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/settings/room.h"
@@ -37,6 +38,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 }
 
 constexpr RoomPanel k_rooms[] = {
+    {Room::cameras, "Cameras", "where to look from: modes, lens, bookmarks, path", lay_out_cameras},
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
     {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
@@ -137,7 +139,8 @@ std::string clock_text(const Show& show) {
 void tell(Viewer& viewer, const std::string& what) {
     constexpr double k_seconds = 5;
     viewer.note = what;
-    viewer.note_until = ImGui::GetTime() + k_seconds;
+    const bool has_window = ImGui::GetCurrentContext() != nullptr;  // tests have none
+    viewer.note_until = (has_window ? ImGui::GetTime() : 0) + k_seconds;
 }
 
 void lay_out_loading(const std::string& city, const std::string& doing, const char* hint, Size size,
@@ -166,6 +169,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_filming(viewer, size, scale);
     lay_out_opening(show, viewer, size, scale);
     if (!viewer.has_panels) return;
+    lay_out_map(viewer, size, scale);
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);

@@ -7,6 +7,7 @@
 
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/clock.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/record/present.h"
@@ -17,7 +18,7 @@
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, record, settings };
+enum class Room : uint8_t { none, layers, cameras, record, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -36,6 +37,7 @@ struct Viewer {
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
+    Cameras cameras;
     bool is_loading = true;
     std::vector<KeyPress> presses;  // not acted upon yet
     bool wants_command = false, wants_close = false;
@@ -57,9 +59,5 @@ struct Viewer {
     PanelKeys panel_keys;
     float resolution = 1;  // share of the window's pixels that the picture is drawn in
 };
-
-void choose(Viewer& viewer, CameraChoice::Kind kind);
-// From wherever the camera is, the eye flies on freely.
-void take_off(Viewer& viewer);
 
 }  // namespace flaneur

@@ -33,8 +33,7 @@ void wish(Viewer& v, Result<ShowWish> wish) {
 
 // What was said of who and what is no longer there goes.
 void begin_anew(Show& show, const Options& options, Viewer& v) {
-    v.choice = options.scene.camera;
-    v.chosen = false;
+    begin_cameras(options.scene, v);
     v.walkers = show.loaded.world->crowd.count;
     v.hovered = v.selected = std::nullopt;
     v.clock.due = 0;

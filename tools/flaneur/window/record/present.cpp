@@ -42,8 +42,7 @@ void next_view(const Show& show, Viewer& v) {
     p.view = (p.view + 1) % static_cast<int>(views.size());
     p.seconds = 0;
     const World& world = *show.loaded.world;
-    p.from =
-        choose_camera(*show.loaded.city, world, show.sun, {views[static_cast<size_t>(p.view)], 0, {}, {}}, 1);
+    p.from = choose_camera(show, {.kind = views[static_cast<size_t>(p.view)]}, 0, {}, 1);
     p.middle = place_along(world, p.from, glm::normalize(p.from.target - p.from.eye));
 }
 

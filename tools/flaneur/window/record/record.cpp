@@ -40,11 +40,6 @@ void report(Viewer& v, const std::string& what) {
     tell(v, printable(what));
 }
 
-std::string command_now(const Show& show, const Viewer& v, Size size) {
-    return command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, show.loaded.world->tick,
-                                        v.record.picture.is_transparent});
-}
-
 // A picture, and how far away it is if that is asked for; what was written where.
 Result<std::string> write_picture(const Show& show, const Viewer& v, const Image& image, bool has_command) {
     const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
@@ -70,17 +65,12 @@ Result<Image> draw(Show& show, const FrameInput& frame, Size size) {
                       static_cast<uint32_t>(size.height));
 }
 
-FrameInput frame_of(Show& show, const Viewer& v, Size size, float between) {
-    FrameInput frame = extract_frame(show, v.camera, size, between);
-    frame.companion = companion_of(v.choice);
-    return frame;
-}
-
 // Draws and writes one of the chosen size.
 void take_picture(Show& show, Viewer& v, Size window, float between) {
     const Result<Size> size = size_of(v.record.picture, window);
     if (!size) return report(v, size.error().message);
-    FrameInput frame = frame_of(show, v, *size, between);
+    // As the command draws it, which tells a place and no companion.
+    FrameInput frame = extract_frame(show, v.camera, *size, between);
     frame.wants_depths = v.record.picture.is_transparent || v.record.picture.has_depth;
     const Result<Image> image = draw(show, frame, *size);
     const Result<std::string> told = image ? write_picture(show, v, *image, true) : image.error();
@@ -125,7 +115,9 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
 Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     Filming& filming = *v.record.filming;
     if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
-    const Result<Image> image = draw(show, frame_of(show, v, filming.size, between), filming.size);
+    FrameInput frame = extract_frame(show, v.camera, filming.size, between);
+    frame.companion = companion_of(v.choice);
+    const Result<Image> image = draw(show, frame, filming.size);
     if (!image) return image.error();
     if (Result<void> written = write_film(*filming.film, image->rgba); !written) {
         v.record.filming.reset();
