@@ -18,10 +18,13 @@
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/asked.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
 
@@ -112,6 +115,12 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
+// What is told after each tick.
+void watch(const Show& show, Viewer& v) {
+    count_people(v.measure.counts, *show.loaded.world);
+    watch_gait(*show.loaded.world, v.selected, v.watch);
+}
+
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                       const std::vector<std::string>& words, uint32_t close_after) {
     World& world = *show.loaded.world;
@@ -129,7 +138,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         const double now = glfwGetTime(), passed = now - last;
         last = now;
         act_on_presses(show, v);
-        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
+        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show), watch(show, v);
         const float between = between_ticks(v.clock);
 
         const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
@@ -142,13 +151,17 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
-        bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
-        is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
+        // What is drawn with takes the left button.
+        Mouse free = mouse;
+        if (draw_with_mouse(show, before, mouse, size, is_panels, v)) free.is_held = free.has_clicked = false;
+        bool is_moving = fly(window, before, free, static_cast<float>(passed), v);
+        is_moving |= navigate(world, before, free, gui_wheel(), size, grip, v);
         is_moving |= is_following && !v.clock.is_paused;
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
+            show.overlay.letters_legends = v.wants_picture || !v.has_panels;
             FrameInput frame = extract_frame(show, v.camera, size, between);
             frame.companion = companion_of(v.choice);
             const std::string command =
@@ -165,8 +178,12 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                 say(command);
                 tell(v, "Copied: " + printable(command));
             }
-            ask(show, mouse, size, is_panels, v);
+            ask(show, free, size, is_panels, v);
+            find_people(show, v);
             mark_asked(v, show, frame);
+            mark_found(show, v, frame);
+            mark_gait(show, v, frame);
+            mark_measures(show, v, frame);
             begin_gui(gui);
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);

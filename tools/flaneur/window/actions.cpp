@@ -6,6 +6,9 @@
 #include <cctype>
 #include <utility>
 
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
 
@@ -35,8 +38,10 @@ void follow_asked(Show&, Viewer& v) {
 void dismiss(Show&, Viewer& v) {
     constexpr double k_again_seconds = 2;
     if (std::exchange(v.lists_keys, false)) return;
+    if (abandon_drawing(v)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
+    if (v.asking.selected) return v.asking.selected.reset();
     const double now = glfwGetTime();
     if (now - v.escaped_at < k_again_seconds) {
         v.wants_close = true;
@@ -98,10 +103,10 @@ constexpr std::array k_window = {
     Action{"Close the window", "Ctrl+Q", GLFW_KEY_Q, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { v.wants_close = true; }},
 };
-constexpr std::array k_groups = {
-    ActionGroup{"Time", k_time},
-    ActionGroup{"Cameras", k_cameras},
-    ActionGroup{"Layers", k_layers},
+const std::array k_groups = {
+    ActionGroup{"Time", k_time},         ActionGroup{"Cameras", k_cameras},
+    ActionGroup{"Layers", k_layers},     ActionGroup{"People", find_actions()},
+    ActionGroup{"Gait", gait_actions()}, ActionGroup{"Measure", measure_actions()},
     ActionGroup{"Window", k_window},
 };
 
@@ -109,6 +114,7 @@ constexpr std::array k_groups = {
 int plain(int key) {
     if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
     if (key == GLFW_KEY_KP_SUBTRACT) return GLFW_KEY_MINUS;
+    if (key == GLFW_KEY_KP_ENTER) return GLFW_KEY_ENTER;
     return key;
 }
 
