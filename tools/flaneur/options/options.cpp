@@ -293,7 +293,7 @@ void add_measures(CLI::App& sim, MeasurePlan& plan) {
             plan.zones.insert(plan.zones.end(), more->zones.begin(), more->zones.end());
             return {};
         },
-        "The lines and zones of a file that the room Measure of `flaneur view` has written", "FILE.json");
+        "The lines and zones of a .json file that the room Measure of `flaneur view` has written", "FILE");
 }
 
 // Refuses what has nothing to count.

@@ -63,7 +63,8 @@ void ask(const Show& show, const Mouse& mouse, Size size, bool is_panels, Viewer
     if (is_panels || (mouse.is_held && !mouse.has_clicked)) return;
     const glm::vec2 pixel(static_cast<float>(mouse.x), static_cast<float>(mouse.y));
     v.hovered = walker_along(*show.loaded.world, v.camera, ray_through(v.camera, size, pixel), k_slack);
-    if (!v.hovered && (mouse.has_clicked || has_rested(pixel, v.asking)))
+    const bool is_drawing = v.room == Room::measure;
+    if (!v.hovered && (mouse.has_clicked || (has_rested(pixel, v.asking) && !is_drawing)))
         v.asking.hovered = thing_at(show, ray_through(v.camera, size, pixel), v);
     if (!mouse.has_clicked) return;
     v.selected = v.hovered;

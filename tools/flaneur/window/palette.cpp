@@ -24,7 +24,7 @@ constexpr std::array k_hands = {
     Hand{"Nearer, farther", "wheel"},
     Hand{"Drag along", "drag, middle"},
     Hand{"Look round", "drag, right"},
-    Hand{"Ask who that is", "click"},
+    Hand{"Ask who or what that is", "click"},
 };
 
 void lay_out_row(const char* what, const char* keys) {

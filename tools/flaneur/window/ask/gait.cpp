@@ -52,33 +52,6 @@ void add_print(const World& world, Side side, GaitWatch& watch) {
     if (watch.prints.size() > k_most_prints) watch.prints.erase(watch.prints.begin());
 }
 
-// From the last strides of each leg.
-void measure_legs(GaitWatch& watch) {
-    watch.known_contacts = watch.contacts;
-    const std::vector<MeasuredStride> all = strides(watch.walk, 0, watch.walk.ticks.size());
-    double seconds = 0, metres = 0;
-    int count = 0;
-    for (const Side side : {k_left, k_right}) {
-        std::vector<MeasuredStride> own;
-        for (auto s = all.rbegin(); s != all.rend() && own.size() < k_most_strides; ++s)
-            if (s->side == side) own.insert(own.begin(), *s);
-        watch.legs[side].reset();
-        if (own.empty()) continue;
-        GaitWatch::Leg& leg = watch.legs[side].emplace();
-        leg.curves = curves_of(watch.walk, own);
-        leg.strides = static_cast<int>(own.size());
-        for (const MeasuredStride& s : own) {
-            leg.stance += (s.toe_off - s.begin) / (s.end - s.begin) / static_cast<double>(own.size());
-            const Instant &from = watch.walk.ticks[static_cast<size_t>(s.begin)],
-                          &to = watch.walk.ticks[static_cast<size_t>(s.end)];
-            seconds += (s.end - s.begin) / watch.walk.rate, ++count;
-            metres += static_cast<double>(length(on_ground(to.root - from.root)));
-        }
-    }
-    watch.seconds = count > 0 ? seconds / count : 0;
-    watch.metres = count > 0 ? metres / count : 0;
-}
-
 std::vector<glm::vec2> points_of(const Cycle& cycle, const Cycle* sd = nullptr, double times = 0) {
     std::vector<glm::vec2> points;
     for (size_t i = 0; i < cycle.size(); ++i)
@@ -159,6 +132,33 @@ void watch_gait(const World& world, std::optional<uint32_t> walker, GaitWatch& w
     }
 }
 
+void measure_legs(GaitWatch& watch) {
+    if (watch.known_contacts == watch.contacts) return;
+    watch.known_contacts = watch.contacts;
+    const std::vector<MeasuredStride> all = strides(watch.walk, 0, watch.walk.ticks.size());
+    double seconds = 0, metres = 0;
+    int count = 0;
+    for (const Side side : {k_left, k_right}) {
+        std::vector<MeasuredStride> own;
+        for (auto s = all.rbegin(); s != all.rend() && own.size() < k_most_strides; ++s)
+            if (s->side == side) own.insert(own.begin(), *s);
+        watch.legs[side].reset();
+        if (own.empty()) continue;
+        GaitWatch::Leg& leg = watch.legs[side].emplace();
+        leg.curves = curves_of(watch.walk, own);
+        leg.strides = static_cast<int>(own.size());
+        for (const MeasuredStride& s : own) {
+            leg.stance += (s.toe_off - s.begin) / (s.end - s.begin) / static_cast<double>(own.size());
+            const Instant &from = watch.walk.ticks[static_cast<size_t>(s.begin)],
+                          &to = watch.walk.ticks[static_cast<size_t>(s.end)];
+            seconds += (s.end - s.begin) / watch.walk.rate, ++count;
+            metres += static_cast<double>(length(on_ground(to.root - from.root)));
+        }
+    }
+    watch.seconds = count > 0 ? seconds / count : 0;
+    watch.metres = count > 0 ? metres / count : 0;
+}
+
 void mark_gait(Show& show, Viewer& v, FrameInput& frame) {
     const GaitWatch& watch = v.watch;
     const World& world = *show.loaded.world;
@@ -202,7 +202,7 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
         return;
     }
     GaitWatch& watch = v.watch;
-    if (watch.known_contacts != watch.contacts) measure_legs(watch);
+    measure_legs(watch);
     if (!watch.legs[k_left] && !watch.legs[k_right])
         ImGui::TextDisabled("No. %u has not made a whole stride since you asked.", *v.selected);
     else

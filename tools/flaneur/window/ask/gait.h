@@ -43,6 +43,9 @@ struct GaitWatch {
 // After each tick. Another walker, or a tick that does not follow, begins anew.
 void watch_gait(const World& world, std::optional<uint32_t> walker, GaitWatch& watch);
 
+// From the last strides of each leg, if there are new ones: `legs`, `seconds` and `metres`.
+void measure_legs(GaitWatch& watch);
+
 void mark_gait(Show& show, Viewer& viewer, FrameInput& frame);
 // Its speed over the last ten seconds.
 void lay_out_speed(const GaitWatch& watch, float width, float scale);
