@@ -8,6 +8,9 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/measure/count.h"
+#include "tools/flaneur/measure/csv.h"
+#include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/output/output.h"
 
 namespace flaneur {
@@ -21,15 +24,22 @@ Result<void> run_sim(const Options& options) {
         if (!file) return file.error();
         log = std::move(*file);
     }
+    Result<std::vector<PartFilePtr>> counted = std::vector<PartFilePtr>();
+    if (!options.measures.empty()) counted = open_counts(options.measures, options.plan);
+    if (!counted) return counted.error();
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
+    Counts counts;
+    set_plan(counts, options.plan, world.tick);
+    count_people(counts, world);
 
     auto start = std::chrono::steady_clock::now();
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         step(world);
+        count_people(counts, world);
         if (log && std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
             return keep_file(std::move(log));  // which says why
         if (world.tick % 60 == 0) {
@@ -40,11 +50,16 @@ Result<void> run_sim(const Options& options) {
     clear_progress();
     std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
-    char counts[96];
-    std::snprintf(counts, sizeof counts, ": %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s",
+    char figures[96];
+    std::snprintf(figures, sizeof figures, ": %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s",
                   world.crowd.count, world.tick, thread_count(*world.workers), spent.count());
-    say(city_name(options.scene) + counts);
+    say(city_name(options.scene) + figures);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
+    std::fputs(told_counts(counts).c_str(), stdout);
+    if (!options.measures.empty()) {
+        for (const PartFilePtr& file : *counted) say("Writing " + file->path);
+        if (Result<void> written = write_counts(std::move(*counted), counts); !written) return written;
+    }
     return log ? keep_file(std::move(log)) : Result<void>();
 }
 

@@ -17,10 +17,13 @@
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/asked.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/open/pictures.h"
@@ -98,6 +101,13 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
+// What is told after each tick.
+void watch(const Show& show, Viewer& v) {
+    count_people(v.measure.counts, *show.loaded.world);
+    watch_gait(*show.loaded.world, v.selected, v.watch);
+    ride(*show.loaded.world, v.cameras, v.choice);
+}
+
 // Of the window's time.
 void rest_until(double then) {
     const double left = then - glfwGetTime();
@@ -124,7 +134,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         act_on_presses(show, v);
         for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
             step(show);
-            ride(world, v.cameras, v.choice);
+            watch(show, v);
         }
         const float between = between_pictures(v.record, v.clock);
 
@@ -133,10 +143,13 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
+        // What is drawn with takes the left button.
+        Mouse free = mouse;
+        if (draw_with_mouse(show, before, mouse, size, is_panels, v)) free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(passed);
         const Steering hands =
-            steering_of(window, before, mouse, v.settings.inverts_look) + read_pad(window, seconds, v);
-        bool is_moving = navigate(world, before, mouse, gui_wheel(v.settings.inverts_wheel), size, grip, v);
+            steering_of(window, before, free, v.settings.inverts_look) + read_pad(window, seconds, v);
+        bool is_moving = navigate(world, before, free, gui_wheel(v.settings.inverts_wheel), size, grip, v);
         is_moving |= steer(show, hands, seconds, v);
         is_moving |= move_camera(show, size, seconds, between, v);
         go_on_presenting(show, v, passed);
@@ -144,7 +157,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
+            show.overlay.letters_legends = true;
             if (Result<void> done = take_pictures(show, v, size, between); !done) return done;
+            show.overlay.letters_legends = !v.has_panels;
             FrameInput frame = extract_frame(show, v.camera, size, between);
             frame.companion = companion_of(v.choice);
             if (std::exchange(v.wants_command, false)) {
@@ -153,9 +168,13 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                 say(command);
                 tell(v, "Copied: " + printable(command));
             }
-            ask(show, mouse, size, is_panels, v);
+            ask(show, free, size, is_panels, v);
+            find_people(show, v);
             mark_asked(v, show, frame);
             mark_path(v, show, frame);
+            mark_found(show, v, frame);
+            mark_gait(show, v, frame);
+            mark_measures(show, v, frame);
             if (Result<void> done =
                     suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);
                 !done)

@@ -80,8 +80,9 @@ the wheel zooms to the cursor, the middle button drags along and the right one r
 Space pauses, . makes one tick, - and + change how fast time goes by; 1 street, 2 overview, 3 follow a walker, Tab the
 next one, 4 through its eyes, 5 a map, G walk on foot; who is clicked is told about, F looks at them, Shift+F follows;
 [ and ] change the lens; Ctrl+1 to 9 keep a camera, Alt+1 to 9 go back there; L lists layers, the views for work, F2 to
-F11; H hides the panels; F12 writes a picture to out/, R a film; C copies the command that draws it; Ctrl+O opens a
-file, and so does dropping it; Ctrl+P finds any action by its name; F1 lists the keys; Ctrl+Q quits.
+F11; M measures, / finds people, J shows how one walks; H hides the panels; F12 writes a picture to out/, R a film; C
+copies the command that draws it; Ctrl+O opens a file, and so does dropping it; Ctrl+P finds any action by its name; F1
+lists the keys; Ctrl+Q quits.
 Examples:
   flaneur view --scene square
   flaneur view --city berlin.osm --walkers 5000 --camera follow:12
@@ -112,9 +113,17 @@ seconds, metres and degrees; the window's Cameras room records one, plays it and
 constexpr const char* k_sim_footer =
     R"(Runs without Vulkan. The hash covers the whole state; the same city, people, walkers and seed give the same
 one for any number of threads, on any x86-64 machine.
+--line and --zone count people, as the room Measure of `flaneur view` does, which also draws both and copies them as these
+options. Metres, x to the east and z to the south; flaneur inspect MAP says where on Earth that is. What was counted is
+printed; --measures FILE.csv writes FILE-L1.csv of the first line, a row for each crossing (when, who, to which side of one
+who looks from the line's first end to its last, how fast, where), and FILE-Z1.csv of the first zone, a row for each second
+(people, density, density by Voronoi cells, mean speed). docs/viewer.md tells how it is counted.
 Examples:
   flaneur sim --walkers 500 --seconds 60 --hash
-  flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff)";
+  flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff
+  flaneur sim --seconds 300 --line -4,12/4,12 --measures out/flow.csv
+  flaneur sim --seconds 300 --line door:2,8/5,8 --zone 0,0/8,0/8,6/0,6 --measures out/square.csv
+  flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv)";
 
 constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation), pose (the kernels that pose bodies, on one
@@ -276,6 +285,65 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
                      "Go on with a film, or numbered pictures, that the same command began");
 }
 
+// Options that may be given again and again, each of which adds to the plan.
+void add_measures(CLI::App& sim, MeasurePlan& plan) {
+    auto add = [&sim](const char* name, auto take, const char* description, const char* type) {
+        sim.add_option_function<std::vector<std::string>>(
+               name,
+               [=](const std::vector<std::string>& texts) {
+                   for (const std::string& text : texts)
+                       if (Result<void> taken = take(text); !taken)
+                           throw CLI::ValidationError(std::string(name) + " " + taken.error().message,
+                                                      CLI::ExitCodes::ValidationError);
+               },
+               description)
+            ->type_name(type)
+            ->allow_extra_args(false)
+            ->take_all();
+    };
+    add(
+        "--line",
+        [&plan](const std::string& text) -> Result<void> {
+            Result<CountLine> line = parse_count_line(text);
+            if (!line) return line.error();
+            plan.lines.push_back(std::move(*line));
+            return {};
+        },
+        "Count who crosses a line, by its ends in metres; may be given several times", "[NAME:]X,Z/X,Z");
+    add(
+        "--zone",
+        [&plan](const std::string& text) -> Result<void> {
+            Result<CountZone> zone = parse_count_zone(text);
+            if (!zone) return zone.error();
+            plan.zones.push_back(std::move(*zone));
+            return {};
+        },
+        "Count who is in a zone, by its corners; may be given several times", "[NAME:]X,Z/X,Z/X,Z...");
+    add(
+        "--measures-of",
+        [&plan](const std::string& text) -> Result<void> {
+            Result<MeasurePlan> more = read_plan(text);
+            if (!more) return more.error();
+            plan.lines.insert(plan.lines.end(), more->lines.begin(), more->lines.end());
+            plan.zones.insert(plan.zones.end(), more->zones.begin(), more->zones.end());
+            return {};
+        },
+        "The lines and zones of a .json file that the room Measure of `flaneur view` has written", "FILE");
+}
+
+// Refuses what has nothing to count.
+Result<void> settle_measures(Options& options) {
+    if (!options.measures.empty() && is_empty(options.plan))
+        return Error{
+            "--measures writes what lines and zones count: give some with --line, --zone or --measures-of."};
+    if (!is_empty(options.plan) && options.scene.asteroid)
+        return Error{
+            "--line and --zone are of the ground plane of a city, and people walk all round the asteroid."};
+    if (Result<void> named = name_all(options.plan); !named)
+        return Error{named.error().message + ": give one of them another name, as in --line NAME:X,Z/X,Z."};
+    return {};
+}
+
 void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* sim = app.add_subcommand("sim", "Simulate without drawing")->footer(k_sim_footer);
     sim->callback([&] { options.command = Command::sim; });
@@ -290,6 +358,10 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     sim->add_option("--isa", options.isa, "Instruction set to run on: sse4, avx2, avx512, neon or best")
         ->type_name("NAME")
         ->capture_default_str();
+    add_measures(*sim, options.plan);
+    sim->add_option("--measures", options.measures,
+                    "Write what lines and zones counted: FILE-L1.csv, FILE-Z1.csv and so on")
+        ->type_name("FILE.csv");
 }
 
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
@@ -595,6 +667,7 @@ static Result<std::variant<std::monostate, Options>> parse_words(int argc, char*
     Result<void> settled = settle_scene(words, options);
     if (!settled) return settled.error();
     if (Result<void> used = check_used(command, options); !used) return used.error();
+    if (Result<void> measured = settle_measures(options); !measured) return measured.error();
     return Parsed(std::move(options));
 }
 

@@ -10,6 +10,7 @@
 #include "assets/scene.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
+#include "tools/flaneur/measure/plan.h"
 
 namespace flaneur {
 
@@ -108,6 +109,8 @@ struct Options {
     bool hash = false;
     std::string hash_log;
     std::string isa = "best";
+    MeasurePlan plan;      // what is counted
+    std::string measures;  // where to: see csv_path()
 
     // bench
     BenchLoad load = BenchLoad::frame;

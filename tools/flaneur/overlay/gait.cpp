@@ -94,27 +94,6 @@ void add_skeleton(const OverlayInput& input, const PeopleFrame& people, uint32_t
     }
 }
 
-// Where heels and balls press on the ground.
-void add_contact_marks(const OverlayInput& input, uint32_t i, Overlay& overlay) {
-    const World& world = input.world;
-    for (Side side : {k_left, k_right}) {
-        const FootBlock& foot = world.gait.blocks[i / k_block].feet[side];
-        if (foot.swinging[i % k_block]) continue;
-        const FootPlace place = get_place(foot.to, static_cast<int>(i % k_block));
-        const Sole s = sole(world.poses, world.gait, i, side);
-        const uint32_t colour = side == k_left ? k_left_colour : k_right_colour;
-        for (const auto& [point, radius] : {std::pair{s.heel, 0.035f}, std::pair{s.ball, 0.05f}}) {
-            const float above = dot(point - place.position, place.normal);
-            if (above > 0.02f) continue;
-            const glm::vec3 at = to_glm(point - place.normal * above);
-            add_disc(overlay.fills, at, to_glm(place.normal), radius, (colour & 0xffffffu) | 0xb0000000u);
-            add_circle(overlay.lines,
-                       {.pixels = 1.3f, .colour = colour, .place = GizmoPlace::in_world_hidden}, at,
-                       to_glm(place.normal), 1.6f * radius);
-        }
-    }
-}
-
 void add_foot_gizmos(const World& world, uint32_t i, Side side, Overlay& overlay) {
     const int lane = static_cast<int>(i % k_block);
     const GaitBlock& gait = world.gait.blocks[i / k_block];
@@ -154,6 +133,28 @@ void add_hand_gizmos(const World& world, const OverlayInput& input, const People
              joint_place(input, people, i, side == k_left ? left_upper_arm : right_upper_arm));
 }
 
+}  // namespace
+
+void add_contact_marks(const OverlayInput& input, uint32_t i, Overlay& overlay) {
+    const World& world = input.world;
+    for (Side side : {k_left, k_right}) {
+        const FootBlock& foot = world.gait.blocks[i / k_block].feet[side];
+        if (foot.swinging[i % k_block]) continue;
+        const FootPlace place = get_place(foot.to, static_cast<int>(i % k_block));
+        const Sole s = sole(world.poses, world.gait, i, side);
+        const uint32_t colour = side == k_left ? k_left_colour : k_right_colour;
+        for (const auto& [point, radius] : {std::pair{s.heel, 0.035f}, std::pair{s.ball, 0.05f}}) {
+            const float above = dot(point - place.position, place.normal);
+            if (above > 0.02f) continue;
+            const glm::vec3 at = to_glm(point - place.normal * above);
+            add_disc(overlay.fills, at, to_glm(place.normal), radius, (colour & 0xffffffu) | 0xb0000000u);
+            add_circle(overlay.lines,
+                       {.pixels = 1.3f, .colour = colour, .place = GizmoPlace::in_world_hidden}, at,
+                       to_glm(place.normal), 1.6f * radius);
+        }
+    }
+}
+
 void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_t i, Overlay& overlay) {
     const World& world = input.world;
     const Crowd& crowd = world.crowd;
@@ -188,8 +189,6 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
     add_text(overlay.lines, {at + glm::vec3(0, height + 0.12f, 0), {-0.5f * text_width(words, 9), 0}}, words,
              ink(0xf6f3ec), 9);
 }
-
-}  // namespace
 
 // Bones know no depth among themselves: those behind are drawn first, joints after the bones that meet there.
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tools/extract/convert.h"
+#include "tools/flaneur/measure/count.h"
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/overlay/shapes.h"
 
@@ -13,7 +14,6 @@ constexpr float k_cell = 0.5f;    // of the density's grid, metres
 constexpr int k_half_grid = 300;  // cells from the eye to the grid's border
 constexpr float k_kernel = 2;     // metres about a walker over which it counts
 constexpr float k_least = 0.02f;  // people to a square metre that show
-constexpr float k_fruin[] = {0.31f, 0.43f, 0.72f, 1.08f, 2.15f};
 
 struct Node {
     float density = 0;
@@ -22,10 +22,8 @@ struct Node {
 };
 
 uint32_t density_colour(float density) {
-    size_t level = 0;
-    while (level < std::size(k_fruin) && density > k_fruin[level]) ++level;
     const float opacity = std::clamp((density - k_least) / 0.12f, 0.0f, 1.0f) * 0.62f;
-    return (k_fruin_colours[level] & 0xffffffu) | static_cast<uint32_t>(opacity * 255) << 24;
+    return (k_fruin_colours[fruin_level(density)] & 0xffffffu) | static_cast<uint32_t>(opacity * 255) << 24;
 }
 
 uint32_t lighter(uint32_t colour, float factor) {

@@ -16,10 +16,6 @@ constexpr float k_letters = 10;  // pixels that capitals are tall
 constexpr float k_margin = 18;   // pixels
 constexpr uint32_t k_white = ink(0xf6f3ec), k_grey = ink(0xb9b6ae);
 
-struct LegendEntry {
-    const char* what;
-    uint32_t colour;
-};
 constexpr LegendEntry k_level_legend[] = {
     {"finest mesh", k_level_colours[0]}, {"second", k_level_colours[1]},   {"third", k_level_colours[2]},
     {"fourth", k_level_colours[3]},      {"coarsest", k_level_colours[4]}, {"impostor", k_level_colours[5]}};
@@ -80,7 +76,7 @@ void colour_by_speed(const World& world, PeopleFrame& people) {
 }
 
 // From the lower left corner up, each row on a dark ground. Kept apart, so that it lies over all other lines.
-struct Legend {
+struct LetteredLegend {
     static constexpr float k_row = 1.9f * k_letters, k_indent = 30;
     std::vector<GizmoLine> grounds, rows;
     float row = 0;
@@ -100,14 +96,39 @@ struct Legend {
         if (swatch != 0) rows.push_back(bar(k_margin + 4, k_margin + 16, 10, swatch | 0xff000000u));
         add_text(rows, {corner, {left, y}, GizmoPlace::on_picture}, text, colour, k_letters);
     }
-    void add(const char* title, std::span<const LegendEntry> entries) {
-        for (size_t i = entries.size(); i-- > 0; ++row) add_row(entries[i].what, k_white, entries[i].colour);
-        add_row(title, k_grey, 0);
+    void add(const Legend& legend) {
+        for (size_t i = legend.entries.size(); i-- > 0; ++row)
+            add_row(legend.entries[i].what, k_white, legend.entries[i].colour);
+        add_row(legend.title, k_grey, 0);
         row += 1.6f;
     }
 };
 
+void letter_legends(WorkViews views, Overlay& overlay) {
+    LetteredLegend lettered;
+    for (const Legend& legend : legends_of(views)) lettered.add(legend);
+    for (const auto* lines : {&lettered.grounds, &lettered.rows})
+        overlay.lines.insert(overlay.lines.end(), lines->begin(), lines->end());
+}
+
 }  // namespace
+
+std::vector<Legend> legends_of(WorkViews views) {
+    using enum WorkView;
+    std::vector<Legend> legends;
+    auto add = [&](WorkView view, const char* title, std::span<const LegendEntry> entries) {
+        if (views[view]) legends.push_back({title, {entries.begin(), entries.end()}});
+    };
+    std::vector<LegendEntry> speeds;
+    for (const SpeedColour& colour : k_speed_colours) speeds.push_back({colour.what, colour.colour});
+    add(overdraw, "Overdraw", k_overdraw_legend);
+    add(lods, "Levels of detail", k_level_legend);
+    add(speed, "Speed", speeds);
+    add(density, "Density", k_density_legend);
+    add(walkable, "Walkable", k_walkable_legend);
+    add(skeletons, "Skeletons", k_skeleton_legend);
+    return legends;
+}
 
 void follow_trails(const World& world, Trails& trails) {
     const Crowd& crowd = world.crowd;
@@ -139,41 +160,23 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     overlay.lines.clear();
     overlay.fills.clear();
     if (views.mask == 0) return;
-    Legend legend;
     if (views[wireframe]) frame.surfaces = Surfaces::wireframe;
     if (views[normals]) frame.surfaces = Surfaces::normals;
-    if (views[overdraw]) {
-        frame.surfaces = Surfaces::overdraw;
-        legend.add("Overdraw", k_overdraw_legend);
-    }
-    if (views[lods]) {
-        frame.people_colours = PeopleColours::levels;
-        legend.add("Levels of detail", k_level_legend);
-    }
+    if (views[overdraw]) frame.surfaces = Surfaces::overdraw;
+    if (views[lods]) frame.people_colours = PeopleColours::levels;
     if (views[speed]) {
         frame.people_colours = PeopleColours::tints;
         colour_by_speed(input.world, people);
-        std::vector<LegendEntry> entries;
-        for (const SpeedColour& colour : k_speed_colours) entries.push_back({colour.what, colour.colour});
-        legend.add("Speed", entries);
     }
-    if (views[density]) {
-        add_density(input, overlay);
-        legend.add("Density", k_density_legend);
-    }
-    if (views[walkable]) {
-        add_walkable(input, overlay);
-        legend.add("Walkable", k_walkable_legend);
-    }
+    if (views[density]) add_density(input, overlay);
+    if (views[walkable]) add_walkable(input, overlay);
     if (views[trails]) add_trails(input, overlay);
     if (views[skeletons]) {
         frame.are_ghosts = true;
         add_skeletons(input, people, overlay);
-        legend.add("Skeletons", k_skeleton_legend);
     }
     if (views[gizmos]) add_gait_gizmos(input, people, overlay);
-    for (const auto* lines : {&legend.grounds, &legend.rows})
-        overlay.lines.insert(overlay.lines.end(), lines->begin(), lines->end());
+    if (overlay.letters_legends) letter_legends(views, overlay);
     frame.lines = overlay.lines;
     frame.fills = overlay.fills;
 }

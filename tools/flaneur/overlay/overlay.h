@@ -22,6 +22,7 @@ inline constexpr uint32_t k_trail_ticks = 6;  // between two places
 void follow_trails(const World& world, Trails& trails);
 
 struct Overlay {
+    bool letters_legends = true;  // else whoever shows the picture has legends_of() elsewhere
     std::vector<GizmoLine> lines;
     std::vector<GizmoCorner> fills;
     Trails trails;
@@ -40,12 +41,27 @@ struct OverlayInput {
 void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, Overlay& overlay,
               FrameInput& frame);
 
+// What colours of the views mean; of those that have any, in the order of their numbers.
+struct LegendEntry {
+    const char* what;
+    uint32_t colour;
+};
+struct Legend {
+    const char* title;
+    std::vector<LegendEntry> entries;
+};
+std::vector<Legend> legends_of(WorkViews views);
+
 // The views, each adding to the overlay.
 void add_density(const OverlayInput& input, Overlay& overlay);
 void add_walkable(const OverlayInput& input, Overlay& overlay);
 void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
+// Of one who has joints: where heels and balls press on the ground; and footprints, targets of feet and
+// hands, velocity, way and gaze.
+void add_contact_marks(const OverlayInput& input, uint32_t walker, Overlay& overlay);
+void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Overlay& overlay);
 
 // Where a joint of one who has joints is drawn.
 glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Joint joint);

@@ -6,7 +6,10 @@
 #include <cctype>
 #include <utility>
 
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/cameras.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/settings/room.h"
@@ -24,8 +27,10 @@ void dismiss(Show&, Viewer& v) {
     constexpr double k_again_seconds = 2;
     if (std::exchange(v.lists_keys, false)) return;
     if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
+    if (abandon_drawing(v)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
+    if (v.asking.selected) return v.asking.selected.reset();
     const double now = glfwGetTime();
     if (now - v.escaped_at < k_again_seconds) {
         v.wants_close = true;
@@ -78,6 +83,7 @@ constexpr std::array k_window = {
 int plain(int key) {
     if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
     if (key == GLFW_KEY_KP_SUBTRACT) return GLFW_KEY_MINUS;
+    if (key == GLFW_KEY_KP_ENTER) return GLFW_KEY_ENTER;
     return key;
 }
 
@@ -98,6 +104,9 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"Cameras", camera_actions()},
         ActionGroup{"Bookmarks", bookmark_actions(), "Keep a camera; go back there", "Ctrl+1..9, Alt+1..9"},
         ActionGroup{"Layers", k_layers},
+        ActionGroup{"People", find_actions()},
+        ActionGroup{"Gait", gait_actions()},
+        ActionGroup{"Measure", measure_actions()},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},
         ActionGroup{"Window", k_window},

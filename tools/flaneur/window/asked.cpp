@@ -1,6 +1,9 @@
 #include "tools/flaneur/window/asked.h"
 
+#include <GLFW/glfw3.h>
+
 #include "sim/base/math.h"
+#include "tools/flaneur/window/ask/ask.h"
 #include "tools/flaneur/window/pick.h"
 
 namespace flaneur {
@@ -35,15 +38,38 @@ void add_way(const World& world, uint32_t walker, std::vector<GizmoLine>& lines)
     add_ring(lines, over_ground(journey.goal.position), 0.3f, k_asked);
 }
 
+// What is no walker is told about only once the cursor rests, or is clicked.
+bool has_rested(glm::vec2 pixel, Asking& asking) {
+    constexpr double k_seconds = 0.35;
+    const double now = glfwGetTime();
+    if (pixel != asking.cursor) asking.cursor = pixel, asking.still_since = now;
+    return now - asking.still_since > k_seconds;
+}
+
+std::optional<Thing> thing_at(const Show& show, glm::vec3 way, Viewer& v) {
+    if (show.loaded.world->roam) return {};
+    const glm::vec3 eye = v.camera.eye;
+    return thing_along(index_of(show, v), {eye.x, eye.y, eye.z}, {way.x, way.y, way.z});
+}
+
+void add_outline(const CityIndex& index, const Thing& thing, uint32_t colour, std::vector<GizmoLine>& lines) {
+    for (const auto& [a, b] : outline_of(index, thing)) add_line(lines, pen_of(colour), a, b);
+}
+
 }  // namespace
 
 void ask(const Show& show, const Mouse& mouse, Size size, bool is_panels, Viewer& v) {
-    v.hovered.reset();
+    v.hovered.reset(), v.asking.hovered.reset();
     if (is_panels || (mouse.is_held && !mouse.has_clicked)) return;
     const glm::vec2 pixel(static_cast<float>(mouse.x), static_cast<float>(mouse.y));
     v.hovered = walker_along(*show.loaded.world, v.camera, ray_through(v.camera, size, pixel),
                              k_slack * v.camera.vertical_fov);
-    if (mouse.has_clicked) v.selected = v.hovered;
+    const bool is_drawing = v.room == Room::measure;
+    if (!v.hovered && (mouse.has_clicked || (has_rested(pixel, v.asking) && !is_drawing)))
+        v.asking.hovered = thing_at(show, ray_through(v.camera, size, pixel), v);
+    if (!mouse.has_clicked) return;
+    v.selected = v.hovered;
+    v.asking.selected = v.asking.hovered;
 }
 
 void mark_asked(const Viewer& v, Show& show, FrameInput& frame) {
@@ -59,6 +85,11 @@ void mark_asked(const Viewer& v, Show& show, FrameInput& frame) {
         ring(*v.selected, k_asked);
         if (!world.roam) add_way(world, *v.selected, lines);
     }
+    const Asking& asking = v.asking;
+    const bool is_asked = asking.hovered && asking.selected && is_same(*asking.hovered, *asking.selected);
+    if (asking.hovered && asking.hovered->kind != ThingKind::ground && !is_asked)
+        add_outline(asking.index, *asking.hovered, k_pointed_at, lines);
+    if (asking.selected) add_outline(asking.index, *asking.selected, k_asked, lines);
     frame.lines = lines;
 }
 

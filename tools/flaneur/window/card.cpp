@@ -2,59 +2,93 @@
 
 #include <imgui.h>
 
+#include "tools/flaneur/window/ask/facts.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
 namespace {
 
-const char* doing(const World& world, uint32_t walker) {
-    const Journey& journey = world.crowd.journeys[walker];
-    if (journey.arrived) return "stands at its goal";
-    if (world.tick < journey.pause_until) return "waits a moment";
-    if (journey.path_due != PathDue::no) return "looks for a way";
-    if (journey.stuck > 0) return "does not get on";
-    return "on the way";
+double wide(float v) { return static_cast<double>(v); }
+
+void lay_out_who(const WalkerFacts& f) {
+    if (f.is_built_in)
+        ImGui::Text("%s, %.0f", f.is_woman ? "Woman" : "Man", wide(f.age));
+    else
+        ImGui::Text("%s", f.name.c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("no. %u", f.number);
+    ImGui::Text("%.2f m tall", wide(f.height));
+    std::string has;
+    auto add = [&](bool it_has, const char* what) {
+        if (it_has) has.append(has.empty() ? "with " : ", ").append(what);
+    };
+    add(f.pram, "a pram"), add(f.cane, "a cane"), add(f.bag != Bag::none, told(f.bag));
+    add(f.phone, "a phone"), add(f.glasses, "glasses");
+    if (!has.empty()) ImGui::TextUnformatted(has.c_str());
+}
+
+void lay_out_way(const WalkerFacts& f) {
+    ImGui::Text("%.2f m/s, likes %.2f", wide(f.speed), wide(f.preferred));
+    ImGui::TextUnformatted(told_doing(f).c_str());
+    if (f.doing == Doing::roams) return;
+    const bool is_there = f.doing == Doing::stays || f.doing == Doing::arrived;
+    if (is_there && f.to) ImGui::Text("at %s", told(*f.to));
+    if (is_there) return;
+    if (f.from) ImGui::Text("set out by %s", told(*f.from));
+    if (f.to)
+        ImGui::Text("%.0f m to %s", wide(f.to_go), told(*f.to));
+    else
+        ImGui::Text("%.0f m to go", wide(f.to_go));
+}
+
+void lay_out_walker(const Show& show, uint32_t walker, Viewer& v, float scale) {
+    const WalkerFacts facts = facts_of(show, walker);
+    lay_out_who(facts);
+    lay_out_way(facts);
+    if (!v.selected) {
+        ImGui::TextDisabled("click to keep, F to look at");
+        return;
+    }
+    if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
+    tip("Shift+F");
+    ImGui::SameLine();
+    if (ImGui::Button("Eyes")) v.choice.walker = walker, choose(v, CameraChoice::Kind::eyes);
+    tip("4");
+    ImGui::SameLine();
+    if (ImGui::Button("Gait")) v.room = v.room == Room::gait ? Room::none : Room::gait;
+    tip("the angles of its legs, and its steps (J)");
+    ImGui::SameLine();
+    if (ImGui::Button("Let go")) v.selected.reset();
+    tip("Esc");
+    if (ImGui::CollapsingHeader("Speed of late")) lay_out_speed(v.watch, 260 * scale, scale);
+}
+
+void lay_out_thing(const Thing& thing, bool is_selected, Viewer& v) {
+    const ThingFacts facts = facts_of(v.asking.index, thing);
+    ImGui::TextUnformatted(facts.title.c_str());
+    for (const std::string& line : facts.lines) ImGui::TextDisabled("%s", line.c_str());
+    if (is_selected && ImGui::Button("Let go")) v.asking.selected.reset();
 }
 
 }  // namespace
 
+// A walker who is selected or pointed at goes before other things; what is selected before what is pointed
+// at. Of the ground one asks by a click.
 void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
-    const World& world = *show.loaded.world;
-    if (v.selected && !is_there(world.crowd, *v.selected)) v.selected.reset();
-    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
-    if (!who) return;
-    const uint32_t walker = *who, kind = world.crowd.identity.body[walker];
-    const Character& character = show.loaded.characters[kind];
-    const float height = world.kinds[kind].body.height * world.crowd.identity.scale[walker];
-    const Vec2 velocity = world.crowd.motion.velocity[walker];
+    if (v.selected && !is_there(show.loaded.world->crowd, *v.selected)) v.selected.reset();
+    std::optional<uint32_t> who = v.selected;
+    if (!who && !v.asking.selected) who = v.hovered;
+    const std::optional<Thing>& thing = v.asking.selected ? v.asking.selected : v.asking.hovered;
+    const bool is_ground = thing && thing->kind == ThingKind::ground && !v.asking.selected;
+    if (!who && (!thing || is_ground)) return;
     ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale, k_edge * scale},
                             ImGuiCond_Always, {1, 0});
-    if (!ImGui::Begin("who", nullptr, k_plain)) return ImGui::End();
-    if (character.found.scale == 0)
-        ImGui::Text("%s, %.0f", character.person.woman ? "Woman" : "Man",
-                    static_cast<double>(character.person.age));
-    else
-        ImGui::Text("%s", character.name.c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("no. %u", walker);
-    ImGui::Text("%.2f m tall", static_cast<double>(height));
-    ImGui::Text("%.2f m/s, likes %.2f", static_cast<double>(length(velocity)),
-                static_cast<double>(world.crowd.identity.preferred_speed[walker]));
-    if (!world.roam) {
-        const Vec3 goal = world.crowd.journeys[walker].goal.position,
-                   at = world.crowd.motion.position[walker];
-        ImGui::Text("%s, %.0f m to go", doing(world, walker), static_cast<double>(length(goal - at)));
-    }
-    if (!v.selected) {
-        ImGui::TextDisabled("click to keep, F to look at");
-    } else {
-        if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
-        tip("Shift+F");
-        ImGui::SameLine();
-        if (ImGui::Button("Eyes")) v.choice.walker = walker, choose(v, CameraChoice::Kind::eyes);
-        tip("4");
-        ImGui::SameLine();
-        if (ImGui::Button("Let go")) v.selected.reset();
+    if (ImGui::Begin("who", nullptr, k_plain)) {
+        if (who)
+            lay_out_walker(show, who.value_or(0), v, scale);
+        else
+            lay_out_thing(*thing, v.asking.selected.has_value(), v);
     }
     ImGui::End();
 }

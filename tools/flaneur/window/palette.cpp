@@ -25,7 +25,7 @@ constexpr std::array k_hands = {
     Hand{"To the side", "Shift+wheel"},
     Hand{"Drag along", "drag, middle"},
     Hand{"Look round; turn a map", "drag, right"},
-    Hand{"Ask who that is", "click"},
+    Hand{"Ask who or what that is", "click"},
 };
 
 void lay_out_row(const char* what, const char* keys) {

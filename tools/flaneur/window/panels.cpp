@@ -12,8 +12,11 @@
 #include <vector>
 
 #include "sim/base/tick.h"
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/card.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/settings/room.h"
 #include "tools/flaneur/window/widgets.h"
@@ -40,9 +43,36 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 constexpr RoomPanel k_rooms[] = {
     {Room::cameras, "Cameras", "where to look from: modes, lens, bookmarks, path", lay_out_cameras},
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
+    {Room::measure, "Measure", "distances, areas, counting lines and zones (M)", lay_out_measures},
+    {Room::find, "People", "find people by what they are and do (/)", lay_out_finding},
+    {Room::gait, "Gait", "how the selected walker walks (J)", lay_out_gait},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
     {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
 };
+
+// What the colours of the layers mean.
+void lay_out_legends(const Show& show, Size size, float scale) {
+    const std::vector<Legend> legends = legends_of(show.work_views);
+    if (legends.empty()) return;
+    ImGui::SetNextWindowPos(
+        {static_cast<float>(size.width) - k_edge * scale, static_cast<float>(size.height) - k_edge * scale},
+        ImGuiCond_Always, {1, 1});
+    if (!ImGui::Begin("legends", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
+    const float swatch = ImGui::GetFontSize();
+    for (const Legend& legend : legends) {
+        ImGui::TextDisabled("%s", legend.title);
+        for (const LegendEntry& entry : legend.entries) {
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 0.1f * swatch},
+                                                      {at.x + swatch, at.y + 0.95f * swatch},
+                                                      entry.colour | 0xff000000u, 2 * scale);
+            ImGui::Dummy({swatch, swatch});
+            ImGui::SameLine();
+            ImGui::TextUnformatted(entry.what);
+        }
+    }
+    ImGui::End();
+}
 
 void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
     for (const RoomPanel& room : k_rooms) {
@@ -91,7 +121,10 @@ void lay_out_bar(const Show& show, Viewer& v, float scale) {
                                          : "");
     for (const RoomPanel& room : k_rooms) {
         ImGui::SameLine();
-        if (ImGui::Button(room.name)) v.room = v.room == room.room ? Room::none : room.room;
+        if (ImGui::Button(room.name)) {
+            v.room = v.room == room.room ? Room::none : room.room;
+            v.search.is_opening = v.room == Room::find;
+        }
         tip(room.tip);
     }
     ImGui::SameLine();
@@ -168,8 +201,10 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_note(viewer, size, scale);
     lay_out_filming(viewer, size, scale);
     lay_out_opening(show, viewer, size, scale);
+    lay_out_labels(viewer, size, scale);
     if (!viewer.has_panels) return;
     lay_out_map(viewer, size, scale);
+    lay_out_legends(show, size, scale);
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);

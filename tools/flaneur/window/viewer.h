@@ -7,8 +7,12 @@
 
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/window/ask/ask.h"
+#include "tools/flaneur/window/ask/find.h"
+#include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/measure/measure.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
@@ -18,7 +22,7 @@
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, cameras, record, settings };
+enum class Room : uint8_t { none, layers, cameras, measure, find, gait, record, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -48,6 +52,10 @@ struct Viewer {
     std::vector<WorkView> toggles;  // in the order of their keys
     uint32_t walkers = 0;
     std::optional<uint32_t> hovered, selected;  // walkers, by slot
+    Asking asking;
+    PeopleSearch search;
+    GaitWatch watch;
+    MeasureRoom measure;
     double fps = 0;
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time

@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "assets/scene.h"
+#include "renderer/view.h"
+#include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/measure/drawing.h"
+
+namespace flaneur {
+namespace {
+
+constexpr Size k_size{800, 450};
+
+// A hand that draws on the square of a small city, seen from above.
+class MeasureRoomTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        ImGui::CreateContext();  // whose clock notes go by
+        Options options;
+        options.scene = load_scene("corner").value();
+        options.scene.walkers = 20;
+        Result<Loaded> made = load(options);
+        ASSERT_TRUE(made) << made.error().message;
+        show.loaded = std::move(*made);
+        const Vec3 at = show.loaded.world->crowd.motion.position[0];
+        v.choice.kind = CameraChoice::Kind::fixed;
+        v.camera = {.eye = {at.x, at.y + 30, at.z + 0.1f}, .target = {at.x, at.y, at.z}};
+        v.room = Room::measure;
+    }
+    void TearDown() override { ImGui::DestroyContext(); }
+    void frame(const Mouse& now) {
+        draw_with_mouse(show, before, now, k_size, false, v);
+        before = now;
+    }
+    void click(double x, double y) {
+        frame({.x = x, .y = y, .is_held = true, .held_x = x, .held_y = y});
+        frame({.x = x, .y = y, .held_x = x, .held_y = y, .has_clicked = true});
+        v.measure.clicked_at = -1e9;  // not a double one
+    }
+    glm::vec2 pixel_of(glm::vec3 place) {
+        const glm::vec4 at =
+            make_view(v.camera, k_size.width, k_size.height).clip_from_world * glm::vec4(place, 1);
+        return {(at.x / at.w * 0.5f + 0.5f) * k_size.width, (at.y / at.w * 0.5f + 0.5f) * k_size.height};
+    }
+    const MeasureRoom& room() const { return v.measure; }
+    Show show;
+    Viewer v;
+    Mouse before;
+};
+
+TEST_F(MeasureRoomTest, TwoClicksMakeALineThatCounts) {
+    take_tool(MarkingKind::line, v);
+    click(300, 200), click(500, 260);
+    ASSERT_EQ(room().drawn.size(), 1u);
+    EXPECT_EQ(room().drawn[0].name, "L1");
+    EXPECT_FALSE(room().tool) << "the next click selects";
+    ASSERT_EQ(room().counts.lines.size(), 1u);
+    EXPECT_EQ(room().counts.lines[0].line, plan_of(room().drawn).lines[0]);
+    EXPECT_LT(glm::length(pixel_of(room().drawn[0].points[1]) - glm::vec2(500.5f, 260.5f)), 2);
+    take_tool(MarkingKind::line, v);
+    click(300, 300), click(500, 300);
+    EXPECT_EQ(room().drawn[1].name, "L2");
+}
+
+TEST_F(MeasureRoomTest, ZonesTakeCornersUntilTheyAreFinished) {
+    take_tool(MarkingKind::zone, v);
+    click(300, 150), click(500, 150), click(500, 300);
+    EXPECT_TRUE(room().drawn.empty());
+    undo_drawing(show, v);
+    EXPECT_EQ(room().draft.size(), 2u);
+    click(500, 320), click(310, 320);
+    finish_draft(show, v);
+    ASSERT_EQ(room().counts.zones.size(), 1u);
+    EXPECT_EQ(room().counts.zones[0].zone.corners.size(), 4u);
+    EXPECT_GT(room().counts.zones[0].area, 50);
+    take_tool(MarkingKind::distance, v);
+    click(300, 150), click(400, 150);
+    EXPECT_TRUE(abandon_drawing(v)) << "the draft";
+    EXPECT_TRUE(abandon_drawing(v)) << "the tool";
+    EXPECT_FALSE(abandon_drawing(v));
+    EXPECT_EQ(room().drawn.size(), 1u);
+}
+
+TEST_F(MeasureRoomTest, PointsAreDraggedAndAllIsUndone) {
+    take_tool(MarkingKind::line, v);
+    click(300, 200), click(500, 260);
+    const std::vector<Marking> first = room().drawn;
+    const glm::vec2 grip = pixel_of(first[0].points[1]);
+    frame({.x = grip.x, .y = grip.y});
+    EXPECT_EQ(room().handle, 1u);
+    frame({.x = grip.x, .y = grip.y, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+    EXPECT_TRUE(room().is_dragging);
+    const Mouse moved{.x = 520, .y = 300, .is_held = true, .held_x = grip.x, .held_y = grip.y};
+    EXPECT_TRUE(draw_with_mouse(show, before, moved, k_size, false, v)) << "it does not turn the eye";
+    before = moved;
+    frame({.x = 520, .y = 300, .held_x = grip.x, .held_y = grip.y});
+    EXPECT_FALSE(room().is_dragging);
+    EXPECT_LT(glm::length(pixel_of(room().drawn[0].points[1]) - glm::vec2(520.5f, 300.5f)), 2);
+    EXPECT_EQ(room().counts.lines[0].line, plan_of(room().drawn).lines[0]);
+    const std::vector<Marking> second = room().drawn;
+    undo_drawing(show, v);
+    EXPECT_EQ(room().drawn, first);
+    redo_drawing(show, v);
+    EXPECT_EQ(room().drawn, second);
+    v.measure.selected = 0;
+    remove_selected(show, v);
+    EXPECT_TRUE(room().drawn.empty() && room().counts.lines.empty());
+    undo_drawing(show, v);
+    EXPECT_EQ(room().drawn, second);
+    EXPECT_EQ(room().counts.lines.size(), 1u);
+}
+
+TEST_F(MeasureRoomTest, AZoneNeverCrossesItself) {
+    take_tool(MarkingKind::zone, v);
+    click(300, 150), click(500, 320), click(500, 150), click(310, 320);
+    finish_draft(show, v);
+    EXPECT_TRUE(room().drawn.empty());
+    EXPECT_EQ(room().draft.size(), 4u) << "it can be mended";
+    undo_drawing(show, v), undo_drawing(show, v);
+    click(310, 320);
+    finish_draft(show, v);
+    ASSERT_EQ(room().drawn.size(), 1u);
+    // A corner is dragged beyond the edge opposite.
+    take_tool(MarkingKind::zone, v);
+    click(560, 150), click(760, 150), click(760, 320), click(560, 320);
+    finish_draft(show, v);
+    const std::vector<Marking> whole = room().drawn;
+    const glm::vec2 grip = pixel_of(whole.back().points[0]);
+    frame({.x = grip.x, .y = grip.y});
+    frame({.x = grip.x, .y = grip.y, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+    frame({.x = 790, .y = 240, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+    frame({.x = 790, .y = 240, .held_x = grip.x, .held_y = grip.y});
+    EXPECT_EQ(room().drawn, whole) << "it goes back";
+}
+
+TEST_F(MeasureRoomTest, OptionsSayWhatIsDrawn) {
+    take_tool(MarkingKind::line, v);
+    click(300, 200), click(500, 260);
+    const MeasurePlan plan = plan_of(room().drawn);
+    const std::string words = options_of(plan);
+    ASSERT_TRUE(words.starts_with("--line L1:")) << words;
+    EXPECT_EQ(parse_count_line(words.substr(7)).value(), plan.lines[0]) << "to the last digit";
+}
+
+TEST_F(MeasureRoomTest, ElsewhereTheMouseIsFree) {
+    v.room = Room::none;
+    take_tool(MarkingKind::line, v);
+    v.room = Room::layers;
+    click(300, 200), click(500, 260);
+    EXPECT_TRUE(room().drawn.empty() && room().draft.empty());
+}
+
+}  // namespace
+}  // namespace flaneur

@@ -1,0 +1,130 @@
+#include "tools/flaneur/window/ask/facts.h"
+
+#include <cstdio>
+
+#include "sim/base/tick.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_beside = 2.1f;      // metres that one stands beside where one wanted to go, at most
+constexpr uint32_t k_hesitates = 60;  // ticks without getting nearer that are told
+
+float seconds_of(uint32_t ticks) { return static_cast<float>(ticks) * k_tick; }
+
+// The place of which a goal was made: near it, and looked at the same way.
+std::optional<DestinationKind> kind_at(const Demand& demand, Vec3 place, Vec2 facing) {
+    std::optional<DestinationKind> kind;
+    float least = k_beside;
+    for (int k = 0; k < k_destination_count; ++k)
+        for (const Attraction& attraction : demand.attractions[k]) {
+            const float away = length(attraction.place.position - place);
+            const bool is_same_way = facing == Vec2{} || facing == attraction.facing;
+            if (away < least && is_same_way) least = away, kind = static_cast<DestinationKind>(k);
+        }
+    return kind;
+}
+
+void find_doing(const World& world, WalkerFacts& f) {
+    const Crowd& crowd = world.crowd;
+    const Journey& journey = crowd.journeys[f.number];
+    const uint32_t tick = world.tick;
+    if (world.roam) {
+        f.doing = Doing::roams;
+        return;
+    }
+    f.to_go = length(journey.goal.position - f.place);
+    const float wait = tick < journey.pause_until ? seconds_of(journey.pause_until - tick) : 0;
+    const uint32_t lost_for = tick - journey.closest_tick;
+    const Claim& claim = crowd.decision.claim[f.number];
+    const float wanted = length(crowd.decision.wanted[f.number]);
+    if (journey.arrived && journey.errand == Errand::arrive) {
+        f.doing = Doing::arrived;
+    } else if (journey.arrived && wait > 0) {
+        f.doing = Doing::stays, f.seconds = wait;
+    } else if (wait > 0) {
+        f.doing = Doing::is_lost, f.seconds = wait;
+    } else if (journey.path_due != PathDue::no) {
+        f.doing = Doing::seeks;
+    } else if (lost_for > k_hesitates) {
+        f.doing = Doing::is_stuck, f.seconds = seconds_of(lost_for);
+    } else if (claim.since != k_never && claim.owner != f.number) {
+        f.doing = Doing::gives_way, f.whom = claim.owner;
+    } else if (wanted > 0.3f && f.speed < 0.6f * wanted &&
+               length(crowd.decision.chosen[f.number]) < 0.7f * wanted) {
+        f.doing = Doing::is_held;
+    }
+}
+
+}  // namespace
+
+WalkerFacts quick_facts_of(const Show& show, uint32_t walker) {
+    const World& world = *show.loaded.world;
+    const uint32_t kind = world.crowd.identity.body[walker];
+    const Character& character = show.loaded.characters[kind];
+    WalkerFacts f;
+    f.number = walker;
+    f.height = world.kinds[kind].body.height * world.crowd.identity.scale[walker];
+    f.speed = length(world.crowd.motion.velocity[walker]);
+    f.preferred = world.crowd.identity.preferred_speed[walker];
+    f.place = world.crowd.motion.position[walker];
+    f.is_built_in = character.found.scale == 0;
+    if (f.is_built_in) {
+        const PersonOptions& person = character.person;
+        f.age = person.age, f.is_woman = person.woman;
+        f.cane = person.stick, f.pram = person.pram, f.phone = person.phone, f.glasses = person.glasses;
+        f.bag = person.bag;
+    } else {
+        f.name = character.name;
+    }
+    find_doing(world, f);
+    return f;
+}
+
+WalkerFacts facts_of(const Show& show, uint32_t walker) {
+    WalkerFacts f = quick_facts_of(show, walker);
+    const World& world = *show.loaded.world;
+    if (world.roam) return f;
+    const Journey& journey = world.crowd.journeys[walker];
+    f.to = kind_at(world.crowd.demand, journey.goal.position, journey.facing);
+    if (!journey.arrived && length(journey.path_start - on_ground(journey.goal.position)) > 2 * k_beside)
+        f.from = kind_at(world.crowd.demand, at_height(journey.path_start, f.place.y), {});
+    return f;
+}
+
+std::string told_doing(const WalkerFacts& f) {
+    char text[96] = "";
+    switch (f.doing) {
+        case Doing::walks:
+            return "on the way";
+        case Doing::stays:
+            std::snprintf(text, sizeof text, "stays for %.0f s more", static_cast<double>(f.seconds));
+            return text;
+        case Doing::arrived:
+            return "stands where it was sent";
+        case Doing::seeks:
+            return "waits for a way to be found";
+        case Doing::is_lost:
+            std::snprintf(text, sizeof text, "found no way, tries again in %.0f s",
+                          static_cast<double>(f.seconds));
+            return text;
+        case Doing::is_stuck:
+            std::snprintf(text, sizeof text, "has not got on for %.0f s", static_cast<double>(f.seconds));
+            return text;
+        case Doing::gives_way:
+            std::snprintf(text, sizeof text, "gives way to no. %u, who could not get on", f.whom);
+            return text;
+        case Doing::is_held:
+            return "is slowed down by others or walls near";
+        case Doing::roams:
+            return "roams";
+    }
+    return text;
+}
+
+const char* told(Bag bag) {
+    constexpr const char* names[] = {"no bag", "a backpack", "a shoulder bag", "a handbag"};
+    return names[static_cast<size_t>(bag)];
+}
+
+}  // namespace flaneur

@@ -1,0 +1,50 @@
+// What the simulation knows of one of its people.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "assets/city.h"
+#include "tools/flaneur/view/show.h"
+
+namespace flaneur {
+
+enum class Doing : uint8_t {
+    walks,
+    stays,      // at its goal, for a while
+    arrived,    // where it was sent
+    seeks,      // a path is due
+    is_lost,    // no path was found; tries again
+    is_stuck,   // gets no nearer to where it turns next
+    gives_way,  // to one who has waited longer
+    is_held,    // goes slower than it would like, since others are near
+    roams,      // on a compound, where nobody has goals
+};
+
+struct WalkerFacts {
+    uint32_t number = 0;
+    bool is_built_in = true;    // else nobody knows age, sex and what is carried
+    std::string name;           // of the file, if it is not built in
+    float age = 0, height = 0;  // years, metres
+    bool is_woman = false;
+    bool cane = false, pram = false, phone = false, glasses = false;
+    Bag bag = Bag::none;
+    float speed = 0, preferred = 0;  // m/s
+    Vec3 place;
+    Doing doing = Doing::walks;
+    float seconds = 0;                        // that it stays still, is lost still, has been stuck
+    uint32_t whom = 0;                        // it gives way to
+    float to_go = 0;                          // metres, as the crow flies
+    std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
+};
+
+// `walker` is there.
+WalkerFacts facts_of(const Show& show, uint32_t walker);
+// The same without where to and from, which take longer to find.
+WalkerFacts quick_facts_of(const Show& show, uint32_t walker);
+
+// "stays for 12 s more"
+std::string told_doing(const WalkerFacts& facts);
+const char* told(Bag bag);
+
+}  // namespace flaneur

@@ -1,0 +1,123 @@
+// What the room Measure can do, by name and key, and the files that it writes.
+#include "tools/flaneur/window/actions.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <array>
+#include <utility>
+
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/measure/csv.h"
+#include "tools/flaneur/output/measures.h"
+#include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/panels.h"
+
+namespace flaneur {
+namespace {
+
+template <MarkingKind Kind>
+void draw(Show&, Viewer& v) {
+    take_tool(Kind, v);
+}
+
+constexpr std::array k_actions = {
+    Action{"Measure", "M", GLFW_KEY_M, 0,
+           [](Show&, Viewer& v) { v.room = v.room == Room::measure ? Room::none : Room::measure; }},
+    Action{"Measure a distance", "", 0, 0, draw<MarkingKind::distance>},
+    Action{"Measure an area", "", 0, 0, draw<MarkingKind::area>},
+    Action{"Draw a counting line", "", 0, 0, draw<MarkingKind::line>},
+    Action{"Draw a zone that counts people", "", 0, 0, draw<MarkingKind::zone>},
+    Action{"Finish what is drawn", "Enter", GLFW_KEY_ENTER, 0,
+           [](Show& show, Viewer& v) { finish_draft(show, v); }},
+    Action{"Remove the line or zone that is selected", "Delete", GLFW_KEY_DELETE, 0,
+           [](Show& show, Viewer& v) { remove_selected(show, v); }},
+    Action{"Go back in what was drawn", "Ctrl+Z", GLFW_KEY_Z, GLFW_MOD_CONTROL,
+           [](Show& show, Viewer& v) { undo_drawing(show, v); }},
+    Action{"Go on again in what was drawn", "Ctrl+Y", GLFW_KEY_Y, GLFW_MOD_CONTROL,
+           [](Show& show, Viewer& v) { redo_drawing(show, v); }},
+    Action{"Count people anew on all lines and zones", "", 0, 0,
+           [](Show& show, Viewer& v) { begin_anew(v.measure.counts, show.loaded.world->tick); }},
+    Action{"Write what lines and zones counted, as CSV", "", 0, 0,
+           [](Show& show, Viewer& v) { write_counts_as_csv(show, v); }},
+    Action{"Save lines and zones", "", 0, 0, [](Show&, Viewer& v) { write_plan(v); }},
+    Action{"Read lines and zones", "", 0, 0, [](Show& show, Viewer& v) { read_plan(show, v); }},
+    Action{"Copy lines and zones as options of flaneur sim", "", 0, 0,
+           [](Show&, Viewer& v) { copy_options(v); }},
+};
+
+// The height of the highest ground, for places that come from a file.
+glm::vec3 set_down(const Ground* ground, Vec2 place) {
+    constexpr float k_high = 5000;
+    const auto hit = ground ? ground_at(*ground, {place.x, k_high, place.z}, 0, 2 * k_high) : std::nullopt;
+    return {place.x, hit ? hit->height : 0, place.z};
+}
+
+}  // namespace
+
+std::span<const Action> measure_actions() { return k_actions; }
+
+std::string options_of(const MeasurePlan& plan) {
+    std::string words;
+    for (const CountLine& line : plan.lines)
+        words.append(words.empty() ? "" : " ").append("--line ").append(told(line));
+    for (const CountZone& zone : plan.zones)
+        words.append(words.empty() ? "" : " ").append("--zone ").append(told(zone));
+    return words;
+}
+
+void copy_options(Viewer& v) {
+    const std::string words = options_of(plan_of(v.measure.counts));
+    if (words.empty()) return tell(v, "Draw a line or a zone first.");
+    ImGui::SetClipboardText(words.c_str());
+    say(words);
+    tell(v, "Copied: " + words);
+}
+
+void write_counts_as_csv(const Show&, Viewer& v) {
+    const Counts& counts = v.measure.counts;
+    const MeasurePlan plan = plan_of(counts);
+    if (is_empty(plan)) return tell(v, "Nothing is counted: draw a line or a zone first.");
+    Result<std::vector<PartFilePtr>> files = open_counts(v.measure.csv, plan);
+    Result<void> written = files ? write_counts(std::move(*files), counts) : files.error();
+    std::string told = "Wrote ";
+    for (const CountLine& line : plan.lines) told.append(csv_path(v.measure.csv, line.name)).append(" ");
+    for (const CountZone& zone : plan.zones) told.append(csv_path(v.measure.csv, zone.name)).append(" ");
+    told = written ? told : written.error().message;
+    say(told);
+    tell(v, printable(told));
+}
+
+void write_plan(Viewer& v) {
+    const MeasurePlan plan = plan_of(v.measure.counts);
+    if (is_empty(plan)) return tell(v, "There is nothing to save: draw a line or a zone first.");
+    const Result<void> written = write_text(v.measure.json, plan_json(plan));
+    const std::string told = written ? std::string("Wrote ").append(v.measure.json) : written.error().message;
+    say(told);
+    tell(v, printable(told));
+}
+
+void read_plan(const Show& show, Viewer& v) {
+    const Result<MeasurePlan> plan = read_plan(std::string(v.measure.json));
+    if (!plan) return tell(v, printable(plan.error().message));
+    MeasureRoom& room = v.measure;
+    const Ground* ground = show.loaded.world->ground.get();
+    room.before.push_back(room.drawn);
+    room.after.clear();
+    std::erase_if(room.drawn, [](const Marking& one) {
+        return one.kind == MarkingKind::line || one.kind == MarkingKind::zone;
+    });
+    for (const CountLine& line : plan->lines)
+        room.drawn.push_back(
+            {MarkingKind::line, line.name, {set_down(ground, line.a), set_down(ground, line.b)}});
+    for (const CountZone& zone : plan->zones) {
+        Marking& drawn = room.drawn.emplace_back(Marking{MarkingKind::zone, zone.name, {}});
+        for (Vec2 corner : zone.corners) drawn.points.push_back(set_down(ground, corner));
+    }
+    room.tool.reset(), room.draft.clear(), room.selected.reset();
+    count_drawn(show, v);
+    tell(v, printable("Read " + std::to_string(plan->lines.size()) + " lines and " +
+                      std::to_string(plan->zones.size()) + " zones from " + room.json + "."));
+}
+
+}  // namespace flaneur

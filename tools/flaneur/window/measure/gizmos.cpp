@@ -1,0 +1,224 @@
+// What is measured, drawn in the city and named.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "renderer/view.h"
+#include "tools/flaneur/overlay/shapes.h"
+#include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_above = 0.05f, k_step = 0.5f;  // metres: of lines over the ground; between looks at it
+constexpr uint32_t k_colours[] = {0xe9dcf7, 0xe9dcf7, 0xf2c14e, 0x58c4d2};  // by MarkingKind
+constexpr uint32_t k_edge = ink(0x14171a, 0.55f);
+
+// Appends the way over the ground from one place to another, but for its first one. Where there is no ground
+// near, as on a roof, it goes straight.
+void drape(const Ground* ground, glm::vec3 a, glm::vec3 b, std::vector<glm::vec3>& to) {
+    const int pieces =
+        std::clamp(static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.z - a.z) / k_step)), 1, 400);
+    float before = a.y;
+    for (int i = 1; i <= pieces; ++i) {
+        glm::vec3 p = glm::mix(a, b, static_cast<float>(i) / static_cast<float>(pieces));
+        if (ground)
+            if (const auto hit = ground_at(*ground, {p.x, before, p.z}, 0.8f, 1.5f)) p.y = hit->height;
+        before = p.y;
+        to.push_back(p);
+    }
+}
+
+std::vector<glm::vec3> outline(const World& world, const std::vector<glm::vec3>& points, bool is_closed) {
+    std::vector<glm::vec3> all;
+    if (points.empty()) return all;
+    all.push_back(points[0]);
+    for (size_t i = 1; i < points.size() + (is_closed ? 1 : 0); ++i)
+        drape(world.ground.get(), points[i - 1], points[i % points.size()], all);
+    for (glm::vec3& p : all) p.y += k_above;
+    return all;
+}
+
+struct Drawer {
+    std::vector<GizmoLine>& lines;
+
+    void stroke(const std::vector<glm::vec3>& points, uint32_t colour, float pixels) {
+        for (const bool is_edge : {true, false})
+            for (size_t i = 1; i < points.size(); ++i) {
+                Pen pen{.pixels = is_edge ? pixels + 2.5f : pixels};
+                pen.colour = is_edge ? k_edge : colour;
+                add_line(lines, pen, points[i - 1], points[i]);
+            }
+    }
+    void point(glm::vec3 at, uint32_t colour, float pixels) {
+        for (const bool is_edge : {true, false}) {
+            Pen pen{.pixels = is_edge ? pixels + 3 : pixels};
+            pen.colour = is_edge ? k_edge : colour;
+            add_point(lines, pen, at + glm::vec3(0, k_above, 0));
+        }
+    }
+};
+
+glm::vec3 middle_of(const std::vector<glm::vec3>& outline) {
+    if (outline.empty()) return {};
+    return outline[outline.size() / 2];
+}
+glm::vec3 centre_of(const std::vector<glm::vec3>& points) {
+    glm::vec3 sum(0);
+    for (const glm::vec3& p : points) sum += p;
+    return sum / static_cast<float>(std::max<size_t>(points.size(), 1));
+}
+
+// A unit vector over the ground, to the right of a line.
+glm::vec3 right_of(const Marking& line) {
+    const glm::vec3 way = line.points[1] - line.points[0];
+    const float length = std::max(std::hypot(way.x, way.z), 1e-6f);
+    return {-way.z / length, 0, way.x / length};
+}
+float reach_of(const Marking& line) {
+    return std::clamp(0.2f * glm::length(line.points[1] - line.points[0]), 0.5f, 2.0f);
+}
+
+template <class... Values>
+std::string text_of(const char* form, Values... values) {
+    char text[96];
+    std::snprintf(text, sizeof text, form, values...);
+    return text;
+}
+
+// What is written in the city: `colour` as ImGui has it.
+struct Label {
+    glm::vec3 place;
+    std::string text;
+    uint32_t colour;
+};
+
+void add_line_labels(const Marking& drawn, const std::vector<glm::vec3>& outline, const Counts& counts,
+                     std::vector<Label>& labels) {
+    const auto line = std::find_if(counts.lines.begin(), counts.lines.end(),
+                                   [&](const LineCount& l) { return l.line.name == drawn.name; });
+    if (line == counts.lines.end()) return;
+    const Flow all = flow_of(*line, counts.tick, 1e9), lately = flow_of(*line, counts.tick, k_flow_seconds);
+    const glm::vec3 middle = middle_of(outline), aside = right_of(drawn) * (reach_of(drawn) * 1.35f);
+    labels.push_back({outline.front(), text_of("%s  %.1f/min", drawn.name.c_str(), lately.per_minute),
+                      k_colours[static_cast<size_t>(MarkingKind::line)]});
+    labels.push_back({middle + aside, std::to_string(all.right), 0xf2efe9});
+    labels.push_back({middle - aside, std::to_string(all.left), 0xf2efe9});
+}
+
+void add_labels(const MeasureRoom& room, std::vector<Label>& labels) {
+    for (size_t i = 0; i < room.drawn.size() && i < room.outlines.size(); ++i) {
+        const Marking& drawn = room.drawn[i];
+        const char* name = drawn.name.c_str();
+        const uint32_t colour = k_colours[static_cast<size_t>(drawn.kind)];
+        const glm::vec3 centre = centre_of(drawn.points);
+        switch (drawn.kind) {
+            case MarkingKind::line:
+                add_line_labels(drawn, room.outlines[i], room.counts, labels);
+                break;
+            case MarkingKind::zone:
+                for (const ZoneCount& zone : room.counts.zones) {
+                    if (zone.zone.name != drawn.name) continue;
+                    const ZoneSample now = zone_now(zone, room.counts);
+                    labels.push_back(
+                        {centre,
+                         text_of("%s  %u people  %.2f/m\u00b2  %c", name, now.people,
+                                 static_cast<double>(now.density), 'A' + fruin_level(now.density)),
+                         colour});
+                }
+                break;
+            case MarkingKind::distance:
+                labels.push_back({drawn.points.back(),
+                                  text_of("%s  %.2f m", name, length_of(drawn.points, false).along), colour});
+                break;
+            case MarkingKind::area:
+                labels.push_back(
+                    {centre, text_of("%s  %.1f m\u00b2", name, area_of(on_map(drawn.points))), colour});
+                break;
+        }
+    }
+}
+
+// How long and how large the draft is so far.
+void add_draft_label(const MeasureRoom& room, std::vector<Label>& labels) {
+    if (!room.tool || room.draft.empty()) return;
+    std::vector<glm::vec3> points = room.draft;
+    if (room.under) points.push_back(*room.under);
+    std::string text = text_of("%.2f m", length_of(points, false).along);
+    if (is_closed(*room.tool) && points.size() > 2) text = text_of("%.1f m\u00b2", area_of(on_map(points)));
+    labels.push_back({points.back(), text, k_colours[static_cast<size_t>(*room.tool)]});
+}
+
+uint32_t imgui_colour(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
+
+}  // namespace
+
+void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
+    MeasureRoom& room = v.measure;
+    const bool is_open = v.room == Room::measure;
+    if (!v.has_panels || (room.drawn.empty() && room.draft.empty() && !room.under)) return;
+    const World& world = *show.loaded.world;
+    if (room.outlines.size() != room.drawn.size()) {
+        room.outlines.clear();
+        for (const Marking& drawn : room.drawn)
+            room.outlines.push_back(outline(world, drawn.points, is_closed(drawn.kind)));
+    }
+    Drawer draw{show.overlay.lines};
+    for (size_t i = 0; i < room.drawn.size(); ++i) {
+        const Marking& drawn = room.drawn[i];
+        const bool is_selected = is_open && room.selected == i, is_pointed_at = is_open && room.hovered == i;
+        const uint32_t rgb = k_colours[static_cast<size_t>(drawn.kind)];
+        const uint32_t colour = is_selected || is_pointed_at ? ink(0xffffff) : ink(rgb);
+        draw.stroke(room.outlines[i], colour, is_selected ? 3.5f : 2.5f);
+        if (drawn.kind == MarkingKind::line) {
+            const glm::vec3 middle = middle_of(room.outlines[i]), aside = right_of(drawn) * reach_of(drawn);
+            Pen pen{.pixels = 2};
+            pen.colour = ink(rgb);
+            for (const float side : {1.0f, -1.0f})
+                add_arrow(draw.lines, pen, middle, middle + side * aside, {0, 1, 0});
+        }
+        if (!is_selected && drawn.kind != MarkingKind::distance) continue;
+        for (size_t k = 0; k < drawn.points.size(); ++k) {
+            const bool is_held = is_selected && room.handle == k;
+            draw.point(drawn.points[k], is_held ? ink(0xffffff) : ink(rgb), is_selected ? 9.0f : 5.0f);
+        }
+    }
+    if (room.tool) {
+        const uint32_t colour = ink(k_colours[static_cast<size_t>(*room.tool)]);
+        std::vector<glm::vec3> points = room.draft;
+        if (room.under) points.push_back(*room.under);
+        draw.stroke(outline(world, points, is_closed(*room.tool) && points.size() > 2), colour, 2.5f);
+        for (const glm::vec3& p : points) draw.point(p, colour, 7);
+    }
+    frame.lines = show.overlay.lines;
+}
+
+void lay_out_labels(const Viewer& v, Size size, float scale) {
+    if (!v.has_panels) return;
+    std::vector<Label> labels;
+    add_labels(v.measure, labels);
+    add_draft_label(v.measure, labels);
+    if (labels.empty()) return;
+    const glm::mat4 clip_from_world = make_view(v.camera, static_cast<uint32_t>(std::max(size.width, 1)),
+                                                static_cast<uint32_t>(std::max(size.height, 1)))
+                                          .clip_from_world;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const Label& label : labels) {
+        const glm::vec4 at = clip_from_world * glm::vec4(label.place + glm::vec3(0, 0.25f, 0), 1);
+        if (at.w <= 0.05f) continue;
+        const ImVec2 words = ImGui::CalcTextSize(label.text.c_str());
+        const ImVec2 corner{
+            std::round((at.x / at.w * 0.5f + 0.5f) * static_cast<float>(size.width) - words.x / 2),
+            std::round((at.y / at.w * 0.5f + 0.5f) * static_cast<float>(size.height) - words.y - 8 * scale)};
+        const float room_x = 6 * scale, room_y = 3 * scale;
+        list.AddRectFilled({corner.x - room_x, corner.y - room_y},
+                           {corner.x + words.x + room_x, corner.y + words.y + room_y},
+                           IM_COL32(27, 30, 34, 205), 4 * scale);
+        list.AddText(corner, imgui_colour(label.colour), label.text.c_str());
+    }
+}
+
+}  // namespace flaneur

@@ -1,0 +1,232 @@
+// The room Measure.
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/measure/plot.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+namespace {
+
+constexpr float k_wide = 380;                  // of the room, at scale 1
+constexpr double k_plotted = 300, k_bin = 10;  // seconds: of a plot, and of one of its steps
+constexpr uint32_t k_right = IM_COL32(242, 193, 78, 255), k_left = IM_COL32(124, 198, 214, 255),
+                   k_grey = IM_COL32(200, 196, 188, 255);
+constexpr const char* k_tips[] = {"click from point to point; Enter or a double click ends it",
+                                  "click its corners; Enter or a double click ends it",
+                                  "counts who crosses it, each way: click its two ends",
+                                  "counts who is in it: click its corners; Enter or a double click ends it"};
+
+void lay_out_tools(Viewer& v) {
+    for (size_t i = 0; i < std::size(k_drawn_names); ++i) {
+        const auto kind = static_cast<MarkingKind>(i);
+        const bool is_on = v.measure.tool == kind;
+        if (i > 0) ImGui::SameLine();
+        if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::Button(k_drawn_names[i])) take_tool(kind, v);
+        if (is_on) ImGui::PopStyleColor();
+        tip(k_tips[i]);
+    }
+}
+
+// What the next click does.
+std::string hint_of(const MeasureRoom& room) {
+    if (room.tool) {
+        if (room.draft.empty())
+            return std::string("Now ").append(k_tips[static_cast<size_t>(*room.tool)]) + ".";
+        return "Enter or a double click ends it, Ctrl+Z takes a point back, Esc gives it up.";
+    }
+    if (room.drawn.empty()) return "Choose what to draw, then click on the ground.";
+    if (room.selected) return "Drag its points; Delete removes it, Ctrl+Z goes back.";
+    return "Click a line or a zone, here or in the city, for more.";
+}
+
+const LineCount* line_called(const Counts& counts, const std::string& name) {
+    for (const LineCount& line : counts.lines)
+        if (line.line.name == name) return &line;
+    return nullptr;
+}
+const ZoneCount* zone_called(const Counts& counts, const std::string& name) {
+    for (const ZoneCount& zone : counts.zones)
+        if (zone.zone.name == name) return &zone;
+    return nullptr;
+}
+
+// What is in a row of the list, behind the name.
+std::string told_row(const Marking& drawn, const Counts& counts) {
+    char text[128] = "";
+    if (const LineCount* line = line_called(counts, drawn.name); line && drawn.kind == MarkingKind::line) {
+        const Flow all = flow_of(*line, counts.tick, 1e9),
+                   lately = flow_of(*line, counts.tick, k_flow_seconds);
+        std::snprintf(text, sizeof text, "%u + %u people, now %.1f a minute", all.left, all.right,
+                      lately.per_minute);
+    }
+    if (const ZoneCount* zone = zone_called(counts, drawn.name); zone && drawn.kind == MarkingKind::zone) {
+        const ZoneSample now = zone_now(*zone, counts);
+        std::snprintf(text, sizeof text, "%u people, %.3f/m\u00b2, level %c", now.people,
+                      static_cast<double>(now.density), 'A' + fruin_level(now.density));
+    }
+    if (drawn.kind == MarkingKind::distance) {
+        const Length length = length_of(drawn.points, false);
+        std::snprintf(text, sizeof text, "%.2f m, %.2f m on a map", length.along, length.flat);
+    }
+    if (drawn.kind == MarkingKind::area) {
+        const Length length = length_of(drawn.points, true);
+        std::snprintf(text, sizeof text, "%.1f m\u00b2, %.1f m round it", area_of(on_map(drawn.points)),
+                      length.flat);
+    }
+    return text;
+}
+
+void lay_out_list(MeasureRoom& room, float scale) {
+    if (ImGui::IsWindowHovered()) room.hovered.reset();
+    for (size_t i = 0; i < room.drawn.size(); ++i) {
+        const Marking& drawn = room.drawn[i];
+        ImGui::PushID(static_cast<int>(i));
+        const bool is_selected = room.selected == i;
+        if (ImGui::Selectable(drawn.name.c_str(), is_selected)) {
+            room.tool.reset(), room.draft.clear();
+            room.selected = is_selected ? std::nullopt : std::optional(i);
+        }
+        if (ImGui::IsItemHovered()) room.hovered = i;
+        ImGui::SameLine(44 * scale);
+        ImGui::TextDisabled("%s", told_row(drawn, room.counts).c_str());
+        ImGui::PopID();
+    }
+}
+
+double now_of(const Counts& counts) { return counts.tick / 60.0; }
+// How many seconds are plotted of what is counted since a tick: a minute to five.
+double plotted(const Counts& counts, uint32_t since) {
+    return std::clamp(std::ceil((counts.tick - since) / 3600.0) * 60, 60.0, k_plotted);
+}
+
+void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
+    const Flow all = flow_of(line, counts.tick, 1e9), lately = flow_of(line, counts.tick, k_flow_seconds);
+    ImGui::Text("%.2f m long, counted for %.0f s", static_cast<double>(length_of(line.line)), all.seconds);
+    if (ImGui::BeginTable("flow", 4, ImGuiTableFlags_SizingStretchSame, {(k_wide - 20) * scale, 0})) {
+        auto row = [](const char* what, const Flow& flow, const char* form_left) {
+            ImGui::TableNextColumn(), ImGui::TextDisabled("%s", what);
+            ImGui::TableNextColumn(), ImGui::Text(form_left, flow.left, flow.right);
+            ImGui::TableNextColumn(), ImGui::Text("%.1f /min", flow.per_minute);
+            ImGui::TableNextColumn(), ImGui::Text("%.3f /(m s)", flow.per_metre_second);
+        };
+        row("all", all, "%u + %u");
+        row("last 60 s", lately, "%u + %u");
+        ImGui::EndTable();
+    }
+    // How many a minute, each way, in each step of time.
+    const double now = now_of(counts), all_seconds = plotted(counts, line.since),
+                 first = std::floor((now - all_seconds) / k_bin) * k_bin;
+    const auto bins = static_cast<size_t>(std::ceil((now - first) / k_bin));
+    std::array<std::vector<float>, 2> sums{std::vector<float>(bins + 1), std::vector<float>(bins + 1)};
+    for (auto c = line.crossings.rbegin(); c != line.crossings.rend() && c->seconds >= first; ++c)
+        ++sums[c->to_right ? 1 : 0][std::min(static_cast<size_t>((c->seconds - first) / k_bin), bins)];
+    std::array<std::vector<glm::vec2>, 2> curves;
+    float most = 6;
+    for (size_t side = 0; side < 2; ++side)
+        for (size_t i = 0; i < bins; ++i) {
+            const double begin = first + static_cast<double>(i) * k_bin;
+            if (begin + k_bin > now || begin < line.since / 60.0) continue;
+            const float value = sums[side][i] * static_cast<float>(60 / k_bin);
+            most = std::max(most, value);
+            curves[side].push_back({begin - now, value});
+            curves[side].push_back({begin + k_bin - now, value});
+        }
+    const PlotCurve all_curves[] = {{"to the left", k_left, curves[0]}, {"to the right", k_right, curves[1]}};
+    Plot plot{"people/min", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
+    plot.curves = all_curves;
+    lay_out_plot(plot, {k_wide * scale, 150 * scale}, scale);
+}
+
+void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
+    const ZoneSample now = zone_now(zone, counts);
+    ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.tick - zone.since) / 60.0);
+    ImGui::Text("%u people, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
+                static_cast<double>(now.density), static_cast<double>(now.voronoi));
+    tip("Voronoi: everybody's ground is what is nearer to them than to anybody else, 3 m at most;\n"
+        "after Steffen & Seyfried 2010, once a second");
+    if (now.people > 0)
+        ImGui::Text("mean speed %.2f m/s, level of service %c", static_cast<double>(now.speed),
+                    'A' + fruin_level(now.density));
+    else
+        ImGui::Text("nobody is inside, level of service A");
+    tip("Fruin's, of walkways: A below 0.31 people/m\u00b2, B 0.43, C 0.72, D 1.08, E 2.15, F above");
+    const double all_seconds = plotted(counts, zone.since);
+    std::vector<glm::vec2> density, voronoi, speed;
+    float most = 0.1f, fastest = 1;
+    for (auto s = zone.samples.rbegin(); s != zone.samples.rend(); ++s) {
+        const float ago = static_cast<float>(s->tick / 60.0 - now_of(counts));
+        if (ago < -static_cast<float>(all_seconds)) break;
+        density.push_back({ago, s->density}), voronoi.push_back({ago, s->voronoi});
+        if (s->people > 0) speed.push_back({ago, s->speed});
+        most = std::max({most, s->density, s->voronoi}), fastest = std::max(fastest, s->speed);
+    }
+    const PlotCurve densities[] = {{"count / area", k_right, density}, {"Voronoi", k_left, voronoi}};
+    const PlotCurve speeds[] = {{"", k_grey, speed}};
+    Plot plot{"people/m\u00b2", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
+    plot.curves = densities;
+    lay_out_plot(plot, {k_wide * scale, 140 * scale}, scale);
+    Plot below{"mean speed, m/s", "seconds ago", {-all_seconds, 0}, {0, round_top(fastest)}};
+    below.curves = speeds;
+    lay_out_plot(below, {k_wide * scale, 120 * scale}, scale);
+}
+
+void lay_out_selected(const MeasureRoom& room, float scale) {
+    if (!room.selected) return;
+    const Marking& drawn = room.drawn[*room.selected];
+    const LineCount* line = line_called(room.counts, drawn.name);
+    const ZoneCount* zone = zone_called(room.counts, drawn.name);
+    if (!line && !zone) return;
+    ImGui::Separator();
+    if (drawn.kind == MarkingKind::line && line) lay_out_line(*line, room.counts, scale);
+    if (drawn.kind == MarkingKind::zone && zone) lay_out_zone(*zone, room.counts, scale);
+}
+
+// Where to and from.
+void lay_out_files(Show& show, Viewer& v, float scale) {
+    MeasureRoom& room = v.measure;
+    ImGui::Separator();
+    const float field = (k_wide - 150) * scale;
+    ImGui::SetNextItemWidth(field);
+    ImGui::InputText("##csv", room.csv, sizeof room.csv);
+    tip("a file for each line and zone: out/measures-L1.csv ...");
+    ImGui::SameLine();
+    if (ImGui::Button("Write CSV")) write_counts_as_csv(show, v);
+    ImGui::SetNextItemWidth(field);
+    ImGui::InputText("##json", room.json, sizeof room.json);
+    tip("lines and zones, for here and for flaneur sim --measures-of");
+    ImGui::SameLine();
+    if (ImGui::Button("Save")) write_plan(v);
+    ImGui::SameLine();
+    if (ImGui::Button("Read")) read_plan(show, v);
+    if (ImGui::Button("Count anew")) begin_anew(room.counts, show.loaded.world->tick);
+    tip("forgets what was counted");
+    ImGui::SameLine();
+    if (ImGui::Button("Copy as options of flaneur sim")) copy_options(v);
+}
+
+}  // namespace
+
+void lay_out_measures(Show& show, Viewer& v, float scale) {
+    if (show.loaded.world->roam) {
+        ImGui::TextDisabled("On the asteroid there is no ground plane to measure on.");
+        return;
+    }
+    lay_out_tools(v);
+    ImGui::PushTextWrapPos(k_wide * scale);
+    ImGui::TextDisabled("%s", hint_of(v.measure).c_str());
+    ImGui::PopTextWrapPos();
+    if (!v.measure.drawn.empty()) ImGui::Separator();
+    lay_out_list(v.measure, scale);
+    lay_out_selected(v.measure, scale);
+    lay_out_files(show, v, scale);
+}
+
+}  // namespace flaneur

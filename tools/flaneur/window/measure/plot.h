@@ -1,0 +1,37 @@
+// Plots in panels: curves over axes that name their units.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace flaneur {
+
+struct PlotCurve {
+    const char* name;  // "": it is not listed
+    uint32_t colour;   // as ImGui has it: R in the lowest byte
+    std::span<const glm::vec2> points;
+    bool is_stepped = false;  // holds its value until the next point
+};
+// Between two curves over the same abscissas.
+struct PlotBand {
+    std::span<const glm::vec2> low, high;
+    uint32_t colour;
+};
+struct Plot {
+    const char* title;    // what is plotted, with its unit
+    const char* x_unit;   // of the axis below; "": it is another plot's, below this one
+    glm::vec2 low, high;  // of both axes
+    std::span<const PlotBand> bands = {};
+    std::span<const PlotCurve> curves = {};
+    float mark = -1e9f;  // an abscissa that is marked by an upright line
+};
+
+// A round distance between grid lines: five of them at most.
+float grid_step(float span);
+// `high` of an axis from 0 that holds `most`: a whole number of grid lines.
+float round_top(float most);
+
+void lay_out_plot(const Plot& plot, glm::vec2 size, float scale);
+
+}  // namespace flaneur
