@@ -114,7 +114,7 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
 
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                       const std::vector<std::string>& words, uint32_t close_after) {
-    World& world = *show.loaded.world;
+    begin_run(v.time, *show.loaded.world);
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -128,9 +128,13 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             glfwPollEvents();
         const double now = glfwGetTime(), passed = now - last;
         last = now;
+        take_people_anew(show, v);
         act_on_presses(show, v);
-        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
-        const float between = between_ticks(v.clock);
+        const bool is_going = go_on(show, v, now);
+        if (!is_going)
+            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
+        const World& world = *show.loaded.world;
+        const float between = is_going ? 1 : between_ticks(v.clock);
 
         const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
         if (is_following || !v.chosen) {
@@ -213,7 +217,9 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!show) return show.error();
     viewer.is_loading = false;
     viewer.walkers = show->loaded.world->crowd.count;
-    return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
+    Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
+    viewer.time.anew.reset();  // they are made of the show
+    return done;
 }
 
 }  // namespace

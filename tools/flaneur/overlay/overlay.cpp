@@ -82,12 +82,13 @@ void colour_by_speed(const World& world, PeopleFrame& people) {
 // From the lower left corner up, each row on a dark ground. Kept apart, so that it lies over all other lines.
 struct Legend {
     static constexpr float k_row = 1.9f * k_letters, k_indent = 30;
-    std::vector<GizmoLine> grounds, rows;
+    float foot = 0;  // pixels above the picture's lower edge
+    std::vector<GizmoLine> grounds{}, rows{};
     float row = 0;
 
     void add_row(std::string_view text, uint32_t colour, uint32_t swatch) {
         constexpr glm::vec3 corner(0, 1, 0);
-        const float y = -(k_margin + row * k_row), left = k_margin + (swatch != 0 ? k_indent : 0);
+        const float y = -(foot + k_margin + row * k_row), left = k_margin + (swatch != 0 ? k_indent : 0);
         auto bar = [&](float from, float to, float pixels, uint32_t ink) {
             Pen pen{.a = corner, .b = corner, .place = GizmoPlace::on_picture};
             pen.shift_a = {from, y - 0.5f * k_letters};
@@ -139,7 +140,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     overlay.lines.clear();
     overlay.fills.clear();
     if (views.mask == 0) return;
-    Legend legend;
+    Legend legend{.foot = overlay.legend_foot};
     if (views[wireframe]) frame.surfaces = Surfaces::wireframe;
     if (views[normals]) frame.surfaces = Surfaces::normals;
     if (views[overdraw]) {

@@ -26,6 +26,7 @@ struct Overlay {
     std::vector<GizmoCorner> fills;
     Trails trails;
     std::vector<GizmoCorner> walkable;  // made when it is first wanted
+    float legend_foot = 0;              // pixels of the picture that legends stand above its lower edge
 };
 
 // What they are made from.

@@ -35,6 +35,7 @@ void follow_asked(Show&, Viewer& v) {
 void dismiss(Show&, Viewer& v) {
     constexpr double k_again_seconds = 2;
     if (std::exchange(v.lists_keys, false)) return;
+    if (stop_going(v)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
     const double now = glfwGetTime();
@@ -98,13 +99,6 @@ constexpr std::array k_window = {
     Action{"Close the window", "Ctrl+Q", GLFW_KEY_Q, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { v.wants_close = true; }},
 };
-constexpr std::array k_groups = {
-    ActionGroup{"Time", k_time},
-    ActionGroup{"Cameras", k_cameras},
-    ActionGroup{"Layers", k_layers},
-    ActionGroup{"Window", k_window},
-};
-
 // Of keys that have a twin.
 int plain(int key) {
     if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
@@ -123,7 +117,14 @@ bool is_for(const Action& action, const KeyPress& press) {
 
 }  // namespace
 
-std::span<const ActionGroup> action_groups() { return k_groups; }
+std::span<const ActionGroup> action_groups() {
+    static const std::array groups = {
+        ActionGroup{"Time", k_time},       ActionGroup{"Back and forth in time", time_actions()},
+        ActionGroup{"Cameras", k_cameras}, ActionGroup{"Layers", k_layers},
+        ActionGroup{"Window", k_window},
+    };
+    return groups;
+}
 
 void act_on_presses(Show& show, Viewer& v) {
     for (const KeyPress& press : std::exchange(v.presses, {})) {

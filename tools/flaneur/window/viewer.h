@@ -8,11 +8,12 @@
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
 #include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/time/time.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers };
+enum class Room : uint8_t { none, layers, time };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -28,6 +29,7 @@ struct Palette {
 
 struct Viewer {
     Clock clock;
+    Timeline time;
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;

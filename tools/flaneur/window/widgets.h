@@ -7,6 +7,8 @@ namespace flaneur {
 
 inline constexpr float k_edge = 10;  // between panels and the window's edge, at scale 1
 
+inline constexpr float k_timeline = 46;  // of the timeline's height, with the gap above it
+
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
