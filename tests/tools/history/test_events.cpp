@@ -147,7 +147,7 @@ TEST_F(Events, AreToldOnceAndFoundByTime) {
 }
 
 TEST_F(Events, TheListIsBounded) {
-    for (uint32_t i = 0; i < 2 * k_most_events; ++i) {
+    for (uint32_t i = 0; i < 3 * k_most_events; ++i) {
         world().crowd.journeys[3].stuck = i % 2 ? 0 : 2;
         pass(1);
     }

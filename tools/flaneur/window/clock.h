@@ -18,7 +18,7 @@ struct Clock {
         double passed = 0, made = 0, kept_back = 0;  // seconds so far: real, of simulation, of those given up
         float rate = 0;                              // that was wanted
         float reached = 0;                           // 0: not known, or all that was wanted
-    } pace;
+    } pace{};
 };
 inline constexpr float k_least_rate = 0.1f, k_most_rate = 16;
 
