@@ -155,8 +155,10 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
             FrameInput frame = extract_frame(show, v.camera, size, between);
             frame.companion = companion_of(v.choice);
+            // The city and its characters are of the first run's seed.
+            const bool has_command = world.seed == v.time.first_seed;
             const std::string command =
-                v.wants_picture || v.wants_command
+                has_command && (v.wants_picture || v.wants_command)
                     ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
                     : std::string();
             if (std::exchange(v.wants_picture, false)) {
@@ -164,6 +166,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                 if (!told) return told.error();
                 tell(v, printable(*told));
             }
+            if (!has_command && std::exchange(v.wants_command, false))
+                tell(v, "No command draws this: its people are of another seed than the city's own, " +
+                            std::to_string(*v.time.first_seed) + ".");
             if (std::exchange(v.wants_command, false)) {
                 glfwSetClipboardString(window, command.c_str());
                 say(command);

@@ -62,7 +62,7 @@ TEST_F(Events, WhoDoesNotGetOnIsStuckOnce) {
 
 TEST_F(Events, NearMissesAreOfThoseWhoCloseIn) {
     CrowdMotion& m = world().crowd.motion;
-    const float apart = world().crowd.identity.radius[4] + world().crowd.identity.radius[5] + 0.1f;
+    const float apart = world().crowd.identity.radius[4] + world().crowd.identity.radius[5] + 0.04f;
     m.position[5] = m.position[4] + Vec3{apart, 0, 0};
     pass(8);
     EXPECT_TRUE(w.events.empty()) << "they stand";
@@ -74,7 +74,7 @@ TEST_F(Events, NearMissesAreOfThoseWhoCloseIn) {
     ASSERT_EQ(count(EventKind::near_miss), 1u);
     EXPECT_EQ(w.events[0].walker, 4u);
     EXPECT_EQ(w.events[0].other, 5u);
-    EXPECT_NEAR(w.events[0].value, 0.1f, 1e-3f);
+    EXPECT_NEAR(w.events[0].value, 0.04f, 1e-3f);
     m.position[5].y = 3;
     m.velocity[5] = {-2, 0};
     pass(400);

@@ -38,7 +38,7 @@ std::string event_text(const Event& event);
 struct EventBounds {
     float stuck_seconds = 6;  // noticed every 3 s
     float density = 1;        // people/m2
-    float gap = 0.15f;        // metres between the rooms that bodies keep to themselves
+    float gap = 0.05f;        // metres between the rooms that bodies keep to themselves
     float closing = 0.5f;     // m/s
 };
 

@@ -35,6 +35,7 @@ void lay_out_run(Show& show, Viewer& v, float scale) {
 
 void lay_out_past(Viewer& v, float scale) {
     const HistoryUse use = history_use(*v.time.history);
+    ImGui::AlignTextToFramePadding();
     ImGui::Text("%zu moments are kept, in %zu MiB of", use.states, (use.bytes + (size_t{1} << 19)) >> 20);
     tip("what lies between two of them is simulated again; it comes out the same to the last bit");
     ImGui::SameLine();
@@ -116,10 +117,11 @@ void lay_out_events(Show& show, Viewer& v, float scale) {
     for (const Event& event : watched.events)
         if (v.time.wants[static_cast<size_t>(event.kind)]) shown.push_back(&event);
     ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled(shown.empty() ? "none so far" : "%zu", shown.size());
     if (shown.empty()) return;
     const auto rows = static_cast<float>(std::min<size_t>(shown.size(), 9));
-    if (ImGui::BeginChild("events", {310 * scale, rows * ImGui::GetTextLineHeightWithSpacing()})) {
+    if (ImGui::BeginChild("events", {330 * scale, rows * ImGui::GetTextLineHeightWithSpacing()})) {
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(shown.size()));
         while (clipper.Step())

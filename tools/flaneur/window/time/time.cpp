@@ -79,6 +79,7 @@ Anew::~Anew() {
 void begin_run(Timeline& time, const World& world) {
     if (!time.history) time.history = make_history(static_cast<size_t>(time.most_mib) << 20);
     forget(*time.history);
+    if (!time.first_seed) time.first_seed = world.seed;
     const EventBounds bounds = time.watch.bounds;
     time.watch = {};
     time.watch.bounds = bounds;

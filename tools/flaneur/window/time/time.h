@@ -52,8 +52,9 @@ struct Timeline {
     HistoryPtr history;
     int most_mib = static_cast<int>(k_history_bytes >> 20);
     Watch watch;
-    uint32_t run = 0;     // how many runs there were before this one
-    uint32_t latest = 0;  // tick, as far as this run has come
+    uint32_t run = 0;                    // how many runs there were before this one
+    std::optional<uint64_t> first_seed;  // of the first one, which the command line tells
+    uint32_t latest = 0;                 // tick, as far as this run has come
 
     std::optional<Going> going;
     bool is_rough = false;  // the world is as it was kept, and what was a tick before is not known

@@ -137,16 +137,19 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
                   {high.x, high.y - 5 * scale},
                   first,
                   std::max(time.latest, first + k_least_span)};
-    const Pointed found = pointed_at(time, bar, ImGui::GetIO().MousePos.x, scale);
+    const Pointed pointed = pointed_at(time, bar, ImGui::GetIO().MousePos.x, scale);
     if (ImGui::IsItemActive()) {
         time.going.reset();
-        time.scrubbed_to = found.tick;
+        time.scrubbed_to = pointed.tick;
     } else if (time.scrubbed_to) {
         go_to(v, world, *std::exchange(time.scrubbed_to, std::nullopt));
     }
-    if (ImGui::IsItemHovered() || ImGui::IsItemActive())
-        ImGui::SetTooltip("%s%s%s", run_time(found.tick).c_str(), found.name.empty() ? "" : "  ",
-                          found.name.c_str());
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+        ImGui::SetNextWindowPos({bar.x_of(pointed.tick), bar.low.y - 16 * scale}, ImGuiCond_Always,
+                                {0.5f, 1});
+        ImGui::SetTooltip("%s%s%s", run_time(pointed.tick).c_str(), pointed.name.empty() ? "" : "  ",
+                          pointed.name.c_str());
+    }
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_kept(list, bar, kept, time.latest);
