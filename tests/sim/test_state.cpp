@@ -1,6 +1,8 @@
 // A world's state as bytes: taken back to it, the world goes on as it did.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 #include "sim/base/rng.h"
 #include "sim/sim.h"
 #include "sim/state.h"
@@ -122,14 +124,17 @@ TEST(State, OfAnotherWorldOrCutShortIsRefused) {
         ASSERT_FALSE(loaded) << size;
         EXPECT_FALSE(loaded.error().message.empty());
     }
-    bytes.push_back({});
-    EXPECT_FALSE(load_state(*w, bytes)) << "too long";
+    auto longer = bytes;
+    longer.push_back({});
+    EXPECT_FALSE(load_state(*w, longer)) << "too long";
     for (size_t i = 0; i < 56; ++i) {  // the head, harmed
         auto harmed = bytes;
-        harmed.pop_back();
         harmed[i] ^= std::byte{0x80};
-        if (load_state(*w, harmed)) continue;  // a tick, say, may be any
-        EXPECT_EQ(hash_world(*w), before) << i;
+        if (!load_state(*w, harmed)) {
+            EXPECT_EQ(hash_world(*w), before) << i;
+        } else {  // a tick, say, may be any
+            ASSERT_TRUE(load_state(*w, bytes));
+        }
     }
     EXPECT_FALSE(tick_of_state({}));
 }
