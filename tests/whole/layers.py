@@ -77,7 +77,7 @@ tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
-tools/flaneur/window/time: tools/flaneur/history
+tools/flaneur/window/time: tools/extract, tools/flaneur/history, tools/flaneur/overlay
 tools/flaneur/window: renderer, sim, sim/base, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/time
 tools/flaneur/window/time sources: sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/time
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view

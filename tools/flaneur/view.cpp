@@ -52,9 +52,11 @@ std::string picture_path(uint32_t tick) {
 }
 
 // Fails only with the device; tells whether the picture could be written.
-Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size, const std::string& command) {
-    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
-                                     static_cast<uint32_t>(size.height));
+Result<std::string> save_picture(Show& show, Viewer& v, const FrameInput& frame, Size size, float between,
+                                 const std::string& command) {
+    Result<Image> image = v.time.beside ? draw_side_by_side(show, v, frame, size, between)
+                                        : draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
+                                                     static_cast<uint32_t>(size.height));
     if (!image) return image.error();
     std::string path = picture_path(show.loaded.world->tick);
     Result<PartFilePtr> file = open_file(path);
@@ -112,6 +114,22 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
+// Into the window: this run, or two side by side.
+Result<void> draw_runs(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
+    if (!v.time.beside) return draw_window(*show.renderer, frame);
+    Result<Image> both = draw_side_by_side(show, v, frame, size, between);
+    if (!both) return both.error();
+    return show_image(*show.renderer, *both, frame.panels);
+}
+
+// Why none is copied; "": one is.
+std::string why_no_command(const Viewer& v, const World& world) {
+    if (v.time.beside) return "No command draws two runs side by side.";
+    if (world.seed == v.time.first_seed) return "";
+    return "No command draws this: its people are of another seed than the city's own, " +
+           std::to_string(*v.time.first_seed) + ".";
+}
+
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                       const std::vector<std::string>& words, uint32_t close_after) {
     begin_run(v.time, *show.loaded.world);
@@ -119,6 +137,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
     Grip grip;
+    double shift = 0;  // pixels that the run under the cursor lies to the right
     while (!v.wants_close && !glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
@@ -133,6 +152,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         const bool is_going = go_on(show, v, now);
         if (!is_going)
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
+        keep_up_beside(show, v);
         const World& world = *show.loaded.world;
         const float between = is_going ? 1 : between_ticks(v.clock);
 
@@ -147,41 +167,43 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
         bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
-        is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
+        const Size one = size_of_one(v, size);
+        if (!mouse.is_held && !mouse.pans && !mouse.orbits)
+            shift = mouse.x > one.width ? size.width - one.width : 0;
+        Mouse was = before, here = mouse;
+        was.x -= shift, here.x -= shift;
+        is_moving |= navigate(world, was, here, gui_wheel(), one, grip, v);
         is_moving |= is_following && !v.clock.is_paused;
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
-            FrameInput frame = extract_frame(show, v.camera, size, between);
+            FrameInput frame = extract_frame(show, v.camera, one, between);
             frame.companion = companion_of(v.choice);
-            // The city and its characters are of the first run's seed.
-            const bool has_command = world.seed == v.time.first_seed;
+            const std::string none = why_no_command(v, world);
             const std::string command =
-                has_command && (v.wants_picture || v.wants_command)
+                none.empty() && (v.wants_picture || v.wants_command)
                     ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
                     : std::string();
             if (std::exchange(v.wants_picture, false)) {
-                Result<std::string> told = save_picture(show, frame, size, command);
+                Result<std::string> told = save_picture(show, v, frame, size, between, command);
                 if (!told) return told.error();
                 tell(v, printable(*told));
             }
-            if (!has_command && std::exchange(v.wants_command, false))
-                tell(v, "No command draws this: its people are of another seed than the city's own, " +
-                            std::to_string(*v.time.first_seed) + ".");
+            if (!none.empty() && std::exchange(v.wants_command, false)) tell(v, none);
             if (std::exchange(v.wants_command, false)) {
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
                 tell(v, "Copied: " + printable(command));
             }
-            ask(show, mouse, size, is_panels, v);
+            ask(show, here, one, is_panels || shift > 0, v);
             mark_asked(v, show, frame);
             begin_gui(gui);
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
             frame.resolution = v.resolution;
             const double start = glfwGetTime();
-            if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
+            if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
             if (close_after > 0 && ++drawn >= close_after) break;

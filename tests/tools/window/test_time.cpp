@@ -177,6 +177,59 @@ TEST_F(Time, OtherPeopleBeginARunOfTheirOwn) {
     EXPECT_FALSE(v.time.anew);
 }
 
+TEST_F(Time, AnotherRunBesideGoesAlong) {
+    auto wait = [&] {
+        ASSERT_TRUE(v.time.anew);
+        v.time.anew->ready.wait();
+        take_people_anew(show, v);
+        ASSERT_TRUE(v.time.beside);
+    };
+    auto keep_up = [&] {
+        for (int pictures = 0; pictures < 1000 && v.time.beside->world->tick != world().tick; ++pictures)
+            keep_up_beside(show, v);
+        EXPECT_EQ(v.time.beside->world->tick, world().tick);
+    };
+    set_beside(show, v, {2, 50});
+    wait(), keep_up();
+    EXPECT_EQ(v.time.beside->world->seed, 2u);
+    EXPECT_EQ(v.time.beside->world->crowd.count, 50u);
+    EXPECT_EQ(world().tick, 400u) << "this run is left alone";
+    EXPECT_EQ(hash_world(world()), hashes[400]);
+    const uint64_t at_400 = hash_world(*v.time.beside->world);
+    go(130), keep_up();
+    go(400), keep_up();
+    EXPECT_EQ(hash_world(*v.time.beside->world), at_400);
+    EXPECT_EQ(size_of_one(v, {802, 600}).width, 400);
+
+    // The same seed is the same run, and this moment stands still.
+    set_beside(show, v, {1, 40});
+    wait(), keep_up();
+    EXPECT_EQ(hash_world(*v.time.beside->world), hashes[400]);
+    go(250);
+    set_beside_this_moment(show, v);
+    go(300);
+    wait();
+    for (int pictures = 0; pictures < 100; ++pictures) keep_up_beside(show, v);
+    EXPECT_EQ(v.time.beside->world->tick, 250u);
+    EXPECT_EQ(hash_world(*v.time.beside->world), hashes[250]);
+    v.time.beside.reset();
+    EXPECT_EQ(size_of_one(v, {802, 600}).width, 802);
+}
+
+TEST_F(Time, FiguresOfACrowd) {
+    Crowd& crowd = world().crowd;
+    for (uint32_t i = 0; i < crowd.count; ++i) {
+        crowd.motion.position[i] = {10.0f * static_cast<float>(i), 0, 1};
+        crowd.motion.velocity[i] = i < 10 ? Vec2{0, 1.5f} : Vec2{};
+    }
+    crowd.motion.position[4].x = crowd.motion.position[5].x = 0;
+    const CrowdFigures figures = figures_of(world());
+    EXPECT_EQ(figures.people, 40u);
+    EXPECT_EQ(figures.walking, 10u);
+    EXPECT_FLOAT_EQ(figures.speed, 1.5f);
+    EXPECT_FLOAT_EQ(figures.density, 3.0f / 9);
+}
+
 TEST(RunTime, IsWritten) {
     EXPECT_EQ(run_time(0), "0:00.0");
     EXPECT_EQ(run_time(59), "0:00.9");

@@ -1,5 +1,6 @@
 #include "tools/flaneur/history/history.h"
 
+#include <sys/resource.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -197,6 +198,9 @@ std::vector<ChunkPtr> packed(const Bytes& raw, History& h) {
 }
 
 void run_packer(History& h) {
+    // Behind all who move and draw people; of this thread alone.
+    constexpr int k_niceness = 10;
+    setpriority(PRIO_PROCESS, 0, k_niceness);
     std::unique_lock lock(h.mutex);
     for (;;) {
         h.changed.wait(lock, [&] { return h.ends || !h.waiting.empty(); });

@@ -17,8 +17,6 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_below_bar = 58;  // at scale 1, as k_edge
-
 struct RoomPanel {
     Room room;
     const char *name, *tip;
@@ -160,6 +158,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_timeline(show, viewer, size, scale);
+    lay_out_beside(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);
 }
 

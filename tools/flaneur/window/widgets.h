@@ -7,7 +7,8 @@ namespace flaneur {
 
 inline constexpr float k_edge = 10;  // between panels and the window's edge, at scale 1
 
-inline constexpr float k_timeline = 46;  // of the timeline's height, with the gap above it
+inline constexpr float k_below_bar = 58;  // of the window's upper edge
+inline constexpr float k_timeline = 46;   // of the timeline's height, with the gap above it
 
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =

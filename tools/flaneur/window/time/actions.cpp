@@ -35,6 +35,10 @@ void go_to_mark(Show& show, Viewer& v, const Mark* mark) {
     go_to(v, *show.loaded.world, mark->tick);
 }
 
+uint32_t people_of(const Show& show) {
+    return static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size());
+}
+
 constexpr std::array k_actions = {
     Action{"One tick back", ",", GLFW_KEY_COMMA, 0, tick_back, true},
     Action{"A second back", "Ctrl+Left", GLFW_KEY_LEFT, GLFW_MOD_CONTROL, skip<-1>, true},
@@ -63,6 +67,16 @@ constexpr std::array k_actions = {
            [](Show& show, Viewer& v) { restart(show, v, show.loaded.world->seed); }},
     Action{"Restart with another seed", "", 0, 0,
            [](Show& show, Viewer& v) { restart(show, v, show.loaded.world->seed + 1); }},
+    Action{"Compare with another seed", "", 0, 0,
+           [](Show& show, Viewer& v) {
+               set_beside(show, v, {static_cast<uint64_t>(v.time.beside_seed), people_of(show)});
+           }},
+    Action{"Compare with twice as many people", "", 0, 0,
+           [](Show& show, Viewer& v) {
+               set_beside(show, v, {show.loaded.world->seed, 2 * people_of(show)});
+           }},
+    Action{"Compare with this moment, kept", "", 0, 0, set_beside_this_moment},
+    Action{"End comparing", "", 0, 0, [](Show&, Viewer& v) { v.time.beside.reset(); }},
 };
 
 }  // namespace

@@ -33,6 +33,30 @@ void lay_out_run(Show& show, Viewer& v, float scale) {
     if (ImGui::InputInt("##seed", &v.time.seed)) v.time.seed = std::max(v.time.seed, 0);
 }
 
+void lay_out_side_by_side(Show& show, Viewer& v, float scale) {
+    if (v.time.beside) {
+        if (ImGui::Button("End comparing")) v.time.beside.reset();
+        return;
+    }
+    const World& world = *show.loaded.world;
+    const auto people = static_cast<uint32_t>(world.crowd.slots.living.size());
+    auto number = [&](const char* name, int& value) {
+        ImGui::SameLine(170 * scale);
+        ImGui::SetNextItemWidth(110 * scale);
+        if (ImGui::InputInt(name, &value)) value = std::max(value, 0);
+    };
+    if (ImGui::Button("With seed", {150 * scale, 0}))
+        set_beside(show, v, {static_cast<uint64_t>(v.time.beside_seed), people});
+    tip("the same city with other people, beside this run");
+    number("##beside seed", v.time.beside_seed);
+    if (ImGui::Button("With so many people", {150 * scale, 0}))
+        set_beside(show, v, {world.seed, static_cast<uint32_t>(v.time.beside_people)});
+    tip("the same seed with another number of people, beside this run");
+    number("##beside people", v.time.beside_people);
+    if (ImGui::Button("With this moment", {150 * scale, 0})) set_beside_this_moment(show, v);
+    tip("this run as it is now, at rest, beside what becomes of it");
+}
+
 void lay_out_past(Viewer& v, float scale) {
     const HistoryUse use = history_use(*v.time.history);
     ImGui::AlignTextToFramePadding();
@@ -150,6 +174,8 @@ void lay_out_events(Show& show, Viewer& v, float scale) {
 
 void lay_out_time(Show& show, Viewer& v, float scale) {
     lay_out_run(show, v, scale);
+    heading("Side by side", scale);
+    lay_out_side_by_side(show, v, scale);
     heading("The past", scale);
     lay_out_past(v, scale);
     heading("Marks", scale);

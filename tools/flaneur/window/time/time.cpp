@@ -69,6 +69,21 @@ void scrub(Show& show, Timeline& time) {
     (void)restore(*time.history, *kept, world);
 }
 
+// In place of the run that is shown.
+void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
+    show.loaded.world = std::move(world);
+    show.people = {};
+    forget_past(show);
+    v.walkers = show.loaded.world->crowd.count;
+    v.hovered.reset();
+    v.selected.reset();
+    if (v.choice.walker >= v.walkers) v.choice.walker = 0;
+    v.clock.due = 0;
+    ++v.time.run;
+    begin_run(v.time, *show.loaded.world);
+    tell(v, "Seed " + std::to_string(show.loaded.world->seed) + ", from the start");
+}
+
 }  // namespace
 
 Anew::~Anew() {
@@ -87,7 +102,8 @@ void begin_run(Timeline& time, const World& world) {
     time.going.reset();
     time.scrubbed_to.reset();
     time.marks.clear();
-    time.seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
+    time.seed = time.beside_seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
+    time.beside_people = static_cast<int>(2 * world.crowd.slots.living.size());
     follow(*time.history, world);
     watch(time.watch, world);
 }
@@ -185,19 +201,21 @@ bool stop_going(Viewer& v) {
     return true;
 }
 
-void restart(Show& show, Viewer& v, uint64_t seed) {
-    if (v.time.anew) return;
-    v.time.going.reset();
+void make_anew(Show& show, Viewer& v, PeopleAnew people) {
+    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
     v.time.anew = std::make_unique<Anew>();
     Anew& anew = *v.time.anew;
-    anew.seed = seed;
-    const auto walkers = static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size());
-    anew.ready = std::async(std::launch::async, [&loaded = show.loaded, &anew, walkers, seed] {
-        anew.world = people_anew(loaded, {seed, walkers}, [&](std::string_view, float done) {
+    anew.seed = people.seed;
+    anew.ready = std::async(std::launch::async, [&loaded = show.loaded, &anew, people] {
+        anew.world = people_anew(loaded, people, [&](std::string_view, float done) {
             anew.done = done;
             return !anew.is_given_up;
         });
     });
+}
+
+void restart(Show& show, Viewer& v, uint64_t seed) {
+    make_anew(show, v, {seed, static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size())});
 }
 
 void take_people_anew(Show& show, Viewer& v) {
@@ -206,20 +224,12 @@ void take_people_anew(Show& show, Viewer& v) {
     const std::unique_ptr<Anew> anew = std::move(v.time.anew);
     anew->ready.get();
     Result<std::unique_ptr<World>>& world = anew->world;
-    if (!world)
-        return tell(
-            v, anew->is_given_up ? "Given up: everybody is still who they were." : world.error().message);
-    show.loaded.world = std::move(*world);
-    show.people = {};
-    forget_past(show);
-    v.walkers = show.loaded.world->crowd.count;
-    v.hovered.reset();
-    v.selected.reset();
-    if (v.choice.walker >= v.walkers) v.choice.walker = 0;
-    v.clock.due = 0;
-    ++v.time.run;
-    begin_run(v.time, *show.loaded.world);
-    tell(v, "Seed " + std::to_string(anew->seed) + ", from the start");
+    if (anew->is_given_up) return tell(v, "Given up: everybody is still who they were.");
+    if (!world) return tell(v, world.error().message);
+    if (anew->beside)
+        put_beside(v, std::move(*world), *anew->beside);
+    else
+        take_run(show, v, std::move(*world));
 }
 
 void mark_moment(Viewer& v, const World& world) {

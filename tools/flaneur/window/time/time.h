@@ -15,13 +15,12 @@
 
 #include "tools/flaneur/history/events.h"
 #include "tools/flaneur/history/history.h"
+#include "tools/flaneur/window/time/beside.h"
 
 namespace flaneur {
 
 struct Action;
-struct Show;
-struct Size;
-struct Viewer;
+struct PeopleAnew;
 
 // A moment that somebody wants to find again.
 struct Mark {
@@ -38,9 +37,10 @@ struct Going {
 inline constexpr uint32_t k_wherever = ~0u;  // Going::to: on until there is an event
 inline bool is_search(const Going& going) { return going.to == k_wherever; }
 
-// People who are made anew, on a thread of their own.
+// People who are made anew, on a thread of their own: in place of those who are there, or beside them.
 struct Anew {
     uint64_t seed = 1;
+    std::optional<BesideChoice> beside;
     std::atomic<bool> is_given_up = false;
     std::atomic<float> done = 0;                     // share
     Result<std::unique_ptr<World>> world = Error{};  // once it is ready
@@ -60,10 +60,12 @@ struct Timeline {
     bool is_rough = false;  // the world is as it was kept, and what was a tick before is not known
     std::optional<uint32_t> scrubbed_to;  // tick under the hand that drags on the timeline
     std::unique_ptr<Anew> anew;
+    std::unique_ptr<Beside> beside;
 
     std::vector<Mark> marks;  // by tick
     EventFilter wants{true, true, true, true};
-    int seed = 0;  // typed, of the next run
+    // Typed, of the next run and of the one beside it.
+    int seed = 0, beside_seed = 0, beside_people = 0;
 };
 
 // Makes the timeline know a world whose first tick it is at, or that it is at now: the begin of a run.
@@ -91,9 +93,11 @@ std::optional<Progress> progress_of(const Timeline& time, const World& world, do
 // Stops where it is, or gives up the people who are made anew. False if there is neither.
 bool stop_going(Viewer& viewer);
 
-// Other people, or the same: makes them in the background, and takes them once they are done.
+// Makes people in the background, unless some are being made.
+void make_anew(Show& show, Viewer& viewer, PeopleAnew people);
+// Other people, or the same, begin a run in place of this one.
 void restart(Show& show, Viewer& viewer, uint64_t seed);
-// To be called once a picture.
+// Takes those who are made. To be called once a picture.
 void take_people_anew(Show& show, Viewer& viewer);
 
 void mark_moment(Viewer& viewer, const World& world);
