@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "renderer/device/check.h"
@@ -56,8 +57,7 @@ Result<RendererPtr> make(const RendererOptions& options, GLFWwindow* window) {
 }
 
 // An image to draw into that no window shows.
-Result<void> fit_picture(Renderer& renderer, VkExtent2D extent) {
-    GpuImage& picture = renderer.picture;
+Result<void> fit_picture(Renderer& renderer, VkExtent2D extent, GpuImage& picture) {
     if (picture.view && picture.width == extent.width && picture.height == extent.height &&
         picture.format == k_picture_format)
         return {};
@@ -143,6 +143,7 @@ void RendererDelete::operator()(Renderer* renderer) const {
         destroy_picture_targets(r.device, r.targets);
         destroy_shadow_maps(r.device, r.shadows);
         destroy_image(r.device, r.picture);
+        destroy_image(r.device, r.shown);
         destroy_image(r.device, r.letters);
         destroy_buffer(r.device, r.readback);
         for (FrameSlot& slot : r.slots) destroy_slot(r.device, slot);
@@ -241,7 +242,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
         if (frame.wants_depths) FLANEUR_TRY(read_depths(renderer, frame.camera.near_plane, image));
         return image;
     }
-    FLANEUR_TRY(fit_picture(renderer, target.extent));
+    FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.picture));
     FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback,
                                renderer.readback));
     FLANEUR_TRY(light_into_slot(renderer, slot, target));
@@ -258,7 +259,12 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     return image;
 }
 
-Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
+namespace {
+
+// Gets an image of the window, calls draw(slot, image, signal), and presents the image; nothing where nobody
+// looks.
+template <class Draw>
+Result<void> draw_and_present(Renderer& renderer, const Draw& draw) {
     assert(renderer.window);
     Swapchain& swapchain = renderer.swapchain;
     FrameSlot& slot = renderer.slots[renderer.next_slot];
@@ -285,37 +291,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
         else
             return vulkan_error(result, "get an image of the window");
     }
-    GpuImage& image = swapchain.images[index];
-    auto draw = [&]() -> Result<void> {
-        PictureTarget target{
-            .extent = swapchain.extent,
-            .image = &image,
-            .smooth = renderer.pipelines.smooth_window,
-            .panels = renderer.pipelines.panels_window,
-            .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
-            .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
-        FLANEUR_TRY(check_size(renderer, target.extent.width, target.extent.height));
-        if (frame.resolution < 1 && swapchain.takes_copies) {
-            const float share = std::max(frame.resolution, k_least_resolution);
-            auto scaled = [&](uint32_t pixels) {
-                return std::max(static_cast<uint32_t>(static_cast<float>(pixels) * share), 1u);
-            };
-            target.extent = {scaled(target.extent.width), scaled(target.extent.height)};
-            FLANEUR_TRY(fit_picture(renderer, target.extent));
-            target.image = &renderer.picture;
-            target.scaled = &image;
-            target.smooth = renderer.pipelines.smooth_image;
-            target.is_blue_first = false;
-        }
-        FLANEUR_TRY(light_into_slot(renderer, slot, target));
-        const bool is_copied = renderer.is_lit_on_host || target.scaled;
-        const Access written = is_copied ? k_copied_to : k_colour_target;
-        // Its semaphore is waited for before the picture is written.
-        image.last.assign(1, {written.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
-        return draw_frame(renderer, slot, frame, target, {slot.image_ready, written.stage},
-                          swapchain.drawn[index]);
-    };
-    if (Result<void> drawn = draw(); !drawn) {
+    if (Result<void> drawn = draw(slot, swapchain.images[index], swapchain.drawn[index]); !drawn) {
         give_up_image(renderer, slot);
         return drawn;
     }
@@ -335,6 +311,66 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
     else
         FLANEUR_VK(result, "show a frame");
     return {};
+}
+
+}  // namespace
+
+Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
+    return draw_and_present(
+        renderer, [&](FrameSlot& slot, GpuImage& image, VkSemaphore drawn) -> Result<void> {
+            const Swapchain& swapchain = renderer.swapchain;
+            PictureTarget target{
+                .extent = swapchain.extent,
+                .image = &image,
+                .smooth = renderer.pipelines.smooth_window,
+                .panels = renderer.pipelines.panels_window,
+                .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR},
+                .is_blue_first = swapchain.format == VK_FORMAT_B8G8R8A8_UNORM};
+            FLANEUR_TRY(check_size(renderer, target.extent.width, target.extent.height));
+            if (frame.resolution < 1 && swapchain.takes_copies) {
+                const float share = std::max(frame.resolution, k_least_resolution);
+                auto scaled = [&](uint32_t pixels) {
+                    return std::max(static_cast<uint32_t>(static_cast<float>(pixels) * share), 1u);
+                };
+                target.extent = {scaled(target.extent.width), scaled(target.extent.height)};
+                FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.picture));
+                target.image = &renderer.picture;
+                target.scaled = &image;
+                target.smooth = renderer.pipelines.smooth_image;
+                target.is_blue_first = false;
+            }
+            FLANEUR_TRY(light_into_slot(renderer, slot, target));
+            const bool is_copied = renderer.is_lit_on_host || target.scaled;
+            const Access written = is_copied ? k_copied_to : k_colour_target;
+            // Its semaphore is waited for before the picture is written.
+            image.last.assign(1, {written.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
+            return draw_frame(renderer, slot, frame, target, {slot.image_ready, written.stage}, drawn);
+        });
+}
+
+Result<void> show_image(Renderer& renderer, const Image& picture, const Panels& panels) {
+    FLANEUR_TRY(check_size(renderer, picture.width, picture.height));
+    if (picture.rgba.size() != size_t{4} * picture.width * picture.height)
+        return Error{"The picture's size does not agree with its pixels."};
+    return draw_and_present(
+        renderer, [&](FrameSlot& slot, GpuImage& image, VkSemaphore drawn) -> Result<void> {
+            if (!renderer.swapchain.takes_copies)
+                return Error{"This window takes no pictures that were drawn before."};
+            PictureTarget target{
+                .extent = {picture.width, picture.height},
+                .image = &renderer.shown,
+                .scaled = &image,
+                .panels = renderer.pipelines.panels_window,
+                .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR}};
+            FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.shown));
+            FLANEUR_TRY(reserve_buffer(renderer.device, picture.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                       MemoryKind::upload, slot.picture));
+            std::memcpy(slot.picture.mapped, picture.rgba.data(), picture.rgba.size());
+            target.staging = slot.picture.handle;
+            image.last.assign(1, {k_copied_to.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
+            return draw_over_picture(renderer, slot, panels, target, {slot.image_ready, k_copied_to.stage},
+                                     drawn);
+        });
 }
 
 const FrameStats& frame_stats(const Renderer& renderer) { return renderer.stats; }

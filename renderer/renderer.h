@@ -69,6 +69,10 @@ Result<RendererPtr> make_window_renderer(const RendererOptions& options, GLFWwin
 // area or nobody shows it; a resized or lost surface is made anew.
 Result<void> draw_window(Renderer& renderer, const FrameInput& frame);
 
+// Shows a picture that is there in the window, stretched to it where it is of another size, with panels over
+// it; else as draw_window. Refuses before the first frame is drawn, and where the window takes no copies.
+Result<void> show_image(Renderer& renderer, const Image& image, const Panels& panels);
+
 // Whose joints a frame of this camera, sun and size will ask for; see needs_pose() in view.h. Crowds save
 // most of their poses by it.
 PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& sun, uint32_t width,

@@ -25,6 +25,7 @@ struct Renderer {
     PictureTargets targets;
     GpuImage picture;  // off-screen, where the device lights, or panels lie over it; in a window, where it is
                        // scaled
+    GpuImage shown;    // that show_image stretches
     GpuImage letters;  // of panels
     Buffer readback;
     LitPicture lit;  // where the host lights

@@ -22,6 +22,18 @@ Result<void> upload(const Device& device, std::span<const T> first, std::span<co
     return {};
 }
 
+Result<void> upload_panel_buffers(const Device& device, FrameSlot& slot, const Panels& panels) {
+    if (panels.draws.empty()) return {};
+    for (const PanelDraw& draw : panels.draws)
+        if (uint64_t{draw.first_index} + draw.index_count > panels.indices.size())
+            return Error{"A panel refers to index " +
+                         std::to_string(uint64_t{draw.first_index} + draw.index_count - 1) +
+                         " but there are only " + std::to_string(panels.indices.size()) + "."};
+    FLANEUR_TRY(upload<PanelVertex>(device, panels.vertices, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                                    slot.panel_vertices));
+    return upload<uint16_t>(device, panels.indices, {}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, slot.panel_indices);
+}
+
 Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
                             const FramePlan& plan) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -42,17 +54,7 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
     FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
     FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, vertices, slot.contacts));
     if (plan.lines > 0) FLANEUR_TRY(upload<GizmoLine>(device, input.lines, {}, vertices, slot.lines));
-    if (!plan.panels.empty()) {
-        const Panels& panels = input.panels;
-        for (const PanelDraw& draw : panels.draws)
-            if (uint64_t{draw.first_index} + draw.index_count > panels.indices.size())
-                return Error{"A panel refers to index " +
-                             std::to_string(uint64_t{draw.first_index} + draw.index_count - 1) +
-                             " but there are only " + std::to_string(panels.indices.size()) + "."};
-        FLANEUR_TRY(upload<PanelVertex>(device, panels.vertices, {}, vertices, slot.panel_vertices));
-        FLANEUR_TRY(upload<uint16_t>(device, panels.indices, {}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                                     slot.panel_indices));
-    }
+    FLANEUR_TRY(upload_panel_buffers(device, slot, input.panels));
     if (plan.fills > 0) FLANEUR_TRY(upload<GizmoCorner>(device, input.fills, {}, vertices, slot.fills));
     return {};
 }
@@ -124,6 +126,12 @@ Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput&
                           FramePlan& plan) {
     FLANEUR_TRY(skin_people(renderer, slot, input, extent, plan));
     FLANEUR_TRY(upload_buffers(renderer, slot, input, plan));
+    bind_frame(renderer, slot);
+    return {};
+}
+
+Result<void> upload_panels(Renderer& renderer, FrameSlot& slot, const Panels& panels) {
+    FLANEUR_TRY(upload_panel_buffers(renderer.device, slot, panels));
     bind_frame(renderer, slot);
     return {};
 }

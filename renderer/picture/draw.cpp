@@ -142,4 +142,15 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     return {};
 }
 
+Result<void> draw_over_picture(Renderer& renderer, FrameSlot& slot, const Panels& panels,
+                               const PictureTarget& target, Wait wait, VkSemaphore signal) {
+    if (!slot.constants.handle || !renderer.targets.colour.view)
+        return Error{"Nothing has been drawn yet, over which panels could lie."};
+    FramePlan plan;
+    plan.panels = panels.draws;
+    FLANEUR_TRY(upload_panels(renderer, slot, panels));
+    FLANEUR_TRY(record({renderer, slot, plan, target, slot.commands}, record_picture_from_host));
+    return submit_slot(renderer.device, slot, wait, signal);
+}
+
 }  // namespace flaneur

@@ -9,4 +9,9 @@ namespace flaneur {
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
                         const PictureTarget& target, Wait wait, VkSemaphore signal);
 
+// The same of a picture that lies in `target.staging`: with these panels over it. Refuses before the slot's
+// first frame.
+Result<void> draw_over_picture(Renderer& renderer, FrameSlot& slot, const Panels& panels,
+                               const PictureTarget& target, Wait wait, VkSemaphore signal);
+
 }  // namespace flaneur

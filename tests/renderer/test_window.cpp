@@ -112,6 +112,45 @@ TEST_F(Window, IsIconifiedAndRestored) {
     draw_some(2);
 }
 
+// A picture that was drawn before, of any size, with and without panels, in turns with frames; and where
+// something fails, again.
+TEST_F(Window, PicturesDrawnBeforeAreShown) {
+    const PanelVertex corners[3] = {{{0, 0}, {0, 0}, ~0u}, {{90, 0}, {1, 0}, ~0u}, {{0, 60}, {0, 1}, ~0u}};
+    const uint16_t indices[3] = {0, 1, 2};
+    const PanelDraw draws[1] = {{0, 3, 0, {0, 0, 50, 50}}};
+    const uint8_t letters[4] = {255, 0, 128, 255};
+    for (const bool is_host : {true, false}) {
+        renderer.reset();
+        RendererOptions options = validated();
+        options.lights_on_host = is_host;
+        ASSERT_NO_FATAL_FAILURE(make(options));
+        ASSERT_TRUE(upload_letters(*renderer, {2, 2, letters}));
+        EXPECT_FALSE(show_image(*renderer, {2, 2, std::vector<uint8_t>(16)}, {}))
+            << "nothing has been drawn yet";
+        draw_some(2);
+        for (const uint32_t width : {320u, 64u, 500u}) {
+            Result<Image> image = draw_image(*renderer, scene.frame(street_camera()), width, 100);
+            ASSERT_TRUE(image) << image.error().message;
+            for (const Panels& panels : {Panels{}, Panels{corners, indices, draws}}) {
+                glfwPollEvents();
+                Result<void> shown = show_image(*renderer, *image, panels);
+                ASSERT_TRUE(shown) << shown.error().message;
+            }
+            glfwSetWindowSize(window, static_cast<int>(width) / 2 + 40, 200);
+            draw_some(1);
+        }
+        EXPECT_FALSE(show_image(*renderer, {2, 2, {}}, {})) << "no pixels";
+        Result<Image> image = draw_image(*renderer, scene.frame(street_camera()), 90, 60);
+        ASSERT_TRUE(image);
+        auto attempt = [&] {
+            renderer->is_swapchain_stale = true;
+            return show_image(*renderer, *image, {corners, indices, draws});
+        };
+        EXPECT_GT(fail_everywhere(attempt, [&] { draw_some(2); }), 8);
+        draw_some(1);
+    }
+}
+
 // Sharp panels over a picture that is drawn coarser and scaled, by host and device, and through changes of
 // size.
 TEST_F(Window, PicturesAreScaledUnderPanels) {

@@ -108,6 +108,14 @@ void watch(const Show& show, Viewer& v) {
     ride(*show.loaded.world, v.cameras, v.choice);
 }
 
+// Into the window: this run, or two side by side.
+Result<void> draw_runs(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
+    if (!v.time.beside) return draw_window(*show.renderer, frame);
+    Result<Image> both = draw_side_by_side(show, v, frame, size, between);
+    if (!both) return both.error();
+    return show_image(*show.renderer, *both, frame.panels);
+}
+
 // Of the window's time.
 void rest_until(double then) {
     const double left = then - glfwGetTime();
@@ -115,10 +123,12 @@ void rest_until(double then) {
 }
 
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
+    begin_run(v.time, *show.loaded.world);
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
     Grip grip;
+    double shift = 0;  // pixels that the run under the cursor lies to the right
     while (!v.wants_close && !glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
@@ -130,28 +140,38 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         const double passed = is_hidden && v.record.filming ? 0 : seconds_to_pass(v.record, now - last);
         last = now;
         go_on_opening(show, v);
-        World& world = *show.loaded.world;
+        take_people_anew(show, v);
         act_on_presses(show, v);
-        for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
-            step(show);
-            watch(show, v);
-        }
-        const float between = between_pictures(v.record, v.clock);
+        const bool is_going = go_on(show, v, now);
+        if (!is_going)
+            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
+                make_tick(show, v);
+                watch(show, v);
+            }
+        keep_up_beside(show, v);
+        const World& world = *show.loaded.world;
+        const float between = is_going ? 1 : between_pictures(v.record, v.clock);
 
         const bool is_panels = gui_has_mouse() || v.presentation.is_on;
         const Mouse before = mouse;
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
+        const Size one = size_of_one(v, size);
+        if (!mouse.is_held && !mouse.pans && !mouse.orbits)
+            shift = mouse.x > one.width ? size.width - one.width : 0;
+        Mouse was = before, here = mouse;
+        was.x -= shift, here.x -= shift;
         // What is drawn with takes the left button.
-        Mouse free = mouse;
-        if (draw_with_mouse(show, before, mouse, size, is_panels, v)) free.is_held = free.has_clicked = false;
+        Mouse free = here;
+        if (draw_with_mouse(show, was, here, one, is_panels || shift > 0, v))
+            free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(passed);
         const Steering hands =
-            steering_of(window, before, free, v.settings.inverts_look) + read_pad(window, seconds, v);
-        bool is_moving = navigate(world, before, free, gui_wheel(v.settings.inverts_wheel), size, grip, v);
+            steering_of(window, was, free, v.settings.inverts_look) + read_pad(window, seconds, v);
+        bool is_moving = navigate(world, was, free, gui_wheel(v.settings.inverts_wheel), one, grip, v);
         is_moving |= steer(show, hands, seconds, v);
-        is_moving |= move_camera(show, size, seconds, between, v);
+        is_moving |= move_camera(show, one, seconds, between, v);
         go_on_presenting(show, v, passed);
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
@@ -160,15 +180,17 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             show.overlay.letters_legends = true;
             if (Result<void> done = take_pictures(show, v, size, between); !done) return done;
             show.overlay.letters_legends = !v.has_panels;
-            FrameInput frame = extract_frame(show, v.camera, size, between);
+            FrameInput frame = extract_frame(show, v.camera, one, between);
             frame.companion = companion_of(v.choice);
+            const std::string none = why_no_command(v, world);
+            if (!none.empty() && std::exchange(v.wants_command, false)) tell(v, none);
             if (std::exchange(v.wants_command, false)) {
                 const std::string command = command_now(show, v, size);
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
                 tell(v, "Copied: " + printable(command));
             }
-            ask(show, free, size, is_panels, v);
+            ask(show, free, one, is_panels || shift > 0, v);
             find_people(show, v);
             mark_asked(v, show, frame);
             mark_path(v, show, frame);
@@ -186,7 +208,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             if (Result<void> done = take_picture_with_panels(show, v, frame, size); !done) return done;
             frame.resolution = v.resolution;
             const double start = glfwGetTime();
-            if (Result<void> done = draw_window(*show.renderer, frame); !done) return done;
+            if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
             if (close_after > 0 && ++drawn >= close_after) break;
@@ -236,6 +258,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     viewer.walkers = show->loaded.world->crowd.count;
     Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
     end_film(viewer);
+    viewer.time.anew.reset();                            // they are made of the show
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded
     return done;
 }

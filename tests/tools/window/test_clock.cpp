@@ -28,6 +28,24 @@ TEST(Clock, GivesUpWhatCannotBeMadeUpFor) {
     EXPECT_EQ(ticks_due(clock, -1), 0u);
 }
 
+TEST(Clock, SaysWhatPaceIsReached) {
+    Clock clock{.rate = 4};
+    ticks_in(clock, 3, 1.0 / 60);
+    EXPECT_FALSE(reached_rate(clock)) << "it keeps up";
+    // Pictures that take half a second: a fifth of one is made up for each time.
+    ticks_in(clock, 3, 0.5);
+    ASSERT_TRUE(reached_rate(clock));
+    EXPECT_NEAR(*reached_rate(clock), 4 * 0.2 / 0.5, 0.15);
+    clock.rate = 1;
+    ticks_due(clock, 0.01);
+    EXPECT_FALSE(reached_rate(clock)) << "of another rate nothing is known yet";
+    ticks_in(clock, 3, 0.5);
+    EXPECT_TRUE(reached_rate(clock));
+    clock.is_paused = true;
+    ticks_due(clock, 0.01);
+    EXPECT_FALSE(reached_rate(clock));
+}
+
 TEST(Clock, StandsStillButForSteps) {
     Clock clock{.is_paused = true};
     EXPECT_EQ(ticks_due(clock, 1), 0u);

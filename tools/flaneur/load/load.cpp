@@ -210,4 +210,27 @@ Result<Loaded> load(const Options& options) {
     return loaded;
 }
 
+Result<std::unique_ptr<World>> people_anew(const Loaded& loaded, PeopleAnew people,
+                                           const std::function<bool(std::string_view, float)>& progress) {
+    const World& old = *loaded.world;
+    const std::shared_ptr<const City>& city = loaded.city;
+    WorldOptions options;
+    options.destinations = city->destinations;
+    options.kinds = old.kinds;
+    options.idles = old.idles.clips;
+    options.walkers = people.walkers;
+    options.seed = people.seed;
+    options.threads = thread_count(*old.workers);
+    options.hour = old.crowd.demand.hour;
+    // The mesh is a world's own: of the same bytes.
+    Result<NavmeshPtr> mesh = restore_navmesh(*old.ground, {}, navmesh_bytes(*old.navmesh), options.threads);
+    if (!mesh) return mesh.error();
+    auto made = make_world(old.ground, std::move(*mesh), options, progress);
+    if (made && old.roam) {
+        Result<void> set = set_down(**made, old.roam->compound);
+        if (!set) return set.error();
+    }
+    return made;
+}
+
 }  // namespace flaneur

@@ -1,7 +1,9 @@
 // From options to a city with people in it.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "assets/character.h"
@@ -17,6 +19,16 @@ struct Loaded {
     std::unique_ptr<World> world;
     std::vector<Character> characters;  // one for each of the world's bodies
 };
+
+// The same city with other people in it: so many, set down and led by that seed, of the same characters, as
+// of the hour at which it began. `loaded` is only looked at, and may go on meanwhile. `progress` as
+// make_world() calls it; where it answers false, the people are given up with an error.
+struct PeopleAnew {
+    uint64_t seed = 1;
+    uint32_t walkers = 0;
+};
+Result<std::unique_ptr<World>> people_anew(const Loaded& loaded, PeopleAnew people,
+                                           const std::function<bool(std::string_view, float)>& progress = {});
 
 // The files that a scene names; some are "".
 std::vector<std::string> files_of(const Scene& scene);

@@ -27,6 +27,7 @@ void dismiss(Show&, Viewer& v) {
     constexpr double k_again_seconds = 2;
     if (std::exchange(v.lists_keys, false)) return;
     if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
+    if (stop_going(v)) return;
     if (abandon_drawing(v)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
@@ -101,6 +102,7 @@ bool is_for(const Action& action, const KeyPress& press) {
 std::span<const ActionGroup> action_groups() {
     static const std::array all = {
         ActionGroup{"Time", k_time},
+        ActionGroup{"Back and forth in time", time_actions()},
         ActionGroup{"Cameras", camera_actions()},
         ActionGroup{"Bookmarks", bookmark_actions(), "Keep a camera; go back there", "Ctrl+1..9, Alt+1..9"},
         ActionGroup{"Layers", k_layers},

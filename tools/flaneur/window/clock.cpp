@@ -13,12 +13,27 @@ namespace {
 constexpr double k_least_gap = 0.1, k_gap = 0.2;  // seconds of simulation, and that pass
 constexpr float k_rates[] = {k_least_rate, 0.25f, 0.5f, 1, 2, 4, 8, k_most_rate};
 
+constexpr double k_measured = 1;    // second
+constexpr double k_noticed = 0.03;  // share of it that is lost
+
+void measure_pace(Clock& clock, double passed, double made, double kept_back) {
+    Clock::Pace& pace = clock.pace;
+    if (pace.rate != clock.rate) pace = {.rate = clock.rate};
+    pace.passed += passed;
+    pace.made += made;
+    pace.kept_back += kept_back;
+    if (pace.passed < k_measured) return;
+    const bool is_behind = pace.kept_back > k_noticed * (pace.made + pace.kept_back);
+    pace = {.rate = clock.rate, .reached = is_behind ? static_cast<float>(pace.made / pace.passed) : 0};
+}
+
 }  // namespace
 
 uint32_t ticks_due(Clock& clock, double seconds) {
     if (clock.is_paused) {
         const uint32_t steps = std::exchange(clock.steps, 0);
         if (steps > 0) clock.due = 0;
+        clock.pace = {};
         return steps;
     }
     clock.steps = 0;
@@ -28,7 +43,13 @@ uint32_t ticks_due(Clock& clock, double seconds) {
     clock.kept_back += wanted - clock.due;
     const double ticks = std::floor(clock.due / static_cast<double>(k_tick));
     clock.due -= ticks * static_cast<double>(k_tick);
+    measure_pace(clock, std::max(seconds, 0.0), ticks * static_cast<double>(k_tick),
+                 wanted - std::min(wanted, most));
     return static_cast<uint32_t>(ticks);
+}
+
+std::optional<float> reached_rate(const Clock& clock) {
+    return clock.pace.reached > 0 ? std::optional(clock.pace.reached) : std::nullopt;
 }
 
 float between_ticks(const Clock& clock) {

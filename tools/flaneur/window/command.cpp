@@ -49,6 +49,13 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
     return shell_line(all);
 }
 
+std::string why_no_command(const Viewer& v, const World& world) {
+    if (v.time.beside) return "No command draws two runs side by side.";
+    if (world.seed == v.time.first_seed) return "";
+    return "No command draws this: its people are of another seed than the city's own, " +
+           std::to_string(*v.time.first_seed) + ".";
+}
+
 std::string command_now(const Show& show, const Viewer& v, Size size) {
     return command_of(v.opening.words, {v.choice, v.camera, show.work_views, size, show.loaded.world->tick,
                                         v.record.picture.is_transparent, v.cameras.has_lens});

@@ -22,6 +22,9 @@ struct Shown {
 
 struct Show;
 struct Viewer;
+struct World;
+// Why no command draws what the window shows; "": one does.
+std::string why_no_command(const Viewer& viewer, const World& world);
 // Of what the window shows, as a picture of this size.
 std::string command_now(const Show& show, const Viewer& viewer, Size size);
 

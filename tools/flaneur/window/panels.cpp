@@ -43,6 +43,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 constexpr RoomPanel k_rooms[] = {
     {Room::cameras, "Cameras", "where to look from: modes, lens, bookmarks, path", lay_out_cameras},
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
+    {Room::time, "Time", "back and forth: the past, marks, events, runs anew", lay_out_time},
     {Room::measure, "Measure", "distances, areas, counting lines and zones (M)", lay_out_measures},
     {Room::find, "People", "find people by what they are and do (/)", lay_out_finding},
     {Room::gait, "Gait", "how the selected walker walks (J)", lay_out_gait},
@@ -54,9 +55,9 @@ constexpr RoomPanel k_rooms[] = {
 void lay_out_legends(const Show& show, Size size, float scale) {
     const std::vector<Legend> legends = legends_of(show.work_views);
     if (legends.empty()) return;
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(size.width) - k_edge * scale, static_cast<float>(size.height) - k_edge * scale},
-        ImGuiCond_Always, {1, 1});
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale,
+                             static_cast<float>(size.height) - (k_edge + k_timeline + k_scale_bar) * scale},
+                            ImGuiCond_Always, {1, 1});
     if (!ImGui::Begin("legends", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
     const float swatch = ImGui::GetFontSize();
     for (const Legend& legend : legends) {
@@ -80,8 +81,9 @@ void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
         // Between the bar above and what lies below.
         ImGui::SetNextWindowPos({k_edge * scale, k_below_bar * scale});
         ImGui::SetNextWindowSizeConstraints(
-            {0, 0}, {static_cast<float>(size.width) * 0.45f,
-                     std::max(static_cast<float>(size.height) - (k_below_bar + k_edge) * scale, 80.0f)});
+            {0, 0},
+            {static_cast<float>(size.width) * 0.45f,
+             std::max(static_cast<float>(size.height) - (k_below_bar + k_edge + k_timeline) * scale, 80.0f)});
         bool is_open = true;
         if (ImGui::Begin(room.name, &is_open, k_room)) room.lay_out(show, v, scale);
         ImGui::End();
@@ -133,6 +135,12 @@ void lay_out_bar(const Show& show, Viewer& v, float scale) {
     ImGui::SameLine();
     if (ImGui::Button("Keys")) v.lists_keys = !v.lists_keys;
     tip("F1");
+    if (const std::optional<float> reached = reached_rate(v.clock)) {
+        ImGui::SameLine();
+        ImGui::TextColored({0.95f, 0.71f, 0.36f, 1}, "%.2g x wanted, %.2g x reached",
+                           static_cast<double>(v.clock.rate), static_cast<double>(*reached));
+        tip("the machine does not keep up: it makes the city's time go by more slowly");
+    }
     ImGui::End();
 }
 
@@ -147,8 +155,9 @@ std::optional<float> share_of(const std::string& line) {
 void lay_out_note(const Viewer& v, Size size, float scale) {
     if (ImGui::GetTime() >= v.note_until) return;
     ImGui::SetNextWindowPos(
-        {static_cast<float>(size.width) / 2, static_cast<float>(size.height) - 12 * scale}, ImGuiCond_Always,
-        {0.5f, 1});
+        {static_cast<float>(size.width) / 2,
+         static_cast<float>(size.height) - (12 + (v.has_panels ? k_timeline : 0)) * scale},
+        ImGuiCond_Always, {0.5f, 1});
     if (ImGui::Begin("note", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         ImGui::PushTextWrapPos(std::max(static_cast<float>(size.width) - 60 * scale, 100.0f));
         ImGui::TextUnformatted(v.note.c_str());
@@ -207,6 +216,8 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_legends(show, size, scale);
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
+    lay_out_timeline(show, viewer, size, scale);
+    lay_out_beside(show, viewer, size, scale);
     lay_out_card(show, viewer, size, scale);
     give_keys(viewer);
     keep_changed_settings(viewer);

@@ -18,11 +18,12 @@
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/settings/panel_keys.h"
 #include "tools/flaneur/window/settings/settings.h"
+#include "tools/flaneur/window/time/time.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, cameras, measure, find, gait, record, settings };
+enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, record, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -38,6 +39,7 @@ struct Palette {
 
 struct Viewer {
     Clock clock;
+    Timeline time;
     CameraChoice choice;
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;

@@ -121,7 +121,8 @@ void lay_out_map(const Viewer& v, Size size, float scale) {
     const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
     const float most = 150 * scale, north = 17 * scale, gap = 10 * scale;
     const ScaleBar bar = scale_bar(v.choice.across / width, most);
-    ImGui::SetNextWindowPos({width - k_edge * scale, height - k_edge * scale}, ImGuiCond_Always, {1, 1});
+    ImGui::SetNextWindowPos({width - k_edge * scale, height - (k_edge + k_timeline) * scale},
+                            ImGuiCond_Always, {1, 1});
     if (ImGui::Begin("map", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const std::string label = told_length(bar.metres);

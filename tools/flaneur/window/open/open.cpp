@@ -33,6 +33,11 @@ void wish(Viewer& v, Result<ShowWish> wish) {
 
 // What was said of who and what is no longer there goes.
 void begin_anew(Show& show, const Options& options, Viewer& v) {
+    v.time.beside.reset();
+    v.time.first_seed.reset();
+    begin_run(v.time, *show.loaded.world);
+    v.measure = {};
+    v.watch = {};
     begin_cameras(options.scene, v);
     v.walkers = show.loaded.world->crowd.count;
     v.hovered = v.selected = std::nullopt;
@@ -40,6 +45,7 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
 }
 
 void show_next(Show& show, ShowWish wish, Result<PreparedShow> prepared, Viewer& v) {
+    v.time.anew.reset();  // they are made of what is shown
     Result<void> done =
         prepared ? upload_show(show, std::move(*prepared), show.work_views) : Result<void>(prepared.error());
     if (!done) {

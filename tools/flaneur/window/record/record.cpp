@@ -60,7 +60,9 @@ Result<std::string> write_picture(const Show& show, const Viewer& v, const Image
     return "Wrote " + path + " and " + depth;
 }
 
-Result<Image> draw(Show& show, const FrameInput& frame, Size size) {
+// Of one run, or of two side by side, if there are two; depths of one alone.
+Result<Image> draw(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
+    if (v.time.beside) return draw_side_by_side(show, v, frame, size, between);
     return draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
                       static_cast<uint32_t>(size.height));
 }
@@ -70,10 +72,11 @@ void take_picture(Show& show, Viewer& v, Size window, float between) {
     const Result<Size> size = size_of(v.record.picture, window);
     if (!size) return report(v, size.error().message);
     // As the command draws it, which tells a place and no companion.
-    FrameInput frame = extract_frame(show, v.camera, *size, between);
+    FrameInput frame = extract_frame(show, v.camera, size_of_one(v, *size), between);
     frame.wants_depths = v.record.picture.is_transparent || v.record.picture.has_depth;
-    const Result<Image> image = draw(show, frame, *size);
-    const Result<std::string> told = image ? write_picture(show, v, *image, true) : image.error();
+    const Result<Image> image = draw(show, v, frame, *size, between);
+    const Result<std::string> told =
+        image ? write_picture(show, v, *image, why_no_command(v, *show.loaded.world).empty()) : image.error();
     report(v, told ? *told : told.error().message);
 }
 
@@ -102,7 +105,9 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
     filming.size = *size;
     filming.step = v.record.is_smooth ? 1 : 2;
     filming.path = free_path(turns ? "turn" : "film", show.loaded.world->tick, ".mp4");
-    Result<FilmPtr> film = open_film(filming.path, *size, filming.step, command_now(show, v, *size), false);
+    Result<FilmPtr> film =
+        open_film(filming.path, *size, filming.step,
+                  why_no_command(v, *show.loaded.world).empty() ? command_now(show, v, *size) : "", false);
     if (!film) return report(v, film.error().message);
     be_patient(k_film_patience);
     filming.film = std::move(*film);
@@ -115,9 +120,9 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
 Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     Filming& filming = *v.record.filming;
     if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
-    FrameInput frame = extract_frame(show, v.camera, filming.size, between);
+    FrameInput frame = extract_frame(show, v.camera, size_of_one(v, filming.size), between);
     frame.companion = companion_of(v.choice);
-    const Result<Image> image = draw(show, frame, filming.size);
+    const Result<Image> image = draw(show, v, frame, filming.size, between);
     if (!image) return image.error();
     if (Result<void> written = write_film(*filming.film, image->rgba); !written) {
         v.record.filming.reset();
@@ -201,7 +206,7 @@ Result<void> take_pictures(Show& show, Viewer& v, Size window, float between) {
 
 Result<void> take_picture_with_panels(Show& show, Viewer& v, const FrameInput& frame, Size window) {
     if (!std::exchange(v.record.wants_panels, false)) return {};
-    const Result<Image> image = draw(show, frame, window);
+    const Result<Image> image = draw(show, v, frame, window, 1);
     if (!image) return image.error();
     const Result<std::string> told = write_picture(show, v, *image, false);
     report(v, told ? *told : told.error().message);

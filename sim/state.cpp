@@ -1,0 +1,183 @@
+#include "sim/state.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+#include "sim/base/hash.h"
+
+namespace flaneur {
+namespace {
+
+constexpr uint64_t k_mark = 0x31'74'73'2e'72'75'6c'66;  // "flur.st1"
+
+// Before all else; how many of each follow.
+struct Head {
+    uint64_t mark = k_mark, world = 0;
+    uint32_t tick = 0, count = 0, next_path = 0;
+    float widest = 0;
+    uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
+};
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 56);
+
+// What a state's world has to have in common with the one that it is loaded into.
+uint64_t mark_of(const World& w) {
+    uint64_t hash = mix(w.seed);
+    auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
+    add(w.crowd.capacity, w.crowd.demand.hour);
+    for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
+    for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
+    const Ground& ground = *w.ground;
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
+        add(static_cast<uint64_t>(size));
+    add(ground.low, ground.high);
+    return hash;
+}
+
+// Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
+// or goes, what is constant first. W is a World, const or not.
+template <class W, class Each>
+void for_each_array(W& w, uint32_t count, const Each& each) {
+    auto& c = w.crowd;
+    auto all = [&](auto&... arrays) { (each(arrays, arrays.size()), ...); };
+    auto some = [&](auto&... arrays) { (each(arrays, size_t{count}), ...); };
+    all(w.gait.people);
+    auto& who = c.identity;
+    some(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
+    some(c.slots.generation, c.slots.place);
+    all(w.gait.blocks, w.poses, w.trails);
+    auto& m = c.motion;
+    some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under);
+    auto& d = c.decision;
+    some(d.wanted, d.looks, d.chosen, d.claim);
+    some(c.journeys);
+    all(w.idles.wanted, w.idles.playing, w.idles.stood);
+    if (!w.roam) return;
+    auto& s = w.roam->walkers;
+    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.probes, w.roam->frames);
+}
+
+// The same for lists that grow and shrink, but the corners.
+template <class W, class Each>
+void for_each_list(W& w, const Head& head, const Each& each) {
+    each(w.crowd.slots.living, head.living);
+    each(w.crowd.slots.left, head.left);
+    each(w.gait.canes, head.canes);
+    each(w.gait.prams, head.prams);
+    each(w.idles.plays, head.plays);
+}
+
+size_t bytes_after(const World& w, const Head& head) {
+    size_t bytes = head.corners * sizeof(Vec3);
+    auto add = [&](const auto& array, size_t items) { bytes += items * sizeof(array[0]); };
+    for_each_array(w, head.count, add);
+    for_each_list(w, head, add);
+    return bytes;
+}
+
+// The corners ahead of a walker; those behind nobody asks for any more.
+template <class C>
+auto corners_ahead(C& crowd, uint32_t walker) {
+    const Journey& j = crowd.journeys[walker];
+    const size_t first = std::min(j.corner, j.corner_count);
+    return std::span(crowd.corners).subspan(size_t{walker} * k_corners + first, j.corner_count - first);
+}
+
+Head head_of(const World& w) {
+    auto size = [](const auto& list) { return static_cast<uint32_t>(list.size()); };
+    const Crowd& c = w.crowd;
+    Head head{.world = mark_of(w), .tick = w.tick, .count = c.count, .next_path = c.next_path};
+    head.widest = c.widest;
+    head.living = size(c.slots.living);
+    head.left = size(c.slots.left);
+    for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
+    head.canes = size(w.gait.canes);
+    head.prams = size(w.gait.prams);
+    head.plays = size(w.idles.plays);
+    return head;
+}
+
+std::optional<Head> read_head(std::span<const std::byte> bytes) {
+    Head head;
+    if (bytes.size() < sizeof head) return std::nullopt;
+    std::memcpy(&head, bytes.data(), sizeof head);
+    return head.mark == k_mark ? std::optional(head) : std::nullopt;
+}
+
+}  // namespace
+
+void save_state(const World& w, std::vector<std::byte>& bytes) {
+    const Head head = head_of(w);
+    bytes.resize(sizeof head + bytes_after(w, head));
+    std::byte* at = bytes.data();
+    auto write = [&](const void* from, size_t size) {
+        if (size > 0) std::memcpy(at, from, size);
+        at += size;
+    };
+    auto add = [&](const auto& array, size_t items) {
+        static_assert(std::is_trivially_copyable_v<std::decay_t<decltype(array[0])>>);
+        write(array.data(), items * sizeof(array[0]));
+    };
+    write(&head, sizeof head);
+    for_each_array(w, head.count, add);
+    for_each_list(w, head, add);
+    for (uint32_t i = 0; i < head.count; ++i) {
+        const auto corners = corners_ahead(w.crowd, i);
+        write(corners.data(), corners.size_bytes());
+    }
+}
+
+std::optional<uint32_t> tick_of_state(std::span<const std::byte> bytes) {
+    const std::optional<Head> head = read_head(bytes);
+    return head ? std::optional(head->tick) : std::nullopt;
+}
+
+Result<void> load_state(World& w, std::span<const std::byte> bytes) {
+    const std::optional<Head> head = read_head(bytes);
+    if (!head) return Error{"These bytes are no state of a world."};
+    if (head->world != mark_of(w))
+        return Error{
+            "This state is of another world: one of another seed, other ground or other people. It fits only "
+            "the world that it was saved of."};
+    Crowd& c = w.crowd;
+    const bool fits = head->count <= c.capacity && head->living <= head->count && head->left <= head->count;
+    const size_t wanted = fits ? sizeof *head + bytes_after(w, *head) : 0;
+    if (bytes.size() != wanted)
+        return Error{"This state is cut short or damaged: it has " + std::to_string(bytes.size()) +
+                     " bytes, and " + std::to_string(wanted) + " were written."};
+    bytes = bytes.subspan(sizeof *head);
+    auto read = [&](void* to, size_t size) {
+        if (size > 0) std::memcpy(to, bytes.data(), size);
+        bytes = bytes.subspan(size);
+    };
+    auto take = [&](auto& array, size_t items) {
+        read(static_cast<void*>(array.data()), items * sizeof(array[0]));
+    };
+    w.tick = head->tick;
+    c.next_path = head->next_path;
+    c.widest = head->widest;
+    c.count = head->count;
+    std::fill(c.slots.place.begin() + head->count, c.slots.place.end(), k_nobody);
+    std::fill(c.slots.generation.begin() + head->count, c.slots.generation.end(), 0);
+    for_each_array(w, head->count, take);
+    for_each_list(w, *head, [&](auto& list, size_t items) {
+        list.resize(items);
+        take(list, items);
+    });
+    for (uint32_t i = 0; i < c.count; ++i) {
+        const auto corners = corners_ahead(c, i);
+        read(corners.data(), corners.size_bytes());
+    }
+    w.previous_poses = w.poses;
+    w.previous_trails = w.trails;
+    if (w.roam) w.roam->previous_frames = w.roam->frames;
+    return {};
+}
+
+}  // namespace flaneur

@@ -1,0 +1,187 @@
+#include "tools/flaneur/window/time/beside.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/tick.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/time/time.h"
+#include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+namespace {
+
+constexpr size_t k_beside_bytes = k_history_bytes / 4;
+constexpr double k_piece_seconds = 0.1;  // of catching up, between two pictures
+constexpr float k_walks = 0.2f;          // m/s, from which one is on one's feet
+constexpr int k_divider = 2;             // pixels between both pictures
+
+// Of a show the other run takes the place, and gives it back.
+void exchange_runs(Show& show, Beside& beside) {
+    std::swap(show.loaded.world, beside.world);
+    std::swap(show.people, beside.people);
+    std::swap(show.overlay, beside.overlay);
+}
+
+void paste(const Image& from, uint32_t left, Image& to) {
+    for (uint32_t y = 0; y < std::min(from.height, to.height); ++y)
+        std::memcpy(&to.rgba[(size_t{y} * to.width + left) * 4], &from.rgba[size_t{y} * from.width * 4],
+                    size_t{from.width} * 4);
+}
+
+}  // namespace
+
+void set_beside(Show& show, Viewer& v, const BesideChoice& choice) {
+    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
+    make_anew(show, v, {choice.seed, choice.walkers});
+    v.time.anew->beside = choice;
+}
+
+void put_beside(Viewer& v, std::unique_ptr<World> world, const BesideChoice& choice) {
+    auto beside = std::make_unique<Beside>();
+    beside->moment = choice.moment;
+    beside->world = std::move(world);
+    beside->history = make_history(k_beside_bytes);
+    follow(*beside->history, *beside->world);
+    // What is kept of this run is of the same make.
+    if (choice.moment) {
+        const uint32_t from = kept_before(*v.time.history, *choice.moment).value_or(0);
+        if (Result<void> done = restore(*v.time.history, from, *beside->world); !done)
+            return tell(v, "This run cannot be set beside itself: " + done.error().message);
+        follow(*beside->history, *beside->world);
+    }
+    v.time.beside = std::move(beside);
+}
+
+void set_beside_this_moment(Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    keep_now(*v.time.history, world);
+    set_beside(show, v, {world.seed, static_cast<uint32_t>(world.crowd.slots.living.size()), world.tick});
+}
+
+void keep_up_beside(Show& show, Viewer& v) {
+    if (!v.time.beside) return;
+    Beside& beside = *v.time.beside;
+    World& world = *beside.world;
+    const uint32_t to = beside.moment.value_or(show.loaded.world->tick);
+    if (world.tick == to) return;
+    const uint32_t from = kept_before(*beside.history, to).value_or(0);
+    if (world.tick > to || world.tick < from) {
+        beside.overlay.trails = {};
+        if (!restore(*beside.history, from, world)) return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    while (world.tick < to) {
+        step(world);
+        follow(*beside.history, world);
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (spent.count() > k_piece_seconds) return;
+    }
+}
+
+Size size_of_one(const Viewer& v, Size size) {
+    return v.time.beside ? Size{std::max((size.width - k_divider) / 2, 1), size.height} : size;
+}
+
+Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
+    Beside& beside = *v.time.beside;
+    const Size one = size_of_one(v, size);
+    // As coarse as the window's picture is.
+    auto coarse = [&](int pixels) {
+        return std::max(static_cast<uint32_t>(static_cast<float>(pixels) * frame.resolution), 1u);
+    };
+    const uint32_t width = coarse(one.width), height = coarse(one.height);
+    FrameInput here = frame;
+    here.panels = {};
+    Result<Image> left = draw_image(*show.renderer, here, width, height);
+    if (!left) return left;
+    beside.overlay.letters_legends = show.overlay.letters_legends;
+    const bool is_level = beside.world->tick == show.loaded.world->tick;
+    exchange_runs(show, beside);
+    FrameInput other = extract_frame(show, v.camera, one, is_level ? between : 1);
+    Result<Image> right = draw_image(*show.renderer, other, width, height);
+    exchange_runs(show, beside);
+    if (!right) return right;
+    Image both{std::max(coarse(size.width), 2 * width), height, {}};
+    both.rgba.assign(size_t{4} * both.width * both.height, 255);
+    paste(*left, 0, both);
+    paste(*right, both.width - width, both);
+    return both;
+}
+
+void lay_out_beside(const Show& show, Viewer& v, Size size, float scale) {
+    if (!v.time.beside) return;
+    const Beside& beside = *v.time.beside;
+    ImGui::SetNextWindowPos(
+        {(static_cast<float>(size.width) + k_divider) / 2 + k_edge * scale, k_below_bar * scale});
+    if (!ImGui::Begin("beside", nullptr, k_plain)) return ImGui::End();
+    const World& here = *show.loaded.world;
+    const CrowdFigures a = figures_of(here), b = figures_of(*beside.world);
+    if (ImGui::BeginTable("figures", 4, ImGuiTableFlags_SizingFixedFit)) {
+        auto row = [](const char* what, const std::string& left, const std::string& right,
+                      const std::string& apart) {
+            for (const char* text : {what, left.c_str(), right.c_str(), apart.c_str()}) {
+                ImGui::TableNextColumn();
+                ImGui::TextUnformatted(text);
+            }
+        };
+        auto figure = [&](const char* what, const char* format, float left, float right) {
+            auto written = [&](const char* with, float value) {
+                char text[32];
+                std::snprintf(text, sizeof text, with, static_cast<double>(value));
+                return std::string(text);
+            };
+            row(what, written(format, left), written(format, right),
+                written((std::string("%+") + (format + 1)).c_str(), right - left));
+        };
+        row("", "left", "right", "right - left");
+        row("seed", std::to_string(here.seed), std::to_string(beside.world->seed), "");
+        row("time", run_time(here.tick), run_time(beside.world->tick), "");
+        figure("people", "%.0f", static_cast<float>(a.people), static_cast<float>(b.people));
+        figure("who walk", "%.0f", static_cast<float>(a.walking), static_cast<float>(b.walking));
+        figure("at, m/s", "%.2f", a.speed, b.speed);
+        if (!here.roam) figure("densest, people/m2", "%.2f", a.density, b.density);
+        ImGui::EndTable();
+    }
+    if (ImGui::Button("End")) v.time.beside.reset();
+    tip("one run alone again, the left one");
+    ImGui::End();
+}
+
+CrowdFigures figures_of(const World& world) {
+    const Crowd& crowd = world.crowd;
+    CrowdFigures figures{.people = static_cast<uint32_t>(crowd.slots.living.size())};
+    std::vector<uint64_t> cells;
+    float speeds = 0;
+    for (const WalkerId id : crowd.slots.living) {
+        const float speed = length(crowd.motion.velocity[id.index]);
+        if (speed > k_walks) ++figures.walking, speeds += speed;
+        const Vec3 at = crowd.motion.position[id.index];
+        auto cell = [](float metres) {
+            return static_cast<uint32_t>(static_cast<int>(std::floor(metres / k_crowd_cell)));
+        };
+        cells.push_back(uint64_t{cell(at.z)} << 32 | cell(at.x));
+    }
+    if (figures.walking > 0) figures.speed = speeds / static_cast<float>(figures.walking);
+    std::sort(cells.begin(), cells.end());
+    size_t most = 0;
+    for (size_t i = 0; i < cells.size();) {
+        const size_t first = i;
+        while (i < cells.size() && cells[i] == cells[first]) ++i;
+        most = std::max(most, i - first);
+    }
+    if (!world.roam) figures.density = static_cast<float>(most) / (k_crowd_cell * k_crowd_cell);
+    return figures;
+}
+
+}  // namespace flaneur

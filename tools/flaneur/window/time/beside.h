@@ -1,0 +1,61 @@
+// Another run beside this one, drawn from the same place: with another seed, with other numbers, or as it
+// was.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "tools/extract/extract.h"
+#include "tools/flaneur/history/history.h"
+#include "tools/flaneur/overlay/overlay.h"
+
+namespace flaneur {
+
+struct Image;
+struct Show;
+struct Size;
+struct Viewer;
+
+struct Beside {
+    std::unique_ptr<World> world;
+    HistoryPtr history;
+    std::optional<uint32_t> moment;  // tick at which it stands still; none: it goes along with this one
+    PeopleFrame people;              // as it is drawn
+    Overlay overlay;
+};
+
+// Makes it in the background, of the same city and characters; it is there once it is made. In place of one
+// that is there.
+struct BesideChoice {
+    uint64_t seed = 1;
+    uint32_t walkers = 0;
+    std::optional<uint32_t> moment{};
+};
+void set_beside(Show& show, Viewer& viewer, const BesideChoice& choice);
+// Takes what was made.
+void put_beside(Viewer& viewer, std::unique_ptr<World> world, const BesideChoice& choice);
+// This run, as it is now, beside what becomes of it.
+void set_beside_this_moment(Show& show, Viewer& viewer);
+
+// Goes along, for a while that leaves the window alive. To be called once a picture, after this run's ticks.
+void keep_up_beside(Show& show, Viewer& viewer);
+
+// The size of the picture of one run: all of it, or a half.
+Size size_of_one(const Viewer& viewer, Size size);
+// Both pictures side by side: `frame` is this run's, of size_of_one.
+Result<Image> draw_side_by_side(Show& show, Viewer& viewer, const FrameInput& frame, Size size,
+                                float between);
+
+// What differs, in figures: over both.
+void lay_out_beside(const Show& show, Viewer& viewer, Size size, float scale);
+
+// Of everybody in a world: how many, how many of them walk, at what mean speed those, m/s, and how dense the
+// densest square of k_crowd_cell is, people/m2.
+struct CrowdFigures {
+    uint32_t people = 0, walking = 0;
+    float speed = 0, density = 0;
+};
+CrowdFigures figures_of(const World& world);
+
+}  // namespace flaneur

@@ -1,0 +1,269 @@
+#include "tools/flaneur/window/time/time.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include "sim/base/tick.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+namespace {
+
+constexpr double k_piece_seconds = 0.2;  // of going, between two pictures
+// Around where one went, states are kept so close together that the next steps back cost little.
+constexpr uint32_t k_near = 60, k_near_ticks = 6;
+
+// What was made of the world before it jumped.
+void forget_past(Show& show) { show.overlay.trails = {}; }
+
+// Somebody is asked about and followed who is there; else let go of.
+void look_at(Viewer& v, const World& world, uint32_t walker) {
+    if (walker >= world.crowd.count || !is_there(world.crowd, walker)) return;
+    v.selected = walker;
+    v.choice.walker = walker;
+    choose(v, CameraChoice::Kind::follow);
+}
+
+// The state from which `tick` is reached soonest: strictly before it, so that the tick before it is known
+// too. Loads it where the world is not nearer.
+Result<void> approach(Show& show, Timeline& time, uint32_t tick) {
+    World& world = *show.loaded.world;
+    if (world.tick == tick && !time.is_rough) return {};
+    const std::vector<uint32_t> kept = kept_ticks(*time.history);
+    if (kept.empty()) return {};
+    const uint32_t from = kept_before(*time.history, tick > 0 ? tick - 1 : 0).value_or(kept.front());
+    if (world.tick < tick && world.tick >= from) return {};
+    forget_past(show);
+    time.is_rough = true;
+    return restore(*time.history, from, world);
+}
+
+bool is_event_found(const Viewer& v, const World& world, uint32_t since) {
+    const Event* found = event_after(v.time.watch.events, since, v.time.wants);
+    return found && found->tick == world.tick;
+}
+
+void arrive(Show& show, Viewer& v) {
+    const Going going = *std::exchange(v.time.going, std::nullopt);
+    v.clock.due = 0;
+    if (!going.is_for_event) return;
+    v.clock.is_paused = true;
+    const World& world = *show.loaded.world;
+    if (const Event* event = event_after(v.time.watch.events, world.tick - 1, v.time.wants)) {
+        look_at(v, world, event->walker);
+        tell(v, run_time(event->tick) + ": " + event_text(*event));
+    }
+}
+
+// What lies under the hand at once, as near as it is kept; exact once the hand lets go.
+void scrub(Show& show, Timeline& time) {
+    World& world = *show.loaded.world;
+    const std::optional<uint32_t> kept = kept_before(*time.history, *time.scrubbed_to);
+    if (!kept || *kept == world.tick) return;
+    forget_past(show);
+    time.is_rough = true;
+    (void)restore(*time.history, *kept, world);
+}
+
+// In place of the run that is shown.
+void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
+    show.loaded.world = std::move(world);
+    show.people = {};
+    forget_past(show);
+    v.walkers = show.loaded.world->crowd.count;
+    v.hovered.reset();
+    v.selected.reset();
+    if (v.choice.walker >= v.walkers) v.choice.walker = 0;
+    v.clock.due = 0;
+    ++v.time.run;
+    begin_run(v.time, *show.loaded.world);
+    tell(v, "Seed " + std::to_string(show.loaded.world->seed) + ", from the start");
+}
+
+}  // namespace
+
+Anew::~Anew() {
+    is_given_up = true;
+    if (ready.valid()) ready.wait();
+}
+
+void begin_run(Timeline& time, const World& world) {
+    if (!time.history) time.history = make_history(static_cast<size_t>(time.most_mib) << 20);
+    forget(*time.history);
+    if (!time.first_seed) time.first_seed = world.seed;
+    const EventBounds bounds = time.watch.bounds;
+    time.watch = {};
+    time.watch.bounds = bounds;
+    time.latest = world.tick;
+    time.going.reset();
+    time.scrubbed_to.reset();
+    time.marks.clear();
+    time.seed = time.beside_seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
+    time.beside_people = static_cast<int>(2 * world.crowd.slots.living.size());
+    follow(*time.history, world);
+    watch(time.watch, world);
+}
+
+void make_tick(Show& show, Viewer& v) {
+    step(show);
+    v.time.is_rough = false;
+    const World& world = *show.loaded.world;
+    follow(*v.time.history, world);
+    watch(v.time.watch, world);
+    v.time.latest = std::max(v.time.latest, world.tick);
+}
+
+void go_to(Viewer& v, const World& world, int64_t tick) {
+    const std::vector<uint32_t> kept = kept_ticks(*v.time.history);
+    const int64_t first = kept.empty() ? world.tick : kept.front();
+    const auto to = static_cast<uint32_t>(std::clamp<int64_t>(tick, first, k_wherever >> 1));
+    v.time.going = Going{.from = world.tick, .to = to};
+}
+
+void go_to_event(Viewer& v, const World& world, const Event& event) {
+    go_to(v, world, event.tick);
+    v.time.going->is_for_event = true;
+}
+
+void go_to_next_event(Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    if (world.roam) return tell(v, "Nothing is watched for where people roam round a compound.");
+    if (const Event* event = event_after(v.time.watch.events, world.tick, v.time.wants))
+        return go_to_event(v, world, *event);
+    v.time.going = Going{.from = world.tick, .to = k_wherever, .is_for_event = true};
+}
+
+void go_to_event_before(Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    const Event* event = event_before(v.time.watch.events, world.tick, v.time.wants);
+    if (!event) return tell(v, "Nothing is known to have happened before.");
+    go_to_event(v, world, *event);
+}
+
+bool go_on(Show& show, Viewer& v, double now) {
+    Timeline& time = v.time;
+    if (time.scrubbed_to) {
+        scrub(show, time);
+        return true;
+    }
+    if (!time.going) return false;
+    Going& going = *time.going;
+    World& world = *show.loaded.world;
+    if (going.began == 0) {
+        going.began = now;
+        if (Result<void> near = approach(show, time, is_search(going) ? time.latest : going.to); !near) {
+            time.going.reset();
+            tell(v, near.error().message);
+            return false;
+        }
+        if (!is_search(going)) going.from = world.tick;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    for (;;) {
+        const bool is_there =
+            is_search(going) ? is_event_found(v, world, going.from) : world.tick >= going.to;
+        if (is_there) {
+            arrive(show, v);
+            return true;
+        }
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        if (spent.count() > k_piece_seconds) return true;
+        make_tick(show, v);
+        if (!is_search(going) && going.to - world.tick <= k_near && world.tick % k_near_ticks == 0)
+            keep_now(*time.history, world);
+    }
+}
+
+std::optional<Progress> progress_of(const Timeline& time, const World& world, double now) {
+    constexpr double k_long = 0.2;
+    if (time.anew) return Progress{time.anew->done, true};
+    if (!time.going || time.going->began == 0) return std::nullopt;
+    const Going& going = *time.going;
+    const bool is_long = now - going.began > k_long;
+    if (is_search(going) || going.to <= going.from) return Progress{0, is_long};
+    const float share =
+        static_cast<float>(world.tick - going.from) / static_cast<float>(going.to - going.from);
+    return Progress{std::clamp(share, 0.0f, 1.0f), is_long};
+}
+
+bool stop_going(Viewer& v) {
+    if (v.time.anew) {
+        v.time.anew->is_given_up = true;
+        return true;
+    }
+    if (!v.time.going) return false;
+    v.time.going.reset();
+    v.clock.is_paused = true;
+    return true;
+}
+
+void make_anew(Show& show, Viewer& v, PeopleAnew people) {
+    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
+    v.time.anew = std::make_unique<Anew>();
+    Anew& anew = *v.time.anew;
+    anew.seed = people.seed;
+    anew.ready = std::async(std::launch::async, [&loaded = show.loaded, &anew, people] {
+        anew.world = people_anew(loaded, people, [&](std::string_view, float done) {
+            anew.done = done;
+            return !anew.is_given_up;
+        });
+    });
+}
+
+void restart(Show& show, Viewer& v, uint64_t seed) {
+    make_anew(show, v, {seed, static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size())});
+}
+
+void take_people_anew(Show& show, Viewer& v) {
+    if (!v.time.anew || v.time.anew->ready.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    const std::unique_ptr<Anew> anew = std::move(v.time.anew);
+    anew->ready.get();
+    Result<std::unique_ptr<World>>& world = anew->world;
+    if (anew->is_given_up) return tell(v, "Given up: everybody is still who they were.");
+    if (!world) return tell(v, world.error().message);
+    if (anew->beside)
+        put_beside(v, std::move(*world), *anew->beside);
+    else
+        take_run(show, v, std::move(*world));
+}
+
+void mark_moment(Viewer& v, const World& world) {
+    std::vector<Mark>& marks = v.time.marks;
+    const auto at = std::lower_bound(marks.begin(), marks.end(), world.tick,
+                                     [](const Mark& mark, uint32_t tick) { return mark.tick < tick; });
+    if (at != marks.end() && at->tick == world.tick)
+        return tell(v, "This moment is marked already: " + at->name);
+    const Mark mark{world.tick, "Mark " + std::to_string(marks.size() + 1)};
+    marks.insert(at, mark);
+    tell(v, mark.name + ", at " + run_time(mark.tick));
+}
+
+const Mark* mark_after(const Timeline& time, uint32_t tick) {
+    for (const Mark& mark : time.marks)
+        if (mark.tick > tick) return &mark;
+    return nullptr;
+}
+
+const Mark* mark_before(const Timeline& time, uint32_t tick) {
+    for (size_t i = time.marks.size(); i-- > 0;)
+        if (time.marks[i].tick < tick) return &time.marks[i];
+    return nullptr;
+}
+
+std::string run_time(uint32_t tick) {
+    const uint32_t tenths = tick / 6, seconds = tenths / 10, minutes = seconds / 60;
+    char text[48];
+    if (minutes >= 60)
+        std::snprintf(text, sizeof text, "%u:%02u:%02u.%u", minutes / 60, minutes % 60, seconds % 60,
+                      tenths % 10);
+    else
+        std::snprintf(text, sizeof text, "%u:%02u.%u", minutes, seconds % 60, tenths % 10);
+    return text;
+}
+
+}  // namespace flaneur
