@@ -41,7 +41,7 @@ void add_fault(SceneReading& r, const std::string& what, bool of_key = false) {
     r.faults.push_back({place.line, place.column, whose + what});
 }
 
-enum class KeyKind { flag, whole, number, text, texts, people };
+enum class KeyKind { flag, whole, number, text, texts, people, added };
 
 // What may stand at a key.
 struct KeyRule {
@@ -77,6 +77,20 @@ struct PeopleItem {
     bool is_builtin = false;
 };
 
+// One of "added".
+struct AddedItem {
+    Addition added;
+    bool has_kind = false, has_at = false, has_to = false, has_turn = false;
+};
+
+void take_kind(SceneReading& r, AddedItem& to, const std::string& name) {
+    const auto* at = std::find(std::begin(k_added_names), std::end(k_added_names), name);
+    if (at == std::end(k_added_names))
+        return add_fault(r, "\"what\" is " + excerpt(name) + "; it may be " + joined(k_added_names));
+    to.added.kind = static_cast<AddedKind>(at - std::begin(k_added_names));
+    to.has_kind = true;
+}
+
 const std::vector<SceneKey<PeopleItem>>& people_keys() {
     using enum KeyKind;
     using Reading = SceneReading;
@@ -106,13 +120,67 @@ const std::vector<SceneKey<PeopleItem>>& people_keys() {
 }
 
 void read_people(SceneReading& r, Scene& scene, const Json& list);
+void read_added(SceneReading& r, Scene& scene, const Json& list);
+
+const std::string& coordinate() {
+    static const std::string text = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
+    return text;
+}
+std::string point_pattern() { return coordinate() + "," + coordinate() + "," + coordinate(); }
+
+const std::vector<SceneKey<AddedItem>>& added_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    using Item = AddedItem;
+    static const std::vector<SceneKey<AddedItem>> keys = {
+        {"what",
+         {text, 0, 0, {}, {std::begin(k_added_names), std::end(k_added_names)}},
+         nullptr,
+         R"("bench")",
+         "What it is. A wall is of stone and 2 m high, and stops people as a barrier does, a row of planks "
+         "that "
+         "closes a street; an entrance leads into the nearest house, within 3 m, and draws people.",
+         [](Reading& r, Item& to, const Json& v) { take_kind(r, to, v); }},
+        {"at",
+         {text, 0, 0, point_pattern()},
+         nullptr,
+         R"("12.5,0.1,-3")",
+         "Where it is, X,Y,Z in metres, on the ground or up to 3 m above or below it; of a wall or a "
+         "barrier, one "
+         "end.",
+         [](Reading& r, Item& to, const Json& v) {
+             take_parsed(r, parse_spot(v), to.added.at);
+             to.has_at = true;
+         }},
+        {"to",
+         {text, 0, 0, point_pattern()},
+         nullptr,
+         R"("20,0.1,-3")",
+         "The other end of a wall or a barrier, 0.5 to 200 m away.",
+         [](Reading& r, Item& to, const Json& v) {
+             take_parsed(r, parse_spot(v), to.added.to);
+             to.has_to = true;
+         }},
+        {"turn",
+         {number, -360, 360},
+         "0",
+         "90",
+         "Degrees that it is turned, counter-clockwise seen from above; at 0 it faces +z. Not of walls, "
+         "barriers "
+         "and entrances.",
+         [](Reading&, Item& to, const Json& v) {
+             to.added.turn = v;
+             to.has_turn = true;
+         }},
+    };
+    return keys;
+}
 
 // In the order of the schema and of docs/scenes.md.
 const std::vector<SceneKey<Scene>>& scene_keys() {
     using enum KeyKind;
     using Reading = SceneReading;
-    const std::string coordinate = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
-    const std::string point = coordinate + "," + coordinate + "," + coordinate;
+    const std::string point = point_pattern();
     auto degrees = [](const std::string& digits) { return "-?0*" + digits; };
     const std::string pixels = "0*([1-9][0-9]{0,2}|[1-7][0-9]{3}|80[0-9]{2}|81[0-8][0-9]|819[0-2])";
     static const std::vector<SceneKey<Scene>> keys = {
@@ -195,6 +263,12 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"([{"character": "robot.glb", "share": 1}, {"builtin": true, "share": 9}])",
          "Who they are; without it, the built-in people.",
          read_people},
+        {"added",
+         {added},
+         nullptr,
+         R"([{"what": "wall", "at": "0,0,0", "to": "8,0,0"}])",
+         "What is put into the city: things in the way, walls, closed streets, benches, lamps and entrances.",
+         read_added},
         {"idles",
          {texts},
          nullptr,
@@ -300,6 +374,8 @@ std::string refusal(const KeyRule& rule, const Json& value) {
                        : "a list of texts of some letters";
         case KeyKind::people:
             return value.is_array() ? "" : R"(a list such as [{"builtin": true, "share": 9}])";
+        case KeyKind::added:
+            return value.is_array() ? "" : R"(a list such as [{"what": "bench", "at": "12.5,0,-3"}])";
     }
     return "";
 }
@@ -347,6 +423,34 @@ void read_people(SceneReading& r, Scene& scene, const Json& list) {
     }
 }
 
+// What is wrong with it as a whole; empty: nothing.
+std::string fault_of(const AddedItem& item) {
+    const Addition& a = item.added;
+    if (!item.has_kind || !item.has_at)
+        return R"(it must have "what" and "at", such as {"what": "bench", "at": "12.5,0,-3"})";
+    if (is_drawn_out(a.kind) != item.has_to)
+        return item.has_to ? R"("to" is of walls and barriers alone)"
+                           : R"(a wall or a barrier must have "to", its other end)";
+    if (item.has_turn && !is_turned(a.kind)) return R"("turn" is not of walls, barriers and entrances)";
+    const float whole = length(on_ground(a.to - a.at));
+    if (item.has_to && !(whole >= k_shortest_added && whole <= k_longest_added))
+        return R"("to" must be 0.5 to 200 m away from "at" on the ground plane)";
+    return "";
+}
+
+void read_added(SceneReading& r, Scene& scene, const Json& list) {
+    for (size_t i = 0; i < list.size(); ++i) {
+        r.path.push_back(std::to_string(i));
+        AddedItem item;
+        const size_t faults = r.faults.size();
+        if (list[i].is_object()) read_keys(r, added_keys(), "it", list[i], item);
+        const std::string fault = fault_of(item);
+        if (faults == r.faults.size() && !fault.empty()) add_fault(r, fault);
+        scene.added.push_back(item.added);
+        r.path.pop_back();
+    }
+}
+
 bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
 
 // A city that is a map, as a schema says it of one that must be there.
@@ -388,6 +492,12 @@ constexpr SceneClash k_clashes[] = {
      }},
     {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },
+     [](const char* key) {
+         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
+                            {"properties", {{"asteroid", {{"const", true}}}}}};
+     }},
+    {"added", R"("added" is what is put into a city, and nobody walks in one on the "asteroid")",
+     [](const Scene& s, const Json& json) { return json.contains("added") && s.asteroid; },
      [](const char* key) {
          return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
                             {"properties", {{"asteroid", {{"const", true}}}}}};
@@ -460,6 +570,14 @@ OrderedJson key_schema(const SceneKey<Of>& key) {
             one["items"]["oneOf"] = OrderedJson::parse(
                 R"([{"required": ["character"], "properties": {"builtin": {"const": false}}},
                     {"required": ["builtin"], "properties": {"builtin": {"const": true}, "character": false}}])");
+            break;
+        case KeyKind::added:
+            one = {{"type", "array"}, {"items", object_schema(added_keys())}};
+            one["items"]["oneOf"] = OrderedJson::parse(
+                R"([{"required": ["what", "at", "to"], "properties": {"what": {"enum": ["wall", "barrier"]}, "turn": false}},
+                {"required": ["what", "at"], "properties": {"what": {"const": "entrance"}, "to": false, "turn": false}},
+                {"required": ["what", "at"], "properties": {"what": {"enum": ["planter", "car", "tree", "bench", "lamp"]},
+                                                            "to": false}}])");
             break;
     }
     one["description"] = key.meaning;

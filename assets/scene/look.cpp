@@ -50,6 +50,14 @@ Result<CameraChoice> parse_camera(const std::string& text) {
         " is none of overview, street, crowd, follow:ID (a walker's number) and EX,EY,EZ/TX,TY,TZ (metres)"};
 }
 
+Result<Vec3> parse_spot(const std::string& text) {
+    Vec3 place;
+    if (parse_point(text, place)) return place;
+    return Error{excerpt(text) + " is not a place X,Y,Z in metres, such as 12.5,0,-3"};
+}
+
+std::string told_spot(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
+
 uint32_t rivals_of(WorkView view) {
     auto bit = [](WorkView v) { return 1u << static_cast<int>(v); };
     using enum WorkView;
@@ -136,7 +144,6 @@ Result<std::string> parse_quality(const std::string& text) {
 }
 
 std::string told_camera(const CameraChoice& camera) {
-    auto point = [](Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); };
     switch (camera.kind) {
         case CameraChoice::Kind::overview:
             return "overview";
@@ -147,7 +154,7 @@ std::string told_camera(const CameraChoice& camera) {
         case CameraChoice::Kind::follow:
             return "follow:" + std::to_string(camera.walker);
         default:
-            return point(camera.eye) + "/" + point(camera.target);
+            return told_spot(camera.eye) + "/" + told_spot(camera.target);
     }
 }
 

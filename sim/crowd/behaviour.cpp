@@ -206,6 +206,12 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
     return {0, 0};
 }
 
+// Straight back onto the mesh, whatever the errand.
+static Vec2 way_back(const Crowd& c, uint32_t i) {
+    const Vec2 to = on_ground(c.way_back[i].position - c.motion.position[i]);
+    return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
+}
+
 void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
     // Paths, for the first walkers due from where the last tick stopped.
     c.scratch.requests.clear();
@@ -214,6 +220,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
+        if (i == c.driven.walker) continue;
         c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }
@@ -229,6 +236,11 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
             if (!is_there(c, i)) continue;
+            if (i == c.driven.walker || c.way_back[i].polygon) {
+                c.decision.looks[i] = 0;
+                c.decision.wanted[i] = c.way_back[i].polygon ? way_back(c, i) : c.driven.wish;
+                continue;
+            }
             bool waits = tick < c.journeys[i].pause_until;
             c.decision.looks[i] = waits && c.journeys[i].arrived;
             c.decision.wanted[i] = waits ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);

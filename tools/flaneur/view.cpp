@@ -19,6 +19,9 @@
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/asked.h"
+#include "tools/flaneur/window/change/drive.h"
+#include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
@@ -67,8 +70,28 @@ Result<std::string> save_picture(Show& show, const FrameInput& frame, Size size,
 void show_title(GLFWwindow* window, const Show& show, double fps) {
     char figures[256];
     std::snprintf(figures, sizeof figures, "flaneur - %.0f fps - %u walkers - %s", fps,
-                  show.loaded.world->crowd.count, device_name(*show.renderer).c_str());
+                  static_cast<uint32_t>(walkers(*show.loaded.world).size()),
+                  device_name(*show.renderer).c_str());
     glfwSetWindowTitle(window, figures);
+}
+
+constexpr const char* k_told_otherwise =
+    "Copied; but people stand elsewhere in its picture, for the city was changed while they walked: ";
+
+// Where the city has been changed the scene is written beside, and drawn.
+std::string command_now(const std::vector<std::string>& words, const Show& show, Size size, Viewer& v) {
+    Shown shown{v.choice, v.camera, show.work_views, size, show.loaded.world->tick, {}, {}};
+    if (v.change.scene.is_overcast != show.is_overcast) shown.is_overcast = show.is_overcast;
+    if (is_as_opened(v.change)) return command_of(words, shown);
+    const std::string path = "out/view-" + std::to_string(shown.tick) + ".json";
+    const Result<std::string> saved = save_scene(show, v, path);
+    if (!saved) {
+        say(saved.error().message);
+        return command_of(words, shown);
+    }
+    shown.scene = path;
+    shown.is_overcast.reset();
+    return command_of(words, shown) + (v.change.late > 0 ? "  # changed while people walked" : "");
 }
 
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
@@ -129,6 +152,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         const double now = glfwGetTime(), passed = now - last;
         last = now;
         act_on_presses(show, v);
+        if (Result<void> done = carry_on(show, v); !done) return done;
+        steer_driven(window, show, v);
         for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) step(show);
         const float between = between_ticks(v.clock);
 
@@ -142,7 +167,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
         read_mouse(window, is_panels, mouse);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
-        bool is_moving = fly(window, before, mouse, static_cast<float>(passed), v);
+        const bool is_taken = take_mouse(show, before, mouse, size, is_panels, v) || is_driving(show);
+        bool is_moving = !is_taken && fly(window, before, mouse, static_cast<float>(passed), v);
         is_moving |= navigate(world, before, mouse, gui_wheel(), size, grip, v);
         is_moving |= is_following && !v.clock.is_paused;
         for (WorkView view : std::exchange(v.toggles, {}))
@@ -152,9 +178,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             FrameInput frame = extract_frame(show, v.camera, size, between);
             frame.companion = companion_of(v.choice);
             const std::string command =
-                v.wants_picture || v.wants_command
-                    ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
-                    : std::string();
+                v.wants_picture || v.wants_command ? command_now(words, show, size, v) : std::string();
             if (std::exchange(v.wants_picture, false)) {
                 Result<std::string> told = save_picture(show, frame, size, command);
                 if (!told) return told.error();
@@ -163,10 +187,11 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             if (std::exchange(v.wants_command, false)) {
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
-                tell(v, "Copied: " + printable(command));
+                tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
             }
-            ask(show, mouse, size, is_panels, v);
+            ask(show, mouse, size, is_panels || is_taken, v);
             mark_asked(v, show, frame);
+            mark_changes(v, show, frame);
             begin_gui(gui);
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
@@ -212,7 +237,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer);
     if (!show) return show.error();
     viewer.is_loading = false;
-    viewer.walkers = show->loaded.world->crowd.count;
+    start_changes(options, *show, viewer);
     return run_loop(*show, window.get(), **gui, viewer, options.words, options.close_after);
 }
 

@@ -6,6 +6,9 @@
 #include <cctype>
 #include <utility>
 
+#include "tools/flaneur/window/change/drive.h"
+#include "tools/flaneur/window/change/room.h"
+#include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
 
@@ -17,10 +20,14 @@ void turn(Show&, Viewer& v) {
     v.toggles.push_back(View);
 }
 
-void follow_next(Viewer& v, bool is_other) {
+// Of those who are there.
+void follow_next(const Show& show, Viewer& v, bool is_other) {
+    const Crowd& crowd = show.loaded.world->crowd;
     if (v.walkers == 0) return;
     const bool is_following = v.choice.kind == CameraChoice::Kind::follow;
-    if (is_other && is_following) v.choice.walker = (v.choice.walker + 1) % v.walkers;
+    uint32_t& walker = v.choice.walker;
+    if (is_other && is_following) ++walker;
+    for (walker %= crowd.count; !is_there(crowd, walker);) walker = (walker + 1) % crowd.count;
     choose(v, CameraChoice::Kind::follow);
 }
 
@@ -32,9 +39,11 @@ void follow_asked(Show&, Viewer& v) {
 }
 
 // What lies on top goes first; the window itself only by a second time.
-void dismiss(Show&, Viewer& v) {
+void dismiss(Show& show, Viewer& v) {
     constexpr double k_again_seconds = 2;
+    if (let_go_of_driven(show, v)) return;
     if (std::exchange(v.lists_keys, false)) return;
+    if (v.room == Room::change && std::exchange(v.change.tool, std::nullopt)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
     const double now = glfwGetTime();
@@ -53,7 +62,9 @@ void open(Show&, Viewer& v) {
 
 constexpr std::array k_time = {
     Action{"Stop or go", "Space", GLFW_KEY_SPACE, 0,
-           [](Show&, Viewer& v) { v.clock.is_paused = !v.clock.is_paused; }},
+           [](Show& show, Viewer& v) {
+               if (!jump_driven(show)) v.clock.is_paused = !v.clock.is_paused;
+           }},
     Action{"One tick, 1/60 s", ".", GLFW_KEY_PERIOD, 0,
            [](Show&, Viewer& v) { v.clock.is_paused = true, ++v.clock.steps; }, true},
     Action{"Slower", "-", GLFW_KEY_MINUS, 0, [](Show&, Viewer& v) { v.clock.rate = slower(v.clock.rate); }},
@@ -67,8 +78,9 @@ constexpr std::array k_cameras = {
            [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::overview); }},
     Action{"Look at the densest crowd", "", 0, 0,
            [](Show&, Viewer& v) { choose(v, CameraChoice::Kind::crowd); }},
-    Action{"Follow somebody", "3", GLFW_KEY_3, 0, [](Show&, Viewer& v) { follow_next(v, false); }},
-    Action{"Follow the next one", "Tab", GLFW_KEY_TAB, 0, [](Show&, Viewer& v) { follow_next(v, true); }},
+    Action{"Follow somebody", "3", GLFW_KEY_3, 0, [](Show& show, Viewer& v) { follow_next(show, v, false); }},
+    Action{"Follow the next one", "Tab", GLFW_KEY_TAB, 0,
+           [](Show& show, Viewer& v) { follow_next(show, v, true); }},
     Action{"Follow who was asked about", "F", GLFW_KEY_F, 0, follow_asked},
 };
 constexpr std::array k_layers = {
@@ -98,12 +110,6 @@ constexpr std::array k_window = {
     Action{"Close the window", "Ctrl+Q", GLFW_KEY_Q, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { v.wants_close = true; }},
 };
-constexpr std::array k_groups = {
-    ActionGroup{"Time", k_time},
-    ActionGroup{"Cameras", k_cameras},
-    ActionGroup{"Layers", k_layers},
-    ActionGroup{"Window", k_window},
-};
 
 // Of keys that have a twin.
 int plain(int key) {
@@ -123,12 +129,23 @@ bool is_for(const Action& action, const KeyPress& press) {
 
 }  // namespace
 
-std::span<const ActionGroup> action_groups() { return k_groups; }
+std::span<const ActionGroup> action_groups() {
+    static const std::array groups = {
+        ActionGroup{"Time", k_time},     ActionGroup{"Cameras", k_cameras},
+        ActionGroup{"Layers", k_layers}, ActionGroup{"Change", change_actions()},
+        ActionGroup{"Window", k_window},
+    };
+    return groups;
+}
 
 void act_on_presses(Show& show, Viewer& v) {
     for (const KeyPress& press : std::exchange(v.presses, {})) {
         if (v.palette.is_open) {
             press_in_palette(press.key, show, v);
+            continue;
+        }
+        if (v.change.is_naming) {
+            press_in_name(press.key, show, v);
             continue;
         }
         const Action* found = nullptr;

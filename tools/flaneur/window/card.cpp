@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
@@ -9,6 +10,7 @@ namespace {
 
 const char* doing(const World& world, uint32_t walker) {
     const Journey& journey = world.crowd.journeys[walker];
+    if (walker == world.crowd.driven.walker) return "goes as you say";
     if (journey.arrived) return "stands at its goal";
     if (world.tick < journey.pause_until) return "waits a moment";
     if (journey.path_due != PathDue::no) return "looks for a way";
@@ -18,7 +20,7 @@ const char* doing(const World& world, uint32_t walker) {
 
 }  // namespace
 
-void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
+void lay_out_card(Show& show, Viewer& v, Size size, float scale) {
     const World& world = *show.loaded.world;
     if (v.selected && !is_there(world.crowd, *v.selected)) v.selected.reset();
     const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
@@ -50,6 +52,9 @@ void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
     } else {
         if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
         tip("F");
+        ImGui::SameLine();
+        if (ImGui::Button(is_driving(show) ? "Stop driving" : "Drive")) drive_asked(show, v);
+        tip("X");
         ImGui::SameLine();
         if (ImGui::Button("Let go")) v.selected.reset();
     }

@@ -11,6 +11,7 @@
 
 #include "sim/base/tick.h"
 #include "tools/flaneur/window/card.h"
+#include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -26,10 +27,8 @@ struct RoomPanel {
 };
 
 std::string clock_text(const Show& show) {
-    const float seconds = static_cast<float>(show.loaded.world->tick) * k_tick;
-    const double hour =
-        static_cast<double>(show.loaded.world->crowd.demand.hour) + static_cast<double>(seconds) / 3600;
-    const auto second = static_cast<int>(std::fmod(hour, 24.0) * 3600);
+    const auto second =
+        static_cast<int>(static_cast<double>(hour_now(*show.loaded.world)) * 3600) % (24 * 3600);
     char text[32];
     std::snprintf(text, sizeof text, "%02d:%02d:%02d", second / 3600, second / 60 % 60, second % 60);
     return text;
@@ -47,6 +46,8 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
 
 constexpr RoomPanel k_rooms[] = {
     {Room::layers, "Layers", "what is drawn over the city (L)", lay_out_layers},
+    {Room::change, "Change", "time of day, weather, people, and what stands in the streets (T)",
+     lay_out_change},
 };
 
 void lay_out_room(Show& show, Viewer& v, Size size, float scale) {

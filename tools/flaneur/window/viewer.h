@@ -7,12 +7,13 @@
 
 #include "renderer/scene.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/clock.h"
 
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers };
+enum class Room : uint8_t { none, layers, change };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -44,7 +45,8 @@ struct Viewer {
     double fps = 0;
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
-    float resolution = 1;   // share of the window's pixels that the picture is drawn in
+    Change change;
+    float resolution = 1;  // share of the window's pixels that the picture is drawn in
 };
 
 void choose(Viewer& viewer, CameraChoice::Kind kind);

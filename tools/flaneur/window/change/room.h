@@ -1,0 +1,16 @@
+// The panel on the left that changes the city, and what keys do of it.
+#pragma once
+
+#include <span>
+
+namespace flaneur {
+
+struct Action;
+struct Show;
+struct Viewer;
+
+void lay_out_change(Show& show, Viewer& viewer, float scale);
+
+std::span<const Action> change_actions();
+
+}  // namespace flaneur
