@@ -155,7 +155,7 @@ std::string add_one(City& city, const Addition& a) {
 
 }  // namespace
 
-Area area_of(const Addition& a) {
+Rectangle area_of(const Addition& a) {
     if (is_drawn_out(a.kind))
         return widened({{std::min(a.at.x, a.to.x), std::min(a.at.z, a.to.z)},
                         {std::max(a.at.x, a.to.x), std::max(a.at.z, a.to.z)}},

@@ -9,7 +9,7 @@
 
 #include "assets/city.h"
 #include "sim/base/result.h"
-#include "sim/ground/area.h"
+#include "sim/ground/rectangle.h"
 
 namespace flaneur {
 
@@ -36,7 +36,7 @@ inline constexpr float k_shortest_added = 0.5f, k_longest_added = 200;
 inline bool is_turned(AddedKind kind) { return !is_drawn_out(kind) && kind != AddedKind::entrance; }
 
 // What it takes of the ground plane, with half a metre about it.
-Area area_of(const Addition& added);
+Rectangle area_of(const Addition& added);
 
 // Where an entrance at `place` leads into: the nearest facade within 3 m. None: there is no house.
 std::optional<WallPoint> entrance_at(const Ground& ground, Vec3 place);

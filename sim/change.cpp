@@ -10,7 +10,7 @@
 namespace flaneur {
 
 void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
-                   std::span<const Destination> destinations, std::span<const Area> changed) {
+                   std::span<const Destination> destinations, std::span<const Rectangle> changed) {
     assert(!w.roam);
     const bool answers_itself = w.around.asked == w.ground.get();
     prepare_queries(*mesh, thread_count(*w.workers));

@@ -75,7 +75,7 @@ Result<void> set_down(World& world, Compound compound);
 // makes it. Nobody is set down elsewhere: see change_mesh() in sim/crowd/crowd.h. Not while people roam a
 // compound.
 void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
-                   std::span<const Destination> destinations, std::span<const Area> changed);
+                   std::span<const Destination> destinations, std::span<const Rectangle> changed);
 
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);

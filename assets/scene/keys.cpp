@@ -8,6 +8,7 @@
 #include "assets/files/file.h"
 #include "assets/files/words.h"
 #include "assets/scene/json_place.h"
+#include "assets/scene/reading.h"
 
 namespace flaneur {
 
@@ -17,164 +18,10 @@ using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
 // A scene is some lines; what its parser and its errors take grows with these.
-constexpr size_t k_most_depth = 8, k_most_values = 10'000, k_most_faults = 50;
-
-// A reading under way: where it is, and what was wrong so far.
-struct SceneReading {
-    std::string_view text;
-    std::vector<std::string> path;
-    std::vector<SceneFault> faults;
-};
-
-std::string in_quotes(std::string text) {
-    text.insert(text.begin(), '"');
-    text += '"';
-    return text;
-}
-
-void add_fault(SceneReading& r, const std::string& what, bool of_key = false) {
-    if (r.faults.size() == k_most_faults) return;
-    JsonPlace place = place_in_json(r.text, r.path, of_key);
-    std::string whose;
-    if (r.path.size() > 1)
-        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
-    r.faults.push_back({place.line, place.column, whose + what});
-}
-
-enum class KeyKind { flag, whole, number, text, texts, people, added };
-
-// What may stand at a key.
-struct KeyRule {
-    KeyKind kind;
-    double low = 0, high = 0;             // of numbers; 2^64 stands for the greatest number of 64 bits
-    std::string pattern = std::string();  // of a text: a regular expression; what it lets through is parsed
-    // Texts that may stand there; none: any but the empty one.
-    std::vector<std::string> words = std::vector<std::string>();
-};
-
-template <class Of>
-struct SceneKey {
-    const char* name;
-    KeyRule rule;
-    const char* usual;    // JSON: what holds without the key; null where nothing does
-    const char* example;  // JSON
-    const char* meaning;
-    void (*take)(SceneReading& r, Of& to, const Json& value);  // a value that the rule has nothing against
-};
-
-template <class T, class To>
-void take_parsed(SceneReading& r, const Result<T>& parsed, To& to) {
-    if (parsed) {
-        to = *parsed;
-    } else {
-        add_fault(r, in_quotes(r.path.back()) + ": " + parsed.error().message);
-    }
-}
-
-// One of "people": a file, or the built-in people.
-struct PeopleItem {
-    PeopleShare people;
-    bool is_builtin = false;
-};
-
-// One of "added".
-struct AddedItem {
-    Addition added;
-    bool has_kind = false, has_at = false, has_to = false, has_turn = false;
-};
-
-void take_kind(SceneReading& r, AddedItem& to, const std::string& name) {
-    const auto* at = std::find(std::begin(k_added_names), std::end(k_added_names), name);
-    if (at == std::end(k_added_names))
-        return add_fault(r, "\"what\" is " + excerpt(name) + "; it may be " + joined(k_added_names));
-    to.added.kind = static_cast<AddedKind>(at - std::begin(k_added_names));
-    to.has_kind = true;
-}
-
-const std::vector<SceneKey<PeopleItem>>& people_keys() {
-    using enum KeyKind;
-    using Reading = SceneReading;
-    using Item = PeopleItem;
-    static const std::vector<SceneKey<PeopleItem>> keys = {
-        {"character",
-         {text},
-         nullptr,
-         R"("robot.glb")",
-         "A glTF or VRM file, .glb, .gltf or .vrm, of a skinned humanoid. A relative path starts at the "
-         "scene's folder.",
-         [](Reading&, Item& to, const Json& v) { to.people.character = v; }},
-        {"builtin",
-         {flag},
-         "false",
-         "true",
-         "The built-in people, in place of a file.",
-         [](Reading&, Item& to, const Json& v) { to.is_builtin = v; }},
-        {"share",
-         {number, k_least_share, k_most_share},
-         "1",
-         "9",
-         "Their part of all walkers, against the parts of the others.",
-         [](Reading&, Item& to, const Json& v) { to.people.share = v; }},
-    };
-    return keys;
-}
+constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
-
-const std::string& coordinate() {
-    static const std::string text = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
-    return text;
-}
-std::string point_pattern() { return coordinate() + "," + coordinate() + "," + coordinate(); }
-
-const std::vector<SceneKey<AddedItem>>& added_keys() {
-    using enum KeyKind;
-    using Reading = SceneReading;
-    using Item = AddedItem;
-    static const std::vector<SceneKey<AddedItem>> keys = {
-        {"what",
-         {text, 0, 0, {}, {std::begin(k_added_names), std::end(k_added_names)}},
-         nullptr,
-         R"("bench")",
-         "What it is. A wall is of stone and 2 m high, and stops people as a barrier does, a row of planks "
-         "that "
-         "closes a street; an entrance leads into the nearest house, within 3 m, and draws people.",
-         [](Reading& r, Item& to, const Json& v) { take_kind(r, to, v); }},
-        {"at",
-         {text, 0, 0, point_pattern()},
-         nullptr,
-         R"("12.5,0.1,-3")",
-         "Where it is, X,Y,Z in metres, on the ground or up to 3 m above or below it; of a wall or a "
-         "barrier, one "
-         "end.",
-         [](Reading& r, Item& to, const Json& v) {
-             take_parsed(r, parse_spot(v), to.added.at);
-             to.has_at = true;
-         }},
-        {"to",
-         {text, 0, 0, point_pattern()},
-         nullptr,
-         R"("20,0.1,-3")",
-         "The other end of a wall or a barrier, 0.5 to 200 m away.",
-         [](Reading& r, Item& to, const Json& v) {
-             take_parsed(r, parse_spot(v), to.added.to);
-             to.has_to = true;
-         }},
-        {"turn",
-         {number, -360, 360},
-         "0",
-         "90",
-         "Degrees that it is turned, counter-clockwise seen from above; at 0 it faces +z. Not of walls, "
-         "barriers "
-         "and entrances.",
-         [](Reading&, Item& to, const Json& v) {
-             to.added.turn = v;
-             to.has_turn = true;
-         }},
-    };
-    return keys;
-}
 
 // In the order of the schema and of docs/scenes.md.
 const std::vector<SceneKey<Scene>>& scene_keys() {
@@ -421,21 +268,6 @@ void read_people(SceneReading& r, Scene& scene, const Json& list) {
         scene.people.push_back(item.people);
         r.path.pop_back();
     }
-}
-
-// What is wrong with it as a whole; empty: nothing.
-std::string fault_of(const AddedItem& item) {
-    const Addition& a = item.added;
-    if (!item.has_kind || !item.has_at)
-        return R"(it must have "what" and "at", such as {"what": "bench", "at": "12.5,0,-3"})";
-    if (is_drawn_out(a.kind) != item.has_to)
-        return item.has_to ? R"("to" is of walls and barriers alone)"
-                           : R"(a wall or a barrier must have "to", its other end)";
-    if (item.has_turn && !is_turned(a.kind)) return R"("turn" is not of walls, barriers and entrances)";
-    const float whole = length(on_ground(a.to - a.at));
-    if (item.has_to && !(whole >= k_shortest_added && whole <= k_longest_added))
-        return R"("to" must be 0.5 to 200 m away from "at" on the ground plane)";
-    return "";
 }
 
 void read_added(SceneReading& r, Scene& scene, const Json& list) {

@@ -16,7 +16,7 @@ static std::optional<NavPoint> nearest_at_all(const Navmesh& mesh, Vec3 p) {
     return std::nullopt;
 }
 
-static bool crosses(Vec2 a, Vec2 b, const Area& area) {
+static bool crosses(Vec2 a, Vec2 b, const Rectangle& area) {
     float enter = 0, leave = 1;
     auto clip = [&](float from, float way, float low, float high) {
         if (std::fabs(way) < 1e-9f) {
@@ -32,12 +32,12 @@ static bool crosses(Vec2 a, Vec2 b, const Area& area) {
     return enter <= leave;
 }
 
-static bool path_crosses(const Crowd& c, uint32_t i, std::span<const Area> changed) {
+static bool path_crosses(const Crowd& c, uint32_t i, std::span<const Rectangle> changed) {
     const Journey& j = c.journeys[i];
     Vec2 from = on_ground(c.motion.position[i]);
     for (int k = j.corner; k < j.corner_count; ++k) {
         const Vec2 to = on_ground(c.corners[size_t{i} * k_corners + static_cast<size_t>(k)]);
-        for (const Area& area : changed)
+        for (const Rectangle& area : changed)
             if (crosses(from, to, widened(area, k_beside))) return true;
         from = to;
     }
@@ -58,7 +58,7 @@ static void set_foot(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, uin
     if (length(on_ground(place->position - at)) > k_on_it) c.way_back[i] = *place;
 }
 
-static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, std::span<const Area> changed,
+static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, std::span<const Rectangle> changed,
                        uint32_t i, uint32_t tick) {
     Journey& j = c.journeys[i];
     const uint32_t same = passed(p, j.goal.polygon);
@@ -85,7 +85,7 @@ static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, s
     j.closest_tick = tick;
 }
 
-void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<const Area> changed,
+void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
                  uint32_t tick) {
     const NavmeshPassage p = passage(from, to);
     for (uint32_t i = 0; i < c.count; ++i) {

@@ -196,7 +196,7 @@ void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 // The mesh `from` is exchanged for `to`, which differs from it about `changed` alone, between two ticks. Who
 // stands where the new one is not walks back onto it; whose way leads past a change, or to where none leads
 // any more, is due another. `from` is needed no more afterwards.
-void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span<const Area> changed,
+void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
                  uint32_t tick);
 
 // Room for `capacity` walkers from now on, if there is less. Allocates; between two ticks.

@@ -12,7 +12,7 @@
 
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
-#include "sim/ground/area.h"
+#include "sim/ground/rectangle.h"
 #include "sim/ground/ground.h"
 
 namespace flaneur {
@@ -56,7 +56,7 @@ Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& 
 // and the mesh is the same, bit by bit, as build_navmesh() makes of the whole ground. Ground whose bounds
 // have changed is built anew.
 Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& settings,
-                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Area> changed,
+                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
                                    int threads);
 
 // From the polygons of one mesh to those of another that are the same: where they are in tiles that no change

@@ -347,7 +347,7 @@ Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& 
 }
 
 Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& wanted,
-                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Area> changed,
+                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
                                    int threads) {
     if (ground.low != low || ground.high != high) return build_navmesh(ground, wanted, threads);
     auto kept = tiles_of(bytes);
@@ -365,8 +365,8 @@ Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& 
     for (size_t t = 0; t < tiles.size(); ++t) {
         const Vec2 corner =
             ground.low + Vec2{static_cast<float>(t % width), static_cast<float>(t / width)} * edge;
-        const Area tile = widened({corner, corner + Vec2{edge, edge}}, tile_rim(settings));
-        if (std::any_of(changed.begin(), changed.end(), [&](const Area& area) { return touch(area, tile); }))
+        const Rectangle tile = widened({corner, corner + Vec2{edge, edge}}, tile_rim(settings));
+        if (std::any_of(changed.begin(), changed.end(), [&](const Rectangle& area) { return touch(area, tile); }))
             touched.push_back(t);
     }
     WorkersPtr workers = make_workers(threads);

@@ -76,11 +76,14 @@ tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/crowd, tool
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay
-tools/flaneur/window: renderer, sim, sim/base, tools/flaneur/options, tools/flaneur/view
+tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/navigation, tools/flaneur/options
+tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/change
+tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change
+tools/flaneur/window sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
-tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change
 """
 MOST_FILES = 25
 CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")

@@ -38,8 +38,8 @@ void give_up(Designs& d) {
     --d.at;
 }
 
-std::vector<Area> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b) {
-    std::vector<Area> areas;
+std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b) {
+    std::vector<Rectangle> areas;
     auto add_those_only_of = [&](const std::vector<Addition>& some, std::vector<Addition> others) {
         for (const Addition& one : some) {
             const auto same = std::find(others.begin(), others.end(), one);

@@ -35,6 +35,6 @@ bool redo(Designs& designs);
 void give_up(Designs& designs);
 
 // What differs between the two, as areas of the ground plane.
-std::vector<Area> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b);
+std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b);
 
 }  // namespace flaneur

@@ -139,7 +139,7 @@ void add_outline(const World& world, const Addition& a, const Pen& pen, std::vec
         if (wall) add_line(lines, pen, over(foot), over(foot) + glm::vec3(0, 2.1f, 0));
         return;
     }
-    const Area area = widened(area_of(a), -0.5f);
+    const Rectangle area = widened(area_of(a), -0.5f);
     const float radius = (area.high.x - area.low.x) * 0.5f;
     add_circle(lines, pen, over(a.at), {0, 1, 0}, radius);
     const Vec2 ahead = heading_direction(a.turn * k_radians) * (radius + 0.3f);
@@ -176,7 +176,7 @@ std::optional<size_t> addition_at(std::span<const Addition> added, Vec3 place) {
         const Vec2 to = is_drawn_out(a.kind) ? on_ground(a.to) : from;
         const float share = from == to ? 0 : closest_on(from, to, p);
         const float distance = length(lerp(from, to, share) - p);
-        const Area area = widened(area_of(a), -0.5f);
+        const Rectangle area = widened(area_of(a), -0.5f);
         const float half = is_drawn_out(a.kind)            ? 0.25f
                            : a.kind == AddedKind::entrance ? 0.8f
                                                            : (area.high.x - area.low.x) * 0.5f;

@@ -27,7 +27,7 @@ struct Made {
     std::vector<Addition> added;
     std::shared_ptr<const City> city;  // null: the city stays, and only lamps were made
     NavmeshPtr mesh;
-    std::vector<Area> changed;
+    std::vector<Rectangle> changed;
     std::shared_ptr<const PreparedCity> drawn;
     std::optional<LampMap> lamps;
 };

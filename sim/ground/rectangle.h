@@ -5,15 +5,15 @@
 
 namespace flaneur {
 
-struct Area {
+struct Rectangle {
     Vec2 low, high;  // metres
 };
 
-inline Area widened(const Area& area, float by) {
+inline Rectangle widened(const Rectangle& area, float by) {
     return {{area.low.x - by, area.low.z - by}, {area.high.x + by, area.high.z + by}};
 }
 
-inline bool touch(const Area& a, const Area& b) {
+inline bool touch(const Rectangle& a, const Rectangle& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
