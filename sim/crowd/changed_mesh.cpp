@@ -45,7 +45,7 @@ static bool path_crosses(const Crowd& c, uint32_t i, std::span<const Rectangle> 
 }
 
 // Stands on the other mesh now; or walks back to it, if it has gone from under the feet.
-static void set_foot(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, uint32_t i) {
+static void set_foot(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, uint32_t i, uint32_t tick) {
     const bool was_beside = c.way_back[i].polygon != 0;
     const uint32_t same = passed(p, c.motion.polygon[i]);
     c.motion.polygon[i] = same;
@@ -55,11 +55,15 @@ static void set_foot(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, uin
     const auto place = nearest_at_all(mesh, at);
     if (!place) return;
     c.motion.polygon[i] = place->polygon;
-    if (length(on_ground(place->position - at)) > k_on_it) c.way_back[i] = *place;
+    if (length(on_ground(place->position - at)) <= k_on_it) return;
+    c.way_back[i] = *place;
+    // Others make way.
+    c.journeys[i].insists_since = tick;
+    c.journeys[i].insists_from = on_ground(at);
 }
 
-static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh, std::span<const Rectangle> changed,
-                       uint32_t i, uint32_t tick) {
+static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh,
+                       std::span<const Rectangle> changed, uint32_t i, uint32_t tick) {
     Journey& j = c.journeys[i];
     const uint32_t same = passed(p, j.goal.polygon);
     bool is_lost = false, has_moved = false;
@@ -90,7 +94,7 @@ void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<con
     const NavmeshPassage p = passage(from, to);
     for (uint32_t i = 0; i < c.count; ++i) {
         if (!is_there(c, i)) continue;
-        set_foot(c, p, to, i);
+        set_foot(c, p, to, i, tick);
         look_again(c, p, to, changed, i, tick);
     }
 }

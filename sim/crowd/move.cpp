@@ -224,9 +224,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
         float r = length(real);
         v = r > speed ? real * (speed / r) : real;
     }
-    if (is_beside && length(on_ground(c.way_back[i].position - to.position)) < k_back) {
-        to.position = c.way_back[i].position;
-        c.way_back[i] = {};
+    if (is_beside) {
+        const NavPoint on_it = move_along(mesh, thread, c.way_back[i], to.position, by);
+        if (length(on_ground(on_it.position - to.position)) < k_back) to = on_it, c.way_back[i] = {};
     }
     to.position.y = from.position.y;
     c.scratch.next_position[i] = to.position;

@@ -189,7 +189,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
                 say(command);
                 tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
             }
-            ask(show, mouse, size, is_panels || is_taken, v);
+            ask(show, mouse, size, is_panels || is_taken || is_putting(v), v);
             mark_asked(v, show, frame);
             mark_changes(v, show, frame);
             begin_gui(gui);

@@ -45,7 +45,7 @@ TEST(Command, NamesASceneThatHoldsWhatWasChanged) {
     s.scene.clear();
     s.is_overcast = true;
     EXPECT_EQ(command_of({"--weather", "clear", "--walkers", "9"}, s).substr(0, 51),
-              "flaneur render --walkers 9 --weather overcast --came");
+              "flaneur render --walkers 9 --weather overcast --cam");
 }
 
 TEST(Command, QuotesForAShell) {

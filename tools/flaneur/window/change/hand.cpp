@@ -239,6 +239,8 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
     return now.has_clicked;
 }
 
+bool is_putting(const Viewer& v) { return v.room == Room::change && v.change.tool.has_value(); }
+
 void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
     if (v.room != Room::change) return;
     const Change& c = v.change;

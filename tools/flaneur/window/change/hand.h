@@ -21,6 +21,9 @@ struct Viewer;
 bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size size, bool is_panels,
                 Viewer& viewer);
 
+// Whether a click puts something down, whoever stands there.
+bool is_putting(const Viewer& viewer);
+
 // Adds to the frame the outline of what would be put down, and of what is moved or chosen.
 void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
 

@@ -112,16 +112,19 @@ void choose_tool(Viewer& v, AddedKind kind) {
 void lay_out_tools(Viewer& v, float scale) {
     Change& c = v.change;
     ImGui::TextUnformatted("Put into the city");
-    int column = 0;
+    size_t number = 0;
     const char* hint = "Click what has been put down to choose it, drag to move it.";
     for (const ToolButton& button : k_tools) {
-        if (column++ % 3 != 0) ImGui::SameLine();
+        // Two broad ones, then three a row.
+        const size_t place = number < 2 ? number : (number + 1) % 3;
+        const float width = number++ < 2 ? 129 : 84;
+        if (place > 0) ImGui::SameLine();
         const bool is_on = c.tool == button.kind;
         if (is_on) {
             hint = button.hint;
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         }
-        if (ImGui::Button(button.name, {84 * scale, 0})) choose_tool(v, button.kind);
+        if (ImGui::Button(button.name, {width * scale, 0})) choose_tool(v, button.kind);
         if (is_on) ImGui::PopStyleColor();
     }
     ImGui::PushTextWrapPos(264 * scale);
