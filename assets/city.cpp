@@ -22,6 +22,8 @@ Vec2 half_footprint(const Prop& prop) {
             return {0.6f, 0.6f};
         case PropKind::shelter:
             return {1.8f, 0.7f};
+        case PropKind::barrier:
+            return {prop.radius, 0.25f};
         default:
             return {0.12f, 0.12f};
     }

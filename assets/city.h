@@ -39,16 +39,17 @@ enum class PropKind : uint8_t {
     statue,
     planter,
     signal,
-    shelter
+    shelter,
+    barrier  // of a closed street; `radius` is half its width
 };
-inline constexpr int k_prop_count = 11;
+inline constexpr int k_prop_count = 12;
 
 struct Prop {
     PropKind kind = PropKind::tree;
     Vec3 position;     // on the ground
     float yaw = 0;     // about +y from +z, radians
     float height = 0;  // metres
-    float radius = 0;  // crown of a tree, basin of a fountain, metres
+    float radius = 0;  // crown of a tree, basin of a fountain, half a barrier, metres
     uint32_t seed = 0;
 };
 

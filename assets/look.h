@@ -73,8 +73,12 @@ inline constexpr const char* k_quality_names[] = {"low", "medium", "high", "ultr
 // "overview", "street", "crowd", "follow:12", "eyes:12", "map", "map:X,Z,ACROSS", "map:X,Z,ACROSS,BEARING" or
 // "0,1.7,0/10,1.5,0".
 Result<CameraChoice> parse_camera(const std::string& text);
+// "12.5,0,-3": a place, metres, none of them beyond a thousand kilometres.
+Result<Vec3> parse_spot(const std::string& text);
 // As parse_camera() takes it, to the last bit.
 std::string told_camera(const CameraChoice& camera);
+// As parse_spot() takes it, to the last bit.
+std::string told_spot(Vec3 place);
 // Of those that are on.
 std::vector<std::string> names_of(WorkViews views);
 // "1280x720".

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/additions.h"
 #include "assets/look.h"
 #include "sim/base/result.h"
 
@@ -33,6 +34,7 @@ struct Scene {
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
     float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
     std::vector<PeopleShare> people;  // empty: the built-in people
+    std::vector<Addition> added;      // to the city
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..100,000
     uint64_t seed = 1;
@@ -61,6 +63,13 @@ Result<Scene> load_scene(const std::string& name_or_path);
 
 // The same of the text of a scene file; its paths are left as they are. `name` is what errors call it.
 Result<Scene> parse_scene(std::string_view text, const std::string& name);
+
+// The text of a scene file of which parse_scene() makes the same scene but for its name and for parts of a
+// minute of its hour. Paths are left as they are.
+std::string scene_text(const Scene& scene);
+
+// "08:15": the minute of an hour of the day, as parse_time() takes it.
+std::string told_time(float hour);
 
 // All that is wrong with a scene, named as load_scene takes it; also a camera that follows nobody unless more
 // walkers are asked for. Refuses what cannot be read.

@@ -189,6 +189,42 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     return made;
 }
 
+Result<std::shared_ptr<const PreparedCity>> prepare_for_upload(const CityMesh& city) {
+    Result<PreparedCity> prepared = prepare_city(city);
+    if (!prepared) return prepared.error();
+    return std::make_shared<const PreparedCity>(std::move(*prepared));
+}
+
+Result<void> upload_city(Renderer& renderer, const PreparedCity& city) {
+    GpuScene scene;
+    auto make = [&]() -> Result<void> {
+        FLANEUR_TRY(make_city(renderer.device, city, scene));
+        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+        return {};
+    };
+    Result<void> made = make();
+    if (made) {
+        swap_cities(renderer.scene, scene);
+        renderer.shadows.state = {};
+        renderer.last_view = {};
+    }
+    destroy_scene(renderer.device, scene);
+    return made;
+}
+
+Result<void> upload_lamps(Renderer& renderer, const LampMap& lamps) {
+    GpuScene scene;
+    auto make = [&]() -> Result<void> {
+        FLANEUR_TRY(make_lamps(renderer.device, lamps, scene));
+        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+        return {};
+    };
+    Result<void> made = make();
+    if (made) swap_lamps(renderer.scene, scene);
+    destroy_scene(renderer.device, scene);
+    return made;
+}
+
 Result<void> upload_letters(Renderer& renderer, const Letters& letters) {
     if (letters.texels.size() != size_t{4} * letters.width * letters.height || letters.texels.empty())
         return Error{"The letters' size does not agree with their texels."};

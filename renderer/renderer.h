@@ -40,6 +40,17 @@ Result<RendererPtr> make_renderer(const RendererOptions& options);
 // then. Refuses those that refer to vertices, joints or textures that are not there.
 Result<void> upload_scene(Renderer& renderer, const SceneMeshes& scene);
 
+// A city as the device takes it: fitted with windows and gathered in pieces, on any thread. Refuses what
+// upload_scene() does of a city.
+struct PreparedCity;
+Result<std::shared_ptr<const PreparedCity>> prepare_for_upload(const CityMesh& city);
+
+// Uploads it in place of the scene's city; the pictures of scenery, people and lamps stay as they are. Takes
+// as long as its bytes take to the device: the window goes on meanwhile.
+Result<void> upload_city(Renderer& renderer, const PreparedCity& city);
+// The same of the light of lamps.
+Result<void> upload_lamps(Renderer& renderer, const LampMap& lamps);
+
 // The impostors of the scene, for SceneMeshes::impostors of one with the same people, and a key that says of
 // people, device and shaders what impostors depend on.
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);

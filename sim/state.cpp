@@ -56,7 +56,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under);
     auto& d = c.decision;
     some(d.wanted, d.looks, d.chosen, d.claim);
-    some(c.journeys);
+    some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     if (!w.roam) return;
     auto& s = w.roam->walkers;

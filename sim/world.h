@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -68,6 +69,20 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
 
 // Sets everybody down on a compound. The ground is level and becomes their stage.
 Result<void> set_down(World& world, Compound compound);
+
+// Exchanges the ground that people stand on, the mesh that they find their ways by and what draws them,
+// between two ticks. `ground` is as it was but within `changed`, and `mesh` is its own, as rebuild_navmesh()
+// makes it. Nobody is set down elsewhere: see change_mesh() in sim/crowd/crowd.h. Not while people roam a
+// compound.
+void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
+                   std::span<const Destination> destinations, std::span<const Rectangle> changed);
+
+// Room for so many walkers from now on, if there is less. Allocates; between two ticks.
+void make_room(World& world, uint32_t capacity);
+
+// The hour of the day after the last tick, 0..24, and another one that it shall be.
+float hour_now(const World& world);
+void set_hour(World& world, float hour);
 
 // The drives. People who go where they want to: think, find neighbours, steer, move.
 void drive_crowd(World& world);

@@ -1,5 +1,6 @@
 #include "assets/props/props.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "assets/props/shapes.h"
@@ -101,6 +102,27 @@ void add_shelter(PropMesh& mesh, const Prop& shelter) {
     part(-1.7f, h * 0.5f, 0.6f, {0.035f, h * 0.5f, 0.035f}, PropPart::metal);
 }
 
+// Planks in red and white on two feet.
+void add_barrier(PropMesh& mesh, const Prop& barrier) {
+    constexpr float k_stripe = 0.25f;  // metres, about
+    PropFrame f(barrier);
+    const float half = barrier.radius - 0.03f, h = barrier.height;
+    auto part = [&](float x, float y, float z, Vec3 size, PropPart what) {
+        add_box(mesh, f.at(x, y, z), size, barrier.yaw, what);
+    };
+    for (float x : {-half + 0.12f, half - 0.12f}) {
+        part(x, 0.03f, 0, {0.04f, 0.03f, 0.25f}, PropPart::tyre);
+        part(x, h * 0.5f, -0.035f, {0.03f, h * 0.5f, 0.02f}, PropPart::metal);
+    }
+    const int stripes = mesh.is_far ? 3 : std::max(3, static_cast<int>(2 * half / k_stripe) | 1);
+    const float width = 2 * half / static_cast<float>(stripes);
+    for (float y : {h - 0.1f, h - 0.45f})
+        for (int i = 0; i < stripes; ++i)
+            part(-half + (static_cast<float>(i) + 0.5f) * width, y, 0, {width * 0.5f, 0.1f, 0.015f},
+                 i % 2 == 0 ? PropPart::red : PropPart::white);
+    part(0, h + 0.05f, 0, {0.05f, 0.07f, 0.03f}, PropPart::sign);
+}
+
 }  // namespace
 
 void add_prop(PropMesh& mesh, const Prop& prop) {
@@ -128,6 +150,8 @@ void add_prop(PropMesh& mesh, const Prop& prop) {
             return add_signal(mesh, prop);
         case PropKind::shelter:
             return add_shelter(mesh, prop);
+        case PropKind::barrier:
+            return add_barrier(mesh, prop);
     }
 }
 

@@ -25,7 +25,8 @@ enum class PropPart : uint8_t {
     foam,
     red,
     green,
-    sign
+    sign,
+    white
 };
 
 // Triangles wound counter-clockwise from outside, in the world. Each vertex has its own normal; a triangle's

@@ -8,6 +8,7 @@
 #include "assets/files/file.h"
 #include "assets/files/words.h"
 #include "assets/scene/json_place.h"
+#include "assets/scene/reading.h"
 
 namespace flaneur {
 
@@ -17,102 +18,16 @@ using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
 // A scene is some lines; what its parser and its errors take grows with these.
-constexpr size_t k_most_depth = 8, k_most_values = 10'000, k_most_faults = 50;
-
-// A reading under way: where it is, and what was wrong so far.
-struct SceneReading {
-    std::string_view text;
-    std::vector<std::string> path;
-    std::vector<SceneFault> faults;
-};
-
-std::string in_quotes(std::string text) {
-    text.insert(text.begin(), '"');
-    text += '"';
-    return text;
-}
-
-void add_fault(SceneReading& r, const std::string& what, bool of_key = false) {
-    if (r.faults.size() == k_most_faults) return;
-    JsonPlace place = place_in_json(r.text, r.path, of_key);
-    std::string whose;
-    if (r.path.size() > 1)
-        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
-    r.faults.push_back({place.line, place.column, whose + what});
-}
-
-enum class KeyKind { flag, whole, number, text, texts, people };
-
-// What may stand at a key.
-struct KeyRule {
-    KeyKind kind;
-    double low = 0, high = 0;             // of numbers; 2^64 stands for the greatest number of 64 bits
-    std::string pattern = std::string();  // of a text: a regular expression; what it lets through is parsed
-    // Texts that may stand there; none: any but the empty one.
-    std::vector<std::string> words = std::vector<std::string>();
-};
-
-template <class Of>
-struct SceneKey {
-    const char* name;
-    KeyRule rule;
-    const char* usual;    // JSON: what holds without the key; null where nothing does
-    const char* example;  // JSON
-    const char* meaning;
-    void (*take)(SceneReading& r, Of& to, const Json& value);  // a value that the rule has nothing against
-};
-
-template <class T, class To>
-void take_parsed(SceneReading& r, const Result<T>& parsed, To& to) {
-    if (parsed) {
-        to = *parsed;
-    } else {
-        add_fault(r, in_quotes(r.path.back()) + ": " + parsed.error().message);
-    }
-}
-
-// One of "people": a file, or the built-in people.
-struct PeopleItem {
-    PeopleShare people;
-    bool is_builtin = false;
-};
-
-const std::vector<SceneKey<PeopleItem>>& people_keys() {
-    using enum KeyKind;
-    using Reading = SceneReading;
-    using Item = PeopleItem;
-    static const std::vector<SceneKey<PeopleItem>> keys = {
-        {"character",
-         {text},
-         nullptr,
-         R"("robot.glb")",
-         "A glTF or VRM file, .glb, .gltf or .vrm, of a skinned humanoid. A relative path starts at the "
-         "scene's folder.",
-         [](Reading&, Item& to, const Json& v) { to.people.character = v; }},
-        {"builtin",
-         {flag},
-         "false",
-         "true",
-         "The built-in people, in place of a file.",
-         [](Reading&, Item& to, const Json& v) { to.is_builtin = v; }},
-        {"share",
-         {number, k_least_share, k_most_share},
-         "1",
-         "9",
-         "Their part of all walkers, against the parts of the others.",
-         [](Reading&, Item& to, const Json& v) { to.people.share = v; }},
-    };
-    return keys;
-}
+constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 
 void read_people(SceneReading& r, Scene& scene, const Json& list);
+void read_added(SceneReading& r, Scene& scene, const Json& list);
 
 // In the order of the schema and of docs/scenes.md.
 const std::vector<SceneKey<Scene>>& scene_keys() {
     using enum KeyKind;
     using Reading = SceneReading;
-    const std::string coordinate = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
-    const std::string point = coordinate + "," + coordinate + "," + coordinate;
+    const std::string point = point_pattern();
     const std::string across = R"(0*(([5-9]|[1-9][0-9]{1,3}|1[0-9]{4})(\.[0-9]*)?|20000(\.0*)?))",
                       bearing = R"(-?0*(([0-9]|[1-9][0-9]|[12][0-9]{2}|3[0-5][0-9])(\.[0-9]*)?|360(\.0*)?))";
     auto degrees = [](const std::string& digits) { return "-?0*" + digits; };
@@ -197,6 +112,12 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"([{"character": "robot.glb", "share": 1}, {"builtin": true, "share": 9}])",
          "Who they are; without it, the built-in people.",
          read_people},
+        {"added",
+         {added},
+         nullptr,
+         R"([{"what": "wall", "at": "0,0,0", "to": "8,0,0"}])",
+         "What is put into the city: things in the way, walls, closed streets, benches, lamps and entrances.",
+         read_added},
         {"idles",
          {texts},
          nullptr,
@@ -311,6 +232,8 @@ std::string refusal(const KeyRule& rule, const Json& value) {
                        : "a list of texts of some letters";
         case KeyKind::people:
             return value.is_array() ? "" : R"(a list such as [{"builtin": true, "share": 9}])";
+        case KeyKind::added:
+            return value.is_array() ? "" : R"(a list such as [{"what": "bench", "at": "12.5,0,-3"}])";
     }
     return "";
 }
@@ -358,6 +281,19 @@ void read_people(SceneReading& r, Scene& scene, const Json& list) {
     }
 }
 
+void read_added(SceneReading& r, Scene& scene, const Json& list) {
+    for (size_t i = 0; i < list.size(); ++i) {
+        r.path.push_back(std::to_string(i));
+        AddedItem item;
+        const size_t faults = r.faults.size();
+        if (list[i].is_object()) read_keys(r, added_keys(), "it", list[i], item);
+        const std::string fault = fault_of(item);
+        if (faults == r.faults.size() && !fault.empty()) add_fault(r, fault);
+        scene.added.push_back(item.added);
+        r.path.pop_back();
+    }
+}
+
 bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
 
 // A city that is a map, as a schema says it of one that must be there.
@@ -399,6 +335,12 @@ constexpr SceneClash k_clashes[] = {
      }},
     {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },
+     [](const char* key) {
+         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
+                            {"properties", {{"asteroid", {{"const", true}}}}}};
+     }},
+    {"added", R"("added" is what is put into a city, and nobody walks in one on the "asteroid")",
+     [](const Scene& s, const Json& json) { return json.contains("added") && s.asteroid; },
      [](const char* key) {
          return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
                             {"properties", {{"asteroid", {{"const", true}}}}}};
@@ -471,6 +413,14 @@ OrderedJson key_schema(const SceneKey<Of>& key) {
             one["items"]["oneOf"] = OrderedJson::parse(
                 R"([{"required": ["character"], "properties": {"builtin": {"const": false}}},
                     {"required": ["builtin"], "properties": {"builtin": {"const": true}, "character": false}}])");
+            break;
+        case KeyKind::added:
+            one = {{"type", "array"}, {"items", object_schema(added_keys())}};
+            one["items"]["oneOf"] = OrderedJson::parse(
+                R"([{"required": ["what", "at", "to"], "properties": {"what": {"enum": ["wall", "barrier"]}, "turn": false}},
+                {"required": ["what", "at"], "properties": {"what": {"const": "entrance"}, "to": false, "turn": false}},
+                {"required": ["what", "at"], "properties": {"what": {"enum": ["planter", "car", "tree", "bench", "lamp"]},
+                                                            "to": false}}])");
             break;
     }
     one["description"] = key.meaning;

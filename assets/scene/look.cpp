@@ -105,6 +105,14 @@ Result<CameraChoice> parse_camera(const std::string& text) {
                  "map:X,Z,ACROSS and EX,EY,EZ/TX,TY,TZ (metres)"};
 }
 
+Result<Vec3> parse_spot(const std::string& text) {
+    Vec3 place;
+    if (parse_point(text, place)) return place;
+    return Error{excerpt(text) + " is not a place X,Y,Z in metres, such as 12.5,0,-3"};
+}
+
+std::string told_spot(Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); }
+
 uint32_t rivals_of(WorkView view) {
     auto bit = [](WorkView v) { return 1u << static_cast<int>(v); };
     using enum WorkView;
@@ -185,7 +193,6 @@ Result<std::string> parse_quality(const std::string& text) {
 }
 
 std::string told_camera(const CameraChoice& camera) {
-    auto point = [](Vec3 v) { return plainly(v.x) + "," + plainly(v.y) + "," + plainly(v.z); };
     auto map = [&] {
         std::string text("map:");
         text.append(plainly(camera.middle.x)).append(",").append(plainly(camera.middle.z));
@@ -208,7 +215,7 @@ std::string told_camera(const CameraChoice& camera) {
             if (camera.across == 0) return "map";
             return map();
         default:
-            return point(camera.eye) + "/" + point(camera.target);
+            return told_spot(camera.eye) + "/" + told_spot(camera.target);
     }
 }
 

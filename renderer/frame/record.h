@@ -40,7 +40,7 @@ void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 void bind(const FrameRecord& record, VkPipeline pipeline);
 void bind_vertices(const FrameRecord& record, VkBuffer vertices);
 
-// With the index buffer that is bound: the scene's, where nobody has bound another.
+// With the index buffer that is bound: the city's, where nobody has bound another.
 void draw_indirect(const FrameRecord& record, DrawRange range);
 
 // Begins to draw all over an image, without depth.

@@ -103,7 +103,9 @@ Result<void> upload_textures(const Device& device, std::span<const RgbaImage* co
     return upload_layers(device, texels, image);
 }
 
-Result<void> upload_lamps(const Device& device, const LampMap& map, GpuScene& scene) {
+}  // namespace
+
+Result<void> make_lamps(const Device& device, const LampMap& map, GpuScene& scene) {
     const size_t count = size_t{map.width} * map.height;
     if (map.texels.size() != count || !(map.texel > 0) ||
         std::max(map.width, map.height) > device.properties.limits.maxImageDimension2D)
@@ -126,7 +128,31 @@ Result<void> upload_lamps(const Device& device, const LampMap& map, GpuScene& sc
     return upload_layers(device, std::as_bytes(std::span(halves)), scene.lamps);
 }
 
-}  // namespace
+Result<void> make_city(const Device& device, const PreparedCity& city, GpuScene& scene) {
+    scene.chunks = city.chunks;
+    scene.walls = city.walls;
+    scene.wall_groups = city.wall_groups;
+    scene.ground_low = city.ground_low;
+    FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(city.vertices)),
+                              VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, scene.city_vertices));
+    return upload_buffer(device, std::as_bytes(std::span(city.indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
+                         scene.city_indices);
+}
+
+void swap_cities(GpuScene& a, GpuScene& b) {
+    std::swap(a.city_vertices, b.city_vertices);
+    std::swap(a.city_indices, b.city_indices);
+    std::swap(a.chunks, b.chunks);
+    std::swap(a.walls, b.walls);
+    std::swap(a.wall_groups, b.wall_groups);
+    std::swap(a.ground_low, b.ground_low);
+}
+
+void swap_lamps(GpuScene& a, GpuScene& b) {
+    std::swap(a.lamps, b.lamps);
+    std::swap(a.lamp_texels, b.lamp_texels);
+    std::swap(a.lamp_map, b.lamp_map);
+}
 
 Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
                         GpuScene& scene) {
@@ -136,7 +162,7 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
         return Error{"The scene has " + std::to_string(meshes.people.size()) + " kinds of people; at most " +
                      std::to_string(k_most_people) + " can be drawn."};
     std::vector<PersonVertex> vertices;
-    std::vector<uint32_t> indices = std::move(city->indices);
+    std::vector<uint32_t> indices;
     uint32_t first_layer = 1;
     for (size_t number = 0; number < meshes.people.size(); ++number) {
         const PersonMesh& mesh = meshes.people[number];
@@ -165,18 +191,13 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
         ranges.soles[1] = find_sole(mesh, k_right_foot);
         scene.people.push_back(std::move(ranges));
     }
-    if (indices.size() > 0xffffffffu || vertices.size() > 0x7fffffffu)
+    if (std::max(indices.size(), city->indices.size()) > 0xffffffffu || vertices.size() > 0x7fffffffu)
         return Error{"The scene has too many triangles for one index buffer."};
-    scene.chunks = std::move(city->chunks);
-    scene.walls = std::move(city->walls);
-    scene.wall_groups = std::move(city->wall_groups);
-    scene.ground_low = city->ground_low;
-    FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(city->vertices)),
-                              VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, scene.city_vertices));
+    FLANEUR_TRY(make_city(device, *city, scene));
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                               scene.person_vertices));
     FLANEUR_TRY(upload_buffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
-                              scene.indices));
+                              scene.person_indices));
     std::vector<const RgbaImage*> people, scenery;
     for (const PersonMesh& mesh : meshes.people)
         for (const RgbaImage& texture : mesh.textures) people.push_back(&texture);
@@ -184,14 +205,14 @@ Result<void> make_scene(const Device& device, const Pipelines& pipelines, const 
     scene.is_textured = !people.empty();
     FLANEUR_TRY(upload_textures(device, people, "The people have", scene.textures));
     FLANEUR_TRY(upload_textures(device, scenery, "The city has", scene.scenery));
-    FLANEUR_TRY(upload_lamps(device, meshes.lamps, scene));
+    FLANEUR_TRY(make_lamps(device, meshes.lamps, scene));
     return bake_impostors(device, pipelines, meshes, scene);
 }
 
 void destroy_scene(const Device& device, GpuScene& scene) {
-    destroy_buffer(device, scene.city_vertices);
-    destroy_buffer(device, scene.person_vertices);
-    destroy_buffer(device, scene.indices);
+    for (Buffer* buffer :
+         {&scene.city_vertices, &scene.city_indices, &scene.person_vertices, &scene.person_indices})
+        destroy_buffer(device, *buffer);
     destroy_image(device, scene.textures);
     destroy_image(device, scene.scenery);
     destroy_image(device, scene.lamps);

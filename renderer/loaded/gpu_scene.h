@@ -1,4 +1,4 @@
-// A scene on the device: one vertex buffer for the city, one for all people, one index buffer for both.
+// A scene on the device: vertices and indices of the city, and of all people.
 #pragma once
 
 #include "renderer/loaded/city_mesh.h"
@@ -8,7 +8,7 @@
 namespace flaneur {
 
 struct GpuScene {
-    Buffer city_vertices, person_vertices, indices;
+    Buffer city_vertices, city_indices, person_vertices, person_indices;
     GpuImage textures, scenery;  // arrays, of people and of the city; layer 0 is white
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
     std::vector<Wall> walls;
@@ -27,6 +27,15 @@ struct GpuScene {
 // to vertices, joints or textures that are not there.
 Result<void> make_scene(const Device& device, const Pipelines& pipelines, const SceneMeshes& meshes,
                         GpuScene& scene);
+
+// Fills the city's part of a scene, of which nothing is there: all but its pictures.
+Result<void> make_city(const Device& device, const PreparedCity& city, GpuScene& scene);
+// The same of its lamps.
+Result<void> make_lamps(const Device& device, const LampMap& map, GpuScene& scene);
+// Exchanges these parts of two scenes.
+void swap_cities(GpuScene& a, GpuScene& b);
+void swap_lamps(GpuScene& a, GpuScene& b);
+
 void destroy_scene(const Device& device, GpuScene& scene);
 
 }  // namespace flaneur

@@ -129,7 +129,7 @@ void record_bake(const Device& device, VkCommandBuffer commands, const Pipelines
                                 0, nullptr);
         vkCmdPushConstants(commands, pipelines.layout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof size, &size);
         vkCmdBindVertexBuffers(commands, 0, 1, &scene.person_vertices.handle, &offset);
-        vkCmdBindIndexBuffer(commands, scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+        vkCmdBindIndexBuffer(commands, scene.person_indices.handle, 0, VK_INDEX_TYPE_UINT32);
         draw_indexed_indirect(device, commands, bake.draws.handle, 0, bake.people);
     }
     vkCmdEndRendering(commands);

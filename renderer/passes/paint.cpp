@@ -11,8 +11,11 @@ void begin_paint(const FrameRecord& record, ViewPipeline pipeline, uint32_t pain
 }
 
 void draw_meshes(const FrameRecord& record) {
-    bind_vertices(record, record.renderer.scene.person_vertices.handle);
+    const GpuScene& scene = record.renderer.scene;
+    bind_vertices(record, scene.person_vertices.handle);
+    vkCmdBindIndexBuffer(record.commands, scene.person_indices.handle, 0, VK_INDEX_TYPE_UINT32);
     draw_indirect(record, record.plan.crowd);
+    vkCmdBindIndexBuffer(record.commands, scene.city_indices.handle, 0, VK_INDEX_TYPE_UINT32);
 }
 
 // Shades have no surface of their own.

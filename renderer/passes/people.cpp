@@ -18,8 +18,8 @@ void draw_skinned(const FrameRecord& record, VkPipeline skinned, const SkinBuffe
                   DrawRange skinned_range, VkPipeline pipeline, DrawRange range) {
     const GpuScene& scene = record.renderer.scene;
     draw_meshes(record, skinned, buffers.vertices.handle, buffers.indices.handle, skinned_range);
-    draw_meshes(record, pipeline, scene.person_vertices.handle, scene.indices.handle, range);
-    vkCmdBindIndexBuffer(record.commands, scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+    draw_meshes(record, pipeline, scene.person_vertices.handle, scene.person_indices.handle, range);
+    vkCmdBindIndexBuffer(record.commands, scene.city_indices.handle, 0, VK_INDEX_TYPE_UINT32);
 }
 
 // `first`: of the slot's impostors.

@@ -80,7 +80,7 @@ void record_picture(const FrameRecord& record) {
     bind(record, renderer.pipelines.surfaces.stars);
     vkCmdBindDescriptorSets(record.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, renderer.pipelines.layout, 0, 1,
                             &record.slot.set, 0, nullptr);
-    vkCmdBindIndexBuffer(record.commands, renderer.scene.indices.handle, 0, VK_INDEX_TYPE_UINT32);
+    vkCmdBindIndexBuffer(record.commands, renderer.scene.city_indices.handle, 0, VK_INDEX_TYPE_UINT32);
 
     begin_stages(record.commands, record.slot.stages, record.plan.times_passes);
     draw_shadows(record);

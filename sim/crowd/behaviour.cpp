@@ -22,6 +22,7 @@ static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is gi
 static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
 static constexpr float k_past = 3;              // and metres that it gets on
 static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
+static constexpr float k_back_ahead = 0.4f;     // seconds
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
 
 static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
@@ -206,6 +207,14 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
     return {0, 0};
 }
 
+// Straight back onto the mesh, whatever the errand: to where it is near as one goes on.
+static Vec2 go_back(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
+    const Vec3 at = c.motion.position[i], ahead = at + at_height(c.motion.velocity[i] * k_back_ahead, 0);
+    if (const auto place = nearest(mesh, thread, ahead)) c.way_back[i] = *place;
+    const Vec2 to = on_ground(c.way_back[i].position - at);
+    return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
+}
+
 void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
     // Paths, for the first walkers due from where the last tick stopped.
     c.scratch.requests.clear();
@@ -214,6 +223,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
+        if (i == c.driven.walker) continue;
         c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }
@@ -225,10 +235,15 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
 
     uint32_t phase = tick % k_decision_ticks;
     size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    auto follow_some = [&](size_t begin, size_t end, int) {
+    auto follow_some = [&](size_t begin, size_t end, int thread) {
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
             if (!is_there(c, i)) continue;
+            if (i == c.driven.walker || c.way_back[i].polygon) {
+                c.decision.looks[i] = 0;
+                c.decision.wanted[i] = c.way_back[i].polygon ? go_back(c, mesh, thread, i) : c.driven.wish;
+                continue;
+            }
             bool waits = tick < c.journeys[i].pause_until;
             c.decision.looks[i] = waits && c.journeys[i].arrived;
             c.decision.wanted[i] = waits ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);

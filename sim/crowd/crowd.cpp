@@ -21,7 +21,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdDecision& d = c.decision;
     resize(d.wanted, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize(c.journeys, s.sorted, s.cell, s.next_position, s.next_velocity, s.next_polygon);
+    resize(c.journeys, c.way_back, s.sorted, s.cell, s.next_position, s.next_velocity, s.next_polygon);
     c.corners.resize(n * k_corners);
     s.neighbours.resize(n * k_neighbours);
     s.neighbour_count.resize(n);
@@ -89,6 +89,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.decision.wanted[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     c.decision.claim[i] = {};
+    c.way_back[i] = {};
     Journey j;
     j.errand = w.errand;
     j.goal = {p, w.place.polygon};
@@ -108,6 +109,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     slots.place[i] = k_nobody;
     ++slots.generation[i];
     slots.left.push_back(i);
+    if (c.driven.walker == i) c.driven = {};
 }
 
 void send_to(Crowd& c, uint32_t i, NavPoint goal) {
@@ -118,6 +120,21 @@ void send_to(Crowd& c, uint32_t i, NavPoint goal) {
     next.errand = j.errand;
     next.path_due = PathDue::to_goal;
     j = next;
+}
+
+void drive(Crowd& c, uint32_t i) {
+    let_go(c);
+    c.driven = {i, {0, 0}};
+    c.journeys[i].insists_since = k_never;
+}
+
+void let_go(Crowd& c) {
+    if (c.driven.walker == k_nobody) return;
+    Journey& j = c.journeys[c.driven.walker];
+    if (j.path_due == PathDue::no) j.path_due = PathDue::to_goal;
+    j.pause_until = 0;
+    j.arrived = false;
+    c.driven = {};
 }
 
 bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }
@@ -156,7 +173,9 @@ uint64_t hash_crowd(const Crowd& c) {
         add(under.height, under.normal, under.kind);
         add(d.wanted[i], d.looks[i], d.chosen[i], d.claim[i]);
         h = hash_journey(h, c.journeys[i], &c.corners[size_t{i} * k_corners]);
+        if (c.way_back[i].polygon) add(c.way_back[i]);
     }
+    if (c.driven.walker != k_nobody) add(c.driven);
     return h;
 }
 

@@ -131,6 +131,13 @@ struct CrowdSlots {
 };
 inline constexpr uint32_t k_nobody = ~0u;
 
+// Who is moved by a hand rather than by an errand; k_nobody: nobody is.
+struct Driven {
+    uint32_t walker = k_nobody;
+    Vec2 wish;  // m/s, at most k_fastest_driven
+};
+inline constexpr float k_fastest_driven = 4;
+
 // Index = slot. Those at `count` and above were never taken; of those below, some may be empty (is_there).
 struct Crowd {
     uint32_t count = 0, capacity = 0;
@@ -141,8 +148,12 @@ struct Crowd {
     std::vector<Journey> journeys;
     std::vector<Vec3> corners;  // k_corners a walker: the path ahead
     CrowdDecision decision;
+    // Of those from under whose feet the mesh has gone, the place on it that they walk back to; polygon 0: of
+    // all others.
+    std::vector<NavPoint> way_back;
+    Driven driven;
     uint32_t next_path = 0;  // the walker from which path requests are served next
-    Demand demand;           // what draws them; constant
+    Demand demand;           // what draws them
     CrowdScratch scratch;
 };
 
@@ -182,6 +193,20 @@ void remove_walker(Crowd& crowd, uint32_t walker);
 // Gives a walker a goal; its path is found in the next ticks.
 void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 
+// The mesh `from` is exchanged for `to`, which differs from it about `changed` alone, between two ticks. Who
+// stands where the new one is not walks back onto it; whose way leads past a change, or to where none leads
+// any more, is due another. `from` is needed no more afterwards.
+void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
+                 uint32_t tick);
+
+// Room for `capacity` walkers from now on, if there is less. Allocates; between two ticks.
+void make_room(Crowd& crowd, uint32_t capacity);
+
+// From now on the walker goes as `driven.wish` says, and others make way as for anybody; and it goes on about
+// its errand.
+void drive(Crowd& crowd, uint32_t walker);
+void let_go(Crowd& crowd);
+
 // Whether a walker stands at its goal, or next to others who stand there.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
@@ -195,6 +220,14 @@ struct Folk {
 
 // One of them by chance: all but its place.
 Walker draw_walker(std::span<const Folk> folk, RandomKey key);
+
+// The streets where a city is densest, about the median of its facades, as far as so many walkers need to
+// have some 60 square metres each.
+struct Neighbourhood {
+    Vec2 centre;
+    float radius = 0;  // metres, of a square
+};
+Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint32_t walkers);
 
 // A crowd of `walkers` spread over the ground's sidewalks, plazas and paths without touching (on large ground
 // over those about the middle of its houses, one walker to some 60 square metres), under way to where people

@@ -21,7 +21,8 @@ static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metr
 static constexpr float k_hardest = 3.2f;      // m/s2, of one who brakes for a border or for others
 static constexpr float k_slow = 0.05f, k_foresees = 0.05f;      // m/s, seconds
 static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;  // metres, of one with a pram
-static constexpr size_t k_together = 64;                        // walkers whose ground is asked for at once
+static constexpr float k_back = 0.02f;    // metres from the mesh at which one is on it again
+static constexpr size_t k_together = 64;  // walkers whose ground is asked for at once
 static constexpr int k_contacts = 48;
 
 namespace {
@@ -164,14 +165,15 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, me, wish);
+    const bool is_beside = c.way_back[i].polygon != 0;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
-    if (pushes)
+    if (pushes && !is_beside)
         for (Vec2 way : {wish, m.velocity[i]}) {
             const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
             add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, near);
         }
     const float going = length(m.velocity[i]);
-    if (!pushes && going > k_slow) {
+    if (!pushes && !is_beside && going > k_slow) {
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
         add_brake_at_border(mesh, thread, from, ahead, 0, by, near);
     }
@@ -199,15 +201,17 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     Vec2 step = v + near.push;
     if (share_within(near, step) < 1)
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
-    NavPoint to = move_along(mesh, thread, from, from.position + at_height(step * k_tick, 0), by);
+    auto go_on = [&](Vec2 way) {
+        const Vec3 wanted = from.position + at_height(way * k_tick, 0);
+        return is_beside ? NavPoint{wanted, from.polygon} : move_along(mesh, thread, from, wanted, by);
+    };
+    NavPoint to = go_on(step);
     Vec2 real = on_ground(to.position - from.position) / k_tick;
     // Along a wall one may have slid into somebody; and places are rounded.
     for (float less : {0.98f, 0.7f, 0.0f}) {
         float share = share_within(near, real);
         if (share >= 1) break;
-        to = less > 0 ? move_along(mesh, thread, from,
-                                   from.position + at_height(real * (less * share * k_tick), 0), by)
-                      : from;
+        to = less > 0 ? go_on(real * (less * share)) : from;
         real = on_ground(to.position - from.position) / k_tick;
     }
     // Stopped or turned aside by the border or by others: velocity is what became of it, but for what only
@@ -219,6 +223,10 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
         real = v + change + pushed * clamp(-dot(change, pushed), 0, push);
         float r = length(real);
         v = r > speed ? real * (speed / r) : real;
+    }
+    if (is_beside) {
+        const NavPoint on_it = move_along(mesh, thread, c.way_back[i], to.position, by);
+        if (length(on_ground(on_it.position - to.position)) < k_back) to = on_it, c.way_back[i] = {};
     }
     to.position.y = from.position.y;
     c.scratch.next_position[i] = to.position;

@@ -44,22 +44,14 @@ static bool is_free(const Placed& placed, const Crowd& c, Vec3 p) {
     return true;
 }
 
-namespace {
-struct Neighbourhood {
-    Vec2 centre;
-    float radius = 0;
-};
-}  // namespace
-
 static float median(std::vector<float>& values) {
     auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
 
-// A crowd too thin for its city keeps to the streets where the city is densest, about the median of its
-// facades, so that one meets people there.
-static Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint32_t walkers) {
+// A crowd too thin for its city keeps there, so that one meets people.
+Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint32_t walkers) {
     constexpr double k_room = 60;  // square metres a walker
     std::vector<float> xs, zs;
     for (const Face& f : ground.faces) {

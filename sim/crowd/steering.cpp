@@ -158,7 +158,9 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
 
     int count = 0;
     BorderLine lines[k_borders];
-    int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
+    // Who walks back onto the mesh crosses its border.
+    const bool is_beside = c.way_back[i].polygon != 0;
+    int borders = is_beside ? 0 : borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
         float t = closest_on(a, on_ground(lines[b].b), p);
@@ -176,7 +178,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
-    if (length_squared(me.ahead) > 0) count = keep_pram_in(mesh, me, planes, count);
+    if (length_squared(me.ahead) > 0 && !is_beside) count = keep_pram_in(mesh, me, planes, count);
     int firm = count;
 
     const uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
@@ -202,6 +204,7 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
     wish += Vec2{-wish.z, wish.x} * right;
 
     float most = std::max(c.identity.preferred_speed[i], 0.3f) * k_haste;
+    if (i == c.driven.walker) most = k_fastest_driven;
     Vec2 v = best_velocity(planes, count, firm, most, wish);
     float speed = length(v);
     if (speed < 1e-4f) return {0, 0};

@@ -5,12 +5,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
+#include "sim/ground/rectangle.h"
 #include "sim/ground/ground.h"
 
 namespace flaneur {
@@ -48,6 +50,28 @@ Result<NavmeshPtr> build_navmesh(const Ground& ground, const NavmeshSettings& se
 std::string navmesh_bytes(const Navmesh& mesh);
 Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& settings,
                                    std::string_view bytes, int threads);
+
+// The mesh of a ground that is as it was, but for what has come, gone or moved within `changed`; `bytes` are
+// those of the mesh it had, made with the same settings. Only tiles that these areas touch are built again,
+// and the mesh is the same, bit by bit, as build_navmesh() makes of the whole ground. Ground whose bounds
+// have changed is built anew.
+Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& settings,
+                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
+                                   int threads);
+
+// From the polygons of one mesh to those of another that are the same: where they are in tiles that no change
+// has touched.
+struct NavmeshPassage {
+    std::vector<uint32_t>
+        bases;  // by tile of the one: what polygons of it are counted from in the other, or 0
+    const Navmesh* from = nullptr;
+};
+NavmeshPassage passage(const Navmesh& from, const Navmesh& to);
+// 0: it is there no more.
+uint32_t passed(const NavmeshPassage& passage, uint32_t polygon);
+
+// Of where people can go: outlines and kinds of all polygons, and what they are joined to.
+uint64_t hash_navmesh(const Navmesh& mesh);
 
 // Sets up one query object for each of `threads` threads. Functions below that take `thread` may run at the
 // same time if their `thread`s differ, and give the same answer on every thread.

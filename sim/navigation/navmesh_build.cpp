@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 #include "sim/base/parallel_for.h"
 #include "sim/ground/grid.h"
@@ -222,6 +223,11 @@ static std::span<const uint32_t> items_of(const Grid& grid, size_t cell) {
     return {grid.items.data() + grid.first[cell], grid.first[cell + 1] - grid.first[cell]};
 }
 
+static TileParts parts_of(const TileGrids& grids, size_t tile) {
+    return {items_of(grids.triangles, tile), items_of(grids.walls, tile), items_of(grids.solids, tile),
+            items_of(grids.obstacles, tile)};
+}
+
 static TileGrids sort_by_tile(const Ground& ground, const NavmeshSettings& settings) {
     TileGrids grids;
     float tile = tile_edge(settings);
@@ -275,10 +281,8 @@ Result<NavmeshPtr> build_navmesh(const Ground& ground, const NavmeshSettings& wa
     WorkersPtr workers = make_workers(threads);
     parallel_for(*workers, tile_count, 1, [&](size_t begin, size_t end, int thread) {
         for (size_t t = begin; t < end && !given_up; ++t) {
-            TileParts parts{items_of(grids.triangles, t), items_of(grids.walls, t), items_of(grids.solids, t),
-                            items_of(grids.obstacles, t)};
-            tiles[t] =
-                build_tile(ground, settings, static_cast<int>(t % width), static_cast<int>(t / width), parts);
+            tiles[t] = build_tile(ground, settings, static_cast<int>(t % width), static_cast<int>(t / width),
+                                  parts_of(grids, t));
             size_t so_far = ++done;
             if (progress && thread == 0 &&
                 !progress(static_cast<float>(so_far) / static_cast<float>(tile_count)))
@@ -306,9 +310,8 @@ std::string navmesh_bytes(const Navmesh& m) {
     return bytes;
 }
 
-Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& wanted,
-                                   std::string_view bytes, int threads) {
-    const NavmeshSettings settings = suited(ground, wanted);
+// Takes bytes apart; none: they are damaged.
+static std::optional<std::vector<TileData>> tiles_of(std::string_view bytes) {
     std::vector<TileData> tiles;
     bool whole = true;
     while (!bytes.empty() && whole) {
@@ -326,11 +329,55 @@ Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& 
         bytes.remove_prefix(size);
         tiles.push_back(tile);
     }
-    if (!whole) {
-        for (TileData& t : tiles) dtFree(t.bytes);
-        return Error{"what was kept of the navigation mesh of '" + ground.name + "' is damaged"};
+    if (whole) return tiles;
+    for (TileData& t : tiles) dtFree(t.bytes);
+    return std::nullopt;
+}
+
+static Error damaged(const Ground& ground) {
+    return Error{"what was kept of the navigation mesh of '" + ground.name + "' is damaged"};
+}
+
+Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& wanted,
+                                   std::string_view bytes, int threads) {
+    auto tiles = tiles_of(bytes);
+    if (!tiles) return damaged(ground);
+    WorkersPtr workers = make_workers(threads);
+    return join_tiles(ground, suited(ground, wanted), *tiles, thread_count(*workers));
+}
+
+Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& wanted,
+                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
+                                   int threads) {
+    if (ground.low != low || ground.high != high) return build_navmesh(ground, wanted, threads);
+    auto kept = tiles_of(bytes);
+    if (!kept) return damaged(ground);
+    const NavmeshSettings settings = suited(ground, wanted);
+    const TileGrids grids = sort_by_tile(ground, settings);
+    const auto width = static_cast<size_t>(grids.triangles.width);
+    std::vector<TileData> tiles(grids.triangles.first.size() - 1);
+    for (const TileData& tile : *kept) {
+        const auto* header = reinterpret_cast<const dtMeshHeader*>(tile.bytes);
+        tiles[static_cast<size_t>(header->y) * width + static_cast<size_t>(header->x)] = tile;
+    }
+    std::vector<size_t> touched;
+    const float edge = tile_edge(settings);
+    for (size_t t = 0; t < tiles.size(); ++t) {
+        const Vec2 corner =
+            ground.low + Vec2{static_cast<float>(t % width), static_cast<float>(t / width)} * edge;
+        const Rectangle tile = widened({corner, corner + Vec2{edge, edge}}, tile_rim(settings));
+        if (std::any_of(changed.begin(), changed.end(), [&](const Rectangle& area) { return touch(area, tile); }))
+            touched.push_back(t);
     }
     WorkersPtr workers = make_workers(threads);
+    parallel_for(*workers, touched.size(), 1, [&](size_t begin, size_t end, int) {
+        for (size_t k = begin; k < end; ++k) {
+            const size_t t = touched[k];
+            dtFree(tiles[t].bytes);
+            tiles[t] = build_tile(ground, settings, static_cast<int>(t % width), static_cast<int>(t / width),
+                                  parts_of(grids, t));
+        }
+    });
     return join_tiles(ground, settings, tiles, thread_count(*workers));
 }
 

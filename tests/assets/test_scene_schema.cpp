@@ -162,13 +162,35 @@ std::vector<Json> things(const Json& keys) {
                                                {"lods", "speed"},
                                                {"walkable", "density"}})
         all.emplace_back(list);
-    for (const char* item :
-         {"1", "{}", R"({"builtin": true})", R"({"builtin": false})", R"({"character": "a.glb"})",
-          R"({"character": ""})", R"({"character": 3})", R"({"character": "a.glb", "builtin": true})",
-          R"({"character": "a.glb", "builtin": false})", R"({"builtin": true, "share": 0.001})",
-          R"({"builtin": true, "share": 0.0009})", R"({"builtin": true, "share": 1000})",
-          R"({"builtin": true, "share": 1001})", R"({"builtin": 1})",
-          R"({"builtin": true, "colour": "red"})"})
+    for (const char* item : {"1",
+                             "{}",
+                             R"({"builtin": true})",
+                             R"({"builtin": false})",
+                             R"({"character": "a.glb"})",
+                             R"({"character": ""})",
+                             R"({"character": 3})",
+                             R"({"character": "a.glb", "builtin": true})",
+                             R"({"character": "a.glb", "builtin": false})",
+                             R"({"builtin": true, "share": 0.001})",
+                             R"({"builtin": true, "share": 0.0009})",
+                             R"({"builtin": true, "share": 1000})",
+                             R"({"builtin": true, "share": 1001})",
+                             R"({"builtin": 1})",
+                             R"({"builtin": true, "colour": "red"})",
+                             R"({"what": "bench", "at": "1,2,3"})",
+                             R"({"what": "bench", "at": "1,2,3", "turn": 360})",
+                             R"({"what": "bench", "at": "1,2,3", "turn": 361})",
+                             R"({"what": "bench", "at": "1,2", "turn": 3})",
+                             R"({"what": "bench", "at": "1,2,3", "to": "1,2,4"})",
+                             R"({"what": "wall", "at": "1,2,3", "to": "1,2,4"})",
+                             R"({"what": "wall", "at": "1,2,3"})",
+                             R"({"what": "barrier", "at": "1,2,3", "to": "1,2,4", "turn": 1})",
+                             R"({"what": "entrance", "at": "1,2,3"})",
+                             R"({"what": "entrance", "at": "1,2,3", "turn": 1})",
+                             R"({"what": "sofa", "at": "1,2,3"})",
+                             R"({"at": "1,2,3"})",
+                             R"({"what": "tree"})",
+                             R"({"what": "lamp", "at": "-.5,2.,1e1", "name": "x"})"})
         all.push_back(Json::array({Json::parse(item)}));
     for (const Json& key : keys) {
         all.push_back(key["examples"][0]);
@@ -276,14 +298,16 @@ TEST_F(SceneSchema, IsWhatTheManualSays) {
         if (!row.starts_with("| `")) continue;
         std::string key = row.substr(3, row.find('`', 3) - 3);
         Json& of_people = keys["people"]["items"]["properties"];
+        Json& of_added = keys["added"]["items"]["properties"];
         if (keys.contains(key)) {
             expect_row(keys[key], key, row);
         } else {
-            ASSERT_TRUE(of_people.contains(key)) << row;
-            expect_row(of_people[key], key, row);
+            Json& of = of_added.contains(key) ? of_added : of_people;
+            ASSERT_TRUE(of.contains(key)) << row;
+            expect_row(of[key], key, row);
         }
     }
-    EXPECT_EQ(told.size(), keys.size() + 3);
+    EXPECT_EQ(told.size(), keys.size() + 3 + 4);
 }
 
 }  // namespace

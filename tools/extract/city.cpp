@@ -309,6 +309,8 @@ PartLook look_of(PropPart part) {
             return {rgb(0x3f8f62), k_material_metal};
         case PropPart::sign:
             return {rgb(0xc59a3d), k_material_metal};
+        case PropPart::white:
+            return {rgb(0xd8d6d0), k_material_metal};
     }
     return {rgb(0xffffff), k_material_metal};
 }
@@ -379,15 +381,21 @@ bool is_shop_front(const City& city, const Face& f) {
     return !hit || (hit->kind != Surface::grass && hit->kind != Surface::path);
 }
 
+CityMesh extract_city(const City& city) {
+    CityMesh mesh;
+    if (!city.scenery.holds_ground) add_ground(mesh, city);
+    const Skin skin = skin_of(city);
+    add_faces(mesh, city, skin);
+    add_roofs(mesh, city, skin);
+    add_shades(city, mesh);
+    add_scenery(city.scenery, mesh);
+    add_props(mesh, city);
+    return mesh;
+}
+
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters) {
     SceneMeshes scene;
-    if (!city.scenery.holds_ground) add_ground(scene.city, city);
-    const Skin skin = skin_of(city);
-    add_faces(scene.city, city, skin);
-    add_roofs(scene.city, city, skin);
-    add_shades(city, scene.city);
-    add_scenery(city.scenery, scene.city);
-    add_props(scene.city, city);
+    scene.city = extract_city(city);
     for (const Character& c : characters) scene.people.push_back(extract_character(c));
     return scene;
 }

@@ -33,6 +33,9 @@ namespace flaneur {
 // characters[i]. Without lamps. Runs on threads of its own, one for each core.
 SceneMeshes extract_scene(const City& city, const std::vector<Character>& characters);
 
+// Its part of the city alone.
+CityMesh extract_city(const City& city);
+
 // Where the light of street lamps and shop windows falls, for SceneMeshes::lamps; houses stop it. Only seen
 // when it is dark. Takes seconds for a large city, on all cores.
 LampMap extract_lamps(const City& city);

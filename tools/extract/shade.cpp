@@ -141,6 +141,7 @@ void add_prop_shade(Shades& out, const Prop& prop) {
             return;
         case PropKind::bench:
         case PropKind::shelter:
+        case PropKind::barrier:
             add_footprint(out, prop, 0.25f, 0.3f);
             return;
         case PropKind::statue:

@@ -24,8 +24,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, k_surface_count> k_surface_names = {
     "road", "sidewalk", "crossing", "plaza", "path", "steps", "grass", "water", "track"};
 constexpr std::array<const char*, size_t{k_prop_count}> k_prop_names = {
-    "trees",     "lamps",   "benches",  "bollards",       "bins",    "cars",
-    "fountains", "statues", "planters", "traffic_lights", "shelters"};
+    "trees",     "lamps",   "benches",  "bollards",       "bins",     "cars",
+    "fountains", "statues", "planters", "traffic_lights", "shelters", "barriers"};
 constexpr std::array<const char*, size_t{k_destination_count}> k_destination_names = {
     "doors", "shops", "benches", "stops", "edges", "squares"};
 

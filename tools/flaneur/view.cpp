@@ -20,6 +20,9 @@
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/asked.h"
+#include "tools/flaneur/window/change/drive.h"
+#include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
@@ -52,7 +55,8 @@ struct GlfwSession {
 void show_title(GLFWwindow* window, const Show& show, double fps) {
     char figures[256];
     std::snprintf(figures, sizeof figures, "flaneur - %.0f fps - %u walkers - %s", fps,
-                  show.loaded.world->crowd.count, device_name(*show.renderer).c_str());
+                  static_cast<uint32_t>(walkers(*show.loaded.world).size()),
+                  device_name(*show.renderer).c_str());
     glfwSetWindowTitle(window, figures);
 }
 
@@ -108,6 +112,15 @@ void watch(const Show& show, Viewer& v) {
     ride(*show.loaded.world, v.cameras, v.choice);
 }
 
+// Carries on what is wanted of the city. What was before a change is of another city, to which nothing goes
+// back.
+Result<void> change_city(Show& show, Viewer& v) {
+    const size_t changes = v.change.log.size();
+    if (Result<void> done = carry_on(show, v); !done) return done;
+    if (v.change.log.size() != changes) begin_past(v.time, *show.loaded.world);
+    return {};
+}
+
 // Into the window: this run, or two side by side.
 Result<void> draw_runs(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
     if (!v.time.beside) return draw_window(*show.renderer, frame);
@@ -142,6 +155,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         go_on_opening(show, v);
         take_people_anew(show, v);
         act_on_presses(show, v);
+        if (Result<void> done = change_city(show, v); !done) return done;
+        steer_driven(window, show, v);
         const bool is_going = go_on(show, v, now);
         if (!is_going)
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
@@ -164,13 +179,15 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         was.x -= shift, here.x -= shift;
         // What is drawn with takes the left button.
         Mouse free = here;
-        if (draw_with_mouse(show, was, here, one, is_panels || shift > 0, v))
-            free.is_held = free.has_clicked = false;
+        const bool is_elsewhere = is_panels || shift > 0;
+        const bool is_taken = draw_with_mouse(show, was, here, one, is_elsewhere, v) ||
+                              take_mouse(show, was, here, one, is_elsewhere, v) || is_driving(show);
+        if (is_taken) free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(passed);
         const Steering hands =
             steering_of(window, was, free, v.settings.inverts_look) + read_pad(window, seconds, v);
         bool is_moving = navigate(world, was, free, gui_wheel(v.settings.inverts_wheel), one, grip, v);
-        is_moving |= steer(show, hands, seconds, v);
+        is_moving |= !is_driving(show) && steer(show, hands, seconds, v);
         is_moving |= move_camera(show, one, seconds, between, v);
         go_on_presenting(show, v, passed);
         for (WorkView view : std::exchange(v.toggles, {}))
@@ -188,15 +205,16 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                 const std::string command = command_now(show, v, size);
                 glfwSetClipboardString(window, command.c_str());
                 say(command);
-                tell(v, "Copied: " + printable(command));
+                tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
             }
-            ask(show, free, one, is_panels || shift > 0, v);
+            ask(show, free, one, is_elsewhere || is_taken || is_putting(v), v);
             find_people(show, v);
             mark_asked(v, show, frame);
             mark_path(v, show, frame);
             mark_found(show, v, frame);
             mark_gait(show, v, frame);
             mark_measures(show, v, frame);
+            mark_changes(v, show, frame);
             if (Result<void> done =
                     suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);
                 !done)
@@ -255,7 +273,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!show) return show.error();
     viewer.is_loading = false;
     if (!settings) tell(viewer, printable(settings.error().message));
-    viewer.walkers = show->loaded.world->crowd.count;
+    start_changes(options, *show, viewer);
     Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
     end_film(viewer);
     viewer.time.anew.reset();                            // they are made of the show

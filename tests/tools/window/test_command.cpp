@@ -64,6 +64,19 @@ TEST(Command, TellsMapsAndLensesToTheLastBit) {
     EXPECT_EQ(*parse_fov(told("--fov")), k_fov) << "but not where a scene has another";
 }
 
+TEST(Command, NamesASceneThatHoldsWhatWasChanged) {
+    Shown s = shown();
+    s.scene = "out/view-361.json";
+    EXPECT_EQ(
+        command_of({"--scene", "corner", "--time=21:00", "--walkers", "9", "--threads", "2"}, s),
+        "flaneur render --threads 2 --scene out/view-361.json --camera 1.5,1.7,-0.1/2,1.25,3 --size 800x600 "
+        "--frames 361 --out picture.png");
+    s.scene.clear();
+    s.is_overcast = true;
+    EXPECT_EQ(command_of({"--weather", "clear", "--walkers", "9"}, s).substr(0, 51),
+              "flaneur render --walkers 9 --weather overcast --cam");
+}
+
 TEST(Command, QuotesForAShell) {
     EXPECT_EQ(command_of({"--city", "my town's map.osm", ""}, shown()).substr(0, 48),
               "flaneur render --city 'my town'\\''s map.osm' '' ");

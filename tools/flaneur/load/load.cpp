@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "assets/additions.h"
 #include "assets/asteroid.h"
 #include "assets/cache/cache_file.h"
 #include "assets/cache/navmesh_cache.h"
@@ -124,6 +125,13 @@ CityOptions city_options(const Scene& scene) {
 }
 
 Result<City> read_city(const Scene& scene) {
+    Result<City> city = read_bare_city(scene);
+    if (!city) return city;
+    if (Result<void> done = add_to_city(*city, scene.added); !done) return done.error();
+    return city;
+}
+
+Result<City> read_bare_city(const Scene& scene) {
     if (Result<void> found = find_files(scene); !found) return found.error();
     show_progress("making the city");
     if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
@@ -175,9 +183,14 @@ Result<void> find_files(const Scene& scene) {
 Result<Loaded> load(const Options& options) {
     const Scene& scene = options.scene;
     Loaded loaded;
-    Result<City> city = read_city(scene);
-    if (!city) return city.error();
-    loaded.city = std::make_shared<City>(std::move(*city));
+    Result<City> bare = read_bare_city(scene);
+    if (!bare) return bare.error();
+    loaded.city = loaded.bare = std::make_shared<const City>(std::move(*bare));
+    if (!scene.added.empty()) {
+        City city = *loaded.bare;
+        if (Result<void> done = add_to_city(city, scene.added); !done) return done.error();
+        loaded.city = std::make_shared<const City>(std::move(city));
+    }
 
     WorldOptions world;
     world.destinations = loaded.city->destinations;

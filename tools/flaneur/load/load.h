@@ -16,6 +16,7 @@ namespace flaneur {
 
 struct Loaded {
     std::shared_ptr<const City> city;  // whose ground the world stands on
+    std::shared_ptr<const City> bare;  // before anything was added to it; the same one where nothing was
     std::unique_ptr<World> world;
     std::vector<Character> characters;  // one for each of the world's bodies
 };
@@ -45,8 +46,9 @@ std::string city_name(const Scene& scene);
 // What a scene says of its city; how far it is comes on the terminal.
 CityOptions city_options(const Scene& scene);
 
-// The city of a scene, as load() makes it, without anybody in it.
+// The city of a scene, as load() makes it, without anybody in it; and before anything is added to it.
 Result<City> read_city(const Scene& scene);
+Result<City> read_bare_city(const Scene& scene);
 
 // Where people can walk in it: as an earlier run kept it, or built.
 Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads);

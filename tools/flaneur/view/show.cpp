@@ -46,6 +46,8 @@ Result<void> check_messages(uint32_t messages) {
                  " times); see above."};
 }
 
+bool is_dark(const Show& show) { return make_daylight(show.sun, show.is_overcast).lamps > 0; }
+
 Result<PreparedShow> prepare_show(const Options& options) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
@@ -57,8 +59,8 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
     prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
-    if (make_daylight(show.sun, show.is_overcast).lamps > 0)
-        prepared.meshes.lamps = extract_lamps(*show.loaded.city);
+    show.has_lamps = is_dark(show);
+    if (show.has_lamps) prepared.meshes.lamps = extract_lamps(*show.loaded.city);
     return prepared;
 }
 

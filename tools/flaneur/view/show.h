@@ -16,7 +16,8 @@ struct Show {
     Loaded loaded;
     Sun sun;
     bool is_overcast = false;
-    float lit_windows = 0;  // share
+    float lit_windows = 0;   // share
+    bool has_lamps = false;  // the light of the city's lamps has been handed to the device
     PeopleFrame people;
     WorkViews work_views;
     Overlay overlay;
@@ -42,6 +43,9 @@ void say_device(const Renderer& renderer);
 
 // All of it.
 Result<Show> make_show(RendererPtr renderer, const Options& options);
+
+// Whether lamps are lit.
+bool is_dark(const Show& show);
 
 // One tick, and what the views for work keep of it.
 void step(Show& show);

@@ -9,6 +9,10 @@
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/cameras.h"
+#include "tools/flaneur/window/change/drive.h"
+#include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/room.h"
+#include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
@@ -23,12 +27,14 @@ void turn(Show&, Viewer& v) {
 }
 
 // What lies on top goes first; the window itself only by a second time.
-void dismiss(Show&, Viewer& v) {
+void dismiss(Show& show, Viewer& v) {
     constexpr double k_again_seconds = 2;
+    if (let_go_of_driven(show, v)) return;
     if (std::exchange(v.lists_keys, false)) return;
     if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
     if (stop_going(v)) return;
     if (abandon_drawing(v)) return;
+    if (v.room == Room::change && std::exchange(v.change.tool, std::nullopt)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();
     if (v.asking.selected) return v.asking.selected.reset();
@@ -48,12 +54,26 @@ void open(Show&, Viewer& v) {
 
 constexpr std::array k_time = {
     Action{"Stop or go", "Space", GLFW_KEY_SPACE, 0,
-           [](Show&, Viewer& v) { v.clock.is_paused = !v.clock.is_paused; }},
+           [](Show& show, Viewer& v) {
+               if (!jump_driven(show)) v.clock.is_paused = !v.clock.is_paused;
+           }},
     Action{"One tick, 1/60 s", ".", GLFW_KEY_PERIOD, 0,
            [](Show&, Viewer& v) { v.clock.is_paused = true, ++v.clock.steps; }, true},
     Action{"Slower", "-", GLFW_KEY_MINUS, 0, [](Show&, Viewer& v) { v.clock.rate = slower(v.clock.rate); }},
     Action{"Faster", "+", GLFW_KEY_EQUAL, 0, [](Show&, Viewer& v) { v.clock.rate = faster(v.clock.rate); }},
     Action{"As fast as it is", "", 0, 0, [](Show&, Viewer& v) { v.clock.rate = 1; }},
+};
+// What is undone, removed and done again is that of the room that is open; else the city.
+void undo(Show& show, Viewer& v) { v.room == Room::measure ? undo_drawing(show, v) : undo_last(show, v); }
+void redo(Show& show, Viewer& v) { v.room == Room::measure ? redo_drawing(show, v) : redo_last(show, v); }
+void remove(Show& show, Viewer& v) {
+    v.room == Room::measure ? remove_selected(show, v) : remove_selected(v);
+}
+constexpr std::array k_editing = {
+    Action{"Undo", "Ctrl+Z", GLFW_KEY_Z, GLFW_MOD_CONTROL, undo},
+    Action{"Redo", "Ctrl+Y", GLFW_KEY_Y, GLFW_MOD_CONTROL, redo},
+    Action{"Do again what was undone", "Ctrl+Shift+Z", GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT, redo},
+    Action{"Remove what is selected", "Delete", GLFW_KEY_DELETE, 0, remove},
 };
 constexpr std::array k_layers = {
     Action{"Layers", "L", GLFW_KEY_L, 0, open<Room::layers>},
@@ -109,6 +129,8 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"People", find_actions()},
         ActionGroup{"Gait", gait_actions()},
         ActionGroup{"Measure", measure_actions()},
+        ActionGroup{"Change", change_actions()},
+        ActionGroup{"Undo and redo", k_editing},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},
         ActionGroup{"Window", k_window},
@@ -128,6 +150,10 @@ void act_on_presses(Show& show, Viewer& v) {
             continue;
         }
         if (press_in_opening(press.key, show, v)) continue;
+        if (v.change.is_naming) {
+            press_in_name(press.key, show, v);
+            continue;
+        }
         if (v.panel_keys.are_on && press_in_panels(press.key, press.mods, v)) continue;
         const Action* found = nullptr;
         for (const ActionGroup& group : action_groups())

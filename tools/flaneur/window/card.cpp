@@ -4,6 +4,7 @@
 
 #include "tools/flaneur/window/ask/facts.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
@@ -42,7 +43,7 @@ void lay_out_way(const WalkerFacts& f) {
         ImGui::Text("%.0f m to go", wide(f.to_go));
 }
 
-void lay_out_walker(const Show& show, uint32_t walker, Viewer& v, float scale) {
+void lay_out_walker(Show& show, uint32_t walker, Viewer& v, float scale) {
     const WalkerFacts facts = facts_of(show, walker);
     lay_out_who(facts);
     lay_out_way(facts);
@@ -55,6 +56,9 @@ void lay_out_walker(const Show& show, uint32_t walker, Viewer& v, float scale) {
     ImGui::SameLine();
     if (ImGui::Button("Eyes")) v.choice.walker = walker, choose(v, CameraChoice::Kind::eyes);
     tip("4");
+    ImGui::SameLine();
+    if (ImGui::Button(is_driving(show) ? "Stop driving" : "Drive")) drive_asked(show, v);
+    tip("X");
     ImGui::SameLine();
     if (ImGui::Button("Gait")) v.room = v.room == Room::gait ? Room::none : Room::gait;
     tip("the angles of its legs, and its steps (J)");
@@ -75,7 +79,7 @@ void lay_out_thing(const Thing& thing, bool is_selected, Viewer& v) {
 
 // A walker who is selected or pointed at goes before other things; what is selected before what is pointed
 // at. Of the ground one asks by a click.
-void lay_out_card(const Show& show, Viewer& v, Size size, float scale) {
+void lay_out_card(Show& show, Viewer& v, Size size, float scale) {
     if (v.selected && !is_there(show.loaded.world->crowd, *v.selected)) v.selected.reset();
     std::optional<uint32_t> who = v.selected;
     if (!who && !v.asking.selected) who = v.hovered;

@@ -6,6 +6,6 @@
 
 namespace flaneur {
 
-void lay_out_card(const Show& show, Viewer& viewer, Size size, float scale);
+void lay_out_card(Show& show, Viewer& viewer, Size size, float scale);
 
 }  // namespace flaneur

@@ -1,6 +1,7 @@
 // The command that draws what the window shows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ struct Shown {
     WorkViews views;
     Size size;
     uint32_t tick = 0;
-    bool is_transparent = false;  // where there is sky
-    bool has_lens = false;        // the words, or the scene that they name, have one
+    bool is_transparent = false;      // where there is sky
+    bool has_lens = false;            // the words, or the scene that they name, have one
+    std::optional<bool> is_overcast;  // if the weather is not that of the words
+    std::string scene;                // a file that says all of it, in place of the words; empty: none
 };
 
 struct Show;
@@ -26,10 +29,13 @@ struct World;
 // Why no command draws what the window shows; "": one does.
 std::string why_no_command(const Viewer& viewer, const World& world);
 // Of what the window shows, as a picture of this size.
-std::string command_now(const Show& show, const Viewer& viewer, Size size);
+// Where the city has been changed, the scene is written beside, and drawn.
+std::string command_now(const Show& show, Viewer& viewer, Size size);
+inline constexpr const char* k_told_otherwise =
+    "Copied; but people stand elsewhere in its picture, for the city was changed while they walked: ";
 
 // `flaneur render` with the words that opened the window (what followed `flaneur view`), but for those that
-// `shown` says otherwise; it writes picture.png. As a shell takes it.
+// `shown` says otherwise, or that a scene's file holds; it writes picture.png. As a shell takes it.
 std::string command_of(const std::vector<std::string>& words, const Shown& shown);
 
 }  // namespace flaneur

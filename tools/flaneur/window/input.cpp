@@ -18,11 +18,12 @@ constexpr double k_drag = 4;                         // pixels that a click may 
 
 Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
 
-// While a city is loaded nothing can be done but to close the window. The palette has keys of its own, though
-// one types in it.
+// While a city is loaded nothing can be done but to close the window. The palette and the name of a file have
+// keys of their own, though one types in them.
 void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Viewer& v = viewer_of(window);
-    const bool has_own_keys = v.palette.is_open || v.opening.prompt.is_open || v.panel_keys.are_on;
+    const bool has_own_keys =
+        v.palette.is_open || v.opening.prompt.is_open || v.panel_keys.are_on || v.change.is_naming;
     if (action == GLFW_RELEASE || (gui_has_keys() && !has_own_keys)) return;
     if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
     if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});

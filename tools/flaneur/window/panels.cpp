@@ -16,6 +16,7 @@
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/card.h"
+#include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/settings/room.h"
@@ -29,6 +30,14 @@ struct RoomPanel {
     const char *name, *tip;
     void (*lay_out)(Show& show, Viewer& viewer, float scale);
 };
+
+std::string clock_text(const Show& show) {
+    const auto second =
+        static_cast<int>(static_cast<double>(hour_now(*show.loaded.world)) * 3600) % (24 * 3600);
+    char text[32];
+    std::snprintf(text, sizeof text, "%02d:%02d:%02d", second / 3600, second / 60 % 60, second % 60);
+    return text;
+}
 
 // What is drawn over the city.
 void lay_out_layers(Show& show, Viewer& v, float scale) {
@@ -47,6 +56,8 @@ constexpr RoomPanel k_rooms[] = {
     {Room::measure, "Measure", "distances, areas, counting lines and zones (M)", lay_out_measures},
     {Room::find, "People", "find people by what they are and do (/)", lay_out_finding},
     {Room::gait, "Gait", "how the selected walker walks (J)", lay_out_gait},
+    {Room::change, "Change", "time of day, weather, people, and what stands in the streets (T)",
+     lay_out_change},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
     {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
 };

@@ -11,6 +11,7 @@
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/cameras.h"
+#include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/clock.h"
 #include "tools/flaneur/window/measure/measure.h"
 #include "tools/flaneur/window/open/open.h"
@@ -23,7 +24,7 @@
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, record, settings };
+enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, change, record, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -61,6 +62,7 @@ struct Viewer {
     double fps = 0;
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
+    Change change;
     Opening opening;
     Record record;
     Presentation presentation;

@@ -39,7 +39,8 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
     v.measure = {};
     v.watch = {};
     begin_cameras(options.scene, v);
-    v.walkers = show.loaded.world->crowd.count;
+    v.change = {};
+    start_changes(options, show, v);
     v.hovered = v.selected = std::nullopt;
     v.clock.due = 0;
 }

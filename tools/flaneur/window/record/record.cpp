@@ -41,7 +41,7 @@ void report(Viewer& v, const std::string& what) {
 }
 
 // A picture, and how far away it is if that is asked for; what was written where.
-Result<std::string> write_picture(const Show& show, const Viewer& v, const Image& image, bool has_command) {
+Result<std::string> write_picture(const Show& show, Viewer& v, const Image& image, bool has_command) {
     const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
     const std::string path = free_path("view", show.loaded.world->tick, ".png");
     const bool is_transparent = v.record.picture.is_transparent && !image.depths.empty();

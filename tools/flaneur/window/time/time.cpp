@@ -91,6 +91,14 @@ Anew::~Anew() {
     if (ready.valid()) ready.wait();
 }
 
+void begin_past(Timeline& time, const World& world) {
+    forget(*time.history);
+    time.going.reset();
+    time.scrubbed_to.reset();
+    time.latest = world.tick;
+    follow(*time.history, world);
+}
+
 void begin_run(Timeline& time, const World& world) {
     if (!time.history) time.history = make_history(static_cast<size_t>(time.most_mib) << 20);
     forget(*time.history);

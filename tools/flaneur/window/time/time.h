@@ -71,6 +71,9 @@ struct Timeline {
 // Makes the timeline know a world whose first tick it is at, or that it is at now: the begin of a run.
 void begin_run(Timeline& time, const World& world);
 
+// Forgets what was before, for the world is no longer of the same city or people.
+void begin_past(Timeline& time, const World& world);
+
 // One tick of the world, and all that looks at every tick.
 void make_tick(Show& show, Viewer& viewer);
 

@@ -1,0 +1,137 @@
+// The keys of what a scene lists: people, and what is added to the city.
+#include <algorithm>
+#include <iterator>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "assets/scene/json_place.h"
+#include "assets/scene/reading.h"
+
+namespace flaneur {
+
+namespace {
+using Json = nlohmann::json;
+}  // namespace
+
+static constexpr size_t k_most_faults = 50;
+
+std::string in_quotes(std::string text) {
+    text.insert(text.begin(), '"');
+    text += '"';
+    return text;
+}
+
+void add_fault(SceneReading& r, const std::string& what, bool of_key) {
+    if (r.faults.size() == k_most_faults) return;
+    JsonPlace place = place_in_json(r.text, r.path, of_key);
+    std::string whose;
+    if (r.path.size() > 1)
+        whose = "in " + in_quotes(r.path[0]) + ", number " + std::to_string(std::stoul(r.path[1]) + 1) + ": ";
+    r.faults.push_back({place.line, place.column, whose + what});
+}
+
+static const std::string& coordinate() {
+    static const std::string text = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
+    return text;
+}
+std::string point_pattern() { return coordinate() + "," + coordinate() + "," + coordinate(); }
+
+const std::vector<SceneKey<PeopleItem>>& people_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    using Item = PeopleItem;
+    static const std::vector<SceneKey<PeopleItem>> keys = {
+        {"character",
+         {text},
+         nullptr,
+         R"("robot.glb")",
+         "A glTF or VRM file, .glb, .gltf or .vrm, of a skinned humanoid. A relative path starts at the "
+         "scene's folder.",
+         [](Reading&, Item& to, const Json& v) { to.people.character = v; }},
+        {"builtin",
+         {flag},
+         "false",
+         "true",
+         "The built-in people, in place of a file.",
+         [](Reading&, Item& to, const Json& v) { to.is_builtin = v; }},
+        {"share",
+         {number, k_least_share, k_most_share},
+         "1",
+         "9",
+         "Their part of all walkers, against the parts of the others.",
+         [](Reading&, Item& to, const Json& v) { to.people.share = v; }},
+    };
+    return keys;
+}
+
+static void take_kind(SceneReading& r, AddedItem& to, const std::string& name) {
+    const auto* at = std::find(std::begin(k_added_names), std::end(k_added_names), name);
+    if (at == std::end(k_added_names))
+        return add_fault(r, "\"what\" is " + excerpt(name) + "; it may be " + joined(k_added_names));
+    to.added.kind = static_cast<AddedKind>(at - std::begin(k_added_names));
+    to.has_kind = true;
+}
+
+const std::vector<SceneKey<AddedItem>>& added_keys() {
+    using enum KeyKind;
+    using Reading = SceneReading;
+    using Item = AddedItem;
+    static const std::vector<SceneKey<AddedItem>> keys = {
+        {"what",
+         {text, 0, 0, {}, {std::begin(k_added_names), std::end(k_added_names)}},
+         nullptr,
+         R"("bench")",
+         "What it is. A wall is of stone and 2 m high, and stops people as a barrier does, a row of planks "
+         "that "
+         "closes a street; an entrance leads into the nearest house, within 3 m, and draws people.",
+         [](Reading& r, Item& to, const Json& v) { take_kind(r, to, v); }},
+        {"at",
+         {text, 0, 0, point_pattern()},
+         nullptr,
+         R"("12.5,0.1,-3")",
+         "Where it is, X,Y,Z in metres, on the ground or up to 3 m above or below it; of a wall or a "
+         "barrier, one "
+         "end.",
+         [](Reading& r, Item& to, const Json& v) {
+             take_parsed(r, parse_spot(v), to.added.at);
+             to.has_at = true;
+         }},
+        {"to",
+         {text, 0, 0, point_pattern()},
+         nullptr,
+         R"("20,0.1,-3")",
+         "The other end of a wall or a barrier, 0.5 to 200 m away.",
+         [](Reading& r, Item& to, const Json& v) {
+             take_parsed(r, parse_spot(v), to.added.to);
+             to.has_to = true;
+         }},
+        {"turn",
+         {number, -360, 360},
+         "0",
+         "90",
+         "Degrees that it is turned, counter-clockwise seen from above; at 0 it faces +z. Not of walls, "
+         "barriers "
+         "and entrances.",
+         [](Reading&, Item& to, const Json& v) {
+             to.added.turn = v;
+             to.has_turn = true;
+         }},
+    };
+    return keys;
+}
+
+std::string fault_of(const AddedItem& item) {
+    const Addition& a = item.added;
+    if (!item.has_kind || !item.has_at)
+        return R"(it must have "what" and "at", such as {"what": "bench", "at": "12.5,0,-3"})";
+    if (is_drawn_out(a.kind) != item.has_to)
+        return item.has_to ? R"("to" is of walls and barriers alone)"
+                           : R"(a wall or a barrier must have "to", its other end)";
+    if (item.has_turn && !is_turned(a.kind)) return R"("turn" is not of walls, barriers and entrances)";
+    const float whole = length(on_ground(a.to - a.at));
+    if (item.has_to && !(whole >= k_shortest_added && whole <= k_longest_added))
+        return R"("to" must be 0.5 to 200 m away from "at" on the ground plane)";
+    return "";
+}
+
+}  // namespace flaneur

@@ -1,0 +1,77 @@
+// What the tables of a scene's keys are made of. Private to assets/scene.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assets/scene.h"
+
+namespace flaneur {
+
+// A reading under way: where it is, and what was wrong so far.
+struct SceneReading {
+    std::string_view text;
+    std::vector<std::string> path;
+    std::vector<SceneFault> faults;
+};
+
+std::string in_quotes(std::string text);
+
+// Something is wrong where it is.
+void add_fault(SceneReading& r, const std::string& what, bool of_key = false);
+
+enum class KeyKind { flag, whole, number, text, texts, people, added };
+
+// What may stand at a key.
+struct KeyRule {
+    KeyKind kind;
+    double low = 0, high = 0;             // of numbers; 2^64 stands for the greatest number of 64 bits
+    std::string pattern = std::string();  // of a text: a regular expression; what it lets through is parsed
+    // Texts that may stand there; none: any but the empty one.
+    std::vector<std::string> words = std::vector<std::string>();
+};
+
+template <class Of>
+struct SceneKey {
+    const char* name;
+    KeyRule rule;
+    const char* usual;    // JSON: what holds without the key; null where nothing does
+    const char* example;  // JSON
+    const char* meaning;
+    void (*take)(SceneReading& r, Of& to,
+                 const nlohmann::json& value);  // a value that the rule has nothing against
+};
+
+template <class T, class To>
+void take_parsed(SceneReading& r, const Result<T>& parsed, To& to) {
+    if (parsed) {
+        to = *parsed;
+    } else {
+        add_fault(r, in_quotes(r.path.back()) + ": " + parsed.error().message);
+    }
+}
+
+// One of "people": a file, or the built-in people.
+struct PeopleItem {
+    PeopleShare people;
+    bool is_builtin = false;
+};
+
+// One of "added".
+struct AddedItem {
+    Addition added;
+    bool has_kind = false, has_at = false, has_to = false, has_turn = false;
+};
+
+// Of one of "people", and of one of "added".
+const std::vector<SceneKey<PeopleItem>>& people_keys();
+const std::vector<SceneKey<AddedItem>>& added_keys();
+// What is wrong with one as a whole; empty: nothing.
+std::string fault_of(const AddedItem& item);
+
+// Of a place X,Y,Z.
+std::string point_pattern();
+
+}  // namespace flaneur

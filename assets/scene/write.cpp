@@ -1,0 +1,82 @@
+// A scene as the text of a file.
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "assets/files/words.h"
+#include "assets/scene.h"
+
+namespace flaneur {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number with as many digits as tell it from other floats, and no more.
+Json short_number(float value) { return Json::parse(plainly(value)); }
+
+Json people_of(const std::vector<PeopleShare>& people) {
+    Json list = Json::array();
+    for (const PeopleShare& some : people) {
+        Json one;
+        if (some.character.empty())
+            one["builtin"] = true;
+        else
+            one["character"] = some.character;
+        one["share"] = short_number(some.share);
+        list.push_back(one);
+    }
+    return list;
+}
+
+Json added_of(const std::vector<Addition>& added) {
+    Json list = Json::array();
+    for (const Addition& a : added) {
+        Json one = {{"what", k_added_names[static_cast<size_t>(a.kind)]}, {"at", told_spot(a.at)}};
+        if (is_drawn_out(a.kind)) one["to"] = told_spot(a.to);
+        if (is_turned(a.kind) && a.turn != 0) one["turn"] = short_number(a.turn);
+        list.push_back(one);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string told_time(float hour) {
+    const int minutes = static_cast<int>(std::floor(hour * 60 + 0.5f)) % (24 * 60);
+    char text[16];
+    std::snprintf(text, sizeof text, "%02d:%02d", minutes / 60, minutes % 60);
+    return text;
+}
+
+std::string scene_text(const Scene& s) {
+    const Scene usual;
+    Json json = Json::object();
+    auto tell = [&](const char* key, const Json& value, bool is_told) {
+        if (is_told) json[key] = value;
+    };
+    tell("about", s.about, !s.about.empty());
+    tell("city", s.city, !s.city.empty());
+    if (s.center) json["center"] = plainly(s.center->latitude) + "," + plainly(s.center->longitude);
+    tell("radius", short_number(s.radius), s.radius > 0);
+    tell("asteroid", true, s.asteroid);
+    tell("terrain", s.terrain, !s.terrain.empty());
+    tell("scale", short_number(s.scale), s.scale != usual.scale);
+    tell("blocks", s.blocks, s.city.empty() && !s.asteroid);
+    tell("seed", s.seed, s.seed != usual.seed);
+    json["walkers"] = s.walkers;
+    tell("people", people_of(s.people), !s.people.empty());
+    tell("added", added_of(s.added), !s.added.empty());
+    tell("idles", s.idles, !s.idles.empty());
+    json["time"] = told_time(s.hour);
+    if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);
+    if (s.sun_heading) json["sun_heading"] = short_number(*s.sun_heading);
+    tell("weather", "overcast", s.is_overcast);
+    json["camera"] = told_camera(s.camera);
+    tell("size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height), s.size != usual.size);
+    tell("quality", s.quality, !s.quality.empty());
+    tell("view", names_of(s.views), s.views != usual.views);
+    return json.dump(4, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace flaneur

@@ -1,0 +1,49 @@
+// What may be changed of a world between two ticks.
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "sim/pose/cane.h"
+#include "sim/pose/pram.h"
+#include "sim/world.h"
+
+namespace flaneur {
+
+void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
+                   std::span<const Destination> destinations, std::span<const Rectangle> changed) {
+    assert(!w.roam);
+    const bool answers_itself = w.around.asked == w.ground.get();
+    prepare_queries(*mesh, thread_count(*w.workers));
+    change_mesh(w.crowd, *w.navmesh, *mesh, changed, w.tick);
+    w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour);
+    w.navmesh = std::move(mesh);
+    w.ground = std::move(ground);
+    if (answers_itself) w.around = surroundings_of(*w.ground);
+}
+
+void make_room(World& w, uint32_t capacity) {
+    if (capacity <= w.crowd.capacity) return;
+    make_room(w.crowd, capacity);
+    const size_t before = w.gait.blocks.size();
+    reserve_gait(w.gait, capacity, w.kinds[0].body, w.seed);
+    w.idles.wanted.resize(capacity, k_no_clip);
+    w.idles.playing.resize(capacity, 0);
+    w.idles.stood.resize(capacity, 0);
+    w.idles.plays.reserve(capacity);
+    w.poses.resize(w.gait.blocks.size());
+    pose_blocks(w.gait, before, w.gait.blocks.size(), w.poses);
+    w.previous_poses.resize(w.poses.size());
+    w.trails.resize(w.poses.size());
+    w.previous_trails.resize(w.poses.size());
+    for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
+}
+
+static float passed_hours(const World& w) { return static_cast<float>(w.tick) * (k_tick / 3600); }
+
+static float within_a_day(float hour) { return hour - 24 * std::floor(hour / 24); }
+
+float hour_now(const World& w) { return within_a_day(w.crowd.demand.hour + passed_hours(w)); }
+
+void set_hour(World& w, float hour) { w.crowd.demand.hour = within_a_day(hour - passed_hours(w)); }
+
+}  // namespace flaneur

@@ -1,0 +1,136 @@
+#include "tools/flaneur/window/change/change.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "assets/files/file.h"
+#include "tools/flaneur/options/options.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/view/sun.h"
+#include "tools/flaneur/window/change/people.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr uint32_t k_portion = 100;  // people who come or go at one time
+
+void note_change(Show& show, Change& c) { c.log.push_back({show.loaded.world->tick, c.carried}); }
+
+void set_daylight(Show& show, const Design& design) {
+    Scene scene;
+    scene.hour = design.hour;
+    show.sun = scene_sun(scene, show.loaded.city->latitude);
+    show.lit_windows = lit_windows(design.hour);
+}
+
+void carry_time_and_weather(Show& show, Change& c) {
+    const Design& wanted = current(c.designs);
+    if (c.carried.is_overcast != wanted.is_overcast) {
+        show.is_overcast = c.carried.is_overcast = wanted.is_overcast;
+        note_change(show, c);
+    }
+    if (c.carried.hour == wanted.hour) return;
+    c.carried.hour = wanted.hour;
+    c.scene.sun_height = c.scene.sun_heading = std::nullopt;
+    set_hour(*show.loaded.world, wanted.hour);
+    set_daylight(show, wanted);
+    c.late = std::max(c.late, show.loaded.world->tick);
+    note_change(show, c);
+}
+
+void carry_people(Show& show, Viewer& v) {
+    Change& c = v.change;
+    World& world = *show.loaded.world;
+    const Design& wanted = current(c.designs);
+    if (c.carried.people == wanted.people || world.roam) return;
+    if (!c.home || c.home_people != wanted.people) {
+        c.home = find_neighbourhood(*world.ground, *world.navmesh, wanted.people);
+        c.home_people = wanted.people;
+    }
+    std::optional<uint32_t> kept = v.selected;
+    if (v.choice.kind == CameraChoice::Kind::follow) kept = v.choice.walker;
+    if (world.crowd.driven.walker != k_nobody) kept = world.crowd.driven.walker;
+    const Result<bool> done = approach(world, wanted.people, k_portion, *c.home, v.camera, kept);
+    c.carried.people = static_cast<uint32_t>(walkers(world).size());
+    c.late = std::max(c.late, std::max(world.tick, 1u));
+    if (!done) {
+        tell(v, done.error().message);
+        Design fewer = wanted;
+        fewer.people = c.carried.people;
+        change(c.designs, fewer, c.designs.gesture);
+    }
+    if (!done || *done) note_change(show, c);
+    // Whoever was followed may be gone.
+    const bool follows = v.choice.kind == CameraChoice::Kind::follow;
+    if (follows && !is_there(world.crowd, v.choice.walker)) take_off(v);
+}
+
+Order order_of(const Show& show, const Change& c, std::vector<Addition> added) {
+    const World& world = *show.loaded.world;
+    Order order{show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, is_dark(show), 0};
+    order.mesh = navmesh_bytes(*world.navmesh);
+    return order;
+}
+
+// Takes in what has been made, and has the next thing made.
+Result<void> carry_additions(Show& show, Viewer& v) {
+    Change& c = v.change;
+    if (show.loaded.world->roam) return {};
+    if (std::optional<Result<Made>> made = finish(c.making)) {
+        if (!*made) {
+            tell(v, made->error().message);
+            give_up(c.designs);
+            c.selected.reset();
+            return {};
+        }
+        const bool is_city = (**made).city != nullptr;
+        c.carried.added = (**made).added;
+        if (Result<void> done = move_in(show, std::move(**made)); !done) return done;
+        if (is_city) {
+            c.home.reset();
+            c.late = std::max(c.late, show.loaded.world->tick);
+            note_change(show, c);
+        }
+    }
+    if (is_making(c.making)) return {};
+    const std::vector<Addition>& wanted = current(c.designs).added;
+    if (wanted != c.carried.added || (is_dark(show) && !show.has_lamps))
+        begin(c.making, order_of(show, c, wanted));
+    return {};
+}
+
+}  // namespace
+
+void start_changes(const Options& options, const Show& show, Viewer& v) {
+    Change& c = v.change;
+    const Scene& scene = c.scene = options.scene;
+    if (!options.inputs.empty() && has_ending(options.inputs[0], ".json"))
+        std::snprintf(c.path, sizeof c.path, "%s", options.inputs[0].c_str());
+    v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
+    c.carried = {scene.added, scene.hour, scene.is_overcast,
+                 static_cast<uint32_t>(walkers(*show.loaded.world).size())};
+    c.designs = {{c.carried}, 0, 0};
+}
+
+bool is_as_opened(const Change& c) {
+    const Design& now = c.carried;
+    return c.late == 0 && now.added == c.scene.added && now.hour == c.scene.hour &&
+           now.people == static_cast<uint32_t>(c.scene.walkers);
+}
+
+bool is_busy(const Change& c) { return is_making(c.making) || current(c.designs) != c.carried; }
+
+void want(Viewer& v, Design next, uint64_t gesture) { change(v.change.designs, std::move(next), gesture); }
+
+Result<void> carry_on(Show& show, Viewer& v) {
+    carry_time_and_weather(show, v.change);
+    carry_people(show, v);
+    v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
+    return carry_additions(show, v);
+}
+
+}  // namespace flaneur

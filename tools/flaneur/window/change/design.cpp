@@ -1,0 +1,57 @@
+#include "tools/flaneur/window/change/design.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flaneur {
+
+void change(Designs& d, Design next, uint64_t gesture) {
+    if (next == current(d)) return;
+    d.all.resize(d.at + 1);
+    if (gesture != 0 && gesture == d.gesture && d.at > 0) {
+        d.all[d.at] = std::move(next);
+        return;
+    }
+    d.gesture = gesture;
+    d.all.push_back(std::move(next));
+    ++d.at;
+}
+
+bool undo(Designs& d) {
+    d.gesture = 0;
+    if (d.at == 0) return false;
+    --d.at;
+    return true;
+}
+
+bool redo(Designs& d) {
+    d.gesture = 0;
+    if (d.at + 1 >= d.all.size()) return false;
+    ++d.at;
+    return true;
+}
+
+void give_up(Designs& d) {
+    d.gesture = 0;
+    if (d.at == 0) return;
+    d.all.resize(d.at);
+    --d.at;
+}
+
+std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b) {
+    std::vector<Rectangle> areas;
+    auto add_those_only_of = [&](const std::vector<Addition>& some, std::vector<Addition> others) {
+        for (const Addition& one : some) {
+            const auto same = std::find(others.begin(), others.end(), one);
+            if (same == others.end())
+                areas.push_back(area_of(one));
+            else
+                others.erase(same);
+        }
+    };
+    add_those_only_of(a, b);
+    add_those_only_of(b, a);
+    return areas;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,90 @@
+#include "tools/flaneur/window/change/drive.h"
+
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/gui.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_run = 3, k_run_with_pram = 1.6f;  // m/s
+constexpr float k_dead = 0.2f;                      // of a stick
+
+struct Asked {
+    Vec2 way;  // x to the right, z ahead; of length 1 at most
+    bool runs = false;
+};
+
+Asked asked_of(GLFWwindow* window) {
+    Asked asked;
+    if (gui_has_keys()) return asked;
+    auto held = [&](int a, int b) {
+        return glfwGetKey(window, a) == GLFW_PRESS || glfwGetKey(window, b) == GLFW_PRESS ? 1.0f : 0.0f;
+    };
+    asked.way = {held(GLFW_KEY_D, GLFW_KEY_RIGHT) - held(GLFW_KEY_A, GLFW_KEY_LEFT),
+                 held(GLFW_KEY_W, GLFW_KEY_UP) - held(GLFW_KEY_S, GLFW_KEY_DOWN)};
+    asked.runs = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0;
+    GLFWgamepadstate pad;
+    if (glfwGetGamepadState(GLFW_JOYSTICK_1, &pad) == GLFW_TRUE) {
+        const Vec2 stick{pad.axes[GLFW_GAMEPAD_AXIS_LEFT_X], -pad.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
+        if (length(stick) > k_dead) asked.way = stick;
+        asked.runs |= pad.buttons[GLFW_GAMEPAD_BUTTON_A] == GLFW_PRESS;
+    }
+    const float much = length(asked.way);
+    if (much > 1) asked.way = asked.way / much;
+    return asked;
+}
+
+}  // namespace
+
+bool is_driving(const Show& show) { return show.loaded.world->crowd.driven.walker != k_nobody; }
+
+bool let_go_of_driven(Show& show, Viewer& v) {
+    if (!is_driving(show)) return false;
+    let_go(show.loaded.world->crowd);
+    tell(v, "Goes about its own errand again.");
+    return true;
+}
+
+void drive_asked(Show& show, Viewer& v) {
+    if (let_go_of_driven(show, v)) return;
+    World& world = *show.loaded.world;
+    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    if (!who || !is_there(world.crowd, *who))
+        return tell(v, "Click somebody, or point at them, to drive them.");
+    if (world.roam) return tell(v, "Nobody is driven on the asteroid.");
+    drive(world.crowd, *who);
+    v.choice.walker = *who;
+    v.selected = who;
+    choose(v, CameraChoice::Kind::follow);
+    v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+    tell(v, "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
+}
+
+bool jump_driven(Show& show) {
+    if (!is_driving(show)) return false;
+    World& world = *show.loaded.world;
+    const uint32_t walker = world.crowd.driven.walker;
+    return let_jump(world, {walker, world.crowd.slots.generation[walker]});
+}
+
+void steer_driven(GLFWwindow* window, Show& show, const Viewer& v) {
+    if (!is_driving(show)) return;
+    Crowd& crowd = show.loaded.world->crowd;
+    const uint32_t walker = crowd.driven.walker;
+    const Asked asked = asked_of(window);
+    const glm::vec3 way = v.camera.target - v.camera.eye;
+    const Vec2 ahead = normalize_or(Vec2{way.x, way.z}, {0, 1}), right{-ahead.z, ahead.x};
+    const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
+    const float speed = asked.runs ? run : crowd.identity.preferred_speed[walker];
+    crowd.driven.wish = (ahead * asked.way.z + right * asked.way.x) * speed;
+}
+
+}  // namespace flaneur

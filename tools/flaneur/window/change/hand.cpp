@@ -1,0 +1,260 @@
+#include "tools/flaneur/window/change/hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/base/segment.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/pick.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr float k_reach = 3000, k_beside = 0.35f;  // metres: how far is looked; next to something
+constexpr float k_above = 0.05f;                   // metres, of lines over the ground
+constexpr uint32_t k_new = ink(0x9dd977), k_chosen = ink(0x58c4d2), k_there = ink(0xffffff, 0.5f);
+
+// The ground under a way from the eye, or at the foot of the wall that it meets.
+std::optional<Vec3> ground_along(const World& world, const Camera& camera, glm::vec3 way) {
+    const Vec3 eye{camera.eye.x, camera.eye.y, camera.eye.z}, ahead{way.x, way.y, way.z};
+    const auto hit = raycast(*world.ground, eye, ahead, k_reach);
+    if (!hit) return std::nullopt;
+    Vec3 place = eye + ahead * hit->distance;
+    if (hit->what == RayHit::What::ground) return place;
+    const float side = dot(hit->normal, ahead) > 0 ? -1.0f : 1.0f;
+    place += hit->normal * (side * 0.5f);
+    const auto foot = ground_at(*world.ground, place, 0.5f, 60);
+    if (!foot) return std::nullopt;
+    return Vec3{place.x, foot->height, place.z};
+}
+
+// To a centimetre, so that files are read easily.
+Vec3 rounded(Vec3 p) {
+    auto to = [](float v) { return std::round(v * 100) / 100; };
+    return {to(p.x), to(p.y), to(p.z)};
+}
+
+Addition new_one(const Ground& ground, AddedKind kind, Vec3 place) {
+    Addition a{kind, rounded(place), {}, 0};
+    if (is_turned(kind)) a.turn = usual_turn(ground, place);
+    return a;
+}
+
+Addition moved(Addition a, Vec3 by) {
+    a.at = rounded(a.at + by);
+    if (is_drawn_out(a.kind)) a.to = rounded(a.to + by);
+    return a;
+}
+
+void put_down(const World& world, const Addition& a, Viewer& v) {
+    Design next = current(v.change.designs);
+    if (next.added.size() >= k_most_added)
+        return tell(v, "There is no more room for what is added: 1000 things.");
+    if (a.kind == AddedKind::entrance && !entrance_at(*world.ground, a.at))
+        return tell(v, "An entrance leads into a house: click within 3 m of its wall.");
+    if (is_drawn_out(a.kind) && length(on_ground(a.to - a.at)) > k_longest_added)
+        return tell(v, "That is too long: 200 m at most.");
+    next.added.push_back(a);
+    v.change.selected = next.added.size() - 1;
+    want(v, std::move(next));
+}
+
+void end_line(const World& world, Viewer& v) {
+    const Addition a = *v.change.ghost;
+    const bool is_long = length(on_ground(a.to - a.at)) >= k_shortest_added;
+    if (is_long) return put_down(world, a, v);
+    if (a.kind == AddedKind::wall) return tell(v, "Drag from one end of the wall to the other.");
+    if (const auto row = closure_at(*world.ground, a.at)) return put_down(world, *row, v);
+    tell(v, "No walls are near on both sides: drag from one end of the barrier to the other.");
+}
+
+void end_move(Viewer& v) {
+    Change& c = v.change;
+    Design next = current(c.designs);
+    if (*c.grip.moved >= next.added.size()) return;
+    next.added[*c.grip.moved] = *c.ghost;
+    want(v, std::move(next));
+}
+
+void let_go_of(const World& world, Viewer& v) {
+    Change& c = v.change;
+    if (c.ghost && c.grip.moved && *c.ghost != c.grip.was) end_move(v);
+    if (c.ghost && !c.grip.moved) end_line(world, v);
+    c.grip = {};
+    c.ghost.reset();
+}
+
+void hold(Vec3 place, Viewer& v) {
+    Change& c = v.change;
+    if (c.grip.moved) {
+        c.ghost = moved(c.grip.was, place - c.grip.from);
+        if (!is_drawn_out(c.ghost->kind)) c.ghost->at.y = rounded(place).y;
+    } else if (c.ghost) {
+        c.ghost->to = rounded(place);
+    }
+}
+
+// Whether there is something at `place` to take hold of.
+bool take_hold(Vec3 place, Viewer& v) {
+    Change& c = v.change;
+    const std::vector<Addition>& added = current(c.designs).added;
+    if (const auto there = addition_at(added, place)) {
+        c.selected = there;
+        c.grip = {true, there, added[*there], place};
+        c.ghost = added[*there];
+        return true;
+    }
+    if (!c.tool || !is_drawn_out(*c.tool)) return false;
+    c.grip = {true, {}, {}, place};
+    c.ghost = Addition{*c.tool, rounded(place), rounded(place), 0};
+    return true;
+}
+
+Pen pen_of(uint32_t colour, GizmoPlace place) {
+    Pen pen{.place = place};
+    pen.pixels = 2.5f;
+    pen.colour = colour;
+    return pen;
+}
+
+void add_outline(const World& world, const Addition& a, const Pen& pen, std::vector<GizmoLine>& lines) {
+    auto over = [](Vec3 p) { return glm::vec3(p.x, p.y + k_above, p.z); };
+    if (is_drawn_out(a.kind)) {
+        constexpr float k_half = 0.25f;
+        const Vec2 along = normalize_or(on_ground(a.to - a.at), {1, 0});
+        const Vec3 side = at_height(Vec2{-along.z, along.x} * k_half, 0);
+        const Vec3 corners[] = {a.at + side, a.to + side, a.to - side, a.at - side};
+        for (size_t i = 0; i < 4; ++i) add_line(lines, pen, over(corners[i]), over(corners[(i + 1) % 4]));
+        return;
+    }
+    if (a.kind == AddedKind::entrance) {
+        const auto wall = entrance_at(*world.ground, a.at);
+        const Vec3 foot = wall ? Vec3{wall->point.x, a.at.y, wall->point.z} : a.at;
+        add_circle(lines, pen, over(foot), {0, 1, 0}, 0.5f);
+        if (wall) add_line(lines, pen, over(foot), over(foot) + glm::vec3(0, 2.1f, 0));
+        return;
+    }
+    const Rectangle area = widened(area_of(a), -0.5f);
+    const float radius = (area.high.x - area.low.x) * 0.5f;
+    add_circle(lines, pen, over(a.at), {0, 1, 0}, radius);
+    const Vec2 ahead = heading_direction(a.turn * k_radians) * (radius + 0.3f);
+    add_line(lines, pen, over(a.at), over(a.at + at_height(ahead, 0)));
+}
+
+}  // namespace
+
+std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
+    constexpr int k_ways = 36;
+    constexpr float k_widest = 60, k_eye = 1, k_clear = 0.1f;  // metres
+    std::optional<Addition> best;
+    float least = k_widest;
+    for (int i = 0; i < k_ways; ++i) {
+        const Vec2 way = heading_direction(static_cast<float>(i) * (k_pi / k_ways));
+        const Vec3 from = place + Vec3{0, k_eye, 0};
+        const auto one = raycast(ground, from, at_height(way, 0), k_widest);
+        const auto other = raycast(ground, from, at_height(way * -1, 0), k_widest);
+        if (!one || !other || one->distance + other->distance >= least) continue;
+        least = one->distance + other->distance;
+        const Vec3 a = place + at_height(way * (one->distance - k_clear), 0);
+        const Vec3 b = place - at_height(way * (other->distance - k_clear), 0);
+        best = Addition{AddedKind::barrier, rounded(a), rounded(b), 0};
+    }
+    return best;
+}
+
+std::optional<size_t> addition_at(std::span<const Addition> added, Vec3 place) {
+    std::optional<size_t> found;
+    float least = 1e9f;
+    for (size_t i = 0; i < added.size(); ++i) {
+        const Addition& a = added[i];
+        const Vec2 p = on_ground(place), from = on_ground(a.at);
+        const Vec2 to = is_drawn_out(a.kind) ? on_ground(a.to) : from;
+        const float share = from == to ? 0 : closest_on(from, to, p);
+        const float distance = length(lerp(from, to, share) - p);
+        const Rectangle area = widened(area_of(a), -0.5f);
+        const float half = is_drawn_out(a.kind)            ? 0.25f
+                           : a.kind == AddedKind::entrance ? 0.8f
+                                                           : (area.high.x - area.low.x) * 0.5f;
+        if (distance > half + k_beside || distance >= least || std::fabs(a.at.y - place.y) > 4) continue;
+        least = distance;
+        found = i;
+    }
+    return found;
+}
+
+void turn_selected(Viewer& v, float degrees) {
+    Design next = current(v.change.designs);
+    if (!v.change.selected || *v.change.selected >= next.added.size() ||
+        !is_turned(next.added[*v.change.selected].kind))
+        return tell(v, "Click something that has been put down, to turn it.");
+    float& turn = next.added[*v.change.selected].turn;
+    turn = std::round(wrap_angle((turn + degrees) * k_radians) / k_radians);
+    want(v, std::move(next));
+}
+
+void remove_selected(Viewer& v) {
+    Design next = current(v.change.designs);
+    if (!v.change.selected || *v.change.selected >= next.added.size())
+        return tell(v, "Click something that has been put down, to remove it.");
+    next.added.erase(next.added.begin() + static_cast<std::ptrdiff_t>(*v.change.selected));
+    v.change.selected.reset();
+    want(v, std::move(next));
+}
+
+bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size size, bool is_panels,
+                Viewer& v) {
+    Change& c = v.change;
+    const World& world = *show.loaded.world;
+    if (v.room != Room::change || world.roam) return false;
+    if (c.selected && *c.selected >= current(c.designs).added.size()) c.selected.reset();
+    auto place_at = [&](double x, double y) {
+        const glm::vec2 pixel(static_cast<float>(x), static_cast<float>(y));
+        return ground_along(world, v.camera, ray_through(v.camera, size, pixel));
+    };
+    const auto place = is_panels ? std::nullopt : place_at(now.x, now.y);
+    if (c.grip.is_held) {
+        if (place) hold(*place, v);
+        if (!now.is_held) let_go_of(world, v);
+        return true;
+    }
+    c.ghost.reset();
+    if (now.is_held && !before.is_held) {
+        const auto taken = place_at(now.held_x, now.held_y);
+        return taken && take_hold(*taken, v);
+    }
+    if (!c.tool) {
+        if (now.has_clicked) c.selected.reset();
+        return false;
+    }
+    if (now.has_clicked && place && !is_drawn_out(*c.tool)) {
+        put_down(world, new_one(*world.ground, *c.tool, *place), v);
+        return true;
+    }
+    if (place && !now.is_held && !is_drawn_out(*c.tool)) c.ghost = new_one(*world.ground, *c.tool, *place);
+    return now.has_clicked;
+}
+
+bool is_putting(const Viewer& v) { return v.room == Room::change && v.change.tool.has_value(); }
+
+void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
+    if (v.room != Room::change) return;
+    const Change& c = v.change;
+    const World& world = *show.loaded.world;
+    std::vector<GizmoLine>& lines = show.overlay.lines;
+    const std::vector<Addition>& added = current(c.designs).added;
+    for (size_t i = 0; i < added.size(); ++i) {
+        const bool is_moved = c.grip.is_held && c.grip.moved == i;
+        if (is_moved) continue;
+        const bool is_chosen = c.selected == i;
+        add_outline(world, added[i], pen_of(is_chosen ? k_chosen : k_there, GizmoPlace::in_world), lines);
+    }
+    if (c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
+    frame.lines = lines;
+}
+
+}  // namespace flaneur

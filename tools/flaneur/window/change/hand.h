@@ -1,0 +1,41 @@
+// What the left button does in a city that is changed: it puts things down, draws walls and barriers, and
+// moves what has been put down before.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "renderer/scene.h"
+#include "sim/base/vec.h"
+#include "tools/flaneur/options/options.h"
+
+namespace flaneur {
+
+struct Addition;
+struct Ground;
+struct Mouse;
+struct Show;
+struct Viewer;
+
+// Whether the button, a click of it too, is taken so; else it looks about and asks.
+bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size size, bool is_panels,
+                Viewer& viewer);
+
+// Whether a click puts something down, whoever stands there.
+bool is_putting(const Viewer& viewer);
+
+// Adds to the frame the outline of what would be put down, and of what is moved or chosen.
+void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
+
+// A row of barriers from wall to wall over a place, the shortest way; none where the street is wider than 60
+// m.
+std::optional<Addition> closure_at(const Ground& ground, Vec3 place);
+
+// The number of the addition that a place on the ground lies on, or next to.
+std::optional<size_t> addition_at(std::span<const Addition> added, Vec3 place);
+
+// What is done to the one that is chosen.
+void turn_selected(Viewer& viewer, float degrees);
+void remove_selected(Viewer& viewer);
+
+}  // namespace flaneur

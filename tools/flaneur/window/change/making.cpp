@@ -1,0 +1,59 @@
+#include "tools/flaneur/window/change/making.h"
+
+#include <chrono>
+#include <utility>
+
+#include "tools/extract/extract.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/change/design.h"
+
+namespace flaneur {
+
+Result<Made> make(const Order& order) {
+    Made made;
+    made.added = order.added;
+    if (order.added == order.before) {
+        made.lamps = extract_lamps(*order.city);
+        return made;
+    }
+    City city = *order.bare;
+    if (Result<void> done = add_to_city(city, order.added); !done) return done.error();
+    made.city = std::make_shared<const City>(std::move(city));
+    made.changed = changed_areas(order.before, order.added);
+    const Ground &ground = made.city->ground, &before = order.city->ground;
+    auto mesh = rebuild_navmesh(ground, {}, order.mesh, before.low, before.high, made.changed, order.threads);
+    if (!mesh) return mesh.error();
+    made.mesh = std::move(*mesh);
+    auto drawn = prepare_for_upload(extract_city(*made.city));
+    if (!drawn) return drawn.error();
+    made.drawn = std::move(*drawn);
+    if (order.with_lamps) made.lamps = extract_lamps(*made.city);
+    return made;
+}
+
+void begin(Making& making, Order order) {
+    making.is_lamps = order.added == order.before;
+    making.coming = std::async(std::launch::async, [order = std::move(order)] { return make(order); });
+}
+
+std::optional<Result<Made>> finish(Making& making) {
+    if (!is_making(making) || making.coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return std::nullopt;
+    return making.coming.get();
+}
+
+Result<void> move_in(Show& show, Made made) {
+    if (made.city) {
+        if (Result<void> done = upload_city(*show.renderer, *made.drawn); !done) return done;
+        show.loaded.city = made.city;
+        change_ground(*show.loaded.world, std::shared_ptr<const Ground>(made.city, &made.city->ground),
+                      std::move(made.mesh), made.city->destinations, made.changed);
+        show.overlay.walkable.clear();
+        show.has_lamps = false;
+    }
+    if (!made.lamps) return {};
+    show.has_lamps = true;
+    return upload_lamps(*show.renderer, *made.lamps);
+}
+
+}  // namespace flaneur

@@ -1,0 +1,262 @@
+#include "tools/flaneur/window/change/room.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/change/drive.h"
+#include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/save.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+
+namespace {
+
+// A drag of a slider is undone as one.
+uint64_t gesture_of_item(Change& c) {
+    if (ImGui::IsItemActivated()) c.gesture = c.next_gesture++;
+    return c.gesture;
+}
+
+void set_hour_wanted(Viewer& v, float hour, uint64_t gesture) {
+    Design next = current(v.change.designs);
+    next.hour = hour;
+    want(v, std::move(next), gesture);
+}
+
+void set_weather(Viewer& v, bool is_overcast) {
+    Design next = current(v.change.designs);
+    next.is_overcast = is_overcast;
+    want(v, std::move(next));
+}
+
+void set_people(Viewer& v, int people, uint64_t gesture) {
+    Design next = current(v.change.designs);
+    next.people = static_cast<uint32_t>(std::clamp(people, 0, k_max_walkers));
+    want(v, std::move(next), gesture);
+}
+
+void lay_out_day(Show& show, Viewer& v, float scale) {
+    Change& c = v.change;
+    auto minute = static_cast<int>(std::floor(hour_now(*show.loaded.world) * 60)) % (24 * 60);
+    char text[16];
+    std::snprintf(text, sizeof text, "%02d:%02d", minute / 60, minute % 60);
+    ImGui::TextUnformatted("Time of day");
+    ImGui::SetNextItemWidth(260 * scale);
+    const bool is_set =
+        ImGui::SliderInt("##hour", &minute, 0, 24 * 60 - 1, text, ImGuiSliderFlags_AlwaysClamp);
+    const uint64_t gesture = gesture_of_item(c);
+    tip("moves the sun, lights lamps and windows, and sends people elsewhere");
+    if (is_set) set_hour_wanted(v, static_cast<float>(minute) / 60, gesture);
+    const bool is_overcast = current(c.designs).is_overcast;
+    if (ImGui::RadioButton("clear", !is_overcast)) set_weather(v, false);
+    ImGui::SameLine();
+    if (ImGui::RadioButton("overcast", is_overcast)) set_weather(v, true);
+}
+
+void lay_out_people(const Show& show, Viewer& v, float scale) {
+    Change& c = v.change;
+    const bool is_roam = show.loaded.world->roam != nullptr;
+    auto people = static_cast<int>(current(c.designs).people);
+    ImGui::TextUnformatted("People");
+    if (is_roam) return ImGui::TextDisabled("as many as there are: the asteroid has no way to it");
+    ImGui::SetNextItemWidth(170 * scale);
+    const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_max_walkers, "%d",
+                                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    const uint64_t gesture = gesture_of_item(c);
+    tip("they come and go out of sight, where there is room");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(82 * scale);
+    if (is_slid) set_people(v, people, gesture);
+    ImGui::InputInt("##number", &c.typed_people, 0, 0);
+    if (ImGui::IsItemDeactivatedAfterEdit())
+        set_people(v, c.typed_people, 0);
+    else if (!ImGui::IsItemActive())
+        c.typed_people = static_cast<int>(current(c.designs).people);
+    tip("typed, and Enter");
+    if (c.carried.people != current(c.designs).people) ImGui::TextDisabled("%u so far", c.carried.people);
+}
+
+struct ToolButton {
+    AddedKind kind;
+    const char *name, *hint;
+};
+constexpr ToolButton k_tools[] = {
+    {AddedKind::barrier, "Close a street",
+     "Click a street to close it from wall to wall; or drag from one end of the barrier to the other."},
+    {AddedKind::wall, "Wall", "Drag from one end of the wall to the other."},
+    {AddedKind::planter, "Planter", "Click the ground to put one down."},
+    {AddedKind::car, "Car", "Click the ground to put one down."},
+    {AddedKind::tree, "Tree", "Click the ground to plant one."},
+    {AddedKind::bench, "Bench", "Click the ground to put one down; people come and stand there."},
+    {AddedKind::lamp, "Lamp", "Click the ground to put one up; it is lit in the dark."},
+    {AddedKind::entrance, "Entrance", "Click a house at its foot: people come and go there."},
+};
+
+void choose_tool(Viewer& v, AddedKind kind) {
+    Change& c = v.change;
+    v.room = Room::change;
+    c.tool = c.tool == kind ? std::nullopt : std::optional(kind);
+    c.selected.reset();
+}
+
+void lay_out_tools(Viewer& v, float scale) {
+    Change& c = v.change;
+    ImGui::TextUnformatted("Put into the city");
+    size_t number = 0;
+    const char* hint = "Click what has been put down to choose it, drag to move it.";
+    for (const ToolButton& button : k_tools) {
+        // Two broad ones, then three a row.
+        const size_t place = number < 2 ? number : (number + 1) % 3;
+        const float width = number++ < 2 ? 129 : 84;
+        if (place > 0) ImGui::SameLine();
+        const bool is_on = c.tool == button.kind;
+        if (is_on) {
+            hint = button.hint;
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        }
+        if (ImGui::Button(button.name, {width * scale, 0})) choose_tool(v, button.kind);
+        if (is_on) ImGui::PopStyleColor();
+    }
+    ImGui::PushTextWrapPos(264 * scale);
+    ImGui::TextDisabled("%s", hint);
+    ImGui::PopTextWrapPos();
+}
+
+void lay_out_selected(Viewer& v, float scale) {
+    Change& c = v.change;
+    Design next = current(c.designs);
+    if (!c.selected || *c.selected >= next.added.size()) return;
+    Addition& a = next.added[*c.selected];
+    ImGui::Separator();
+    ImGui::Text("%s", std::string(k_added_names[static_cast<size_t>(a.kind)]).c_str());
+    ImGui::SameLine();
+    ImGui::TextDisabled("%.1f, %.1f", static_cast<double>(a.at.x), static_cast<double>(a.at.z));
+    if (is_turned(a.kind)) {
+        ImGui::SetNextItemWidth(150 * scale);
+        const bool is_turned_now =
+            ImGui::SliderFloat("##turn", &a.turn, -180, 180, "%.0f degrees", ImGuiSliderFlags_AlwaysClamp);
+        // Made anew once the hand has let go.
+        const uint64_t gesture = gesture_of_item(c);
+        tip("R turns it by 15 degrees");
+        if (is_turned_now) {
+            a.turn = std::round(a.turn);
+            want(v, std::move(next), gesture);
+        }
+        ImGui::SameLine();
+    }
+    if (ImGui::Button("Remove")) remove_selected(v);
+    tip("Delete");
+}
+
+void undo_last(Show&, Viewer& v) {
+    if (!undo(v.change.designs)) tell(v, "Nothing has been changed that could be undone.");
+    v.change.selected.reset();
+}
+
+void redo_last(Show&, Viewer& v) {
+    if (!redo(v.change.designs)) tell(v, "Nothing has been undone.");
+    v.change.selected.reset();
+}
+
+void lay_out_name(Show& show, Viewer& v, float scale) {
+    Change& c = v.change;
+    if (!c.is_naming) return;
+    ImGui::SetNextItemWidth(190 * scale);
+    if (std::exchange(c.starts_naming, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::InputText("##path", c.path, sizeof c.path, ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::SameLine();
+    if (ImGui::Button("Write")) press_in_name(GLFW_KEY_ENTER, show, v);
+    tip("Enter; Esc does not");
+}
+
+void lay_out_history(Show& show, Viewer& v, float scale) {
+    const Designs& d = v.change.designs;
+    ImGui::Separator();
+    ImGui::BeginDisabled(d.at == 0);
+    if (ImGui::Button("Undo")) undo_last(show, v);
+    ImGui::EndDisabled();
+    tip("Ctrl+Z");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(d.at + 1 >= d.all.size());
+    if (ImGui::Button("Redo")) redo_last(show, v);
+    ImGui::EndDisabled();
+    tip("Ctrl+Y");
+    ImGui::SameLine();
+    if (ImGui::Button("Save...")) begin_naming(v);
+    tip("as the file of a scene (Ctrl+S)");
+    if (is_making(v.change.making)) {
+        ImGui::SameLine();
+        ImGui::TextDisabled(v.change.making.is_lamps ? "lighting lamps..." : "finding ways anew...");
+    }
+    lay_out_name(show, v, scale);
+}
+
+template <AddedKind Kind>
+void take_tool(Show&, Viewer& v) {
+    choose_tool(v, Kind);
+}
+
+void later(Show& show, Viewer& v, float hours) {
+    const float hour = hour_now(*show.loaded.world) + hours;
+    const float minutes = std::round((hour - 24 * std::floor(hour / 24)) * 60);
+    set_hour_wanted(v, std::fmod(minutes, 24 * 60.0f) / 60, 0);
+}
+
+void more_people(Viewer& v, float times) {
+    const auto people = static_cast<float>(current(v.change.designs).people);
+    set_people(
+        v, static_cast<int>(std::round(times > 1 ? std::max(people * times, people + 1) : people * times)),
+        0);
+}
+
+constexpr std::array k_actions = {
+    Action{"Change the city", "T", GLFW_KEY_T, 0,
+           [](Show&, Viewer& v) { v.room = v.room == Room::change ? Room::none : Room::change; }},
+    Action{"An hour later", "", 0, 0, [](Show& show, Viewer& v) { later(show, v, 1); }},
+    Action{"An hour earlier", "", 0, 0, [](Show& show, Viewer& v) { later(show, v, -1); }},
+    Action{"Weather: clear", "", 0, 0, [](Show&, Viewer& v) { set_weather(v, false); }},
+    Action{"Weather: overcast", "", 0, 0, [](Show&, Viewer& v) { set_weather(v, true); }},
+    Action{"Twice as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 2); }},
+    Action{"Half as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 0.5f); }},
+    Action{"Close a street", "", 0, 0, take_tool<AddedKind::barrier>},
+    Action{"Draw a wall", "", 0, 0, take_tool<AddedKind::wall>},
+    Action{"Put down a planter", "", 0, 0, take_tool<AddedKind::planter>},
+    Action{"Put down a car", "", 0, 0, take_tool<AddedKind::car>},
+    Action{"Plant a tree", "", 0, 0, take_tool<AddedKind::tree>},
+    Action{"Put down a bench", "", 0, 0, take_tool<AddedKind::bench>},
+    Action{"Put up a lamp", "", 0, 0, take_tool<AddedKind::lamp>},
+    Action{"Make an entrance", "", 0, 0, take_tool<AddedKind::entrance>},
+    Action{"Turn what was put down", "Alt+R", GLFW_KEY_R, GLFW_MOD_ALT,
+           [](Show&, Viewer& v) { turn_selected(v, 15); }},
+    Action{"Save as a scene", "Ctrl+S", GLFW_KEY_S, GLFW_MOD_CONTROL,
+           [](Show&, Viewer& v) { begin_naming(v); }},
+    Action{"Drive who was asked about, or let go", "X", GLFW_KEY_X, 0, drive_asked},
+};
+
+}  // namespace
+
+std::span<const Action> change_actions() { return k_actions; }
+
+void lay_out_change(Show& show, Viewer& v, float scale) {
+    lay_out_day(show, v, scale);
+    ImGui::Spacing();
+    lay_out_people(show, v, scale);
+    if (!show.loaded.world->roam) {
+        ImGui::Spacing();
+        lay_out_tools(v, scale);
+        lay_out_selected(v, scale);
+    }
+    lay_out_history(show, v, scale);
+}
+
+}  // namespace flaneur

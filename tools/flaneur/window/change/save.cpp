@@ -1,0 +1,95 @@
+#include "tools/flaneur/window/change/save.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "assets/files/file.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/viewer.h"
+
+namespace flaneur {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a file beside the working folder, as another folder's files name it.
+std::string from_folder(const std::string& path, const std::string& folder) {
+    if (path.empty()) return path;
+    std::error_code failed;
+    const fs::path there = fs::absolute(path, failed),
+                   here = fs::absolute(folder.empty() ? "." : folder, failed);
+    fs::path way = there.lexically_normal().lexically_relative(here.lexically_normal());
+    return way.empty() ? there.string() : way.string();
+}
+
+// An idle is FILE or FILE:CLIP, which both begin with the file.
+void move_paths(Scene& s, const std::string& folder) {
+    s.city = from_folder(s.city, folder);
+    s.terrain = from_folder(s.terrain, folder);
+    for (PeopleShare& people : s.people) people.character = from_folder(people.character, folder);
+    for (std::string& idle : s.idles) idle = from_folder(idle, folder);
+}
+
+CameraChoice camera_of(const Viewer& v) {
+    if (v.choice.kind == CameraChoice::Kind::follow) return v.choice;
+    const Camera& c = v.camera;
+    return {CameraChoice::Kind::fixed, 0, {c.eye.x, c.eye.y, c.eye.z}, {c.target.x, c.target.y, c.target.z}};
+}
+
+}  // namespace
+
+Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder) {
+    Scene s = v.change.scene;
+    const Design& d = current(v.change.designs);
+    s.added = d.added;
+    s.hour = d.hour;
+    s.is_overcast = d.is_overcast;
+    s.walkers = static_cast<int>(d.people);
+    s.views = show.work_views;
+    s.camera = camera_of(v);
+    if (s.camera.kind == CameraChoice::Kind::follow && s.camera.walker >= d.people)
+        s.camera = {CameraChoice::Kind::fixed,
+                    0,
+                    {v.camera.eye.x, v.camera.eye.y, v.camera.eye.z},
+                    {v.camera.target.x, v.camera.target.y, v.camera.target.z}};
+    move_paths(s, folder);
+    return s;
+}
+
+Result<std::string> save_scene(const Show& show, Viewer& v, const std::string& path) {
+    if (!has_ending(path, ".json")) return Error{"A scene's file ends in .json: " + path + " does not."};
+    const Scene scene = changed_scene(show, v, fs::path(path).parent_path().string());
+    Result<PartFilePtr> file = open_file(path);
+    if (!file) return file.error();
+    std::fputs(scene_text(scene).c_str(), (*file)->file);
+    if (Result<void> done = keep_file(std::move(*file)); !done) return done.error();
+    v.change.saved = path;
+    std::string told = "Wrote " + path + "; flaneur view --scene " + path + " opens it.";
+    constexpr int k_a_block = 750;  // people for whom the built-in district is not made larger
+    if (scene.city.empty() && !scene.asteroid && scene.walkers > scene.blocks * scene.blocks * k_a_block)
+        told += " So many people will have a larger district then.";
+    return told;
+}
+
+void begin_naming(Viewer& v) {
+    v.room = Room::change;
+    v.change.is_naming = v.change.starts_naming = true;
+}
+
+void press_in_name(int key, Show& show, Viewer& v) {
+    Change& c = v.change;
+    if (key == GLFW_KEY_ESCAPE) c.is_naming = false;
+    if (key != GLFW_KEY_ENTER && key != GLFW_KEY_KP_ENTER) return;
+    const Result<std::string> told = save_scene(show, v, c.path);
+    tell(v, told ? *told : told.error().message);
+    if (told) c.is_naming = false;
+}
+
+}  // namespace flaneur
