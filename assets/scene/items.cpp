@@ -30,11 +30,11 @@ void add_fault(SceneReading& r, const std::string& what, bool of_key) {
     r.faults.push_back({place.line, place.column, whose + what});
 }
 
-static const std::string& coordinate() {
+const std::string& coordinate_pattern() {
     static const std::string text = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
     return text;
 }
-std::string point_pattern() { return coordinate() + "," + coordinate() + "," + coordinate(); }
+std::string point_pattern() { return coordinate_pattern() + "," + coordinate_pattern() + "," + coordinate_pattern(); }
 
 const std::vector<SceneKey<PeopleItem>>& people_keys() {
     using enum KeyKind;

@@ -153,7 +153,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
         {"camera",
          {text, 0, 0,
-          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate + "," + coordinate + "," +
+          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate_pattern() + "," + coordinate_pattern() + "," +
               across + "(," + bearing + ")?|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",

@@ -72,6 +72,7 @@ const std::vector<SceneKey<AddedItem>>& added_keys();
 std::string fault_of(const AddedItem& item);
 
 // Of a place X,Y,Z.
+const std::string& coordinate_pattern();
 std::string point_pattern();
 
 }  // namespace flaneur
