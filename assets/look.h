@@ -60,7 +60,10 @@ uint32_t rivals_of(WorkView view);
 WorkViews toggled(WorkViews views, WorkView view);
 
 inline constexpr float k_least_across = 5, k_most_across = 20'000;  // of a map, metres
-// Of lenses: how much is seen from the picture's lower border to its upper one, degrees.
+// The usual lens: 32 degrees from the picture's lower border to its upper one, 54 across at 16:9, as through
+// a 35 mm lens. Radians.
+inline constexpr float k_fov = 0.557f;
+// Others, degrees.
 inline constexpr double k_least_fov = 1, k_most_fov = 150;
 // Radians, and back: the shortest degrees of which the same radians come.
 float fov_of(double degrees);

@@ -4,7 +4,7 @@
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-for camera in street overview follow:0; do
+for camera in street overview follow:0 eyes:1 map map:3,-4,60,30; do
     "$1" render --validate --scene corner --frames 20:30:5 --size 320x180 --camera $camera --out "$folder/%03d.png"
 done
 "$1" render --validate --scene corner --walkers 0 --frames 0 --size 33x17 --device 0 --out "$folder/empty.png"

@@ -6,6 +6,7 @@
 #include "assets/scene.h"
 #include "renderer/view.h"
 #include "sim/base/math.h"
+#include "sim/sim.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/cameras/cameras.h"
@@ -209,6 +210,33 @@ TEST_F(WindowCameras, FollowersAreDeterministicAndStayOutOfWalls) {
         }
     }
     EXPECT_LT(hidden, all / 50);
+}
+
+// One who stands on a meadow, and another right in the way of the eye behind.
+TEST(CameraRig, LooksPastTheHeadsOfOthers) {
+    const Vec3 corners[] = {{-30, 0, -30}, {-30, 0, 30}, {30, 0, 30}, {30, 0, -30}};
+    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
+    auto nearest = [&] {
+        WorldOptions options;
+        options.capacity = 2;
+        auto world = make_world({corners, triangles, {}}, options).value();
+        WalkerOptions walker;
+        walker.place = Vec3{0, 0, 0};
+        EXPECT_TRUE(add_walker(*world, walker));
+        CameraRig alone;
+        advance(alone, *world, {CameraChoice::Kind::follow, 0, {}, {}});
+        const glm::vec3 eye = camera_of(alone, 0, 1).eye;
+        const Vec3 between{eye.x * 0.45f, 0, eye.z * 0.45f};
+        walker.place = between;
+        EXPECT_TRUE(add_walker(*world, walker));
+        CameraRig rig;
+        for (int i = 0; i < 60; ++i) advance(rig, *world, {CameraChoice::Kind::follow, 0, {}, {}});
+        // How near the way from the eye to the chest comes to the other's head.
+        const glm::vec3 now = camera_of(rig, 0, 1).eye, chest(0, 1.3f, 0), head(between.x, 1.6f, between.z);
+        const glm::vec3 way = glm::normalize(chest - now);
+        return glm::length(head - now - way * glm::dot(head - now, way));
+    };
+    EXPECT_GT(nearest(), 0.25f);
 }
 
 TEST_F(WindowCameras, FramesSomebodyToAThirdOfThePicture) {

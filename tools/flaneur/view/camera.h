@@ -10,7 +10,6 @@
 
 namespace flaneur {
 
-inline constexpr float k_fov = 0.557f;  // 32 degrees upright: 54 across at 16:9, a 35 mm lens
 Camera make_camera(Vec3 eye, Vec3 target);
 // Whether nothing of the ground, walls and solids is in between.
 bool sees(const Ground& ground, Vec3 from, Vec3 to);

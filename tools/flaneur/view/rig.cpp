@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "sim/base/math.h"
@@ -55,6 +56,24 @@ float distance_to_way(Vec3 point, Vec3 from, Vec3 to) {
     return length(point - (from + way * along));
 }
 
+// How much of the way from the crown to the eye no wall takes.
+float clear_share(const Ground& ground, const Behind& place) {
+    return clear_behind(ground, place) / length(eye_behind(place) - (place.feet + Vec3{0, place.height, 0}));
+}
+
+// The same, and less the nearer it comes to where walls will take some: so the eye is there before they are.
+float room_about(const Ground& ground, Behind place) {
+    constexpr int k_feelers = 4;                       // on either side
+    constexpr float k_apart = 0.11f, k_given = 0.13f;  // radians between two; what one farther off lets have
+    const float middle = place.round;
+    float room = 1;
+    for (int feeler = -k_feelers; feeler <= k_feelers; ++feeler) {
+        place.round = middle + k_apart * static_cast<float>(feeler);
+        room = std::min(room, clear_share(ground, place) + k_given * static_cast<float>(std::abs(feeler)));
+    }
+    return room;
+}
+
 // The place nearest to straight behind from which walls and heads hide least of the walker.
 void look_for_place(CameraRig& rig, const World& world) {
     const std::vector<Vec3> heads = heads_near(world, rig.choice.walker);
@@ -81,7 +100,7 @@ void look_for_place(CameraRig& rig, const World& world) {
 
 Gaze follow(CameraRig& rig, const World& world, float seconds) {
     constexpr float k_feet = 12, k_climb = 5, k_turn = 3.5f, k_round = 2.5f;  // stiffness
-    constexpr float k_back = 1.5f;  // how fast it falls back when a wall is passed, 1/s
+    constexpr float k_in = 10, k_back = 2.5f;  // before a wall, and when it is passed
     const uint32_t walker = rig.choice.walker;
     const Vec3 at = world.crowd.motion.position[walker];
     const float heading =
@@ -89,7 +108,7 @@ Gaze follow(CameraRig& rig, const World& world, float seconds) {
     const bool is_new = rig.ticks == 0;
     if (is_new) {
         rig.feet[0] = {at.x}, rig.feet[1] = {at.y}, rig.feet[2] = {at.z}, rig.heading = {heading};
-        rig.wanted_round = rig.wanted_lift = 0, rig.reach = 1;
+        rig.wanted_round = rig.wanted_lift = 0;
     }
     draw_towards(rig.feet[0], at.x, k_feet, seconds);
     draw_towards(rig.feet[1], at.y, k_climb, seconds);
@@ -101,10 +120,11 @@ Gaze follow(CameraRig& rig, const World& world, float seconds) {
     draw_towards(rig.lift, rig.wanted_lift, k_round, seconds);
 
     Behind place = behind_of(rig, world);
-    const Vec3 crown = place.feet + Vec3{0, place.height, 0};
-    const float clear = clear_behind(*world.ground, place) / length(eye_behind(place) - crown);
-    rig.reach = is_new ? clear : std::min(clear, rig.reach + (1 - rig.reach) * k_back * seconds);
-    place.reach = rig.reach;
+    const float clear = clear_share(*world.ground, place), room = room_about(*world.ground, place);
+    if (is_new) rig.reach = {clear};
+    draw_towards(rig.reach, std::min(clear, room), room < rig.reach.value ? k_in : k_back, seconds);
+    if (rig.reach.value > clear) rig.reach = {clear};
+    place.reach = rig.reach.value;
     return gaze_of(camera_behind(place));
 }
 
@@ -112,7 +132,7 @@ Gaze follow(CameraRig& rig, const World& world, float seconds) {
 
 Gaze see(CameraRig& rig, const World& world, float seconds) {
     // What a head does with each step is left out of the picture, as brains leave it out.
-    constexpr float k_sway = 3, k_height = 9, k_turn = 7, k_nod = 5;  // 1/s
+    constexpr float k_sway = 3, k_height = 9, k_turn = 5, k_nod = 4;  // 1/s
     constexpr float k_most_pitch = 0.6f;
     const uint32_t walker = rig.choice.walker;
     const JointPose head_pose = joint_between(world, walker, head, 1);

@@ -39,7 +39,7 @@ struct CameraRig {
     Spring feet[3], heading;
     Spring round, lift;  // radians about the walker, and metres higher, than straight behind it
     float wanted_round = 0, wanted_lift = 0;  // so that it is in sight
-    float reach = 1;                          // share of the distance that walls leave
+    Spring reach;                             // share of the distance that walls leave
 
     // eyes
     Vec3 eyes_from_root;  // turned as the walker is, its steps taken out

@@ -5,6 +5,7 @@
 
 #include "assets/cache/cache_file.h"
 #include "renderer/light/daylight.h"
+#include "renderer/view.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/sun.h"
 
@@ -97,6 +98,27 @@ static Camera close_camera(Camera camera) {
     return camera;
 }
 
+// On a map of so much that people would be specks they are dots; legends lie over them.
+static void dot_people(Show& show, const View& view, const Camera& camera, FrameInput& frame) {
+    constexpr float k_speck = 5, k_dot = 3.5f;  // pixels of a metre, and of a dot
+    constexpr uint32_t k_person = ink(0xffd35c);
+    const float metre = view.pixels_at_one_metre / glm::length(camera.target - camera.eye);
+    if (camera.clear_air == 0 || metre > k_speck) return;
+    std::vector<GizmoLine> dots;
+    for (const WalkerId id : show.loaded.world->crowd.slots.living) {
+        const WalkerDraw& walker = show.people.walkers[id.index];
+        if (!sees_sphere(view, walker.centre, walker.radius)) continue;
+        Pen pen;
+        pen.pixels = k_dot;
+        pen.colour =
+            frame.people_colours == PeopleColours::tints ? walker.instance.tints[0] | 0xff000000u : k_person;
+        add_point(dots, pen, walker.centre + glm::vec3(0, walker.radius, 0));
+    }
+    std::vector<GizmoLine>& lines = show.overlay.lines;
+    lines.insert(lines.begin(), dots.begin(), dots.end());
+    frame.lines = lines;
+}
+
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
     const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
                                        static_cast<uint32_t>(size.height));
@@ -112,6 +134,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     const Camera close = close_camera(camera);
     lay_over({*show.loaded.world, show.loaded.characters, close, between}, show.work_views, show.people,
              show.overlay, frame);
+    dot_people(show, make_view(camera, static_cast<uint32_t>(size.width), static_cast<uint32_t>(size.height)),
+               camera, frame);
     return frame;
 }
 

@@ -193,8 +193,9 @@ bool gui_has_mouse() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantC
 Wheel gui_wheel(bool is_inverted) {
     if (gui_has_mouse()) return {};
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyShift) return {0, io.MouseWheel + io.MouseWheelH};
-    return {is_inverted ? -io.MouseWheel : io.MouseWheel, io.MouseWheelH};
+    // To the side it counts to the left.
+    if (io.KeyShift) return {0, -io.MouseWheel - io.MouseWheelH};
+    return {is_inverted ? -io.MouseWheel : io.MouseWheel, -io.MouseWheelH};
 }
 bool gui_has_keys() {
     return ImGui::GetCurrentContext() && (ImGui::GetIO().WantTextInput || ImGui::GetIO().ConfigFlags != 0);

@@ -167,6 +167,8 @@ bool steer(const Show& show, const Steering& hands, float seconds, Viewer& v) {
 bool move_camera(const Show& show, Size size, float seconds, float between, Viewer& v) {
     Cameras& c = v.cameras;
     const World& world = *show.loaded.world;
+    using enum CameraChoice::Kind;
+    if (world.roam && v.choice.kind != overview && v.choice.kind != fixed) choose(v, overview);
     const bool is_new = !std::exchange(v.chosen, true);
     const float lens = lens_of(v);
     if (goes_along(v.choice.kind) && c.rig.choice != v.choice) advance(c.rig, world, v.choice);
