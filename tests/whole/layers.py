@@ -79,7 +79,7 @@ tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/bas
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/time: tools/extract, tools/flaneur/history, tools/flaneur/overlay
 tools/flaneur/window: renderer, sim, sim/base, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/time
-tools/flaneur/window/time sources: sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/time
+tools/flaneur/window/time sources: sim, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/time
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view

@@ -326,6 +326,12 @@ std::optional<uint32_t> kept_before(const History& h, uint32_t tick) {
     return at == h.kept.begin() ? std::nullopt : std::optional((*std::prev(at))->tick);
 }
 
+bool is_for_good(const History& h, uint32_t tick) {
+    const std::lock_guard lock(h.mutex);
+    const auto at = place_of(h, tick);
+    return at != h.kept.end() && (*at)->tick == tick && (*at)->is_for_good;
+}
+
 Result<void> restore(const History& h, uint32_t tick, World& world) {
     std::vector<ChunkPtr> chunks;
     {
