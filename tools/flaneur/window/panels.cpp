@@ -154,7 +154,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
     show.overlay.legend_foot = viewer.has_panels ? k_timeline * scale * viewer.resolution : 0;
-    if (!viewer.has_panels) return;
+    if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
     lay_out_bar(show, viewer, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_timeline(show, viewer, size, scale);
