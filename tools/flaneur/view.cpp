@@ -178,16 +178,24 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v,
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
             choose_resolution(v, now, is_moving, picture_seconds, moved_at);
-            FrameInput frame = extract_frame(show, v.camera, one, between);
-            frame.companion = companion_of(v.choice);
+            auto extract = [&] {
+                FrameInput frame = extract_frame(show, v.camera, one, between);
+                frame.companion = companion_of(v.choice);
+                return frame;
+            };
+            FrameInput frame = extract();
             const std::string none = why_no_command(v, world);
             const std::string command =
                 none.empty() && (v.wants_picture || v.wants_command)
                     ? command_of(words, {v.choice, v.camera, show.work_views, size, world.tick})
                     : std::string();
             if (std::exchange(v.wants_picture, false)) {
-                Result<std::string> told = save_picture(show, v, frame, size, between, command);
+                // Legends stand where they do without panels.
+                const float foot = std::exchange(show.overlay.legend_foot, 0.0f);
+                Result<std::string> told = save_picture(show, v, extract(), size, between, command);
                 if (!told) return told.error();
+                show.overlay.legend_foot = foot;
+                frame = extract();
                 tell(v, printable(*told));
             }
             if (!none.empty() && std::exchange(v.wants_command, false)) tell(v, none);
