@@ -1,7 +1,7 @@
 #include "sim/state.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstddef>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -13,6 +13,11 @@ namespace {
 
 constexpr uint64_t k_mark = 0x31'74'73'2e'72'75'6c'66;  // "flur.st1"
 
+// What is new in these has to be listed below, if the next tick depends on it.
+static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 9 * 24 &&
+              sizeof(CrowdDecision) == 4 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 9 + 4 + 2) + 16);
+
 // Before all else; how many of each follow.
 struct Head {
     uint64_t mark = k_mark, world = 0;
@@ -21,24 +26,6 @@ struct Head {
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
 };
 static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 56);
-
-// What a state's world has to have in common with the one that it is loaded into.
-uint64_t mark_of(const World& w) {
-    uint64_t hash = mix(w.seed);
-    auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
-    add(w.crowd.capacity, w.crowd.demand.hour);
-    for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
-    for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
-    const Ground& ground = *w.ground;
-    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
-                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                                     w.roam->compound.capsules.size() + 1
-                               : 0})
-        add(static_cast<uint64_t>(size));
-    add(ground.low, ground.high);
-    return hash;
-}
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -92,7 +79,7 @@ auto corners_ahead(C& crowd, uint32_t walker) {
 Head head_of(const World& w) {
     auto size = [](const auto& list) { return static_cast<uint32_t>(list.size()); };
     const Crowd& c = w.crowd;
-    Head head{.world = mark_of(w), .tick = w.tick, .count = c.count, .next_path = c.next_path};
+    Head head{.world = state_mark(w), .tick = w.tick, .count = c.count, .next_path = c.next_path};
     head.widest = c.widest;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
@@ -111,6 +98,23 @@ std::optional<Head> read_head(std::span<const std::byte> bytes) {
 }
 
 }  // namespace
+
+uint64_t state_mark(const World& w) {
+    uint64_t hash = mix(w.seed);
+    auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
+    add(w.crowd.capacity, w.crowd.demand.hour);
+    for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
+    for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
+    const Ground& ground = *w.ground;
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
+        add(static_cast<uint64_t>(size));
+    add(ground.low, ground.high);
+    return hash;
+}
 
 void save_state(const World& w, std::vector<std::byte>& bytes) {
     const Head head = head_of(w);
@@ -141,7 +145,7 @@ std::optional<uint32_t> tick_of_state(std::span<const std::byte> bytes) {
 Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     const std::optional<Head> head = read_head(bytes);
     if (!head) return Error{"These bytes are no state of a world."};
-    if (head->world != mark_of(w))
+    if (head->world != state_mark(w))
         return Error{
             "This state is of another world: one of another seed, other ground or other people. It fits only "
             "the world that it was saved of."};

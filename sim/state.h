@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,9 @@ void save_state(const World& world, std::vector<std::byte>& bytes);
 // state, one of another world (another seed, ground, capacity, other bodies or clips, walking elsewhere), and
 // bytes that are cut short or too many; for the rest they are trusted.
 Result<void> load_state(World& world, std::span<const std::byte> bytes);
+
+// Of what a state's world and the one that it is loaded into have to have in common.
+uint64_t state_mark(const World& world);
 
 // The tick of a state; none of bytes that are no state.
 std::optional<uint32_t> tick_of_state(std::span<const std::byte> bytes);

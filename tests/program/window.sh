@@ -50,6 +50,13 @@ xdotool windowfocus "$window" mousemove --window "$window" 200 150
 for key in 2 3 Tab Tab space F12 1 F1 F1 l F2 F10 F11 F3 l minus equal equal period h h w a ctrl+p Down Up Escape; do
     xdotool key $key sleep 0.3
 done
+# Back and forth in time, and two runs side by side for a while.
+for key in b comma ctrl+Left ctrl+Right alt+Left Home End ctrl+shift+Left n Escape; do xdotool key $key sleep 0.3; done
+find_action() { xdotool key ctrl+p sleep 0.5 type --delay 60 "$1" && xdotool sleep 0.5 key Return; }
+find_action "compare with another"
+xdotool sleep 3 key 1 sleep 1 mousemove --window "$window" 350 200 sleep 0.3 click 1 sleep 1
+find_action "end comparing"
+xdotool sleep 1
 xdotool mousemove --window "$window" 40 20 sleep 0.3 click 1 sleep 0.3 click 1 sleep 0.3  # Stop, Go
 xdotool mousemove --window "$window" 250 200 sleep 0.3 click 1 sleep 0.3 key f sleep 0.5 key 1 sleep 0.3
 for button in 1 2 3; do xdotool mousedown $button mousemove_relative 40 10 sleep 0.3 mouseup $button sleep 0.3; done

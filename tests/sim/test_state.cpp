@@ -19,7 +19,8 @@ Kind with(Vec3 cane, Vec3 pram) {
 }
 
 // People, canes and prams among them, on a street with a plaza's worth of room.
-std::unique_ptr<World> made(int threads, uint64_t seed = 1, uint32_t walkers = 60) {
+std::unique_ptr<World> made(int threads, uint64_t seed = 1, uint32_t walkers = 60,
+                            Ground ground = square(60)) {
     WorldOptions options;
     options.walkers = walkers;
     options.capacity = 150;
@@ -27,7 +28,6 @@ std::unique_ptr<World> made(int threads, uint64_t seed = 1, uint32_t walkers = 6
     options.seed = seed;
     options.kinds = {Kind{standard_body(1.75f)}, with(standard_cane(1.7f), {}),
                      with({}, standard_pram(standard_body(1.7f)))};
-    Ground ground = square(60);
     index_ground(ground);
     auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
     EXPECT_TRUE(world) << world.error().message;
@@ -78,6 +78,19 @@ TEST(State, TakenBackTheWorldGoesOnAsItDid) {
             EXPECT_TRUE(are_same(w->previous_poses, poses));
             EXPECT_TRUE(are_same(w->previous_trails, trails));
         }
+}
+
+TEST(State, OnSteps) {
+    auto w = made(2, 1, 50, steps());
+    run(*w, 300, true);
+    std::vector<std::byte> bytes;
+    save_state(*w, bytes);
+    run(*w, 200, true);
+    const uint64_t end = hash_world(*w);
+    run(*w, 200, true);
+    ASSERT_TRUE(load_state(*w, bytes));
+    run(*w, 200, true);
+    EXPECT_EQ(hash_world(*w), end);
 }
 
 TEST(State, AnotherWorldOfTheSameMakeTakesIt) {

@@ -94,7 +94,7 @@ tools/flaneur/window/measure sources: renderer, tools/flaneur/console, tools/fla
 tools/flaneur/window/open sources: assets, assets/files, tools/flaneur/console, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/open
 tools/flaneur/window/record sources: sim/base, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/record
 tools/flaneur/window/settings sources: assets/files, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/settings
-tools/flaneur/window/time sources: sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/time
+tools/flaneur/window/time sources: sim, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/time
 tools/flaneur/window sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output

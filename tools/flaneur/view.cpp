@@ -112,12 +112,12 @@ void watch(const Show& show, Viewer& v) {
     ride(*show.loaded.world, v.cameras, v.choice);
 }
 
-// Carries on what is wanted of the city. What was before a change is of another city, to which nothing goes
-// back.
+// Carries on what is wanted of the city.
 Result<void> change_city(Show& show, Viewer& v) {
     const size_t changes = v.change.log.size();
     if (Result<void> done = carry_on(show, v); !done) return done;
-    if (v.change.log.size() != changes) begin_past(v.time, *show.loaded.world);
+    if (v.change.log.size() != changes) changed_by_hand(v.time, *show.loaded.world);
+    v.time.is_led = is_driving(show);
     return {};
 }
 

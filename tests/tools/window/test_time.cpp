@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include "tools/flaneur/window/actions.h"
@@ -150,6 +151,48 @@ TEST_F(Time, TheNextEventIsGoneToAndFollowed) {
     act("To the next event, or on until there is one"), arrive();
     EXPECT_EQ(world().tick, 401u);
     EXPECT_EQ(v.selected, 5u);
+}
+
+TEST_F(Time, WhatIsChangedByHandIsGoneBackTo) {
+    v.time.watch.events = {{.tick = 90, .kind = EventKind::stuck, .walker = 7, .place = {}},
+                           {.tick = 300, .kind = EventKind::near_miss, .walker = 9, .place = {}}};
+    go(200);
+    ASSERT_TRUE(remove_walker(world(), walkers(world())[3]));
+    changed_by_hand(v.time, world());
+    EXPECT_EQ(v.time.latest, 200u);
+    EXPECT_EQ(v.time.watch.events.size(), 1u) << "what was to come";
+    const uint64_t at_200 = hash_world(world());
+    for (int i = 0; i < 100; ++i) make_tick(show, v);
+    const uint64_t at_300 = hash_world(world());
+    EXPECT_NE(at_300, hashes[300]);
+    go(150);
+    EXPECT_EQ(hash_world(world()), hashes[150]) << "before the change it is as it was";
+    go(300);
+    EXPECT_EQ(hash_world(world()), at_300);
+    go(200);
+    EXPECT_EQ(hash_world(world()), at_200);
+    go(150);
+    while (world().tick < 300) make_tick(show, v);
+    EXPECT_EQ(hash_world(world()), at_300) << "and as time goes by it is changed again";
+    go(200);
+
+    // On other ground nothing of before can be had.
+    world().ground = std::make_shared<const Ground>(*world().ground);
+    changed_by_hand(v.time, world());
+    EXPECT_EQ(kept_ticks(*v.time.history), std::vector<uint32_t>{200});
+    go(0);
+    EXPECT_EQ(world().tick, 200u);
+
+    // Nor while somebody is led by hand.
+    v.time.is_led = true;
+    for (int i = 0; i < 70; ++i) make_tick(show, v);
+    EXPECT_TRUE(kept_ticks(*v.time.history).empty());
+    go(100);
+    EXPECT_EQ(world().tick, 270u);
+    v.time.is_led = false;
+    for (int i = 0; i < 10; ++i) make_tick(show, v);
+    go(0);
+    EXPECT_EQ(world().tick, 271u);
 }
 
 TEST_F(Time, OtherPeopleBeginARunOfTheirOwn) {

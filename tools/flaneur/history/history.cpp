@@ -26,7 +26,8 @@ using Moment = std::chrono::steady_clock::time_point;
 Moment now() { return std::chrono::steady_clock::now(); }
 
 constexpr size_t k_chunk = size_t{64} << 10;
-constexpr size_t k_most_waiting = 2;  // states that are not packed yet
+// States that are not packed yet: so many, in so much of the memory, but one in any case.
+constexpr size_t k_most_waiting = 8, k_waiting_share = 4;
 // States nearer together than k_history_ticks, as looking back and forth brings them, last so long.
 constexpr uint32_t k_dense_reach = 120;
 // Ticks at which what is kept may lie half as far apart as what is twice as old.
@@ -199,7 +200,7 @@ std::vector<ChunkPtr> packed(const Bytes& raw, History& h) {
 
 void run_packer(History& h) {
     // Behind all who move and draw people; of this thread alone.
-    constexpr int k_niceness = 10;
+    constexpr int k_niceness = 5;
     setpriority(PRIO_PROCESS, 0, k_niceness);
     std::unique_lock lock(h.mutex);
     for (;;) {
@@ -235,7 +236,9 @@ void keep(History& h, const World& world, bool is_for_good) {
         (*at)->is_for_good |= is_for_good;
         return;
     }
-    thin_out(h, h.most_bytes - std::min(h.most_bytes, 2 * h.use.state_bytes));
+    // Room for this one, as it is and packed, and for those that wait, packed.
+    const size_t wanted = (2 + h.waiting.size()) * h.use.state_bytes;
+    thin_out(h, h.most_bytes - std::min(h.most_bytes, wanted));
     auto kept = std::make_shared<Kept>();
     kept->tick = world.tick;
     kept->is_for_good = is_for_good;
@@ -253,10 +256,11 @@ void keep(History& h, const World& world, bool is_for_good) {
     h.changed.notify_all();
 }
 
-// Whether one more can be copied: few are waiting to be packed, and it has room beside them.
+// Whether one more can be copied.
 bool has_room(const History& h) {
     if (h.waiting.empty()) return true;
-    return h.waiting.size() < k_most_waiting && bytes_of(h) + h.use.state_bytes <= h.most_bytes;
+    const size_t waiting = (h.waiting.size() + 1) * h.use.state_bytes;
+    return h.waiting.size() < k_most_waiting && waiting <= h.most_bytes / k_waiting_share;
 }
 
 }  // namespace
@@ -324,6 +328,12 @@ std::optional<uint32_t> kept_before(const History& h, uint32_t tick) {
     auto at = place_of(h, tick);
     if (at != h.kept.end() && (*at)->tick == tick) return tick;
     return at == h.kept.begin() ? std::nullopt : std::optional((*std::prev(at))->tick);
+}
+
+bool is_for_good(const History& h, uint32_t tick) {
+    const std::lock_guard lock(h.mutex);
+    const auto at = place_of(h, tick);
+    return at != h.kept.end() && (*at)->tick == tick && (*at)->is_for_good;
 }
 
 Result<void> restore(const History& h, uint32_t tick, World& world) {

@@ -48,6 +48,8 @@ void forget(History& history);
 std::vector<uint32_t> kept_ticks(const History& history);
 // The latest at or before `tick`.
 std::optional<uint32_t> kept_before(const History& history, uint32_t tick);
+// Whether the one of this tick is kept for good: no other way leads to it.
+bool is_for_good(const History& history, uint32_t tick);
 // Loads the one that is kept of `tick`.
 Result<void> restore(const History& history, uint32_t tick, World& world);
 

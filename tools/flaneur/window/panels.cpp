@@ -31,14 +31,6 @@ struct RoomPanel {
     void (*lay_out)(Show& show, Viewer& viewer, float scale);
 };
 
-std::string clock_text(const Show& show) {
-    const auto second =
-        static_cast<int>(static_cast<double>(hour_now(*show.loaded.world)) * 3600) % (24 * 3600);
-    char text[32];
-    std::snprintf(text, sizeof text, "%02d:%02d:%02d", second / 3600, second / 60 % 60, second % 60);
-    return text;
-}
-
 // What is drawn over the city.
 void lay_out_layers(Show& show, Viewer& v, float scale) {
     for (int i = 0; i < k_work_views; ++i) {
@@ -222,7 +214,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_filming(viewer, size, scale);
     lay_out_opening(show, viewer, size, scale);
     lay_out_labels(viewer, size, scale);
-    if (!viewer.has_panels) return;
+    if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
     lay_out_map(viewer, size, scale);
     lay_out_legends(show, size, scale);
     lay_out_bar(show, viewer, scale);

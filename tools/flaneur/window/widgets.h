@@ -8,7 +8,6 @@ namespace flaneur {
 inline constexpr float k_edge = 10;       // between panels and the window's edge, at scale 1
 inline constexpr float k_below_bar = 58;  // where panels begin below the bar, the same
 
-inline constexpr float k_below_bar = 58;  // of the window's upper edge
 inline constexpr float k_scale_bar = 58;  // of a map's scale, with the gap above it
 inline constexpr float k_timeline = 46;   // of the timeline's height, with the gap above it
 

@@ -150,18 +150,18 @@ void add_outline(const World& world, const Addition& a, const Pen& pen, std::vec
 
 std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
     constexpr int k_ways = 36;
-    constexpr float k_widest = 60, k_eye = 1, k_clear = 0.1f;  // metres
+    constexpr float k_broadest = 60, k_eye = 1, k_gap = 0.1f;  // metres
     std::optional<Addition> best;
-    float least = k_widest;
+    float least = k_broadest;
     for (int i = 0; i < k_ways; ++i) {
         const Vec2 way = heading_direction(static_cast<float>(i) * (k_pi / k_ways));
         const Vec3 from = place + Vec3{0, k_eye, 0};
-        const auto one = raycast(ground, from, at_height(way, 0), k_widest);
-        const auto other = raycast(ground, from, at_height(way * -1, 0), k_widest);
+        const auto one = raycast(ground, from, at_height(way, 0), k_broadest);
+        const auto other = raycast(ground, from, at_height(way * -1, 0), k_broadest);
         if (!one || !other || one->distance + other->distance >= least) continue;
         least = one->distance + other->distance;
-        const Vec3 a = place + at_height(way * (one->distance - k_clear), 0);
-        const Vec3 b = place - at_height(way * (other->distance - k_clear), 0);
+        const Vec3 a = place + at_height(way * (one->distance - k_gap), 0);
+        const Vec3 b = place - at_height(way * (other->distance - k_gap), 0);
         best = Addition{AddedKind::barrier, rounded(a), rounded(b), 0};
     }
     return best;

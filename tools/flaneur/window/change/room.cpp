@@ -158,16 +158,6 @@ void lay_out_selected(Viewer& v, float scale) {
     tip("Delete");
 }
 
-void undo_last(Show&, Viewer& v) {
-    if (!undo(v.change.designs)) tell(v, "Nothing has been changed that could be undone.");
-    v.change.selected.reset();
-}
-
-void redo_last(Show&, Viewer& v) {
-    if (!redo(v.change.designs)) tell(v, "Nothing has been undone.");
-    v.change.selected.reset();
-}
-
 void lay_out_name(Show& show, Viewer& v, float scale) {
     Change& c = v.change;
     if (!c.is_naming) return;
@@ -244,6 +234,16 @@ constexpr std::array k_actions = {
 };
 
 }  // namespace
+
+void undo_last(Show&, Viewer& v) {
+    if (!undo(v.change.designs)) tell(v, "Nothing has been changed that could be undone.");
+    v.change.selected.reset();
+}
+
+void redo_last(Show&, Viewer& v) {
+    if (!redo(v.change.designs)) tell(v, "Nothing has been undone.");
+    v.change.selected.reset();
+}
 
 std::span<const Action> change_actions() { return k_actions; }
 

@@ -42,7 +42,9 @@ void next_view(const Show& show, Viewer& v) {
     p.view = (p.view + 1) % static_cast<int>(views.size());
     p.seconds = 0;
     const World& world = *show.loaded.world;
-    p.from = choose_camera(show, {.kind = views[static_cast<size_t>(p.view)]}, 0, {}, 1);
+    CameraChoice choice;
+    choice.kind = views[static_cast<size_t>(p.view)];
+    p.from = choose_camera(show, choice, 0, {}, 1);
     p.middle = place_along(world, p.from, glm::normalize(p.from.target - p.from.eye));
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/tick.h"
+#include "sim/state.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
@@ -29,17 +30,17 @@ void look_at(Viewer& v, const World& world, uint32_t walker) {
 }
 
 // The state from which `tick` is reached soonest: strictly before it, so that the tick before it is known
-// too. Loads it where the world is not nearer.
+// too, unless only the very state leads there. Loads it where the world is not nearer.
 Result<void> approach(Show& show, Timeline& time, uint32_t tick) {
     World& world = *show.loaded.world;
     if (world.tick == tick && !time.is_rough) return {};
-    const std::vector<uint32_t> kept = kept_ticks(*time.history);
-    if (kept.empty()) return {};
-    const uint32_t from = kept_before(*time.history, tick > 0 ? tick - 1 : 0).value_or(kept.front());
-    if (world.tick < tick && world.tick >= from) return {};
+    std::optional<uint32_t> from;
+    if (tick > 0 && !is_for_good(*time.history, tick)) from = kept_before(*time.history, tick - 1);
+    if (!from) from = kept_before(*time.history, tick);
+    if (!from || (world.tick < tick && world.tick >= *from)) return {};
     forget_past(show);
     time.is_rough = true;
-    return restore(*time.history, from, world);
+    return restore(*time.history, *from, world);
 }
 
 bool is_event_found(const Viewer& v, const World& world, uint32_t since) {
@@ -91,14 +92,6 @@ Anew::~Anew() {
     if (ready.valid()) ready.wait();
 }
 
-void begin_past(Timeline& time, const World& world) {
-    forget(*time.history);
-    time.going.reset();
-    time.scrubbed_to.reset();
-    time.latest = world.tick;
-    follow(*time.history, world);
-}
-
 void begin_run(Timeline& time, const World& world) {
     if (!time.history) time.history = make_history(static_cast<size_t>(time.most_mib) << 20);
     forget(*time.history);
@@ -112,15 +105,38 @@ void begin_run(Timeline& time, const World& world) {
     time.marks.clear();
     time.seed = time.beside_seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
     time.beside_people = static_cast<int>(2 * world.crowd.slots.living.size());
+    time.mark = state_mark(world);
+    time.ground = world.ground.get();
     follow(*time.history, world);
     watch(time.watch, world);
+}
+
+void changed_by_hand(Timeline& time, const World& world) {
+    const uint64_t mark = state_mark(world);
+    if (mark != time.mark || world.ground.get() != time.ground) forget(*time.history);
+    time.mark = mark;
+    time.ground = world.ground.get();
+    keep_for_good(*time.history, world);
+    std::erase_if(time.watch.events, [&](const Event& event) { return event.tick > world.tick; });
+    if (time.watch.seen > world.tick) {
+        time.watch.has_begun = false;
+        watch(time.watch, world);
+    }
+    time.going.reset();
+    time.latest = world.tick;
 }
 
 void make_tick(Show& show, Viewer& v) {
     step(show);
     v.time.is_rough = false;
-    const World& world = *show.loaded.world;
-    follow(*v.time.history, world);
+    World& world = *show.loaded.world;
+    // What was changed by hand after this tick is changed again.
+    if (world.tick < v.time.latest && is_for_good(*v.time.history, world.tick))
+        (void)restore(*v.time.history, world.tick, world);
+    if (v.time.is_led)
+        forget(*v.time.history);
+    else
+        follow(*v.time.history, world);
     watch(v.time.watch, world);
     v.time.latest = std::max(v.time.latest, world.tick);
 }

@@ -55,6 +55,10 @@ struct Timeline {
     uint32_t run = 0;                    // how many runs there were before this one
     std::optional<uint64_t> first_seed;  // of the first one, which the command line tells
     uint32_t latest = 0;                 // tick, as far as this run has come
+    uint64_t mark = 0;                   // state_mark of what is kept, and its ground
+    const Ground* ground = nullptr;
+    bool is_led =
+        false;  // somebody is led by a hand, which is not simulated again: no past is kept meanwhile
 
     std::optional<Going> going;
     bool is_rough = false;  // the world is as it was kept, and what was a tick before is not known
@@ -71,8 +75,11 @@ struct Timeline {
 // Makes the timeline know a world whose first tick it is at, or that it is at now: the begin of a run.
 void begin_run(Timeline& time, const World& world);
 
-// Forgets what was before, for the world is no longer of the same city or people.
-void begin_past(Timeline& time, const World& world);
+// The world has been changed by other than its ticks, after this tick: people came or were sent elsewhere,
+// the city is another. What was kept of later is no longer to come, nor are events; where the ground, the
+// hour or the capacity is another, what was kept of before cannot be had any more either. To be called after
+// each such change, and after each tick in which somebody is led by hand.
+void changed_by_hand(Timeline& time, const World& world);
 
 // One tick of the world, and all that looks at every tick.
 void make_tick(Show& show, Viewer& viewer);

@@ -93,7 +93,7 @@ void lay_out_progress(const Show& show, const Viewer& v, Size size, float scale)
     const auto progress = progress_of(v.time, *show.loaded.world, glfwGetTime());
     if (!progress || !progress->is_long) return;
     ImGui::SetNextWindowPos(
-        {static_cast<float>(size.width) / 2, static_cast<float>(size.height) - (k_timeline + 12) * scale},
+        {static_cast<float>(size.width) / 2, static_cast<float>(size.height) - (k_timeline + 52) * scale},
         ImGuiCond_Always, {0.5f, 1});
     ImGui::SetNextWindowSize({320 * scale, 0});
     if (ImGui::Begin("going", nullptr, k_plain)) {
