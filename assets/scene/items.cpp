@@ -34,7 +34,9 @@ const std::string& coordinate_pattern() {
     static const std::string text = R"(-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?)";
     return text;
 }
-std::string point_pattern() { return coordinate_pattern() + "," + coordinate_pattern() + "," + coordinate_pattern(); }
+std::string point_pattern() {
+    return coordinate_pattern() + "," + coordinate_pattern() + "," + coordinate_pattern();
+}
 
 const std::vector<SceneKey<PeopleItem>>& people_keys() {
     using enum KeyKind;

@@ -153,8 +153,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
         {"camera",
          {text, 0, 0,
-          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate_pattern() + "," + coordinate_pattern() + "," +
-              across + "(," + bearing + ")?|" + point + "/" + point},
+          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate_pattern() + "," +
+              coordinate_pattern() + "," + across + "(," + bearing + ")?|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
          "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID "
