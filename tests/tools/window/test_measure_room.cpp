@@ -102,11 +102,18 @@ TEST_F(MeasureRoomTest, PointsAreDraggedAndAllIsUndone) {
     EXPECT_EQ(room().drawn, first);
     redo_drawing(show, v);
     EXPECT_EQ(room().drawn, second);
+    undo_drawing(show, v);
+    take_tool(MarkingKind::line, v);
+    click(300, 300), click(500, 300);
+    redo_drawing(show, v);
+    EXPECT_EQ(room().drawn.size(), 2u) << "what is drawn anew leaves nothing to go on to";
+    undo_drawing(show, v), undo_drawing(show, v);
+    redo_drawing(show, v);
     v.measure.selected = 0;
     remove_selected(show, v);
     EXPECT_TRUE(room().drawn.empty() && room().counts.lines.empty());
     undo_drawing(show, v);
-    EXPECT_EQ(room().drawn, second);
+    EXPECT_EQ(room().drawn, first);
     EXPECT_EQ(room().counts.lines.size(), 1u);
 }
 

@@ -37,9 +37,10 @@ void understand(Viewer& v) {
     PeopleSearch& search = v.search;
     Zones zones;
     for (const ZoneCount& zone : v.measure.counts.zones) zones.names.push_back(zone.zone.name);
-    zones.holds = [&v](size_t zone, Vec3 place) {
-        const std::vector<ZoneCount>& all = v.measure.counts.zones;
-        return zone < all.size() && is_within(all[zone].zone.corners, on_ground(place));
+    zones.holds = [&v](const std::string& name, Vec3 place) {
+        for (const ZoneCount& zone : v.measure.counts.zones)
+            if (zone.zone.name == name) return is_within(zone.zone.corners, on_ground(place));
+        return false;  // it has been removed meanwhile
     };
     search.parsed = search.typed;
     search.refused.clear();
@@ -92,6 +93,7 @@ void find_people(const Show& show, Viewer& v) {
     const double now = glfwGetTime();
     if (search.parsed != search.typed) understand(v), search.looked_at = -1e9;
     if (now - search.looked_at < k_again_seconds) return;
+    if (!search.refused.empty()) understand(v);  // a zone may have been drawn meanwhile
     search.looked_at = now;
     search.found.clear();
     if (search.filter.any.empty()) return;

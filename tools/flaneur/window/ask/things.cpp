@@ -130,6 +130,9 @@ ThingFacts facts_of_building(const CityIndex& index, const Thing& thing) {
     const Building& building = index.city->buildings[thing.index];
     const CityIndex::House& house = index.houses[thing.index];
     ThingFacts facts{building.has_shop ? "Building with a shop" : "Building", {}};
+    constexpr const char* k_finishes[] = {"", "walls of glass", "", "walls of stone"};
+    if (const char* finish = k_finishes[static_cast<size_t>(building.finish)]; *finish)
+        facts.lines.emplace_back(finish);
     const float eaves = building.top - building.base, ridge = house.high.y - building.base;
     if (const std::optional<int> storeys = storeys_of(building))
         facts.lines.push_back(
