@@ -262,7 +262,9 @@ std::optional<int> storeys_of(const Building& building) {
 
 ThingFacts facts_of(const CityIndex& index, const Thing& thing) {
     const City& city = *index.city;
-    const std::string place = text_of("at %.1f east, %.1f south", wide(thing.place.x), wide(thing.place.z));
+    const std::string place = text_of("%.1f m %s, %.1f m %s of the middle", std::fabs(wide(thing.place.x)),
+                                      thing.place.x < 0 ? "west" : "east", std::fabs(wide(thing.place.z)),
+                                      thing.place.z < 0 ? "north" : "south");
     ThingFacts facts;
     switch (thing.kind) {
         case ThingKind::building:

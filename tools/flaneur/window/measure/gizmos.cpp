@@ -172,8 +172,9 @@ void add_labels(const MeasureRoom& room, std::vector<Label>& labels) {
                     const ZoneSample now = zone_now(zone, room.counts);
                     labels.push_back(
                         {centre,
-                         text_of("%s  %u people  %.2f/m\u00b2  %c", name, now.people,
-                                 static_cast<double>(now.density), 'A' + fruin_level(now.density)),
+                         text_of("%s  %u %s  %.2f/m\u00b2  %c", name, now.people,
+                                 now.people == 1 ? "person" : "people", static_cast<double>(now.density),
+                                 'A' + fruin_level(now.density)),
                          colour});
                 }
                 break;
