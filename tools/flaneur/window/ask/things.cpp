@@ -120,9 +120,10 @@ void widen(CityIndex::House& house, Vec3 p) {
     house.high = {std::max(house.high.x, p.x), std::max(house.high.y, p.y), std::max(house.high.z, p.z)};
 }
 
-// Degrees and a share, as planners say it.
+// As planners say it; of what can be stood on.
 std::string told_slope(Vec3 normal) {
-    const float flat = std::hypot(normal.x, normal.z), up = std::max(std::fabs(normal.y), 1e-3f);
+    const float flat = std::hypot(normal.x, normal.z), up = std::fabs(normal.y);
+    if (up < 0.17f) return "upright";
     return text_of("slope %.1f %%", wide(100 * flat / up));
 }
 
