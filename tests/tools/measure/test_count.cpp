@@ -87,6 +87,19 @@ TEST(Count, HighSpeedSkipsNothing) {
     EXPECT_NEAR(track.crossings()[0].at.z, 2, 1e-4f);
 }
 
+TEST(Count, ATickExactlyOnTheLineIsNoTwoCrossingsAndNotNone) {
+    Track track;
+    track.at({0.5f, 1}), track.at({0, 1}), track.at({-0.5f, 1});
+    EXPECT_EQ(track.crossings().size(), 1u);
+    track.at({0, 1}), track.at({0.5f, 1});
+    EXPECT_EQ(track.crossings().size(), 2u);
+    Track level({"L1", {0, 0}, {4, 0}});
+    level.at({1, 0.5f}), level.at({1, 0}), level.at({1, -0.5f});
+    EXPECT_EQ(level.crossings().size(), 1u);
+    level.at({1, 0}), level.at({1, 0.5f});
+    EXPECT_EQ(level.crossings().size(), 2u);
+}
+
 TEST(Count, WhoStandsOnTheLineOrTurnsBackIsNotCounted) {
     Track track;
     for (int i = 0; i < 500; ++i) track.at({i % 2 ? 0.02f : -0.02f, 2});

@@ -1,10 +1,16 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "assets/files/words.h"
 #include "assets/scene.h"
 #include "sim/world.h"
+#include "tools/flaneur/commands.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/measure/csv.h"
 
@@ -37,6 +43,29 @@ TEST(Plan, OutlinesThatCrossThemselvesAreNone) {
     EXPECT_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
     EXPECT_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {2, 0}})) << "folds back";
     EXPECT_FALSE(is_simple(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})) << "touches itself";
+}
+
+TEST(Plan, TrianglesFillAZone) {
+    std::vector<Vec2> comb;
+    for (int i = 0; i < 12; ++i)
+        comb.push_back({static_cast<float>(i), i % 2 ? 5.0f : 1.0f + 0.1f * static_cast<float>(i)});
+    comb.push_back({11, 0}), comb.push_back({0, 0});
+    for (std::vector<Vec2> corners : {k_bent, comb}) {
+        for (int turn = 0; turn < 2; ++turn) {
+            double area = 0;
+            const std::vector<uint32_t> triangles = fill_of(corners);
+            ASSERT_EQ(triangles.size(), 3 * (corners.size() - 2));
+            for (size_t i = 0; i < triangles.size(); i += 3) {
+                const Vec2 a = corners[triangles[i]], b = corners[triangles[i + 1]],
+                           c = corners[triangles[i + 2]];
+                EXPECT_GE(cross(b - a, c - a), 0);
+                area += static_cast<double>(cross(b - a, c - a)) / 2;
+                EXPECT_TRUE(is_within(corners, (a + b + c) / 3) || cross(b - a, c - a) == 0);
+            }
+            EXPECT_NEAR(area, area_of(corners), 1e-4);
+            std::reverse(corners.begin(), corners.end());
+        }
+    }
 }
 
 TEST(Plan, IsToldAsItIsRead) {
@@ -131,6 +160,37 @@ TEST(Count, OfACityIsTheSameEachTime) {
         ASSERT_EQ(counts.zones[0].samples.size(), 21u);
     }
     EXPECT_EQ(texts[0], texts[1]);
+}
+
+// What `flaneur sim` writes is what the model gives that the window uses.
+TEST(Csv, OfSimIsThatOfTheModel) {
+    Options options;
+    options.command = Command::sim;
+    options.scene = load_scene("corner").value();
+    options.scene.walkers = 70;
+    options.seconds = 15;
+    options.plan.lines = {parse_count_line("-40,2/40,2").value()};
+    options.plan.zones = {parse_count_zone("yard:-20,-20/20,-20/20,20/-20,20").value()};
+    ASSERT_TRUE(name_all(options.plan));
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("flaneur-" + std::to_string(getpid()));
+    options.measures = (folder / "flow.csv").string();
+    const Result<void> done = run_sim(options);
+    ASSERT_TRUE(done) << done.error().message;
+    Result<Loaded> loaded = load(options);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    Counts counts;
+    set_plan(counts, options.plan, 0);
+    count_people(counts, *loaded->world);
+    for (int tick = 0; tick < 15 * 60; ++tick) step(*loaded->world), count_people(counts, *loaded->world);
+    auto text_of = [&](const char* name) {
+        std::ifstream file(folder / name);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_EQ(text_of("flow-L1.csv"), line_csv(counts.lines[0]));
+    EXPECT_EQ(text_of("flow-yard.csv"), zone_csv(counts.zones[0]));
+    EXPECT_GT(counts.lines[0].crossings.size(), 3u);
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(AskingTest, WatchesTheStridesOfOne) {
     // Nobody, another one, or a gap in time begins anew.
     step(world()), step(world()), watch_gait(world(), walker, watch);
     EXPECT_EQ(watch.walk.ticks.size(), 1u);
-    step(world()), watch_gait(world(), walker + 1, watch);
+    step(world()), watch_gait(world(), (walker + 1) % world().crowd.count, watch);
     EXPECT_EQ(watch.walk.ticks.size(), 1u);
     watch_gait(world(), {}, watch);
     EXPECT_TRUE(watch.walk.ticks.empty() && watch.prints.empty());

@@ -58,7 +58,8 @@ TEST(Filter, SpeedsHeightsAndPlaces) {
     EXPECT_TRUE(asks_for("going to a shop", f));
     EXPECT_TRUE(parse_filter("to shop").value().asks_where_to);
     EXPECT_FALSE(parse_filter("woman").value().asks_where_to);
-    const Zones zones{{"Z1", "Gate"}, [](size_t zone, Vec3 place) { return zone == 1 && place.x > 0; }};
+    const Zones zones{{"Z1", "Gate"},
+                      [](const std::string& zone, Vec3 place) { return zone == "Gate" && place.x > 0; }};
     f.place = {1, 0, 0};
     EXPECT_TRUE(holds(parse_filter("in gate", zones).value(), f));
     EXPECT_FALSE(holds(parse_filter("in z1", zones).value(), f));
@@ -86,7 +87,7 @@ TEST(Filter, ErrorsNameTheWordAndThoseThatAreKnown) {
 
 // Every example of the hint is understood.
 TEST(Filter, HintsAreTrue) {
-    const Zones zones{{"Z1"}, [](size_t, Vec3) { return false; }};
+    const Zones zones{{"Z1"}, [](const std::string&, Vec3) { return false; }};
     for (const char* text : {"woman",
                              "man",
                              "girl",

@@ -102,12 +102,39 @@ TEST_F(MeasureRoomTest, PointsAreDraggedAndAllIsUndone) {
     EXPECT_EQ(room().drawn, first);
     redo_drawing(show, v);
     EXPECT_EQ(room().drawn, second);
+    undo_drawing(show, v);
+    take_tool(MarkingKind::line, v);
+    click(300, 300), click(500, 300);
+    redo_drawing(show, v);
+    EXPECT_EQ(room().drawn.size(), 2u) << "what is drawn anew leaves nothing to go on to";
+    undo_drawing(show, v), undo_drawing(show, v);
+    redo_drawing(show, v);
     v.measure.selected = 0;
     remove_selected(show, v);
     EXPECT_TRUE(room().drawn.empty() && room().counts.lines.empty());
     undo_drawing(show, v);
-    EXPECT_EQ(room().drawn, second);
+    EXPECT_EQ(room().drawn, first);
     EXPECT_EQ(room().counts.lines.size(), 1u);
+}
+
+TEST_F(MeasureRoomTest, KeysMayComeInTheMiddleOfADrag) {
+    for (const bool is_removed : {false, true}) {
+        take_tool(MarkingKind::line, v);
+        click(300, 200), click(500, 260);
+        const glm::vec2 grip = pixel_of(room().drawn.back().points[1]);
+        frame({.x = grip.x, .y = grip.y});
+        frame({.x = grip.x, .y = grip.y, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+        frame({.x = 520, .y = 300, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+        ASSERT_TRUE(room().is_dragging);
+        if (is_removed)
+            remove_selected(show, v);
+        else
+            EXPECT_TRUE(abandon_drawing(v));
+        frame({.x = 540, .y = 300, .is_held = true, .held_x = grip.x, .held_y = grip.y});
+        EXPECT_FALSE(room().is_dragging);
+        EXPECT_EQ(plan_of(room().counts), plan_of(room().drawn)) << "what is drawn is what counts";
+    }
+    EXPECT_EQ(room().drawn.size(), 1u);
 }
 
 TEST_F(MeasureRoomTest, AZoneNeverCrossesItself) {

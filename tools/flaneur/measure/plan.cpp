@@ -146,6 +146,37 @@ bool is_simple(std::span<const Vec2> corners) {
     return true;
 }
 
+// Ears are cut off one after the other (Meisters, American Mathematical Monthly 82, 1975).
+std::vector<uint32_t> fill_of(std::span<const Vec2> corners) {
+    std::vector<uint32_t> left(corners.size()), triangles;
+    double twice = 0;
+    for (uint32_t i = 0; i < left.size(); ++i) {
+        left[i] = i;
+        if (i > 1) twice += crossed(corners[0], corners[i - 1], corners[i]);
+    }
+    if (twice < 0) std::reverse(left.begin(), left.end());
+    auto is_ear = [&](size_t at) {
+        const size_t n = left.size();
+        const uint32_t i = left[(at + n - 1) % n], k = left[at], l = left[(at + 1) % n];
+        const Vec2 a = corners[i], b = corners[k], c = corners[l];
+        if (crossed(a, b, c) <= 0) return false;
+        return std::none_of(left.begin(), left.end(), [&](uint32_t other) {
+            const Vec2 p = corners[other];
+            return other != i && other != k && other != l && crossed(a, b, p) >= 0 && crossed(b, c, p) >= 0 &&
+                   crossed(c, a, p) >= 0;
+        });
+    };
+    while (left.size() >= 3) {
+        size_t at = 0;
+        while (at < left.size() && !is_ear(at)) ++at;
+        if (at == left.size()) at = 0;  // only corners on one line are left, or all but that
+        const size_t n = left.size();
+        triangles.insert(triangles.end(), {left[(at + n - 1) % n], left[at], left[(at + 1) % n]});
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    return triangles;
+}
+
 Result<CountLine> parse_count_line(const std::string& text) {
     CountLine line;
     std::string_view rest = text;

@@ -2,6 +2,7 @@
 // level: of a bridge and what is below it, both count. Metres, x to the east and z to the south.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,10 @@ double area_of(std::span<const Vec2> corners);
 bool is_within(std::span<const Vec2> corners, Vec2 place);
 // Whether no two of its edges cross or touch, but at the corners where they meet.
 bool is_simple(std::span<const Vec2> corners);
+
+// Triangles that fill a polygon which does not cross itself, three indices of its corners each, all one way
+// round.
+std::vector<uint32_t> fill_of(std::span<const Vec2> corners);
 
 // "x,z/x,z" and "x,z/x,z/x,z...", with "NAME:" before it if it has one. Errors are sentences without a full
 // stop that begin with the text.

@@ -175,12 +175,12 @@ struct Reader {
         });
     }
     Result<Holds> zone() {
-        for (size_t i = 0; i < zones.names.size() && !is_done(); ++i) {
-            std::string name = zones.names[i];
+        for (const std::string& zone : zones.names) {
+            std::string name = zone;
             std::transform(name.begin(), name.end(), name.begin(),
                            [](unsigned char c) { return std::tolower(c); });
             if (!takes(name.c_str())) continue;
-            return Holds([i, is_in = zones.holds](const WalkerFacts& f) { return is_in(i, f.place); });
+            return Holds([zone, is_in = zones.holds](const WalkerFacts& f) { return is_in(zone, f.place); });
         }
         if (zones.names.empty()) return Error{"\"in\" asks for a zone: draw one in the room Measure first."};
         return Error{"After \"in\" comes a zone: " + joined(zones.names) + "."};

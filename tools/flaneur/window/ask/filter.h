@@ -22,7 +22,7 @@ bool holds(const Filter& filter, const WalkerFacts& facts);
 // Whether somebody stands in a zone of that name; it refuses names that there are not.
 struct Zones {
     std::vector<std::string> names;
-    std::function<bool(size_t zone, Vec3 place)> holds;
+    std::function<bool(const std::string& zone, Vec3 place)> holds;
 };
 // Errors are sentences that name the word and those that are known.
 Result<Filter> parse_filter(std::string_view text, const Zones& zones = {});

@@ -37,9 +37,10 @@ void understand(Viewer& v) {
     PeopleSearch& search = v.search;
     Zones zones;
     for (const ZoneCount& zone : v.measure.counts.zones) zones.names.push_back(zone.zone.name);
-    zones.holds = [&v](size_t zone, Vec3 place) {
-        const std::vector<ZoneCount>& all = v.measure.counts.zones;
-        return zone < all.size() && is_within(all[zone].zone.corners, on_ground(place));
+    zones.holds = [&v](const std::string& name, Vec3 place) {
+        for (const ZoneCount& zone : v.measure.counts.zones)
+            if (zone.zone.name == name) return is_within(zone.zone.corners, on_ground(place));
+        return false;  // it has been removed meanwhile
     };
     search.parsed = search.typed;
     search.refused.clear();
@@ -92,6 +93,7 @@ void find_people(const Show& show, Viewer& v) {
     const double now = glfwGetTime();
     if (search.parsed != search.typed) understand(v), search.looked_at = -1e9;
     if (now - search.looked_at < k_again_seconds) return;
+    if (!search.refused.empty()) understand(v);  // a zone may have been drawn meanwhile
     search.looked_at = now;
     search.found.clear();
     if (search.filter.any.empty()) return;
@@ -99,8 +101,7 @@ void find_people(const Show& show, Viewer& v) {
         WalkerFacts facts =
             search.filter.asks_where_to ? facts_of(show, id.index) : quick_facts_of(show, id.index);
         if (!holds(search.filter, facts)) continue;
-        const glm::vec3 eye = v.camera.eye;
-        const float away = length(facts.place - Vec3{eye.x, eye.y, eye.z});
+        const float away = glm::length(show.people.walkers[id.index].centre - v.camera.eye);
         search.found.push_back({std::move(facts), away});
     }
     std::sort(search.found.begin(), search.found.end(),
@@ -109,7 +110,8 @@ void find_people(const Show& show, Viewer& v) {
 
 void mark_found(Show& show, Viewer& v, FrameInput& frame) {
     if (v.room != Room::find || !v.has_panels) return;
-    const Crowd& crowd = show.loaded.world->crowd;
+    const World& world = *show.loaded.world;
+    const Crowd& crowd = world.crowd;
     std::vector<GizmoLine>& lines = show.overlay.lines;
     for (size_t i = 0; i < v.search.found.size(); ++i) {
         const WalkerFacts& facts = v.search.found[i].facts;
@@ -117,7 +119,7 @@ void mark_found(Show& show, Viewer& v, FrameInput& frame) {
         const WalkerDraw& drawn = show.people.walkers[facts.number];
         Pen pen{.pixels = 2.5f};
         pen.colour = v.search.pointed == facts.number ? ink(0xffffff) : k_found;
-        if (i < k_most_rings) {
+        if (i < k_most_rings && !world.roam) {
             const float foot = crowd.motion.position[facts.number].y;
             add_circle(lines, pen, {drawn.centre.x, foot + 0.05f, drawn.centre.z}, {0, 1, 0}, 0.5f);
         }

@@ -198,7 +198,8 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
     const World& world = *show.loaded.world;
     ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
     if (!v.selected || world.roam) {
-        ImGui::TextDisabled("Click somebody to see how they walk.");
+        ImGui::TextDisabled(world.roam ? "On the asteroid steps are not measured."
+                                       : "Click somebody to see how they walk.");
         return;
     }
     GaitWatch& watch = v.watch;

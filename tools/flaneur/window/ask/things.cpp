@@ -120,9 +120,10 @@ void widen(CityIndex::House& house, Vec3 p) {
     house.high = {std::max(house.high.x, p.x), std::max(house.high.y, p.y), std::max(house.high.z, p.z)};
 }
 
-// Degrees and a share, as planners say it.
+// As planners say it; of what can be stood on.
 std::string told_slope(Vec3 normal) {
-    const float flat = std::hypot(normal.x, normal.z), up = std::max(std::fabs(normal.y), 1e-3f);
+    const float flat = std::hypot(normal.x, normal.z), up = std::fabs(normal.y);
+    if (up < 0.17f) return "upright";
     return text_of("slope %.1f %%", wide(100 * flat / up));
 }
 
@@ -130,6 +131,9 @@ ThingFacts facts_of_building(const CityIndex& index, const Thing& thing) {
     const Building& building = index.city->buildings[thing.index];
     const CityIndex::House& house = index.houses[thing.index];
     ThingFacts facts{building.has_shop ? "Building with a shop" : "Building", {}};
+    constexpr const char* k_finishes[] = {"", "walls of glass", "", "walls of stone"};
+    if (const char* finish = k_finishes[static_cast<size_t>(building.finish)]; *finish)
+        facts.lines.emplace_back(finish);
     const float eaves = building.top - building.base, ridge = house.high.y - building.base;
     if (const std::optional<int> storeys = storeys_of(building))
         facts.lines.push_back(
@@ -259,7 +263,9 @@ std::optional<int> storeys_of(const Building& building) {
 
 ThingFacts facts_of(const CityIndex& index, const Thing& thing) {
     const City& city = *index.city;
-    const std::string place = text_of("at %.1f east, %.1f south", wide(thing.place.x), wide(thing.place.z));
+    const std::string place = text_of("%.1f m %s, %.1f m %s of the middle", std::fabs(wide(thing.place.x)),
+                                      thing.place.x < 0 ? "west" : "east", std::fabs(wide(thing.place.z)),
+                                      thing.place.z < 0 ? "north" : "south");
     ThingFacts facts;
     switch (thing.kind) {
         case ThingKind::building:

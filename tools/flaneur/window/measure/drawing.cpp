@@ -240,11 +240,18 @@ bool draw_with_mouse(const Show& show, const Mouse& before, const Mouse& now, Si
     if (v.room != Room::measure || show.loaded.world->roam) return room.is_dragging = false;
     if (is_panels && !room.is_dragging) return false;
     const glm::vec2 pixel(static_cast<float>(now.x), static_cast<float>(now.y));
-    const glm::vec3 place = rounded(place_under(show, v, ray_through(v.camera, size, pixel)));
-    if (room.is_dragging) return drag(show, now, place, v), true;
+    if (room.is_dragging && !(room.selected && room.handle)) {  // let go of by a key meanwhile
+        room.is_dragging = false;
+        count_drawn(show, v);
+    }
+    if (room.is_dragging || room.tool)
+        room.under = rounded(place_under(show, v, ray_through(v.camera, size, pixel)));
+    if (room.is_dragging) {
+        drag(show, now, *room.under, v);
+        return true;
+    }
     if (room.tool) {
-        room.under = place;
-        if (now.has_clicked) add_point(show, place, pixel, v);
+        if (now.has_clicked) add_point(show, *room.under, pixel, v);
         return now.has_clicked;
     }
     const Projection seen(v.camera, size);

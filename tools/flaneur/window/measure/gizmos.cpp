@@ -2,10 +2,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "renderer/view.h"
+#include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/overlay/shapes.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/viewer.h"
@@ -40,6 +42,51 @@ std::vector<glm::vec3> outline(const World& world, const std::vector<glm::vec3>&
         drape(world.ground.get(), points[i - 1], points[i % points.size()], all);
     for (glm::vec3& p : all) p.y += k_above;
     return all;
+}
+
+// Triangles over the ground that fill a zone, halved until their edges are short.
+std::vector<glm::vec3> fill(const World& world, const std::vector<glm::vec3>& points) {
+    constexpr float k_longest = 1.5f;
+    constexpr size_t k_most = 30'000;
+    const std::vector<uint32_t> triangles = fill_of(on_map(points));
+    std::vector<std::array<glm::vec3, 3>> pieces;
+    for (size_t i = 0; i + 2 < triangles.size(); i += 3)
+        pieces.push_back({points[triangles[i]], points[triangles[i + 1]], points[triangles[i + 2]]});
+    std::vector<glm::vec3> all;
+    while (!pieces.empty()) {
+        const auto [a, b, c] = pieces.back();
+        pieces.pop_back();
+        const float ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
+        const float most = std::max({ab, bc, ca});
+        if (most > k_longest && all.size() + 3 * pieces.size() < k_most) {
+            using Corners = std::array<glm::vec3, 3>;
+            const auto [p, q, r] = most == ab   ? Corners{a, b, c}
+                                   : most == bc ? Corners{b, c, a}
+                                                : Corners{c, a, b};
+            glm::vec3 middle = 0.5f * (p + q);
+            if (world.ground)
+                if (const auto hit = ground_at(*world.ground, {middle.x, middle.y, middle.z}, 1.5f, 3))
+                    middle.y = hit->height;
+            pieces.push_back({p, middle, r});
+            pieces.push_back({middle, q, r});
+            continue;
+        }
+        all.insert(all.end(), {a, b, c});
+    }
+    for (glm::vec3& p : all) p.y += 0.5f * k_above;
+    return all;
+}
+
+// By its level of service.
+void add_fill(const Marking& drawn, const std::vector<glm::vec3>& triangles, const Counts& counts,
+              std::vector<GizmoCorner>& fills) {
+    constexpr uint32_t k_opacity = 0x50000000u;
+    for (const ZoneCount& zone : counts.zones) {
+        if (zone.zone.name != drawn.name) continue;
+        const int level = fruin_level(zone_now(zone, counts).density);
+        const uint32_t colour = (k_fruin_colours[level] & 0xffffffu) | k_opacity;
+        for (const glm::vec3& corner : triangles) fills.push_back({corner, colour});
+    }
 }
 
 struct Drawer {
@@ -125,8 +172,9 @@ void add_labels(const MeasureRoom& room, std::vector<Label>& labels) {
                     const ZoneSample now = zone_now(zone, room.counts);
                     labels.push_back(
                         {centre,
-                         text_of("%s  %u people  %.2f/m\u00b2  %c", name, now.people,
-                                 static_cast<double>(now.density), 'A' + fruin_level(now.density)),
+                         text_of("%s  %u %s  %.2f/m\u00b2  %c", name, now.people,
+                                 now.people == 1 ? "person" : "people", static_cast<double>(now.density),
+                                 'A' + fruin_level(now.density)),
                          colour});
                 }
                 break;
@@ -162,9 +210,12 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
     if (!v.has_panels || (room.drawn.empty() && room.draft.empty() && !room.under)) return;
     const World& world = *show.loaded.world;
     if (room.outlines.size() != room.drawn.size()) {
-        room.outlines.clear();
-        for (const Marking& drawn : room.drawn)
+        room.outlines.clear(), room.fills.clear();
+        for (const Marking& drawn : room.drawn) {
             room.outlines.push_back(outline(world, drawn.points, is_closed(drawn.kind)));
+            room.fills.push_back(drawn.kind == MarkingKind::zone ? fill(world, drawn.points)
+                                                                 : std::vector<glm::vec3>());
+        }
     }
     Drawer draw{show.overlay.lines};
     for (size_t i = 0; i < room.drawn.size(); ++i) {
@@ -172,6 +223,7 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
         const bool is_selected = is_open && room.selected == i, is_pointed_at = is_open && room.hovered == i;
         const uint32_t rgb = k_colours[static_cast<size_t>(drawn.kind)];
         const uint32_t colour = is_selected || is_pointed_at ? ink(0xffffff) : ink(rgb);
+        add_fill(drawn, room.fills[i], room.counts, show.overlay.fills);
         draw.stroke(room.outlines[i], colour, is_selected ? 3.5f : 2.5f);
         if (drawn.kind == MarkingKind::line) {
             const glm::vec3 middle = middle_of(room.outlines[i]), aside = right_of(drawn) * reach_of(drawn);
@@ -194,6 +246,7 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
         for (const glm::vec3& p : points) draw.point(p, colour, 7);
     }
     frame.lines = show.overlay.lines;
+    frame.fills = show.overlay.fills;
 }
 
 void lay_out_labels(const Viewer& v, Size size, float scale) {

@@ -36,8 +36,9 @@ struct MeasureRoom {
     double clicked_at = -1e9;  // of the window's time: a second click soon after finishes
     glm::vec2 clicked{0};
     char csv[256] = "out/measures.csv", json[256] = "measures.json";
-    // On the ground, for drawing: of each that is drawn. Made anew where they are fewer.
-    std::vector<std::vector<glm::vec3>> outlines;
+    // On the ground, for drawing: of each that is drawn; made anew where they are fewer. Of zones, triangles
+    // that fill them too.
+    std::vector<std::vector<glm::vec3>> outlines, fills;
 };
 
 // Metres along the points, as the ground lies and as a map shows it.

@@ -69,8 +69,9 @@ std::string told_row(const Marking& drawn, const Counts& counts) {
     }
     if (const ZoneCount* zone = zone_called(counts, drawn.name); zone && drawn.kind == MarkingKind::zone) {
         const ZoneSample now = zone_now(*zone, counts);
-        std::snprintf(text, sizeof text, "%u people, %.3f/m\u00b2, level %c", now.people,
-                      static_cast<double>(now.density), 'A' + fruin_level(now.density));
+        std::snprintf(text, sizeof text, "%u %s, %.3f/m\u00b2, level %c", now.people,
+                      now.people == 1 ? "person" : "people", static_cast<double>(now.density),
+                      'A' + fruin_level(now.density));
     }
     if (drawn.kind == MarkingKind::distance) {
         const Length length = length_of(drawn.points, false);
@@ -86,6 +87,9 @@ std::string told_row(const Marking& drawn, const Counts& counts) {
 
 void lay_out_list(MeasureRoom& room, float scale) {
     if (ImGui::IsWindowHovered()) room.hovered.reset();
+    float widest = 30 * scale;
+    for (const Marking& drawn : room.drawn)
+        widest = std::max(widest, ImGui::CalcTextSize(drawn.name.c_str()).x);
     for (size_t i = 0; i < room.drawn.size(); ++i) {
         const Marking& drawn = room.drawn[i];
         ImGui::PushID(static_cast<int>(i));
@@ -95,7 +99,7 @@ void lay_out_list(MeasureRoom& room, float scale) {
             room.selected = is_selected ? std::nullopt : std::optional(i);
         }
         if (ImGui::IsItemHovered()) room.hovered = i;
-        ImGui::SameLine(44 * scale);
+        ImGui::SameLine(widest + 22 * scale);
         ImGui::TextDisabled("%s", told_row(drawn, room.counts).c_str());
         ImGui::PopID();
     }
@@ -148,8 +152,9 @@ void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
 void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
     const ZoneSample now = zone_now(zone, counts);
     ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.tick - zone.since) / 60.0);
-    ImGui::Text("%u people, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
-                static_cast<double>(now.density), static_cast<double>(now.voronoi));
+    ImGui::Text("%u %s, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
+                now.people == 1 ? "person" : "people", static_cast<double>(now.density),
+                static_cast<double>(now.voronoi));
     tip("Voronoi: everybody's ground is what is nearer to them than to anybody else, 3 m at most;\n"
         "after Steffen & Seyfried 2010, once a second");
     if (now.people > 0)
