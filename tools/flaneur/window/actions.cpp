@@ -139,7 +139,7 @@ void act_on_presses(Show& show, Viewer& v) {
             press_in_palette(press.key, show, v);
             continue;
         }
-        if (press_in_opening(press.key, show, v)) continue;
+        if (press_in_opening(press.key, press.mods, show, v)) continue;
         if (v.panel_keys.are_on && press_in_panels(press.key, press.mods, v)) continue;
         const Action* found = nullptr;
         for (const ActionGroup& group : action_groups())

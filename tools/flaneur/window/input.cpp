@@ -70,7 +70,7 @@ void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
 }
 
 bool fly(GLFWwindow* window, const Mouse& before, const Mouse& now, float seconds, Viewer& v) {
-    const bool is_typing = gui_has_keys();
+    const bool is_typing = gui_has_keys() || v.opening.start.is_open;
     // Ctrl and Alt make actions of letters.
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
     const bool is_action = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL) ||

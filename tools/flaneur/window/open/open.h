@@ -72,7 +72,7 @@ void open_start_screen(Show& show, Viewer& viewer);
 
 void lay_out_opening(Show& show, Viewer& viewer, Size size, float scale);
 // Keys while a path is typed, or one chooses what to begin with; whether they were for that.
-bool press_in_opening(int key, Show& show, Viewer& viewer);
+bool press_in_opening(int key, int mods, Show& show, Viewer& viewer);
 
 // All of it (window/actions.h).
 std::span<const Action> opening_actions();

@@ -11,7 +11,6 @@
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/gui.h"
-#include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/viewer.h"
@@ -44,7 +43,7 @@ void next_view(const Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     p.from =
         choose_camera(*show.loaded.city, world, show.sun, {views[static_cast<size_t>(p.view)], 0, {}, {}}, 1);
-    p.middle = place_along(world, p.from, glm::normalize(p.from.target - p.from.eye));
+    p.middle = looked_at(world, p.from);
 }
 
 }  // namespace
