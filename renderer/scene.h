@@ -152,7 +152,7 @@ struct FrameInput {
     // For comparisons with other renderers, off-screen alone: no shadows, sky, haze or smoothing after the
     // picture is drawn, but this colour (sRGB) where nothing is.
     std::optional<glm::vec3> backdrop = {};
-    bool is_finest = false;    // every walker is drawn by its finest mesh
+    bool is_finest = false;  // every walker is drawn by its finest mesh
     // Index of a walker with whom the eye goes, and who so would stay between two levels of detail: drawn by
     // one of them. ~0: nobody.
     uint32_t companion = ~0u;

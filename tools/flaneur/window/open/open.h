@@ -31,8 +31,9 @@ struct PathPrompt {
 // Scenes and files to choose from.
 struct StartScreen {
     bool is_open = false;
-    int chosen = 0;   // the built-in scenes, then the files opened of late, then what asks for a path
-    int columns = 1;  // of scenes, as they are laid out
+    int chosen = 0;          // the built-in scenes, then the files opened of late, then what asks for a path
+    bool has_moved = false;  // it is brought into sight
+    int columns = 1;         // of scenes, as they are laid out
 };
 
 struct Opening {

@@ -71,6 +71,7 @@ int lay_out_cards(const Opening& opening, const Choices& c, float scale) {
         const glm::vec4 picture = at < opening.pictures.size() ? opening.pictures[at] : glm::vec4(0);
         if (lay_out_card(name, scene ? scene->about : "", picture, opening.start.chosen == number, scale))
             clicked = number;
+        if (opening.start.has_moved && opening.start.chosen == number) ImGui::SetScrollHereY();
         ++number;
     }
     return clicked;
@@ -135,6 +136,7 @@ void lay_out_start(Show& show, Viewer& v, Size size, float scale) {
     }
     ImGui::End();
     ImGui::PopStyleVar();
+    opening.start.has_moved = false;
     if (clicked >= 0) choose(show, v, c, clicked);
 }
 
@@ -170,6 +172,7 @@ bool press_in_start(int key, Show& show, Viewer& v) {
             return false;
     }
     if (to >= 0) chosen = std::min(to, c.path());
+    opening.start.has_moved = true;
     return true;
 }
 
