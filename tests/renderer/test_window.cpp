@@ -158,7 +158,7 @@ TEST_F(Window, PicturesAreScaledUnderPanels) {
         {{0, 0}, {0, 0}, ~0u}, {{90, 0}, {1, 0}, ~0u}, {{0, 60}, {0, 1}, 0x80ffffffu}};
     const uint16_t indices[3] = {0, 1, 2};
     const PanelDraw draws[2] = {{0, 3, 0, {0, 0, 50, 50}}, {0, 3, 0, {-5, -5, 1e6f, 1e6f}}};
-    const uint8_t letters[4] = {255, 0, 128, 255};
+    const uint8_t letters[16] = {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 128, 9, 90, 200, 255};
     for (const bool is_host : {true, false}) {
         renderer.reset();
         RendererOptions options = validated();

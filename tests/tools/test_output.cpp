@@ -75,6 +75,10 @@ TEST_F(Files, HoldDepthsInCentimetresOrMetres) {
     const Bytes text = *read_bytes(pfm, 1 << 20), head = *read_bytes(png, 1 << 20);
     EXPECT_EQ(head[24], 16) << "bits";
     EXPECT_EQ(head[25], 0) << "grey";
+    const DecodedPicture greys = decode_picture(head, 100).value();
+    EXPECT_EQ(greys.rgba[0], 0) << "nothing";
+    EXPECT_EQ(greys.rgba[4], 255) << "all that is farther";
+    EXPECT_EQ(greys.rgba[8], 1235 / 256);
     const std::string begin = "Pf\n5 3\n-1.0\n";
     ASSERT_EQ(text.size(), begin.size() + sizeof(float) * 15);
     EXPECT_EQ(std::string(text.begin(), text.begin() + static_cast<ptrdiff_t>(begin.size())), begin);

@@ -184,8 +184,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                               take_mouse(show, was, here, one, is_elsewhere, v) || is_driving(show);
         if (is_taken) free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(passed);
-        const Steering hands =
-            steering_of(window, was, free, v.settings.inverts_look) + read_pad(window, seconds, v);
+        const Steering hands = steering_of(window, was, free, v) + read_pad(window, seconds, v);
         bool is_moving = navigate(world, was, free, gui_wheel(v.settings.inverts_wheel), one, grip, v);
         is_moving |= !is_driving(show) && steer(show, hands, seconds, v);
         is_moving |= move_camera(show, one, seconds, between, v);

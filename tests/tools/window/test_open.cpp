@@ -50,6 +50,7 @@ TEST(Opening, ACharacterJoinsThePeople) {
     const Result<ShowWish> two = wish_for_file(one->words, you);
     ASSERT_TRUE(two) << two.error().message;
     EXPECT_EQ(two->options.scene.people, (std::vector<PeopleShare>{{"", 1}, {me, 1}, {you, 1}}));
+    EXPECT_FALSE(wish_for_file(two->words, me)) << "nobody joins twice";
     EXPECT_NE(two->told.find("one in 3"), std::string::npos) << two->told;
 }
 

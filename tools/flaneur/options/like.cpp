@@ -30,7 +30,7 @@ std::string picture_of_like(const std::vector<std::string>& words) {
 
 Result<std::vector<std::string>> words_in_picture(const std::string& path) {
     const Result<Bytes> bytes = read_bytes(path, k_most_bytes);
-    if (!bytes) return Error{excerpt(path) + " " + bytes.error().message};
+    if (!bytes) return Error{excerpt(path) + " " + bytes.error().message + "."};
     constexpr std::array<uint8_t, 4> k_magic = {0x89, 'P', 'N', 'G'};
     if (bytes->size() < k_magic.size() || !std::equal(k_magic.begin(), k_magic.end(), bytes->begin()))
         return Error{excerpt(path) + " is no PNG; give a picture that F12 wrote in `flaneur view`."};

@@ -149,7 +149,7 @@ void act_on_presses(Show& show, Viewer& v) {
             press_in_palette(press.key, show, v);
             continue;
         }
-        if (press_in_opening(press.key, show, v)) continue;
+        if (press_in_opening(press.key, press.mods, show, v)) continue;
         if (v.change.is_naming) {
             press_in_name(press.key, show, v);
             continue;

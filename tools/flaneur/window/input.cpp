@@ -57,8 +57,8 @@ void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse) {
                         std::hypot(mouse.x - mouse.held_x, mouse.y - mouse.held_y) < k_drag;
 }
 
-Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, bool inverts_look) {
-    const bool is_typing = gui_has_keys();
+Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, const Viewer& v) {
+    const bool is_typing = gui_has_keys() || v.opening.start.is_open;
     // Ctrl and Alt make actions of letters.
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS; };
     const bool is_action = held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL) ||
@@ -71,7 +71,8 @@ Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, 
     out.is_fast = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT) > 0;
     if (before.is_held && now.is_held) {
         out.turn = static_cast<float>(before.x - now.x) * k_look_speed;
-        out.tilt = static_cast<float>(before.y - now.y) * k_look_speed * (inverts_look ? -1.0f : 1.0f);
+        out.tilt =
+            static_cast<float>(before.y - now.y) * k_look_speed * (v.settings.inverts_look ? -1.0f : 1.0f);
     }
     return out;
 }

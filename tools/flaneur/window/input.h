@@ -22,7 +22,7 @@ struct Mouse {
 void read_mouse(GLFWwindow* window, bool is_panels, Mouse& mouse);
 
 // What keys and a mouse that drags ask for.
-Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, bool inverts_look = false);
+Steering steering_of(GLFWwindow* window, const Mouse& before, const Mouse& now, const Viewer& viewer);
 
 // Moves the eye so; tells whether anything was asked for.
 bool fly(const Steering& hands, float seconds, Viewer& viewer);

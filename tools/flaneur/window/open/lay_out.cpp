@@ -124,10 +124,10 @@ void lay_out_opening(Show& show, Viewer& v, Size size, float scale) {
     lay_out_under_way(v.opening, size, scale);
 }
 
-bool press_in_opening(int key, Show& show, Viewer& v) {
+bool press_in_opening(int key, int mods, Show& show, Viewer& v) {
+    if (mods & GLFW_MOD_CONTROL) return false;
     if (v.opening.prompt.is_open) return press_in_prompt(key, v), true;
-    if (v.opening.start.is_open) return press_in_start(key, show, v), true;
-    return false;
+    return v.opening.start.is_open && press_in_start(key, show, v);
 }
 
 }  // namespace flaneur

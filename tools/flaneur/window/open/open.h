@@ -31,8 +31,9 @@ struct PathPrompt {
 // Scenes and files to choose from.
 struct StartScreen {
     bool is_open = false;
-    int chosen = 0;   // the built-in scenes, then the files opened of late, then what asks for a path
-    int columns = 1;  // of scenes, as they are laid out
+    int chosen = 0;          // the built-in scenes, then the files opened of late, then what asks for a path
+    bool has_moved = false;  // it is brought into sight
+    int columns = 1;         // of scenes, as they are laid out
 };
 
 struct Opening {
@@ -72,7 +73,7 @@ void open_start_screen(Show& show, Viewer& viewer);
 
 void lay_out_opening(Show& show, Viewer& viewer, Size size, float scale);
 // Keys while a path is typed, or one chooses what to begin with; whether they were for that.
-bool press_in_opening(int key, Show& show, Viewer& viewer);
+bool press_in_opening(int key, int mods, Show& show, Viewer& viewer);
 
 // All of it (window/actions.h).
 std::span<const Action> opening_actions();

@@ -1,5 +1,6 @@
 #include "tools/flaneur/window/open/plan.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -68,6 +69,8 @@ Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std:
         wish.words = without(words, k_place);
         add(wish.words, "--city", path);
     } else if (kind == FileKind::gltf) {
+        if (std::find(words.begin(), words.end(), path + ":1") != words.end())
+            return Error{name + " walks here already."};
         wish.words = without(words, {"--camera"});
         if (!has_option(words, "--character")) add(wish.words, "--character", "builtin");
         add(wish.words, "--character", path + ":1");

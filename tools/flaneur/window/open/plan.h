@@ -17,9 +17,9 @@ struct ShowWish {
 };
 
 // A city, .osm, .osm.pbf or a glTF without a skeleton, comes in place of the one that `words` name, and its
-// people stay; a character, a glTF with one or .vrm, joins them, with as large a share as each of the others;
-// an elevation file, .hgt, .hgt.zip or .tif, goes under a map; a scene, .json, comes in place of all. What is
-// said of the device, the window and threads stays. Refuses other files, and what cannot be opened.
+// people stay; a character, a glTF with one or .vrm, joins them, with as large a share as each of the others,
+// once; an elevation file, .hgt, .hgt.zip or .tif, goes under a map; a scene, .json, comes in place of all.
+// What is said of the device, the window and threads stays. Refuses other files, and what cannot be opened.
 Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std::string& path);
 
 // The same of a built-in scene.

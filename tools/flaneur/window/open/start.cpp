@@ -71,6 +71,7 @@ int lay_out_cards(const Opening& opening, const Choices& c, float scale) {
         const glm::vec4 picture = at < opening.pictures.size() ? opening.pictures[at] : glm::vec4(0);
         if (lay_out_card(name, scene ? scene->about : "", picture, opening.start.chosen == number, scale))
             clicked = number;
+        if (opening.start.has_moved && opening.start.chosen == number) ImGui::SetScrollHereY();
         ++number;
     }
     return clicked;
@@ -135,23 +136,44 @@ void lay_out_start(Show& show, Viewer& v, Size size, float scale) {
     }
     ImGui::End();
     ImGui::PopStyleVar();
+    opening.start.has_moved = false;
     if (clicked >= 0) choose(show, v, c, clicked);
 }
 
-void press_in_start(int key, Show& show, Viewer& v) {
+bool press_in_start(int key, Show& show, Viewer& v) {
     Opening& opening = v.opening;
     const Choices c = choices_of(opening);
     int& chosen = opening.start.chosen;
-    if (key == GLFW_KEY_ESCAPE) opening.start.is_open = false;
-    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_SPACE)
-        return choose(show, v, c, chosen);
     const bool is_in_cards = chosen < c.scenes;
     int to = chosen;
-    if (key == GLFW_KEY_RIGHT || key == GLFW_KEY_TAB) to = chosen + 1;
-    if (key == GLFW_KEY_LEFT) to = chosen - 1;
-    if (key == GLFW_KEY_DOWN) to = is_in_cards ? std::min(chosen + c.columns, c.scenes) : chosen + 1;
-    if (key == GLFW_KEY_UP) to = is_in_cards ? chosen - c.columns : chosen - 1;
+    switch (key) {
+        case GLFW_KEY_ESCAPE:
+            opening.start.is_open = false;
+            break;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+        case GLFW_KEY_SPACE:
+            choose(show, v, c, chosen);
+            break;
+        case GLFW_KEY_RIGHT:
+        case GLFW_KEY_TAB:
+            to = chosen + 1;
+            break;
+        case GLFW_KEY_LEFT:
+            to = chosen - 1;
+            break;
+        case GLFW_KEY_DOWN:
+            to = is_in_cards ? std::min(chosen + c.columns, c.scenes) : chosen + 1;
+            break;
+        case GLFW_KEY_UP:
+            to = is_in_cards ? chosen - c.columns : chosen - 1;
+            break;
+        default:
+            return false;
+    }
     if (to >= 0) chosen = std::min(to, c.path());
+    opening.start.has_moved = true;
+    return true;
 }
 
 }  // namespace flaneur

@@ -9,6 +9,7 @@ struct Show;
 struct Viewer;
 
 void lay_out_start(Show& show, Viewer& viewer, Size size, float scale);
-void press_in_start(int key, Show& show, Viewer& viewer);
+// Whether the key was for it.
+bool press_in_start(int key, Show& show, Viewer& viewer);
 
 }  // namespace flaneur

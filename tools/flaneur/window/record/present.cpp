@@ -11,7 +11,6 @@
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/gui.h"
-#include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/viewer.h"
@@ -45,7 +44,7 @@ void next_view(const Show& show, Viewer& v) {
     CameraChoice choice;
     choice.kind = views[static_cast<size_t>(p.view)];
     p.from = choose_camera(show, choice, 0, {}, 1);
-    p.middle = place_along(world, p.from, glm::normalize(p.from.target - p.from.eye));
+    p.middle = looked_at(world, p.from);
 }
 
 }  // namespace

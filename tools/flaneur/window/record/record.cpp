@@ -91,7 +91,7 @@ Turntable turn_of(const Show& show, Viewer& v, uint32_t step) {
     take_off(v);
     Turntable turn{
         {}, v.selected, v.camera, static_cast<uint32_t>(v.record.turn_seconds) * k_film_ticks / step};
-    turn.middle = place_along(*show.loaded.world, v.camera, glm::normalize(v.camera.target - v.camera.eye));
+    turn.middle = looked_at(*show.loaded.world, v.camera);
     turn.middle = middle_of(show, turn);
     return turn;
 }
@@ -156,6 +156,11 @@ Result<Size> size_of(const PictureChoice& choice, Size window) {
     Result<Size> size = parse_size(choice.typed);
     if (!size) return Error{size.error().message + "."};
     return size;
+}
+
+glm::vec3 looked_at(const World& world, const Camera& camera) {
+    if (world.roam) return glm::vec3(0);
+    return place_along(world, camera, glm::normalize(camera.target - camera.eye));
 }
 
 Camera turned_round(const Camera& from, glm::vec3 middle, float angle) {

@@ -29,6 +29,9 @@ struct PictureChoice {
 // In pixels. Refuses what is typed and is no size.
 Result<Size> size_of(const PictureChoice& choice, Size window);
 
+// What a camera looks at: what is in the middle of its picture or, on a small world, that one's middle.
+glm::vec3 looked_at(const World& world, const Camera& camera);
+
 // Once round a place. The eye keeps its height and its distance.
 struct Turntable {
     glm::vec3 middle{0};

@@ -112,7 +112,7 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
     Result<Image> right = draw_image(*show.renderer, other, width, height);
     exchange_runs(show, beside);
     if (!right) return right;
-    Image both{std::max(coarse(size.width), 2 * width), height, {}};
+    Image both{std::max(coarse(size.width), 2 * width), height, {}, {}};
     both.rgba.assign(size_t{4} * both.width * both.height, 255);
     paste(*left, 0, both);
     paste(*right, both.width - width, both);
