@@ -23,18 +23,22 @@ std::optional<Vec3> on_the_ground(const Ground& ground, Vec3 p) {
     return Vec3{p.x, hit->height, p.z};
 }
 
-// The ground along it in pieces of `longest` metres at most; none where a piece has no ground.
-std::optional<std::vector<Vec3>> line_on_ground(const Ground& ground, const Addition& a, float longest) {
-    const float whole = length(on_ground(a.to - a.at));
+// Calls put(a, b) for the pieces of it, of `longest` metres at most, that have ground at both ends; returns
+// how many.
+template <class Put>
+int for_pieces(const Ground& ground, const Addition& added, float longest, const Put& put) {
+    const float whole = length(on_ground(added.to - added.at));
     const int pieces = std::max(1, static_cast<int>(std::ceil(whole / longest - 1e-3f)));
-    std::vector<Vec3> line;
-    for (int i = 0; i <= pieces; ++i) {
-        const auto p =
-            on_the_ground(ground, lerp(a.at, a.to, static_cast<float>(i) / static_cast<float>(pieces)));
-        if (!p) return std::nullopt;
-        line.push_back(*p);
+    int found = 0;
+    auto joint = [&](int i) {
+        const float share = static_cast<float>(i) / static_cast<float>(pieces);
+        return on_the_ground(ground, lerp(added.at, added.to, share));
+    };
+    for (int i = 0; i < pieces; ++i) {
+        const std::optional<Vec3> a = joint(i), b = joint(i + 1);
+        if (a && b) put(*a, *b), ++found;
     }
-    return line;
+    return found;
 }
 
 void add_wall_piece(City& city, Vec3 a, Vec3 b) {
@@ -60,13 +64,10 @@ void put(City& city, const Prop& prop) {
     city.ground.obstacles.push_back({prop.position, prop.yaw, half_footprint(prop)});
 }
 
-void add_barriers(City& city, const std::vector<Vec3>& line) {
-    for (size_t i = 0; i + 1 < line.size(); ++i) {
-        const Vec2 along = on_ground(line[i + 1] - line[i]);
-        const float yaw = heading_of(Vec2{-along.z, along.x});
-        put(city, {PropKind::barrier, lerp(line[i], line[i + 1], 0.5f), yaw, k_barrier_height,
-                   length(along) * 0.5f, static_cast<uint32_t>(i)});
-    }
+void add_barrier(City& city, Vec3 a, Vec3 b) {
+    const Vec2 along = on_ground(b - a);
+    const float yaw = heading_of(Vec2{-along.z, along.x});
+    put(city, {PropKind::barrier, lerp(a, b, 0.5f), yaw, k_barrier_height, length(along) * 0.5f, 0});
 }
 
 // `seed`: the same for the same place.
@@ -118,17 +119,13 @@ std::string add_one(City& city, const Addition& a) {
         if (!(p.x > ground.low.x + 1 && p.x < ground.high.x - 1 && p.z > ground.low.z + 1 &&
               p.z < ground.high.z - 1))
             return "lies beyond the city";
-    if (a.kind == AddedKind::wall) {
-        const auto line = line_on_ground(ground, a, k_piece);
-        if (!line) return "has no ground all along within 3 m up and down";
-        for (size_t i = 0; i + 1 < line->size(); ++i) add_wall_piece(city, (*line)[i], (*line)[i + 1]);
-        return "";
-    }
-    if (a.kind == AddedKind::barrier) {
-        const auto line = line_on_ground(ground, a, k_barrier_width);
-        if (!line) return "has no ground all along within 3 m up and down";
-        add_barriers(city, *line);
-        return "";
+    if (is_drawn_out(a.kind)) {
+        const bool is_wall = a.kind == AddedKind::wall;
+        const int pieces =
+            for_pieces(ground, a, is_wall ? k_piece : k_barrier_width, [&](Vec3 from, Vec3 to) {
+                is_wall ? add_wall_piece(city, from, to) : add_barrier(city, from, to);
+            });
+        return pieces > 0 ? "" : "has no ground within 3 m up and down";
     }
     const auto place = on_the_ground(ground, a.at);
     if (!place) return "has no ground within 3 m up and down";

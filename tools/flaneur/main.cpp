@@ -70,7 +70,9 @@ int fail(const Error& error) {
 // What the command reads, and what that names in its turn.
 std::vector<std::string> inputs_of(const Options& options) {
     std::vector<std::string> inputs = files_of(options.scene);
-    inputs.insert(inputs.end(), options.inputs.begin(), options.inputs.end());
+    // A window may save over the scene that it was opened with.
+    if (options.command != Command::view)
+        inputs.insert(inputs.end(), options.inputs.begin(), options.inputs.end());
     for (size_t i = 0, given = inputs.size(); i < given; ++i) {
         if (kind_of(inputs[i]) != FileKind::gltf) continue;
         for (std::string& file : files_named_by(inputs[i])) inputs.push_back(std::move(file));

@@ -13,6 +13,7 @@
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/change/save.h"
+#include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
@@ -29,7 +30,7 @@ void turn(Show&, Viewer& v) {
 // What lies on top goes first; the window itself only by a second time.
 void dismiss(Show& show, Viewer& v) {
     constexpr double k_again_seconds = 2;
-    if (let_go_of_driven(show, v)) return;
+    if (let_go_of_driven(show, v) || std::exchange(v.change.is_naming, false)) return;
     if (std::exchange(v.lists_keys, false)) return;
     if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
     if (stop_going(v)) return;
@@ -150,7 +151,7 @@ void act_on_presses(Show& show, Viewer& v) {
             continue;
         }
         if (press_in_opening(press.key, press.mods, show, v)) continue;
-        if (v.change.is_naming) {
+        if (v.change.is_naming && gui_has_keys()) {
             press_in_name(press.key, show, v);
             continue;
         }

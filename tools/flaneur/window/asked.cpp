@@ -28,7 +28,8 @@ void add_ring(std::vector<GizmoLine>& lines, glm::vec3 middle, float radius, uin
 
 void add_way(const World& world, uint32_t walker, std::vector<GizmoLine>& lines) {
     const Journey& journey = world.crowd.journeys[walker];
-    if (journey.arrived || journey.corner >= journey.corner_count) return;
+    if (walker == world.crowd.driven.walker || journey.arrived || journey.corner >= journey.corner_count)
+        return;
     glm::vec3 from = over_ground(world.crowd.motion.position[walker]);
     for (size_t i = journey.corner; i < journey.corner_count; ++i) {
         const glm::vec3 to = over_ground(world.crowd.corners[size_t{walker} * k_corners + i]);

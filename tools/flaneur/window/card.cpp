@@ -86,8 +86,8 @@ void lay_out_card(Show& show, Viewer& v, Size size, float scale) {
     const std::optional<Thing>& thing = v.asking.selected ? v.asking.selected : v.asking.hovered;
     const bool is_ground = thing && thing->kind == ThingKind::ground && !v.asking.selected;
     if (!who && (!thing || is_ground)) return;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale, k_edge * scale},
-                            ImGuiCond_Always, {1, 0});
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale, v.bar_foot}, ImGuiCond_Always,
+                            {1, 0});
     if (ImGui::Begin("who", nullptr, k_plain)) {
         if (who)
             lay_out_walker(show, who.value_or(0), v, scale);

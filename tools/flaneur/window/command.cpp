@@ -93,6 +93,8 @@ std::string command_now(const Show& show, Viewer& v, Size size) {
         return command_of(words, shown);
     }
     shown.scene = path;
+    // Who is gone along with is somewhere else there.
+    if (shown.choice.kind != CameraChoice::Kind::map) shown.choice.kind = CameraChoice::Kind::fixed;
     shown.is_overcast.reset();
     return command_of(words, shown) + (v.change.late > 0 ? "  # changed while people walked" : "");
 }

@@ -82,11 +82,11 @@ void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
     for (const RoomPanel& room : k_rooms) {
         if (room.room != v.room) continue;
         // Between the bar above and what lies below.
-        ImGui::SetNextWindowPos({k_edge * scale, k_below_bar * scale});
-        ImGui::SetNextWindowSizeConstraints(
-            {0, 0},
-            {static_cast<float>(size.width) * 0.45f,
-             std::max(static_cast<float>(size.height) - (k_below_bar + k_edge + k_timeline) * scale, 80.0f)});
+        ImGui::SetNextWindowPos({k_edge * scale, v.bar_foot});
+        ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(size.width) * 0.45f,
+                                                     std::max(static_cast<float>(size.height) - v.bar_foot -
+                                                                  (k_edge + k_timeline + k_state) * scale,
+                                                              80.0f)});
         bool is_open = true;
         if (ImGui::Begin(room.name, &is_open, k_room)) room.lay_out(show, v, scale);
         ImGui::End();
@@ -104,7 +104,14 @@ void give_keys(Viewer& v) {
     ImGui::SetWindowFocus(shown[v.panel_keys.panel % shown.size()]);
 }
 
-void lay_out_bar(const Show& show, Viewer& v, float scale) {
+// Beside the last item, or below it where the window ends.
+void go_beside(const char* next, Size size, float scale) {
+    const float right = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x +
+                        ImGui::CalcTextSize(next).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (right < static_cast<float>(size.width) - 2 * k_edge * scale) ImGui::SameLine();
+}
+
+void lay_out_bar(const Show& show, Viewer& v, Size size, float scale) {
     ImGui::SetNextWindowPos({k_edge * scale, k_edge * scale});
     if (!ImGui::Begin("time", nullptr, k_plain)) return ImGui::End();
     if (ImGui::Button(v.clock.is_paused ? "  Go  " : " Stop ")) v.clock.is_paused = !v.clock.is_paused;
@@ -119,30 +126,35 @@ void lay_out_bar(const Show& show, Viewer& v, float scale) {
     tip("how fast time goes by (- and +)");
     ImGui::SameLine();
     ImGui::Text("%s", clock_text(show).c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps,
-                        v.resolution < 1 ? (v.record.filming ? "   coarser while a film is made"
-                                                             : "   coarser while you move")
-                                         : "");
     for (const RoomPanel& room : k_rooms) {
-        ImGui::SameLine();
+        go_beside(room.name, size, scale);
         if (ImGui::Button(room.name)) {
             v.room = v.room == room.room ? Room::none : room.room;
             v.search.is_opening = v.room == Room::find;
         }
         tip(room.tip);
     }
-    ImGui::SameLine();
+    go_beside("Find", size, scale);
     if (ImGui::Button("Find")) v.palette = {.is_open = true};
     tip("any action by its name (Ctrl+P)");
-    ImGui::SameLine();
+    go_beside("Keys", size, scale);
     if (ImGui::Button("Keys")) v.lists_keys = !v.lists_keys;
     tip("F1");
+    v.bar_foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + k_edge * scale;
+    ImGui::End();
+}
+
+// Above the timeline, at the left: what comes and goes, so that no button moves.
+void lay_out_state(const Viewer& v, Size size, float scale) {
+    ImGui::SetNextWindowPos({k_edge * scale, static_cast<float>(size.height) - (k_edge + k_timeline) * scale},
+                            ImGuiCond_Always, {0, 1});
+    if (!ImGui::Begin("state", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
+    const char* coarser = v.record.filming ? "   coarser while a film is made" : "   coarser while you move";
+    ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps, v.resolution < 1 ? coarser : "");
     if (const std::optional<float> reached = reached_rate(v.clock)) {
         ImGui::SameLine();
         ImGui::TextColored({0.95f, 0.71f, 0.36f, 1}, "%.2g x wanted, %.2g x reached",
                            static_cast<double>(v.clock.rate), static_cast<double>(*reached));
-        tip("the machine does not keep up: it makes the city's time go by more slowly");
     }
     ImGui::End();
 }
@@ -217,7 +229,8 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
     lay_out_map(viewer, size, scale);
     lay_out_legends(show, size, scale);
-    lay_out_bar(show, viewer, scale);
+    lay_out_bar(show, viewer, size, scale);
+    lay_out_state(viewer, size, scale);
     lay_out_room(show, viewer, size, scale);
     lay_out_timeline(show, viewer, size, scale);
     lay_out_beside(show, viewer, size, scale);

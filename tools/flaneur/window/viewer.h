@@ -60,6 +60,7 @@ struct Viewer {
     GaitWatch watch;
     MeasureRoom measure;
     double fps = 0;
+    float bar_foot = 58;    // pixels from the window's upper edge: panels begin below the bar
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
     Change change;

@@ -6,9 +6,8 @@
 namespace flaneur {
 
 inline constexpr float k_edge = 10;       // between panels and the window's edge, at scale 1
-inline constexpr float k_below_bar = 58;  // where panels begin below the bar, the same
-
 inline constexpr float k_scale_bar = 58;  // of a map's scale, with the gap above it
+inline constexpr float k_state = 40;      // of the line that says how fast it goes
 inline constexpr float k_timeline = 46;   // of the timeline's height, with the gap above it
 
 // A panel that stays where it is put.

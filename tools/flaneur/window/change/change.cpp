@@ -20,9 +20,12 @@ constexpr uint32_t k_portion = 100;  // people who come or go at one time
 
 void note_change(Show& show, Change& c) { c.log.push_back({show.loaded.world->tick, c.carried}); }
 
-void set_daylight(Show& show, const Design& design) {
+// Where the sun stands at an hour; at that of the scene that was opened, where it has it.
+void set_daylight(Show& show, const Design& design, const Scene& opened) {
     Scene scene;
     scene.hour = design.hour;
+    if (design.hour == opened.hour)
+        scene.sun_height = opened.sun_height, scene.sun_heading = opened.sun_heading;
     show.sun = scene_sun(scene, show.loaded.city->latitude);
     show.lit_windows = lit_windows(design.hour);
 }
@@ -35,9 +38,8 @@ void carry_time_and_weather(Show& show, Change& c) {
     }
     if (c.carried.hour == wanted.hour) return;
     c.carried.hour = wanted.hour;
-    c.scene.sun_height = c.scene.sun_heading = std::nullopt;
     set_hour(*show.loaded.world, wanted.hour);
-    set_daylight(show, wanted);
+    set_daylight(show, wanted, c.scene);
     c.late = std::max(c.late, show.loaded.world->tick);
     note_change(show, c);
 }

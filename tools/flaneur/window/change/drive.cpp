@@ -56,9 +56,10 @@ bool let_go_of_driven(Show& show, Viewer& v) {
 void drive_asked(Show& show, Viewer& v) {
     if (let_go_of_driven(show, v)) return;
     World& world = *show.loaded.world;
-    const std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    if (!who && v.choice.kind == CameraChoice::Kind::follow) who = v.choice.walker;
     if (!who || !is_there(world.crowd, *who))
-        return tell(v, "Click somebody, or point at them, to drive them.");
+        return tell(v, "Click or follow somebody, or point at them, to drive them.");
     if (world.roam) return tell(v, "Nobody is driven on the asteroid.");
     drive(world.crowd, *who);
     v.choice.walker = *who;

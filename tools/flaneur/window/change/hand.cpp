@@ -150,7 +150,16 @@ void add_outline(const World& world, const Addition& a, const Pen& pen, std::vec
 
 std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
     constexpr int k_ways = 36;
-    constexpr float k_broadest = 60, k_eye = 1, k_gap = 0.1f;  // metres
+    constexpr float k_broadest = 60, k_eye = 1;  // metres
+    // As near to the wall as there is ground.
+    auto end_before = [&](Vec2 way, float distance) {
+        Vec3 end = place;
+        for (float clear = 0.1f; clear < 1; clear += 0.1f) {
+            end = place + at_height(way * (distance - clear), 0);
+            if (ground_at(ground, end, 3, 3)) break;
+        }
+        return rounded(end);
+    };
     std::optional<Addition> best;
     float least = k_broadest;
     for (int i = 0; i < k_ways; ++i) {
@@ -160,9 +169,8 @@ std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
         const auto other = raycast(ground, from, at_height(way * -1, 0), k_broadest);
         if (!one || !other || one->distance + other->distance >= least) continue;
         least = one->distance + other->distance;
-        const Vec3 a = place + at_height(way * (one->distance - k_gap), 0);
-        const Vec3 b = place - at_height(way * (other->distance - k_gap), 0);
-        best = Addition{AddedKind::barrier, rounded(a), rounded(b), 0};
+        best = Addition{AddedKind::barrier, end_before(way, one->distance),
+                        end_before(way * -1, other->distance), 0};
     }
     return best;
 }
@@ -210,7 +218,11 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
                 Viewer& v) {
     Change& c = v.change;
     const World& world = *show.loaded.world;
-    if (v.room != Room::change || world.roam) return false;
+    if (v.room != Room::change || world.roam) {
+        c.grip = {};
+        c.ghost.reset();
+        return false;
+    }
     if (c.selected && *c.selected >= current(c.designs).added.size()) c.selected.reset();
     auto place_at = [&](double x, double y) {
         const glm::vec2 pixel(static_cast<float>(x), static_cast<float>(y));

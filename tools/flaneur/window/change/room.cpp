@@ -112,6 +112,10 @@ void choose_tool(Viewer& v, AddedKind kind) {
 void lay_out_tools(Viewer& v, float scale) {
     Change& c = v.change;
     ImGui::TextUnformatted("Put into the city");
+    if (is_making(c.making)) {
+        ImGui::SameLine();
+        ImGui::TextDisabled(c.making.is_lamps ? "lighting lamps" : "finding ways anew");
+    }
     size_t number = 0;
     const char* hint = "Click what has been put down to choose it, drag to move it.";
     for (const ToolButton& button : k_tools) {
@@ -184,10 +188,6 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
     ImGui::SameLine();
     if (ImGui::Button("Save...")) begin_naming(v);
     tip("as the file of a scene (Ctrl+S)");
-    if (is_making(v.change.making)) {
-        ImGui::SameLine();
-        ImGui::TextDisabled(v.change.making.is_lamps ? "lighting lamps..." : "finding ways anew...");
-    }
     lay_out_name(show, v, scale);
 }
 

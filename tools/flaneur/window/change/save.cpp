@@ -49,6 +49,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = v.change.scene;
     const Design& d = current(v.change.designs);
     s.added = d.added;
+    if (s.hour != d.hour) s.sun_height = s.sun_heading = std::nullopt;
     s.hour = d.hour;
     s.is_overcast = d.is_overcast;
     s.walkers = static_cast<int>(d.people);

@@ -63,8 +63,7 @@ void lay_out_record(Show&, Viewer& v, float scale) {
 void lay_out_filming(const Viewer& v, Size size, float scale) {
     if (!v.record.filming) return;
     const Filming& filming = *v.record.filming;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, k_below_bar * scale}, ImGuiCond_Always,
-                            {0.5f, 0});
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, v.bar_foot}, ImGuiCond_Always, {0.5f, 0});
     if (ImGui::Begin("filming", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         const float height = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();

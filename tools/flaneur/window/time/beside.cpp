@@ -122,8 +122,7 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
 void lay_out_beside(const Show& show, Viewer& v, Size size, float scale) {
     if (!v.time.beside) return;
     const Beside& beside = *v.time.beside;
-    ImGui::SetNextWindowPos(
-        {(static_cast<float>(size.width) + k_divider) / 2 + k_edge * scale, k_below_bar * scale});
+    ImGui::SetNextWindowPos({(static_cast<float>(size.width) + k_divider) / 2 + k_edge * scale, v.bar_foot});
     if (!ImGui::Begin("beside", nullptr, k_plain)) return ImGui::End();
     const World& here = *show.loaded.world;
     const CrowdFigures a = figures_of(here), b = figures_of(*beside.world);
