@@ -65,7 +65,7 @@ struct Image {
     // Where FrameInput::wants_depths asked for them, one a pixel: how far ahead of the eye, along the way
     // that it looks, the nearest thing in it is, metres, infinite where only sky is. Alpha says then how much
     // of the pixel is no sky. Lines and fills count for neither.
-    std::vector<float> depths;
+    std::vector<float> depths = {};
 };
 
 // Draws one frame off-screen and reads it back. Sizes 1..8192, or less where the device draws no larger

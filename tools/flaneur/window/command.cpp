@@ -73,7 +73,7 @@ std::string why_no_command(const Viewer& v, const World& world) {
            std::to_string(*v.time.first_seed) + ".";
 }
 
-std::string command_now(const Show& show, Viewer& v, Size size) {
+std::string command_now(const Show& show, const Viewer& v, Size size) {
     Shown shown{v.choice,
                 v.camera,
                 show.work_views,

@@ -17,10 +17,10 @@ struct Shown {
     WorkViews views;
     Size size;
     uint32_t tick = 0;
-    bool is_transparent = false;      // where there is sky
-    bool has_lens = false;            // the words, or the scene that they name, have one
-    std::optional<bool> is_overcast;  // if the weather is not that of the words
-    std::string scene;                // a file that says all of it, in place of the words; empty: none
+    bool is_transparent = false;           // where there is sky
+    bool has_lens = false;                 // the words, or the scene that they name, have one
+    std::optional<bool> is_overcast = {};  // if the weather is not that of the words
+    std::string scene = {};                // a file that says all of it, in place of the words; empty: none
 };
 
 struct Show;
@@ -30,7 +30,7 @@ struct World;
 std::string why_no_command(const Viewer& viewer, const World& world);
 // Of what the window shows, as a picture of this size.
 // Where the city has been changed, the scene is written beside, and drawn.
-std::string command_now(const Show& show, Viewer& viewer, Size size);
+std::string command_now(const Show& show, const Viewer& viewer, Size size);
 inline constexpr const char* k_told_otherwise =
     "Copied; but people stand elsewhere in its picture, for the city was changed while they walked: ";
 

@@ -124,8 +124,6 @@ bool is_as_opened(const Change& c) {
            now.people == static_cast<uint32_t>(c.scene.walkers);
 }
 
-bool is_busy(const Change& c) { return is_making(c.making) || current(c.designs) != c.carried; }
-
 void want(Viewer& v, Design next, uint64_t gesture) { change(v.change.designs, std::move(next), gesture); }
 
 Result<void> carry_on(Show& show, Viewer& v) {

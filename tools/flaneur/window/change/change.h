@@ -41,7 +41,6 @@ struct Change {
     int typed_people = 0;
     char path[256] = "out/scene.json";
     bool is_naming = false, starts_naming = false;
-    std::string saved;  // the file of the current design, as far as it was saved
     // What has been carried out, and after which tick.
     std::vector<std::pair<uint32_t, Design>> log;
 };
@@ -54,9 +53,6 @@ bool is_as_opened(const Change& change);
 
 // Once a frame, between two ticks: carries on what is wanted, as far as it is ready.
 Result<void> carry_on(Show& show, Viewer& viewer);
-
-// Whether something is not yet as it is wanted.
-bool is_busy(const Change& change);
 
 // Says that it is so from now on; what is wanted may be undone.
 void want(Viewer& viewer, Design next, uint64_t gesture = 0);

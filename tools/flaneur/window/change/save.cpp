@@ -64,14 +64,13 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     return s;
 }
 
-Result<std::string> save_scene(const Show& show, Viewer& v, const std::string& path) {
+Result<std::string> save_scene(const Show& show, const Viewer& v, const std::string& path) {
     if (!has_ending(path, ".json")) return Error{"A scene's file ends in .json: " + path + " does not."};
     const Scene scene = changed_scene(show, v, fs::path(path).parent_path().string());
     Result<PartFilePtr> file = open_file(path);
     if (!file) return file.error();
     std::fputs(scene_text(scene).c_str(), (*file)->file);
     if (Result<void> done = keep_file(std::move(*file)); !done) return done.error();
-    v.change.saved = path;
     std::string told = "Wrote " + path + "; flaneur view --scene " + path + " opens it.";
     constexpr int k_a_block = 750;  // people for whom the built-in district is not made larger
     if (scene.city.empty() && !scene.asteroid && scene.walkers > scene.blocks * scene.blocks * k_a_block)

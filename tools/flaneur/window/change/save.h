@@ -17,7 +17,7 @@ Scene changed_scene(const Show& show, const Viewer& viewer, const std::string& f
 
 // Writes it to a .json file, which `--scene` takes. Says what will be otherwise when it is opened, if
 // anything.
-Result<std::string> save_scene(const Show& show, Viewer& viewer, const std::string& path);
+Result<std::string> save_scene(const Show& show, const Viewer& viewer, const std::string& path);
 
 // Lets one type the name of the file; Enter saves, Esc does not.
 void begin_naming(Viewer& viewer);

@@ -60,7 +60,7 @@ void lay_out_record(Show&, Viewer& v, float scale) {
     ImGui::TextDisabled("They go into the folder out/.");
 }
 
-void lay_out_filming(const Viewer& v, Size size, float scale) {
+void lay_out_filming(const Viewer& v, Size size) {
     if (!v.record.filming) return;
     const Filming& filming = *v.record.filming;
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, v.bar_foot}, ImGuiCond_Always, {0.5f, 0});
