@@ -411,6 +411,10 @@ Result<void> show_image(Renderer& renderer, const Image& picture, const Panels& 
 
 const FrameStats& frame_stats(const Renderer& renderer) { return renderer.stats; }
 
+bool has_lost_device(const Renderer& renderer) {
+    return vkDeviceWaitIdle(renderer.device.handle) == VK_ERROR_DEVICE_LOST;
+}
+
 uint32_t validation_messages(const Renderer& renderer) { return renderer.device.messages; }
 
 }  // namespace flaneur

@@ -117,6 +117,10 @@ struct FrameStats {
 // Of the last frame drawn; times of the device in a window are of one or two frames before.
 const FrameStats& frame_stats(const Renderer& renderer);
 
+// Whether the device was lost, as when a driver resets a GPU: nothing more is drawn with it. What fails then
+// may be drawn by a renderer made anew.
+bool has_lost_device(const Renderer& renderer);
+
 // How many validation messages there have been.
 uint32_t validation_messages(const Renderer& renderer);
 

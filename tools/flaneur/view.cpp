@@ -60,9 +60,22 @@ void show_title(GLFWwindow* window, const Show& show, double fps) {
     glfwSetWindowTitle(window, figures);
 }
 
+constexpr int k_most_lost = 5;  // devices, in the life of a window
+
+// After a device was lost, one made anew takes its place, with the letters of the panels.
+Result<void> remake_renderer(RendererPtr& renderer, GLFWwindow* window, Gui& gui, const Options& options,
+                             std::atomic<uint32_t>& messages) {
+    renderer.reset();
+    Result<RendererPtr> anew = make_window_renderer(renderer_options(options, messages), window);
+    if (!anew) return anew.error();
+    renderer = std::move(*anew);
+    const float scale = std::exchange(gui.scale, 0.0f);
+    return suit_gui(gui, window, *renderer, scale, gui.is_light);
+}
+
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
 Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options,
-                       const Viewer& viewer) {
+                       const Viewer& viewer, std::atomic<uint32_t>& messages) {
     say_device(*renderer);
     auto loading = std::async(std::launch::async, [&] { return prepare_show(options); });
     while (loading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
@@ -77,9 +90,11 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
         begin_gui(gui);
         lay_out_loading(city_name(options.scene), line, "Esc closes", size, gui.scale);
         frame.panels = end_gui(gui);
-        if (Result<void> drawn = draw_window(*renderer, frame); !drawn) {
+        Result<void> drawn = draw_window(*renderer, frame);
+        if (!drawn) {
             say(drawn.error().message);
-            end_now(1);
+            if (has_lost_device(*renderer)) drawn = remake_renderer(renderer, window, gui, options, messages);
+            if (!drawn) end_now(1);
         }
     }
     Result<PreparedShow> prepared = loading.get();
@@ -136,7 +151,6 @@ void rest_until(double then) {
 }
 
 Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
-    begin_run(v.time, *show.loaded.world);
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -268,12 +282,21 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, viewer.settings.letters, scene_pictures());
     if (!gui) return gui.error();
     viewer.opening.pictures = (*gui)->boxes;
-    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer);
+    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer, messages);
     if (!show) return show.error();
     viewer.is_loading = false;
     if (!settings) tell(viewer, printable(settings.error().message));
     start_changes(options, *show, viewer);
+    begin_run(viewer.time, *show->loaded.world);
     Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
+    for (int lost = 0; !done && lost < k_most_lost && has_lost_device(*show->renderer); ++lost) {
+        say(done.error().message);
+        done = remake_renderer(show->renderer, window.get(), **gui, options, messages);
+        if (done) done = upload_again(*show);
+        if (!done) break;
+        tell(viewer, "The graphics device was lost. A new one has taken over.");
+        done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
+    }
     end_film(viewer);
     viewer.time.anew.reset();                            // they are made of the show
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded

@@ -75,6 +75,12 @@ Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views) {
     return {};
 }
 
+Result<void> upload_again(Show& show) {
+    SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    if (show.has_lamps) meshes.lamps = extract_lamps(*show.loaded.city);
+    return upload_with_impostors(*show.renderer, meshes);
+}
+
 void say_device(const Renderer& renderer) {
     say("Drawing on " + device_name(renderer) + ", " + quality_name(renderer) + " quality");
 }

@@ -38,6 +38,8 @@ Result<PreparedShow> prepare_show(const Options& options);
 // Puts what was prepared in place of all that `show` has but its renderer. After a failure `show` is as it
 // was.
 Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views);
+// The same show once more, by a renderer that was made anew.
+Result<void> upload_again(Show& show);
 // Says on stderr which device draws.
 void say_device(const Renderer& renderer);
 
