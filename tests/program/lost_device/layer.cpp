@@ -12,7 +12,7 @@ namespace {
 PFN_vkGetInstanceProcAddr next_instance;
 PFN_vkGetDeviceProcAddr next_device;
 VkInstance instance;
-VkDevice first, last;
+VkDevice opened;
 std::atomic<int> submits = 0;
 std::atomic<bool> is_lost = false;
 
@@ -53,23 +53,23 @@ VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* info
     link->u.pLayerInfo = link->u.pLayerInfo->pNext;
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(find(instance, "vkCreateDevice"));
     const VkResult result = create(physical, info, allocator, out);
-    if (result != VK_SUCCESS) return result;
-    if (first) is_lost = false;
-    if (!first) first = *out;
-    last = *out;
+    if (result == VK_SUCCESS) opened = *out;
     return result;
 }
 
 VkResult submit(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
     const char* at = std::getenv("LOST_AT");
-    if (++submits == (at ? std::atoi(at) : 0)) is_lost = true;
+    if (++submits == (at ? std::atoi(at) : 0)) {
+        is_lost = true;
+        setenv("LOST_AT", "0", 1);  // the loader loads this anew for the next instance
+    }
     if (is_lost) return VK_ERROR_DEVICE_LOST;
-    return next<PFN_vkQueueSubmit2>(last, "vkQueueSubmit2")(queue, count, infos, fence);
+    return next<PFN_vkQueueSubmit2>(opened, "vkQueueSubmit2")(queue, count, infos, fence);
 }
 
-VkResult wait(VkDevice device, uint32_t count, const VkFence* fences, VkBool32 all, uint64_t patience) {
+VkResult wait(VkDevice of, uint32_t count, const VkFence* fences, VkBool32 all, uint64_t patience) {
     if (is_lost) return VK_ERROR_DEVICE_LOST;
-    return next<PFN_vkWaitForFences>(device, "vkWaitForFences")(device, count, fences, all, patience);
+    return next<PFN_vkWaitForFences>(of, "vkWaitForFences")(of, count, fences, all, patience);
 }
 
 VkResult wait_idle(VkDevice device) {
