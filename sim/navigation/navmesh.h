@@ -12,8 +12,8 @@
 
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
-#include "sim/ground/rectangle.h"
 #include "sim/ground/ground.h"
+#include "sim/ground/rectangle.h"
 
 namespace flaneur {
 
@@ -56,8 +56,8 @@ Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& 
 // and the mesh is the same, bit by bit, as build_navmesh() makes of the whole ground. Ground whose bounds
 // have changed is built anew.
 Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& settings,
-                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
-                                   int threads);
+                                   std::string_view bytes, Vec2 low, Vec2 high,
+                                   std::span<const Rectangle> changed, int threads);
 
 // From the polygons of one mesh to those of another that are the same: where they are in tiles that no change
 // has touched.

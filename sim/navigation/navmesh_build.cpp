@@ -347,8 +347,8 @@ Result<NavmeshPtr> restore_navmesh(const Ground& ground, const NavmeshSettings& 
 }
 
 Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& wanted,
-                                   std::string_view bytes, Vec2 low, Vec2 high, std::span<const Rectangle> changed,
-                                   int threads) {
+                                   std::string_view bytes, Vec2 low, Vec2 high,
+                                   std::span<const Rectangle> changed, int threads) {
     if (ground.low != low || ground.high != high) return build_navmesh(ground, wanted, threads);
     auto kept = tiles_of(bytes);
     if (!kept) return damaged(ground);
@@ -366,7 +366,8 @@ Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& 
         const Vec2 corner =
             ground.low + Vec2{static_cast<float>(t % width), static_cast<float>(t / width)} * edge;
         const Rectangle tile = widened({corner, corner + Vec2{edge, edge}}, tile_rim(settings));
-        if (std::any_of(changed.begin(), changed.end(), [&](const Rectangle& area) { return touch(area, tile); }))
+        if (std::any_of(changed.begin(), changed.end(),
+                        [&](const Rectangle& area) { return touch(area, tile); }))
             touched.push_back(t);
     }
     WorkersPtr workers = make_workers(threads);
