@@ -120,13 +120,6 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-// What is told after each tick.
-void watch(const Show& show, Viewer& v) {
-    count_people(v.measure.counts, *show.loaded.world);
-    watch_gait(*show.loaded.world, v.selected, v.watch);
-    ride(*show.loaded.world, v.cameras, v.choice);
-}
-
 // Carries on what is wanted of the city.
 Result<void> change_city(Show& show, Viewer& v) {
     const size_t changes = v.change.log.size();
@@ -173,12 +166,10 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         steer_driven(window, show, v);
         const bool is_going = go_on(show, v, now);
         if (!is_going)
-            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) {
-                make_tick(show, v);
-                watch(show, v);
-            }
+            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
         keep_up_beside(show, v);
         const World& world = *show.loaded.world;
+        v.measure.counts.shown = std::min(world.tick, v.measure.counts.tick);
         const float between = is_going ? 1 : between_pictures(v.record, v.clock);
 
         const bool is_panels = gui_has_mouse() || v.presentation.is_on;

@@ -149,7 +149,7 @@ void begin_anew(Counts& counts, uint32_t tick) {
 void count_people(Counts& counts, uint32_t tick, std::span<const Present> present) {
     if (counts.tick != k_unticked && tick <= counts.tick) forget_after(counts, tick);
     if (tick != counts.tick && tick != counts.tick + 1) begin_gap(counts);
-    counts.tick = tick;
+    counts.tick = counts.shown = tick;
     if (counts.present.data() != present.data()) counts.present.assign(present.begin(), present.end());
     for (const Present& one : present) {
         if (one.id.index >= counts.before.size()) counts.before.resize(one.id.index + 1);
@@ -178,6 +178,7 @@ Flow flow_of(const LineCount& line, uint32_t tick, double seconds) {
     const double now = seconds_at(tick), since = std::max(now - seconds, seconds_at(line.since));
     Flow flow{.seconds = std::max(now - since, 0.0)};
     for (auto crossing = line.crossings.rbegin(); crossing != line.crossings.rend(); ++crossing) {
+        if (crossing->seconds > now) continue;
         if (crossing->seconds <= since) break;
         ++(crossing->to_right ? flow.right : flow.left);
     }
@@ -189,6 +190,11 @@ Flow flow_of(const LineCount& line, uint32_t tick, double seconds) {
 }
 
 ZoneSample zone_now(const ZoneCount& zone, const Counts& counts) {
+    if (counts.shown < counts.tick) {
+        auto later = std::find_if(zone.samples.begin(), zone.samples.end(),
+                                  [&](const ZoneSample& sample) { return sample.tick > counts.shown; });
+        return later == zone.samples.begin() ? ZoneSample{.tick = counts.shown} : *(later - 1);
+    }
     ZoneSample now{.tick = counts.tick};
     Vec2 low = zone.zone.corners[0], high = low;
     for (Vec2 c : zone.zone.corners) {

@@ -67,6 +67,7 @@ struct Counts {
     std::vector<LineCount> lines;
     std::vector<ZoneCount> zones;
     uint32_t tick = k_unticked;    // the last one
+    uint32_t shown = k_unticked;   // of which is told: that one, or an earlier one that is looked at again
     std::vector<Present> present;  // after it
     struct Before {
         uint32_t generation = 0, tick = k_unticked;
@@ -97,7 +98,8 @@ struct Flow {
 // Of the last `seconds` before a tick, or since counting began if that is less.
 Flow flow_of(const LineCount& line, uint32_t tick, double seconds);
 
-// A zone as it is now, but for `voronoi`, which takes longer: that is of the last sample.
+// A zone as it was at the tick that is shown: by its samples, or where that is the last one as it is, but for
+// `voronoi`, which takes longer: that is of the last sample.
 ZoneSample zone_now(const ZoneCount& zone, const Counts& counts);
 
 // Fruin's level of service on walkways, 'A' to 'F', at so many people to a square metre: 35, 25, 15, 10 and 5

@@ -48,6 +48,7 @@ Result<std::vector<std::string>> shell_words(std::string_view line) {
             is_in_word = false;
             continue;
         }
+        if (!is_in_word && quote == 0 && c == '#') break;  // a comment
         if (!is_in_word) words.emplace_back();
         is_in_word = true;
         if (c == quote)

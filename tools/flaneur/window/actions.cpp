@@ -145,7 +145,11 @@ void act_on_presses(Show& show, Viewer& v) {
         v.presses.clear();
         end_presentation(v);
     }
+    // What was typed before a key reaches its field a picture later.
+    if (gui_has_keys() && !std::exchange(v.has_waited, !v.presses.empty())) return;
+    v.has_waited = false;
     for (const KeyPress& press : std::exchange(v.presses, {})) {
+        if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL)) v.wants_close = true;
         if (v.palette.is_open) {
             press_in_palette(press.key, show, v);
             continue;

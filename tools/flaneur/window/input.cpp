@@ -24,7 +24,9 @@ void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     Viewer& v = viewer_of(window);
     const bool has_own_keys =
         v.palette.is_open || v.opening.prompt.is_open || v.panel_keys.are_on || v.change.is_naming;
-    if (action == GLFW_RELEASE || (gui_has_keys() && !has_own_keys)) return;
+    // These are nothing that one types.
+    const bool is_typed = key != GLFW_KEY_ESCAPE && !(key == GLFW_KEY_Q && (mods & GLFW_MOD_CONTROL));
+    if (action == GLFW_RELEASE || (gui_has_keys() && !has_own_keys && is_typed)) return;
     if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
     if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});
 }

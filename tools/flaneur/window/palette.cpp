@@ -90,7 +90,7 @@ void lay_out_palette(Show& show, Viewer& v, Size size, float scale) {
     if (!palette.is_open) return;
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) * 0.18f},
                             ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({std::min(440 * scale, static_cast<float>(size.width)), 0});
+    ImGui::SetNextWindowSize({std::min(520 * scale, static_cast<float>(size.width)), 0});
     const Action* chosen = nullptr;
     if (ImGui::Begin("palette", nullptr, k_plain & ~ImGuiWindowFlags_NoFocusOnAppearing)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -108,7 +108,7 @@ void lay_out_palette(Show& show, Viewer& v, Size size, float scale) {
                 ImGui::PushID(row.action);
                 if (ImGui::Selectable(row.action->name, i == palette.chosen)) chosen = row.action;
                 if (i == palette.chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-                ImGui::SameLine(320 * scale);
+                ImGui::SameLine(370 * scale);
                 ImGui::TextDisabled("%s", *row.action->keys ? row.action->keys : row.group);
                 ImGui::PopID();
             }

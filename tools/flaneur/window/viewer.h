@@ -47,6 +47,7 @@ struct Viewer {
     Cameras cameras;
     bool is_loading = true;
     std::vector<KeyPress> presses;  // not acted upon yet
+    bool has_waited = false;        // they, for a picture
     bool wants_command = false, wants_close = false;
     bool lists_keys = false, has_panels = true;
     Room room = Room::none;

@@ -144,7 +144,7 @@ void measure_legs(GaitWatch& watch) {
             if (s->side == side) own.insert(own.begin(), *s);
         watch.legs[side].reset();
         if (own.empty()) continue;
-        GaitWatch::Leg& leg = watch.legs[side].emplace();
+        WatchedLeg& leg = watch.legs[side].emplace();
         leg.curves = curves_of(watch.walk, own);
         leg.strides = static_cast<int>(own.size());
         for (const MeasuredStride& s : own) {

@@ -18,6 +18,12 @@ struct World;
 
 inline constexpr size_t k_watched_ticks = 900;  // that are kept at least, once they have gone by
 
+struct WatchedLeg {
+    Curves curves;
+    int strides = 0;
+    double stance = 0;  // share of the cycle
+};
+
 struct GaitWatch {
     bool shows_steps = false;  // footprints, contacts and what limbs reach for, in the city
     uint32_t walker = 0, generation = 0;
@@ -29,12 +35,7 @@ struct GaitWatch {
     };
     std::vector<Print> prints;  // where its feet stood, the last ones
     // Of the last strides of each leg; none where it has not made one.
-    struct Leg {
-        Curves curves;
-        int strides = 0;
-        double stance = 0;  // share of the cycle
-    };
-    std::array<std::optional<Leg>, 2> legs;
+    std::array<std::optional<WatchedLeg>, 2> legs;
     double seconds = 0, metres = 0;  // of a stride
     size_t contacts = 0;             // seen so far,
     size_t known_contacts = 0;       // and when `legs` were made

@@ -16,8 +16,9 @@ constexpr const char* k_surface_names[k_surface_count] = {
 constexpr const char* k_destination_names[k_destination_count] = {"a door", "a shop",         "a bench",
                                                                   "a stop", "the map's edge", "a square"};
 constexpr const char* k_prop_names[k_prop_count] = {
-    "Tree",   "Street lamp", "Bench",  "Bollard",          "Bin", "Parked car", "Fountain",
-    "Statue", "Planter",     "Signal", "Shelter of a stop"};
+    "Tree",   "Street lamp", "Bench",  "Bollard",           "Bin",    "Parked car", "Fountain",
+    "Statue", "Planter",     "Signal", "Shelter of a stop", "Barrier"};
+static_assert(k_prop_names[k_prop_count - 1] != nullptr);
 
 template <class... Values>
 std::string text_of(const char* form, Values... values) {

@@ -218,7 +218,7 @@ constexpr std::array k_actions = {
     Action{"Weather: overcast", "", 0, 0, [](Show&, Viewer& v) { set_weather(v, true); }},
     Action{"Twice as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 2); }},
     Action{"Half as many people", "", 0, 0, [](Show&, Viewer& v) { more_people(v, 0.5f); }},
-    Action{"Close a street", "", 0, 0, take_tool<AddedKind::barrier>},
+    Action{"Close a street by a barrier", "", 0, 0, take_tool<AddedKind::barrier>},
     Action{"Draw a wall", "", 0, 0, take_tool<AddedKind::wall>},
     Action{"Put down a planter", "", 0, 0, take_tool<AddedKind::planter>},
     Action{"Put down a car", "", 0, 0, take_tool<AddedKind::car>},

@@ -148,7 +148,7 @@ void add_line_labels(const Marking& drawn, const std::vector<glm::vec3>& outline
     const auto line = std::find_if(counts.lines.begin(), counts.lines.end(),
                                    [&](const LineCount& l) { return l.line.name == drawn.name; });
     if (line == counts.lines.end()) return;
-    const Flow all = flow_of(*line, counts.tick, 1e9), lately = flow_of(*line, counts.tick, k_flow_seconds);
+    const Flow all = flow_of(*line, counts.shown, 1e9), lately = flow_of(*line, counts.shown, k_flow_seconds);
     const glm::vec3 middle = middle_of(outline), aside = right_of(drawn) * (reach_of(drawn) * 1.35f);
     labels.push_back({outline.front(), text_of("%s  %.1f/min", drawn.name.c_str(), lately.per_minute),
                       k_colours[static_cast<size_t>(MarkingKind::line)]});

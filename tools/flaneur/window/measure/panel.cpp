@@ -62,8 +62,8 @@ const ZoneCount* zone_called(const Counts& counts, const std::string& name) {
 std::string told_row(const Marking& drawn, const Counts& counts) {
     char text[128] = "";
     if (const LineCount* line = line_called(counts, drawn.name); line && drawn.kind == MarkingKind::line) {
-        const Flow all = flow_of(*line, counts.tick, 1e9),
-                   lately = flow_of(*line, counts.tick, k_flow_seconds);
+        const Flow all = flow_of(*line, counts.shown, 1e9),
+                   lately = flow_of(*line, counts.shown, k_flow_seconds);
         std::snprintf(text, sizeof text, "%u + %u people, now %.1f a minute", all.left, all.right,
                       lately.per_minute);
     }
@@ -105,14 +105,14 @@ void lay_out_list(MeasureRoom& room, float scale) {
     }
 }
 
-double now_of(const Counts& counts) { return counts.tick / 60.0; }
+double now_of(const Counts& counts) { return counts.shown / 60.0; }
 // How many seconds are plotted of what is counted since a tick: a minute to five.
 double plotted(const Counts& counts, uint32_t since) {
-    return std::clamp(std::ceil((counts.tick - since) / 3600.0) * 60, 60.0, k_plotted);
+    return std::clamp(std::ceil((counts.shown - since) / 3600.0) * 60, 60.0, k_plotted);
 }
 
 void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
-    const Flow all = flow_of(line, counts.tick, 1e9), lately = flow_of(line, counts.tick, k_flow_seconds);
+    const Flow all = flow_of(line, counts.shown, 1e9), lately = flow_of(line, counts.shown, k_flow_seconds);
     ImGui::Text("%.2f m long, counted for %.0f s", static_cast<double>(length_of(line.line)), all.seconds);
     if (ImGui::BeginTable("flow", 4, ImGuiTableFlags_SizingStretchSame, {(k_wide - 20) * scale, 0})) {
         auto row = [](const char* what, const Flow& flow, const char* form_left) {
@@ -151,7 +151,7 @@ void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
 
 void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
     const ZoneSample now = zone_now(zone, counts);
-    ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.tick - zone.since) / 60.0);
+    ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.shown - zone.since) / 60.0);
     ImGui::Text("%u %s, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
                 now.people == 1 ? "person" : "people", static_cast<double>(now.density),
                 static_cast<double>(now.voronoi));

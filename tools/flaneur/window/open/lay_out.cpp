@@ -63,7 +63,8 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
         ImGui::SetNextItemWidth(-1);
         ImGui::InputTextWithHint("##path", "a map, a city, a character or a scene", prompt.typed,
                                  sizeof prompt.typed,
-                                 ImGuiInputTextFlags_CallbackAlways | ImGuiInputTextFlags_CallbackCompletion,
+                                 ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways |
+                                     ImGuiInputTextFlags_CallbackCompletion,
                                  replace_typed, &prompt);
         if (ImGui::BeginChild("found", {0, k_rows * ImGui::GetTextLineHeightWithSpacing()})) {
             for (int i = 0; i < static_cast<int>(prompt.found.size()); ++i) {

@@ -205,7 +205,7 @@ Result<void> take_pictures(Show& show, Viewer& v, Size window, float between) {
     }
     if (!std::exchange(r.wants_picture, false)) return {};
     r.wants_panels = r.picture.has_panels && r.picture.extent == Extent::window;
-    if (!r.wants_panels) take_picture(show, v, window, between);
+    if (!r.wants_panels) take_picture(show, v, window, 1);  // as a command draws the tick
     return {};
 }
 

@@ -10,6 +10,7 @@
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/watch.h"
 
 namespace flaneur {
 namespace {
@@ -138,6 +139,7 @@ void make_tick(Show& show, Viewer& v) {
     else
         follow(*v.time.history, world);
     watch(v.time.watch, world);
+    watch_tick(show, v, world.tick > v.time.latest);
     v.time.latest = std::max(v.time.latest, world.tick);
 }
 
@@ -156,6 +158,7 @@ void go_to_event(Viewer& v, const World& world, const Event& event) {
 void go_to_next_event(Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     if (world.roam) return tell(v, "Nothing is watched for where people roam round a compound.");
+    if (world.crowd.slots.living.empty()) return tell(v, "Nobody is there to whom something could happen.");
     if (const Event* event = event_after(v.time.watch.events, world.tick, v.time.wants))
         return go_to_event(v, world, *event);
     v.time.going = Going{.from = world.tick, .to = k_wherever, .is_for_event = true};
