@@ -363,9 +363,8 @@ Result<NavmeshPtr> rebuild_navmesh(const Ground& ground, const NavmeshSettings& 
     std::vector<size_t> touched;
     const float edge = tile_edge(settings);
     for (size_t t = 0; t < tiles.size(); ++t) {
-        const Vec2 corner =
-            ground.low +
-            Vec2{static_cast<float>(t % width), static_cast<float>((t - t % width) / width)} * edge;
+        const size_t row = t / width, column = t % width;
+        const Vec2 corner = ground.low + Vec2{static_cast<float>(column), static_cast<float>(row)} * edge;
         const Rectangle tile = widened({corner, corner + Vec2{edge, edge}}, tile_rim(settings));
         if (std::any_of(changed.begin(), changed.end(),
                         [&](const Rectangle& area) { return touch(area, tile); }))

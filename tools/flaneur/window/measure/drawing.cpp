@@ -140,6 +140,7 @@ Length length_of(const std::vector<glm::vec3>& points, bool is_closed) {
 
 std::vector<Vec2> on_map(const std::vector<glm::vec3>& points) {
     std::vector<Vec2> flat;
+    flat.reserve(points.size());
     for (const glm::vec3& p : points) flat.push_back({p.x, p.z});
     return flat;
 }

@@ -38,6 +38,7 @@ Result<ShowWish> parsed(ShowWish wish) {
     std::vector<std::string> all = {"flaneur", "view"};
     all.insert(all.end(), wish.words.begin(), wish.words.end());
     std::vector<char*> pointers;
+    pointers.reserve(all.size() + 1);
     for (std::string& word : all) pointers.push_back(word.data());
     pointers.push_back(nullptr);
     auto options = parse_options(static_cast<int>(all.size()), pointers.data());

@@ -85,7 +85,7 @@ Result<Settings> read_settings(const std::string& file) {
     std::error_code unknown;
     if (file.empty() || !std::filesystem::exists(file, unknown)) return Settings();
     const Result<Bytes> bytes = read_bytes(file, k_most_bytes);
-    const Result<Settings> read =
+    Result<Settings> read =
         bytes ? parse_settings({reinterpret_cast<const char*>(bytes->data()), bytes->size()}) : bytes.error();
     if (read) return read;
     std::string why = read.error().message;
