@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/time/clock.h"
 
 namespace flaneur {
 namespace {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/tick.h"
-#include "tools/flaneur/window/clock.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
+#include "tools/flaneur/window/time/clock.h"
 
 namespace flaneur {
 namespace {

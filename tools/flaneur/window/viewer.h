@@ -12,13 +12,13 @@
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
-#include "tools/flaneur/window/clock.h"
 #include "tools/flaneur/window/measure/measure.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/settings/panel_keys.h"
 #include "tools/flaneur/window/settings/settings.h"
+#include "tools/flaneur/window/time/clock.h"
 #include "tools/flaneur/window/time/time.h"
 
 namespace flaneur {

@@ -1,4 +1,4 @@
-#include "tools/flaneur/window/clock.h"
+#include "tools/flaneur/window/time/clock.h"
 
 #include <algorithm>
 #include <cmath>
