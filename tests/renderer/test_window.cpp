@@ -118,7 +118,7 @@ TEST_F(Window, PicturesDrawnBeforeAreShown) {
     const PanelVertex corners[3] = {{{0, 0}, {0, 0}, ~0u}, {{90, 0}, {1, 0}, ~0u}, {{0, 60}, {0, 1}, ~0u}};
     const uint16_t indices[3] = {0, 1, 2};
     const PanelDraw draws[1] = {{0, 3, 0, {0, 0, 50, 50}}};
-    const uint8_t letters[4] = {255, 0, 128, 255};
+    const uint8_t letters[16] = {255, 255, 255, 255, 255, 255, 255, 0, 255, 255, 255, 128, 9, 90, 200, 255};
     for (const bool is_host : {true, false}) {
         renderer.reset();
         RendererOptions options = validated();
