@@ -99,10 +99,7 @@ bool write_all(int file, std::string_view bytes) {
 
 std::string cache_folder() {
     if (cache_limit() == 0) return "";
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache && *cache == '/') return (fs::path(cache) / "flaneur").string();
-    const char* home = std::getenv("HOME");
-    return home && *home == '/' ? (fs::path(home) / ".cache/flaneur").string() : "";
+    return user_folder("XDG_CACHE_HOME", ".cache");
 }
 
 Result<uint64_t> read_cache_limit() {

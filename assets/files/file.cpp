@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 
 namespace flaneur {
@@ -63,6 +64,14 @@ Result<Bytes> read_bytes(const std::string& path, size_t most) {
         done += static_cast<size_t>(got);
     }
     return bytes;
+}
+
+std::string user_folder(const char* variable, const char* usual) {
+    namespace fs = std::filesystem;
+    const char* named = std::getenv(variable);
+    if (named && *named == '/') return (fs::path(named) / "flaneur").string();
+    const char* home = std::getenv("HOME");
+    return home && *home == '/' ? (fs::path(home) / usual / "flaneur").string() : "";
 }
 
 std::string excerpt(std::string_view text) {

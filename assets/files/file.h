@@ -31,6 +31,11 @@ Result<void> find_file(const std::string& path);
 // name. The error's sentence has no subject: "cannot be opened as a file; check ...".
 Result<Bytes> read_bytes(const std::string& path, size_t most);
 
+// Where a program keeps files of one kind for its user, after the XDG base directory specification: `flaneur`
+// in the folder that the environment's `variable` names, or else in $HOME/`usual`. Empty, for nowhere, where
+// neither is an absolute path.
+std::string user_folder(const char* variable, const char* usual);
+
 // What a file says, as a sentence may quote it: at most 60 characters, and nothing that steers a terminal.
 std::string excerpt(std::string_view text);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "assets/files/file.h"
@@ -23,13 +22,8 @@ bool is_kept(std::string_view path) {
 }  // namespace
 
 std::string recent_file() {
-    auto named = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value && *value == '/' ? value : "");
-    };
-    const std::string state = named("XDG_STATE_HOME"), home = named("HOME");
-    if (!state.empty()) return state + "/flaneur/recent";
-    return home.empty() ? "" : home + "/.local/state/flaneur/recent";
+    const std::string folder = user_folder("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? "" : folder + "/recent";
 }
 
 std::vector<std::string> read_recent(const std::string& file) {

@@ -1,6 +1,5 @@
 #include "tools/flaneur/window/settings/settings.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -45,13 +44,8 @@ Result<void> read_number(const Json& json, const char* key, Number least, Number
 }  // namespace
 
 std::string settings_file() {
-    auto named = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value && *value == '/' ? value : "");
-    };
-    const std::string config = named("XDG_CONFIG_HOME"), home = named("HOME");
-    if (!config.empty()) return config + "/flaneur/settings.json";
-    return home.empty() ? "" : home + "/.config/flaneur/settings.json";
+    const std::string folder = user_folder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? "" : folder + "/settings.json";
 }
 
 Result<Settings> parse_settings(std::string_view text) {
