@@ -172,21 +172,37 @@ std::string quality_name(const Renderer& renderer) { return renderer.quality.nam
 
 bool can_draw_wireframe(const Renderer& renderer) { return renderer.device.has_wireframe; }
 
-Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
+namespace {
+
+// make(scene) makes what shall be new, and swap(scene) puts it in place of what is there, once no frame
+// refers to that.
+template <class Make, class Swap>
+Result<void> replace(Renderer& renderer, const Make& make, const Swap& swap) {
     GpuScene scene;
-    auto make = [&]() -> Result<void> {
-        FLANEUR_TRY(make_scene(renderer.device, renderer.pipelines, meshes, scene));
+    auto prepare = [&]() -> Result<void> {
+        FLANEUR_TRY(make(scene));
         FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
         return {};
     };
-    Result<void> made = make();
-    if (made) {
-        std::swap(renderer.scene, scene);
-        renderer.shadows.state = {};
-        renderer.last_view = {};
-    }
+    Result<void> made = prepare();
+    if (made) swap(scene);
     destroy_scene(renderer.device, scene);
     return made;
+}
+
+// Of another city.
+void forget_shadows(Renderer& renderer) {
+    renderer.shadows.state = {};
+    renderer.last_view = {};
+}
+
+}  // namespace
+
+Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
+    return replace(
+        renderer,
+        [&](GpuScene& scene) { return make_scene(renderer.device, renderer.pipelines, meshes, scene); },
+        [&](GpuScene& scene) { std::swap(renderer.scene, scene), forget_shadows(renderer); });
 }
 
 Result<std::shared_ptr<const PreparedCity>> prepare_for_upload(const CityMesh& city) {
@@ -196,33 +212,15 @@ Result<std::shared_ptr<const PreparedCity>> prepare_for_upload(const CityMesh& c
 }
 
 Result<void> upload_city(Renderer& renderer, const PreparedCity& city) {
-    GpuScene scene;
-    auto make = [&]() -> Result<void> {
-        FLANEUR_TRY(make_city(renderer.device, city, scene));
-        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
-        return {};
-    };
-    Result<void> made = make();
-    if (made) {
-        swap_cities(renderer.scene, scene);
-        renderer.shadows.state = {};
-        renderer.last_view = {};
-    }
-    destroy_scene(renderer.device, scene);
-    return made;
+    return replace(
+        renderer, [&](GpuScene& scene) { return make_city(renderer.device, city, scene); },
+        [&](GpuScene& scene) { swap_cities(renderer.scene, scene), forget_shadows(renderer); });
 }
 
 Result<void> upload_lamps(Renderer& renderer, const LampMap& lamps) {
-    GpuScene scene;
-    auto make = [&]() -> Result<void> {
-        FLANEUR_TRY(make_lamps(renderer.device, lamps, scene));
-        FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
-        return {};
-    };
-    Result<void> made = make();
-    if (made) swap_lamps(renderer.scene, scene);
-    destroy_scene(renderer.device, scene);
-    return made;
+    return replace(
+        renderer, [&](GpuScene& scene) { return make_lamps(renderer.device, lamps, scene); },
+        [&](GpuScene& scene) { swap_lamps(renderer.scene, scene); });
 }
 
 Result<void> upload_letters(Renderer& renderer, const Letters& letters) {

@@ -94,6 +94,15 @@ void change_to(std::vector<Marking> drawn, const Show& show, Viewer& v) {
     count_drawn(show, v);
 }
 
+// What was drawn last in `from` is what is drawn now, and that goes to `to`.
+void go_to_last(std::vector<std::vector<Marking>>& from, std::vector<std::vector<Marking>>& to,
+                const Show& show, Viewer& v) {
+    to.push_back(v.measure.drawn);
+    std::vector<Marking> drawn = std::move(from.back());
+    from.pop_back();
+    change_to(std::move(drawn), show, v);
+}
+
 void add_point(const Show& show, glm::vec3 place, glm::vec2 pixel, Viewer& v) {
     MeasureRoom& room = v.measure;
     const double now = glfwGetTime();
@@ -198,19 +207,11 @@ void undo_drawing(const Show& show, Viewer& v) {
     MeasureRoom& room = v.measure;
     if (!room.draft.empty()) return room.draft.pop_back();
     if (room.before.empty()) return tell(v, "There is nothing drawn to go back to.");
-    room.after.push_back(room.drawn);
-    std::vector<Marking> drawn = std::move(room.before.back());
-    room.before.pop_back();
-    change_to(std::move(drawn), show, v);
+    go_to_last(room.before, room.after, show, v);
 }
 
 void redo_drawing(const Show& show, Viewer& v) {
-    MeasureRoom& room = v.measure;
-    if (room.after.empty()) return;
-    room.before.push_back(room.drawn);
-    std::vector<Marking> drawn = std::move(room.after.back());
-    room.after.pop_back();
-    change_to(std::move(drawn), show, v);
+    if (!v.measure.after.empty()) go_to_last(v.measure.after, v.measure.before, show, v);
 }
 
 void remove_selected(const Show& show, Viewer& v) {
