@@ -89,7 +89,7 @@ tools/flaneur/window/time: tools/extract, tools/flaneur/history, tools/flaneur/o
 tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change
+tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
 tools/flaneur/window/measure sources: renderer, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/output, tools/flaneur/overlay, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
 tools/flaneur/window/open sources: assets, assets/files, tools/flaneur/console, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/open
 tools/flaneur/window/record sources: sim/base, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/record

@@ -69,8 +69,7 @@ Result<void> remake_renderer(RendererPtr& renderer, GLFWwindow* window, Gui& gui
     Result<RendererPtr> anew = make_window_renderer(renderer_options(options, messages), window);
     if (!anew) return anew.error();
     renderer = std::move(*anew);
-    const float scale = std::exchange(gui.scale, 0.0f);
-    return suit_gui(gui, window, *renderer, scale, gui.is_light);
+    return hand_letters(gui, *renderer);
 }
 
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
@@ -120,13 +119,13 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-// Carries on what is wanted of the city.
-Result<void> change_city(Show& show, Viewer& v) {
-    const size_t changes = v.change.log.size();
-    if (Result<void> done = carry_on(show, v); !done) return done;
-    if (v.change.log.size() != changes) changed_by_hand(v.time, *show.loaded.world);
-    v.time.is_led = is_driving(show);
-    return {};
+void copy_command(GLFWwindow* window, const Show& show, Viewer& v, Size size) {
+    const std::string none = why_no_command(v, *show.loaded.world);
+    if (!none.empty()) return tell(v, none);
+    const std::string command = command_now(show, v, size);
+    glfwSetClipboardString(window, command.c_str());
+    say(command);
+    tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
 }
 
 // Into the window: this run, or two side by side.
@@ -162,8 +161,9 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         go_on_opening(show, v);
         take_people_anew(show, v);
         act_on_presses(show, v);
-        if (Result<void> done = change_city(show, v); !done) return done;
+        if (Result<void> done = carry_on(show, v); !done) return done;
         steer_driven(window, show, v);
+        v.time.is_led = is_driving(show);
         const bool is_going = go_on(show, v, now);
         if (!is_going)
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
@@ -203,14 +203,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             show.overlay.letters_legends = !v.has_panels;
             FrameInput frame = extract_frame(show, v.camera, one, between);
             frame.companion = companion_of(v.choice);
-            const std::string none = why_no_command(v, world);
-            if (!none.empty() && std::exchange(v.wants_command, false)) tell(v, none);
-            if (std::exchange(v.wants_command, false)) {
-                const std::string command = command_now(show, v, size);
-                glfwSetClipboardString(window, command.c_str());
-                say(command);
-                tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
-            }
+            if (std::exchange(v.wants_command, false)) copy_command(window, show, v, size);
             ask(show, free, one, is_elsewhere || is_taken || is_putting(v), v);
             find_people(show, v);
             mark_asked(v, show, frame);
@@ -272,7 +265,6 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     listen(window.get(), viewer);
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, viewer.settings.letters, scene_pictures());
     if (!gui) return gui.error();
-    viewer.opening.pictures = (*gui)->boxes;
     Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer, messages);
     if (!show) return show.error();
     viewer.is_loading = false;

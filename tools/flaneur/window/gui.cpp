@@ -83,7 +83,9 @@ glm::vec4 lay_in(const RgbaImage& picture, const ImFontAtlasCustomRect& place, i
             v(static_cast<float>(picture.height) - 0.5f)};
 }
 
-Result<void> load_letters(Renderer& renderer, Gui& gui) {
+}  // namespace
+
+Result<void> hand_letters(Gui& gui, Renderer& renderer) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     ImFontConfig config;
@@ -113,8 +115,6 @@ Result<void> load_letters(Renderer& renderer, Gui& gui) {
     return upload_letters(renderer, all);
 }
 
-}  // namespace
-
 ImFont* title_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale,
@@ -129,7 +129,7 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale,
     gui->pictures = std::move(pictures);
     set_style(gui->scale, gui->is_light);
     ImGui_ImplGlfw_InitForOther(window, true);
-    if (Result<void> loaded = load_letters(renderer, *gui); !loaded) return loaded.error();
+    if (Result<void> loaded = hand_letters(*gui, renderer); !loaded) return loaded.error();
     return gui;
 }
 
@@ -148,7 +148,7 @@ Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float sc
     gui.scale = wanted;
     gui.is_light = is_light;
     set_style(gui.scale, is_light);
-    return is_larger ? load_letters(renderer, gui) : Result<void>();
+    return is_larger ? hand_letters(gui, renderer) : Result<void>();
 }
 
 void begin_gui(Gui&, bool keys, int tap) {

@@ -30,6 +30,9 @@ using GuiPtr = std::unique_ptr<Gui, GuiDelete>;
 // `scale`: of letters, 1..3; 0: the display's own.
 Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale, std::vector<RgbaImage> pictures);
 
+// The letters and pictures of the panels, for a renderer that has not got them.
+Result<void> hand_letters(Gui& gui, Renderer& renderer);
+
 // Letters of headings, half as large again.
 ImFont* title_font();
 

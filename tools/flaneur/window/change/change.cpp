@@ -10,6 +10,7 @@
 #include "tools/flaneur/view/sun.h"
 #include "tools/flaneur/window/change/people.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/time/time.h"
 #include "tools/flaneur/window/viewer.h"
 
 namespace flaneur {
@@ -17,8 +18,6 @@ namespace flaneur {
 namespace {
 
 constexpr uint32_t k_portion = 100;  // people who come or go at one time
-
-void note_change(Show& show, Change& c) { c.log.push_back({show.loaded.world->tick, c.carried}); }
 
 // Where the sun stands at an hour; at that of the scene that was opened, where it has it.
 void set_daylight(Show& show, const Design& design, const Scene& opened) {
@@ -30,18 +29,16 @@ void set_daylight(Show& show, const Design& design, const Scene& opened) {
     show.lit_windows = lit_windows(design.hour);
 }
 
-void carry_time_and_weather(Show& show, Change& c) {
+void carry_time_and_weather(Show& show, Viewer& v) {
+    Change& c = v.change;
     const Design& wanted = current(c.designs);
-    if (c.carried.is_overcast != wanted.is_overcast) {
-        show.is_overcast = c.carried.is_overcast = wanted.is_overcast;
-        note_change(show, c);
-    }
+    show.is_overcast = c.carried.is_overcast = wanted.is_overcast;
     if (c.carried.hour == wanted.hour) return;
     c.carried.hour = wanted.hour;
     set_hour(*show.loaded.world, wanted.hour);
     set_daylight(show, wanted, c.scene);
     c.late = std::max(c.late, show.loaded.world->tick);
-    note_change(show, c);
+    changed_by_hand(v.time, *show.loaded.world);
 }
 
 void carry_people(Show& show, Viewer& v) {
@@ -65,7 +62,7 @@ void carry_people(Show& show, Viewer& v) {
         fewer.people = c.carried.people;
         change(c.designs, fewer, c.designs.gesture);
     }
-    if (!done || *done) note_change(show, c);
+    if (!done || *done) changed_by_hand(v.time, world);
     // Whoever was followed may be gone.
     const bool follows = v.choice.kind == CameraChoice::Kind::follow;
     if (follows && !is_there(world.crowd, v.choice.walker)) take_off(v);
@@ -95,7 +92,7 @@ Result<void> carry_additions(Show& show, Viewer& v) {
         if (is_city) {
             c.home.reset();
             c.late = std::max(c.late, show.loaded.world->tick);
-            note_change(show, c);
+            changed_by_hand(v.time, *show.loaded.world);
         }
     }
     if (is_making(c.making)) return {};
@@ -127,7 +124,7 @@ bool is_as_opened(const Change& c) {
 void want(Viewer& v, Design next, uint64_t gesture) { change(v.change.designs, std::move(next), gesture); }
 
 Result<void> carry_on(Show& show, Viewer& v) {
-    carry_time_and_weather(show, v.change);
+    carry_time_and_weather(show, v);
     carry_people(show, v);
     v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
     return carry_additions(show, v);

@@ -3,9 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "assets/scene.h"
 #include "sim/crowd/crowd.h"
@@ -41,8 +38,6 @@ struct Change {
     int typed_people = 0;
     char path[256] = "out/scene.json";
     bool is_naming = false, starts_naming = false;
-    // What has been carried out, and after which tick.
-    std::vector<std::pair<uint32_t, Design>> log;
 };
 
 // The window shows the scene of these options now.
