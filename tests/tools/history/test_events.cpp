@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/history/events.h"
-#include "tools/flaneur/load/load.h"
 
 namespace flaneur {
 namespace {
@@ -10,12 +10,7 @@ namespace {
 class Events : public testing::Test {
   protected:
     void SetUp() override {
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 30;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        loaded = std::move(*made);
+        loaded = loaded_scene("corner", 30);
         // Far apart, and at rest.
         for (uint32_t i = 0; i < world().crowd.count; ++i) {
             world().crowd.motion.position[i] = {static_cast<float>(i) * 20, 0, 0};

@@ -1,21 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/history/history.h"
-#include "tools/flaneur/load/load.h"
 
 namespace flaneur {
 namespace {
-
-Loaded loaded(const char* scene, int walkers, int threads, uint64_t seed = 1) {
-    Options options;
-    options.scene = load_scene(scene).value();
-    options.scene.walkers = walkers;
-    options.scene.seed = seed;
-    options.threads = threads;
-    Result<Loaded> made = load(options);
-    EXPECT_TRUE(made) << made.error().message;
-    return std::move(*made);
-}
 
 void run_to(World& world, History& history, uint32_t tick) {
     while (world.tick < tick) {
@@ -37,7 +26,7 @@ void go_back_to(World& world, const History& history, uint32_t tick) {
 TEST(History, BackAndForthIsTheSameWorld) {
     for (const char* scene : {"corner", "asteroid"})
         for (const int threads : {1, 4}) {
-            Loaded l = loaded(scene, 60, threads);
+            Loaded l = loaded_scene(scene, 60, threads);
             World& world = *l.world;
             HistoryPtr history = make_history();
             follow(*history, world);
@@ -62,7 +51,7 @@ TEST(History, BackAndForthIsTheSameWorld) {
 }
 
 TEST(History, ThinsOutWithinItsMemoryAndKeepsTheFirst) {
-    Loaded l = loaded("corner", 100, 2);
+    Loaded l = loaded_scene("corner", 100, 2);
     World& world = *l.world;
     HistoryPtr history = make_history();
     follow(*history, world);
@@ -89,7 +78,7 @@ TEST(History, ThinsOutWithinItsMemoryAndKeepsTheFirst) {
 }
 
 TEST(History, WhatIsChangedByHandBeginsAnewFromThere) {
-    Loaded l = loaded("corner", 40, 2);
+    Loaded l = loaded_scene("corner", 40, 2);
     World& world = *l.world;
     HistoryPtr history = make_history();
     follow(*history, world);
@@ -117,7 +106,7 @@ TEST(History, WhatIsChangedByHandBeginsAnewFromThere) {
 }
 
 TEST(History, CloseTogetherOnlyNearNow) {
-    Loaded l = loaded("corner", 20, 1);
+    Loaded l = loaded_scene("corner", 20, 1);
     World& world = *l.world;
     HistoryPtr history = make_history();
     follow(*history, world);
@@ -135,13 +124,13 @@ TEST(History, CloseTogetherOnlyNearNow) {
 }
 
 TEST(History, AnotherRunIsTheOneThatAProgramBeginsWithThatSeed) {
-    Loaded l = loaded("corner", 50, 2);
+    Loaded l = loaded_scene("corner", 50, 2);
     for (int i = 0; i < 100; ++i) step(*l.world);
     Result<std::unique_ptr<World>> again = people_anew(l, {l.world->seed, 50}),
                                    other = people_anew(l, {99, 50});
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_TRUE(other) << other.error().message;
-    const Loaded fresh = loaded("corner", 50, 1);
+    const Loaded fresh = loaded_scene("corner", 50, 1);
     EXPECT_EQ(hash_world(**again), hash_world(*fresh.world));
     EXPECT_NE(hash_world(**other), hash_world(*fresh.world));
     for (int i = 0; i < 60; ++i) step(**again), step(*fresh.world);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "assets/scene.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/window/ask/facts.h"
 #include "tools/flaneur/window/ask/gait.h"
 
@@ -12,14 +12,7 @@ namespace {
 
 class AskingTest : public testing::Test {
   protected:
-    void SetUp() override {
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 60;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        show.loaded = std::move(*made);
-    }
+    void SetUp() override { show.loaded = loaded_scene("corner", 60); }
     World& world() { return *show.loaded.world; }
     Show show;
 };

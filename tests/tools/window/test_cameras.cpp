@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "assets/scene.h"
 #include "renderer/view.h"
 #include "sim/base/math.h"
 #include "sim/sim.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/cameras/cameras.h"
@@ -22,12 +22,7 @@ constexpr float k_picture = 1.0f / 30;
 class WindowCameras : public testing::Test {
   protected:
     void SetUp() override {
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 60;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        show.loaded = std::move(*made);
+        show.loaded = loaded_scene("corner", 60);
         for (int i = 0; i < 120; ++i) step(world());
         v.clock.is_paused = true;
         picture();

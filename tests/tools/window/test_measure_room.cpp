@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "assets/scene.h"
 #include "renderer/view.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
 
@@ -16,12 +16,7 @@ class MeasureRoomTest : public testing::Test {
   protected:
     void SetUp() override {
         ImGui::CreateContext();  // whose clock notes go by
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 20;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        show.loaded = std::move(*made);
+        show.loaded = loaded_scene("corner", 20);
         const Vec3 at = show.loaded.world->crowd.motion.position[0];
         v.choice.kind = CameraChoice::Kind::fixed;
         v.camera = {.eye = {at.x, at.y + 30, at.z + 0.1f}, .target = {at.x, at.y, at.z}};

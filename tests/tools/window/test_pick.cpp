@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "assets/scene.h"
 #include "renderer/view.h"
-#include "tools/flaneur/load/load.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/window/pick.h"
 
 namespace flaneur {
@@ -11,12 +10,7 @@ namespace {
 class Pick : public testing::Test {
   protected:
     void SetUp() override {
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 60;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        loaded = std::move(*made);
+        loaded = loaded_scene("corner", 60);
         for (int i = 0; i < 60; ++i) step(*loaded.world);
     }
     // Where a place is seen, pixels.

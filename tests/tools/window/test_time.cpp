@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/time/time.h"
 
@@ -16,12 +17,7 @@ class Time : public testing::Test {
   protected:
     void SetUp() override {
         ImGui::CreateContext();
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 40;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        show.loaded = std::move(*made);
+        show.loaded = loaded_scene("corner", 40);
         v.is_loading = false;
         v.walkers = 40;
         begin_run(v.time, world());

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "assets/scene.h"
 #include "sim/base/math.h"
-#include "tools/flaneur/load/load.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/cameras/walk.h"
 
@@ -14,14 +13,7 @@ namespace {
 
 class OnFoot : public testing::Test {
   protected:
-    void SetUp() override {
-        Options options;
-        options.scene = load_scene("corner").value();
-        options.scene.walkers = 10;
-        Result<Loaded> made = load(options);
-        ASSERT_TRUE(made) << made.error().message;
-        loaded = std::move(*made);
-    }
+    void SetUp() override { loaded = loaded_scene("corner", 10); }
     const World& world() const { return *loaded.world; }
     Stroll set_down(uint32_t where = 0) const {
         const Vec3 at = world().crowd.motion.position[where];
