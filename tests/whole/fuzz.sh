@@ -9,7 +9,7 @@ case $name in
     gltf) also=(corpus/odd -size -64k '(' -name '*.gl*f' -o -name '*.glb' -o -name '*.vrm' ')') length=65536 ;;
     osm) also=(corpus/osm -size -32k -name '*.osm*') length=16384 ;;
     picture) also=(corpus -size -32k '(' -name '*.png' -o -name '*.jpg' -o -name '*.webp' ')') length=32768 ;;
-    scene) also=(scenes -name '*.json') length=4096 ;;
+    path | scene) also=() length=4096 ;;
     terrain) also=(corpus/osm -size -64k '(' -name '*.tif' -o -name '*.zip' ')') length=32768 ;;
     *) echo "fuzz.sh: there is no target $name." >&2 && exit 2 ;;
 esac
@@ -18,7 +18,7 @@ trap 'rm -rf "$seeds"' EXIT
 kept=${5-$seeds/kept}
 mkdir -p "$kept" "$seeds/also" "$seeds/tmp"
 "$build/${name}_seeds" "$seeds/own"
-if [[ -d $shared/${also[0]} ]]; then
+if [[ ${#also[@]} -gt 0 && -d $shared/${also[0]} ]]; then
     number=0
     while IFS= read -r -d '' file; do
         cp "$file" "$seeds/also/$((++number))"

@@ -94,7 +94,8 @@ TEST(Recent, KeepsOrderAndBound) {
 
 TEST(Recent, MakesWhatItCanOfABrokenFile) {
     TestFolder folder;
-    std::string text("/a.osm\n/a.osm\nnot a path\n\x01\x02\n/b.osm\n/c\0d", 46);
+    using namespace std::string_literals;
+    std::string text = "/a.osm\n/a.osm\nnot a path\n\x01\x02\n/b.osm\n/c\0d"s;
     for (int i = 0; i < 100; ++i) text += "\n/more/" + std::to_string(i);
     const Words read = read_recent(folder.write("recent", text));
     ASSERT_GE(read.size(), 2u);
