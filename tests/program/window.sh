@@ -157,3 +157,13 @@ for way in "xdotool key Escape" "xdotool key F4"; do
 done
 
 "$1" view --validate --scene corner --size 320x200 --frames 5
+
+# What it takes at rest and moving, with panels and without.
+"$1" bench window --validate --scene corner --size 320x200 --frames 2 --json "$folder/paces.json"
+python3 - "$folder/paces.json" << 'END'
+import json, sys
+paces = json.load(open(sys.argv[1]))
+names = [stage["name"] for stage in paces["stages"] if stage["count"] == 2 and stage["median_ms"] > 0]
+assert names == ["at rest", "at rest, panels", "moving", "moving, panels"], paces
+assert paces["counts"]["at rest, panels, percent of the window's pixels each way"] == 100, paces
+END

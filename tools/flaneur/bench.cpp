@@ -30,7 +30,9 @@ Result<std::string> measure(const Options& options) {
     if (options.load == BenchLoad::city) return bench_city(options);
 #ifdef FLANEUR_VULKAN
     if (options.load == BenchLoad::peers) return bench_peers(options);
-    Result<Figures> figures = options.load == BenchLoad::frame ? bench_frame(options) : bench_crowd(options);
+    Result<Figures> figures = options.load == BenchLoad::frame    ? bench_frame(options)
+                              : options.load == BenchLoad::window ? bench_window(options)
+                                                                  : bench_crowd(options);
 #else
     Result<Figures> figures = bench_crowd(options);
 #endif

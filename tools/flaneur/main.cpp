@@ -22,7 +22,8 @@ Result<void> run(const Options& options) {
 #ifndef FLANEUR_VULKAN
     bool draws = options.command == Command::view || options.command == Command::render ||
                  (options.command == Command::bench &&
-                  (options.load == BenchLoad::frame || options.load == BenchLoad::peers)) ||
+                  (options.load == BenchLoad::frame || options.load == BenchLoad::window ||
+                   options.load == BenchLoad::peers)) ||
                  (options.command == Command::gait && !options.gait.strip.empty()) ||
                  (options.command == Command::people && !options.people.sheet.empty()) ||
                  options.command == Command::city;

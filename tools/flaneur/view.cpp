@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/bench/bench.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -30,6 +31,7 @@
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/open/pictures.h"
+#include "tools/flaneur/window/paces.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
@@ -142,7 +144,9 @@ void rest_until(double then) {
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
 }
 
-Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after) {
+// Until the window is closed, or `paces`, if there are some, are over.
+Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after,
+                      Paces* paces) {
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -189,7 +193,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                               take_mouse(show, was, here, one, is_elsewhere, v) || is_driving(show);
         if (is_taken) free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(passed);
-        const Steering hands = steering_of(window, was, free, v) + read_pad(window, seconds, v);
+        Steering hands = steering_of(window, was, free, v) + read_pad(window, seconds, v);
+        if (paces) hands = lead(*paces, v);
         bool is_moving = navigate(world, was, free, gui_wheel(v.settings.inverts_wheel), one, grip, v);
         is_moving |= !is_driving(show) && steer(show, hands, seconds, v);
         is_moving |= move_camera(show, one, seconds, between, v);
@@ -226,6 +231,10 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
+            if (paces) {
+                note_picture(*paces, glfwGetTime() - now, v.resolution);
+                if (are_over(*paces)) break;
+            }
             if (close_after > 0 && ++drawn >= close_after) break;
         }
         if (v.settings.fps > 0 && !v.record.filming) rest_until(now + 1.0 / v.settings.fps);
@@ -239,7 +248,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
     return {};
 }
 
-Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
+Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces* paces) {
     if (Result<void> found = find_files(options.scene); !found) return found;
     GlfwSession glfw;
     auto refused = [](const std::string& what) {
@@ -262,6 +271,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     Result<Settings> settings = read_settings(settings_file());
     if (!settings) say(settings.error().message);
     if (settings) viewer.settings = viewer.kept_settings = *settings;
+    if (paces) viewer.settings.fps = 0;  // as fast as it goes
     listen(window.get(), viewer);
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, viewer.settings.letters, scene_pictures());
     if (!gui) return gui.error();
@@ -271,14 +281,15 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
     if (!settings) tell(viewer, printable(settings.error().message));
     start_changes(options, *show, viewer);
     begin_run(viewer.time, *show->loaded.world);
-    Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
+    if (paces) add_setting(paces->figures, options, *show->loaded.world);
+    Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
     for (int lost = 0; !done && lost < k_most_lost && has_lost_device(*show->renderer); ++lost) {
         say(done.error().message);
         done = remake_renderer(show->renderer, window.get(), **gui, options, messages);
         if (done) done = upload_again(*show);
         if (!done) break;
         tell(viewer, "The graphics device was lost. A new one has taken over.");
-        done = run_loop(*show, window.get(), **gui, viewer, options.close_after);
+        done = run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
     }
     end_film(viewer);
     viewer.time.anew.reset();                            // they are made of the show
@@ -290,8 +301,19 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages) {
 
 Result<void> run_view(const Options& options) {
     std::atomic<uint32_t> messages = 0;
-    Result<void> done = view(options, messages);
+    Result<void> done = view(options, messages, nullptr);
     return done ? check_messages(messages) : done;
+}
+
+Result<Figures> bench_window(const Options& options) {
+    std::atomic<uint32_t> messages = 0;
+    Paces paces;
+    paces.pictures = options.bench_frames;
+    Result<void> done = view(options, messages, &paces);
+    if (done) done = check_messages(messages);
+    if (!done) return done.error();
+    if (!are_over(paces)) return Error{"The window was closed before all was measured."};
+    return paces.figures;
 }
 
 }  // namespace flaneur

@@ -19,6 +19,8 @@ void add_stages(Figures& figures, const World& world);
 
 // Frames with all that belongs to them. Only in builds with Vulkan.
 Result<Figures> bench_frame(const Options& options);
+// Pictures of a window that is at rest and moves, with panels and without. Only in builds with Vulkan.
+Result<Figures> bench_window(const Options& options);
 // The scene of a renderers' comparison: options.bench_count copies of a character that play its own clip,
 // drawn with levels of detail and with every triangle. Prints both, and gives them as JSON:
 // {"modes": [figures_json's, ..], "flip"}. Only in builds with Vulkan.

@@ -126,13 +126,14 @@ Examples:
   flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv)";
 
 constexpr const char* k_bench_footer =
-    R"(Loads: frame (simulation and drawing, off-screen), crowd (the simulation), pose (the kernels that pose bodies, on one
-thread), city (how long it takes to read, and its queries on one thread), peers (a scene that other renderers were measured
-by: copies of one character that play its own clip, drawn with levels of detail and with every triangle). frame, crowd and
-peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+    R"(Loads: frame (simulation and drawing, off-screen), window (the whole viewer, at rest and looking about, with panels and
+without; takes a display), crowd (the simulation), pose (the kernels that pose bodies, on one thread), city (how long it
+takes to read, and its queries on one thread), peers (a scene that other renderers were measured by: copies of one character
+that play its own clip, drawn with levels of detail and with every triangle). frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
+  flaneur bench window --walkers 500
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
   flaneur bench pose --walkers 1000
   flaneur bench city --city monaco.osm.pbf
@@ -167,11 +168,13 @@ Examples:
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
+    if (text == "window") return BenchLoad::window;
     if (text == "crowd") return BenchLoad::crowd;
     if (text == "pose") return BenchLoad::pose;
     if (text == "city") return BenchLoad::city;
     if (text == "peers") return BenchLoad::peers;
-    return Error{excerpt(text) + " is none of frame, crowd, pose, city and peers, which bench measures"};
+    return Error{excerpt(text) +
+                 " is none of frame, window, crowd, pose, city and peers, which bench measures"};
 }
 
 Result<bool> parse_light(const std::string& text) {
@@ -367,15 +370,16 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
-    add_parsed(*bench, "load", parse_load, options.load, "What to measure: frame, crowd, pose, city or peers",
-               "LOAD", "")
+    add_parsed(*bench, "load", parse_load, options.load,
+               "What to measure: frame, window, crowd, pose, city or peers", "LOAD", "")
         ->required();
     add_scene_options(*bench, words, options);
     add_drawing_options(*bench, words, options);
     add_camera_option(*bench, words);
     bench
         ->add_option("--frames", options.bench_frames,
-                     "How often to measure, after a warm-up: frames of frame and peers, ticks of crowd, "
+                     "How often to measure, after a warm-up: frames of frame, peers and each part of window, "
+                     "ticks of crowd, "
                      "repetitions of pose "
                      "and city")
         ->type_name("N")

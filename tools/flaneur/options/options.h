@@ -15,7 +15,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache };
-enum class BenchLoad { frame, crowd, pose, city, peers };
+enum class BenchLoad { frame, window, crowd, pose, city, peers };
 
 // Ticks first, first + step, ... not beyond last.
 struct TickRange {
