@@ -12,6 +12,7 @@
 
 #include "sim/base/math.h"
 #include "tools/flaneur/bench/bench.h"
+#include "tools/flaneur/bench/paces.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -31,7 +32,6 @@
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/open/pictures.h"
-#include "tools/flaneur/window/paces.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"

@@ -1,4 +1,4 @@
-#include "tools/flaneur/window/paces.h"
+#include "tools/flaneur/bench/paces.h"
 
 #include <cmath>
 #include <iterator>
