@@ -296,6 +296,9 @@ inline constexpr float k_watch_down = 0.32f, k_watch_up = 0.17f, k_watch_neck = 
 inline constexpr AimJoint k_look[3] = {
     {0.08f, 0.30f, 0.2f, 0.2f}, {0.37f, 0.55f, 0.4f, 0.4f}, {0.55f, 0.80f, 0.5f, 0.5f}};
 
+// The chest's share of the pelvis's list: the other way.
+inline constexpr float k_chest_list = -0.35f;
+
 // Each joint of the spine turns back a little more against the pelvis, the loins least, so that the chest
 // turns the other way and the head keeps still.
 template <class T>
@@ -310,7 +313,7 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
     SinCosOf<T> half_lean = sin_cos_half(lean + stoops);
     Q4<T> chest_ws = turned_yzx(
         plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
-        sin_cos_half(trunk.curves.list * T(-0.35f) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
+        sin_cos_half(trunk.curves.list * T(k_chest_list) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
     // On stairs one watches them.
     T rise = at<T>(g.rise + lane);
     T watches = T(k_watch_down) * smoothstep(T(k_stairs_0), T(k_stairs_1), T(0.0f) - rise) +
