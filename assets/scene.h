@@ -20,6 +20,15 @@ struct PeopleShare {
     float share = 1;        // of all walkers, against the others' shares: 0.001..1000
     bool operator==(const PeopleShare&) const = default;
 };
+// How many there are of some of the built-in people, times as many as usual: 0, nobody, to k_most_mix. Who is
+// two of these, such as an old one with a cane, is there by both.
+struct PeopleMix {
+    float children = 1;  // below 14
+    float old = 1;       // 65 and more
+    float canes = 1, prams = 1, phones = 1;
+    bool operator==(const PeopleMix&) const = default;
+};
+inline constexpr float k_most_mix = 10;
 inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
 inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 100'000;
@@ -34,6 +43,7 @@ struct Scene {
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
     float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
     std::vector<PeopleShare> people;  // empty: the built-in people
+    PeopleMix mix;                    // of the built-in ones
     std::vector<Addition> added;      // to the city
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..100,000

@@ -66,6 +66,11 @@ std::string scene_text(const Scene& s) {
     tell("seed", s.seed, s.seed != usual.seed);
     json["walkers"] = s.walkers;
     tell("people", people_of(s.people), !s.people.empty());
+    tell("children", short_number(s.mix.children), s.mix.children != usual.mix.children);
+    tell("old", short_number(s.mix.old), s.mix.old != usual.mix.old);
+    tell("canes", short_number(s.mix.canes), s.mix.canes != usual.mix.canes);
+    tell("prams", short_number(s.mix.prams), s.mix.prams != usual.mix.prams);
+    tell("phones", short_number(s.mix.phones), s.mix.phones != usual.mix.phones);
     tell("added", added_of(s.added), !s.added.empty());
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
@@ -73,6 +78,7 @@ std::string scene_text(const Scene& s) {
     if (s.sun_heading) json["sun_heading"] = short_number(*s.sun_heading);
     tell("weather", "overcast", s.is_overcast);
     json["camera"] = told_camera(s.camera);
+    tell("fov", Json::parse(told_fov(s.fov)), s.fov > 0);
     tell("size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height), s.size != usual.size);
     tell("quality", s.quality, !s.quality.empty());
     tell("view", names_of(s.views), s.views != usual.views);

@@ -115,6 +115,19 @@ TEST(Options, ViewsForWorkGoTogetherWhereTheyCan) {
         EXPECT_FALSE(parse({"render", "--out", "a.png", "--view", text})) << text;
 }
 
+TEST(Options, BodiesAreDrawnWithoutWhatIsNamed) {
+    Options options = parsed({"render", "--without", "feet,walls", "--out", "a.png"});
+    EXPECT_FALSE(options.techniques.feet || options.techniques.walls);
+    EXPECT_TRUE(options.techniques.pelvis && options.techniques.holds);
+    EXPECT_EQ(told_without(options.techniques), "feet,walls");
+    EXPECT_EQ(parsed({"view"}).techniques, Techniques{});
+    EXPECT_EQ(told_without({}), "");
+    for (const TechniqueInfo& technique : k_techniques)
+        EXPECT_EQ(told_without(*parse_without(std::string(technique.name))), technique.name);
+    for (const char* text : {"feet,", "", "feat"}) EXPECT_FALSE(parse_without(text)) << text;
+    EXPECT_NE(parse_without("pelvsi").error().message.find("Did you mean pelvis?"), std::string::npos);
+}
+
 TEST(Options, EveryCharacterCountsAndOfOtherOptionsTheLast) {
     Options options =
         parsed({"render", "--character", "a.glb",     "--character", "b.glb",     "--idle", "c.glb:Wave",

@@ -68,7 +68,7 @@ tools/extract: assets, assets/props, renderer, sim, sim/base, sim/crowd, sim/pos
 
 tools/flaneur/console: sim/base
 tools/flaneur/measure: assets/files, sim, sim/base, sim/crowd
-tools/flaneur/options: assets, assets/files, sim/base, tools/flaneur/measure
+tools/flaneur/options: assets, assets/files, sim/base, sim/pose, tools/flaneur/measure
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
@@ -78,14 +78,14 @@ tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
-tools/flaneur/window/ask: assets, renderer, sim/base, tools/flaneur/gait/measure, tools/flaneur/view
+tools/flaneur/window/ask: assets, renderer, sim/base, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/navigation, tools/flaneur/options
 tools/flaneur/window/measure: tools/flaneur/measure, tools/flaneur/view
 tools/flaneur/window/open: renderer, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/record: renderer, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/window/settings: renderer, sim/base, tools/flaneur/options, tools/flaneur/view
-tools/flaneur/window/time: tools/extract, tools/flaneur/history, tools/flaneur/overlay
+tools/flaneur/window/time: sim, tools/extract, tools/flaneur/history, tools/flaneur/overlay
 tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras

@@ -44,6 +44,8 @@ LampMap extract_lamps(const City& city);
 // its impostors are baked from.
 PersonMesh extract_character(const Character& character);
 
+struct Without;  // of sim/without.h
+
 // The moving part of a frame. It is of one world; kept between frames, it allocates only while that grows.
 struct PeopleFrame {
     // By WalkerId::index. Of those who are gone, nothing is drawn. Clothes are in `instance.tints`, by Tint,
@@ -62,10 +64,12 @@ struct PeopleFrame {
 
 // Everyone in the world; one of kind i as characters[i], of which there must be one for each kind. `between`
 // is 0 for the tick before the last .. 1 for the last. Only those get joints whom `needs` asks for, as
-// pose_needs() of renderer.h has it for a camera; as it is made here, everyone does. Runs on the world's own
-// threads, so that there may be one such call at a time for each world, and none beside step().
+// pose_needs() of renderer.h has it for a camera; as it is made here, everyone does. With `without`, caught
+// up with the world and not whole, bodies are as that has them, but for those far away, who are pictures.
+// Runs on the world's own threads, so that there may be one such call at a time for each world, and none
+// beside step().
 void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& people,
-                    float between = 1, const PoseNeeds& needs = {});
+                    float between = 1, const PoseNeeds& needs = {}, const Without* without = nullptr);
 
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h

@@ -5,6 +5,7 @@
 
 #include "assets/outfit.h"
 #include "sim/base/levels.h"
+#include "sim/without.h"
 #include "sim/world.h"
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
@@ -130,8 +131,13 @@ GroundBelow find_ground_below(const Surroundings& around, const JointPose* joint
 }
 
 void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& frame,
-                    float between, const PoseNeeds& needs) {
+                    float between, const PoseNeeds& needs, const Without* without) {
     const Crowd& crowd = world.crowd;
+    const bool is_bare = without && !is_whole(*without);
+    auto joint_of = [&](size_t walker, int joint) {
+        return is_bare ? joint_between(*without, walker, static_cast<Joint>(joint), between)
+                       : joint_between(world, walker, static_cast<Joint>(joint), between);
+    };
     assert(characters.size() >= world.kinds.size());
     frame.walkers.resize(crowd.count);
     frame.outfits.resize(crowd.count);
@@ -145,7 +151,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
                 continue;
             }
             const Character& character = characters[crowd.identity.body[i]];
-            JointPose root = joint_between(world, i, hips, between);
+            JointPose root = joint_of(i, hips);
             if (world.roam) set_onto_surface(*world.roam, crowd, i, between, std::span(&root, 1));
             draw.centre = to_glm(root.position);
             draw.radius = body_sphere(character) * crowd.identity.scale[i];
@@ -176,8 +182,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
         for (size_t p = begin; p < end; ++p) {
             const uint32_t i = frame.posed[p];
             JointPose joints[k_joint_count];
-            for (int j = 0; j < k_joint_count; ++j)
-                joints[j] = joint_between(world, i, static_cast<Joint>(j), between);
+            for (int j = 0; j < k_joint_count; ++j) joints[j] = joint_of(i, j);
             const Trail trail = trail_between(world, i, between);
             const std::optional<PramPlace> pram = pram_between(world, i, between);
             GroundBelow& ground_below = frame.grounds[p] =

@@ -21,6 +21,7 @@
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/asked.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
@@ -130,9 +131,9 @@ void copy_command(GLFWwindow* window, const Show& show, Viewer& v, Size size) {
     tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
 }
 
-// Into the window: this run, or two side by side.
+// Into the window: one picture, or two side by side.
 Result<void> draw_runs(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
-    if (!v.time.beside) return draw_window(*show.renderer, frame);
+    if (!has_two(v)) return draw_window(*show.renderer, frame);
     Result<Image> both = draw_side_by_side(show, v, frame, size, between);
     if (!both) return both.error();
     return show_image(*show.renderer, *both, frame.panels);
@@ -172,6 +173,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         if (!is_going)
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
         keep_up_beside(show, v);
+        follow_switches(v.techniques, show);
         const World& world = *show.loaded.world;
         v.measure.counts.shown = std::min(world.tick, v.measure.counts.tick);
         const float between = is_going ? 1 : between_pictures(v.record, v.clock);
@@ -268,6 +270,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     Viewer viewer;
     begin_cameras(options.scene, viewer);
     begin_opening(options, viewer.opening);
+    viewer.techniques.on = options.techniques;
     Result<Settings> settings = read_settings(settings_file());
     if (!settings) say(settings.error().message);
     if (settings) viewer.settings = viewer.kept_settings = *settings;

@@ -39,6 +39,15 @@ TEST(Command, ReplacesWhatIsSeenOtherwise) {
     EXPECT_EQ(command_of({"--camera"}, s), command_of({}, s));
 }
 
+TEST(Command, TellsWhatBodiesAreDrawnWithout) {
+    Shown s = shown();
+    s.techniques.feet = s.techniques.canes = false;
+    const std::string all = command_of({"--without", "walls", "--seed", "3"}, s);
+    EXPECT_NE(all.find(" --without feet,canes "), std::string::npos) << all;
+    EXPECT_EQ(all.find("walls"), std::string::npos) << all;
+    EXPECT_EQ(command_of({"--without", "walls"}, shown()), command_of({}, shown()));
+}
+
 TEST(Command, TellsMapsAndLensesToTheLastBit) {
     Shown s = shown();
     s.choice.kind = CameraChoice::Kind::map;

@@ -46,10 +46,9 @@ std::vector<PeopleShare> distinct_people(const Scene& scene) {
     return distinct;
 }
 
-// Fills both: a kind for each character. The built-in people but for those who push prams share what they
-// have evenly.
-Result<void> add_people(const Options& options, std::vector<Character>& characters,
-                        std::vector<Kind>& kinds) {
+// Fills these: a kind for each character, without its share, and its part. The built-in people but for those
+// who push prams share what they have evenly.
+Result<void> add_people(const Options& options, Loaded& loaded, std::vector<Kind>& kinds) {
     const Scene& scene = options.scene;
     kinds.clear();
     for (const PeopleShare& some : distinct_people(scene)) {
@@ -76,8 +75,9 @@ Result<void> add_people(const Options& options, std::vector<Character>& characte
         }
         for (size_t i = 0; i < added.size(); ++i) {
             Character& c = added[i];
-            kinds.push_back({c.body, some.share * shares[i], c.person.age, c.person.woman});
-            characters.push_back(std::move(c));
+            kinds.push_back({c.body, 1, c.person.age, c.person.woman});
+            loaded.parts.push_back({some.character, shares[i]});
+            loaded.characters.push_back(std::move(c));
         }
     }
     return {};
@@ -108,6 +108,35 @@ int district_blocks(const Scene& scene) {
 }
 
 }  // namespace
+
+static float times_usual(const PeopleMix& mix, const PersonOptions& person) {
+    constexpr float k_grown = 14, k_old = 65;
+    float times = 1;
+    if (person.age < k_grown) times *= mix.children;
+    if (person.age >= k_old) times *= mix.old;
+    if (person.stick) times *= mix.canes;
+    if (person.pram) times *= mix.prams;
+    if (person.phone) times *= mix.phones;
+    return times;
+}
+
+std::vector<float> shares_of(const std::vector<PeopleShare>& people, const PeopleMix& mix,
+                             const std::vector<Character>& characters,
+                             const std::vector<PeopleShare>& parts) {
+    std::vector<float> shares;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        float share = people.empty() ? 1.0f : 0.0f;
+        for (const PeopleShare& some : people)
+            if (some.character == parts[i].character) share += some.share;
+        const bool is_built_in = parts[i].character.empty();
+        shares.push_back(share * parts[i].share * (is_built_in ? times_usual(mix, characters[i].person) : 1));
+    }
+    return shares;
+}
+
+void set_shares(World& world, const std::vector<float>& shares) {
+    for (size_t i = 0; i < shares.size(); ++i) world.kinds[i].share = world.folk[i].share = shares[i];
+}
 
 Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
     auto mesh = cached_navmesh(ground, {}, threads, cache_folder(), [](float share) {
@@ -194,8 +223,10 @@ Result<Loaded> load(const Options& options) {
 
     WorldOptions world;
     world.destinations = loaded.city->destinations;
-    Result<void> peopled = add_people(options, loaded.characters, world.kinds);
+    Result<void> peopled = add_people(options, loaded, world.kinds);
     if (!peopled) return peopled.error();
+    const std::vector<float> shares = shares_of(scene.people, scene.mix, loaded.characters, loaded.parts);
+    for (size_t i = 0; i < shares.size(); ++i) world.kinds[i].share = shares[i];
 
     Result<std::vector<Clip>> idles = load_idles(scene);
     if (!idles) return idles.error();

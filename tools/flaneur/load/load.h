@@ -19,6 +19,8 @@ struct Loaded {
     std::shared_ptr<const City> bare;  // before anything was added to it; the same one where nothing was
     std::unique_ptr<World> world;
     std::vector<Character> characters;  // one for each of the world's bodies
+    // Of each character: the file that it is from, and which part of those from there it usually is.
+    std::vector<PeopleShare> parts;
 };
 
 // The same city with other people in it: so many, set down and led by that seed, of the same characters, as
@@ -30,6 +32,12 @@ struct PeopleAnew {
 };
 Result<std::unique_ptr<World>> people_anew(const Loaded& loaded, PeopleAnew people,
                                            const std::function<bool(std::string_view, float)>& progress = {});
+
+// The part of all walkers that each character has by a scene's people and mix.
+std::vector<float> shares_of(const std::vector<PeopleShare>& people, const PeopleMix& mix,
+                             const std::vector<Character>& characters, const std::vector<PeopleShare>& parts);
+// From now on those who come are drawn by these.
+void set_shares(World& world, const std::vector<float>& shares);
 
 // The files that a scene names; some are "".
 std::vector<std::string> files_of(const Scene& scene);

@@ -101,6 +101,7 @@ Examples:
   flaneur render --time 22:00 --quality high --out out/night.png
   flaneur render --city monaco.osm.pbf --terrain N43E007.hgt.zip --out out/monaco.png
   flaneur render --view skeletons,trails --camera follow:3 --out out/bones.png
+  flaneur render --without feet --camera follow:3 --out out/before.png    legs by joint curves alone
   flaneur render --camera 0,1.7,-20/0,1.5,0 --fov 50 --walkers 100 --out out/from_here.png
   flaneur render --camera eyes:3 --frames 600:1200:2 --out out/eyes.mp4   what walker 3 sees
   flaneur render --camera map --out out/map.png                           all of the city from straight above
@@ -231,6 +232,17 @@ void add_work_views(CLI::App& app, SceneWords& words) {
         "VIEW,...", "");
 }
 
+void add_without(CLI::App& app, Options& options) {
+    std::string names;
+    for (const TechniqueInfo& technique : k_techniques)
+        names.append(names.empty() ? "" : ", ").append(technique.name);
+    add_parsed(app, "--without", parse_without, options.techniques,
+               ("Draw bodies without some of what makes them, such as feet,walls: " + names +
+                "; see docs/gait.md. They walk as ever")
+                   .c_str(),
+               "NAME,...", "");
+}
+
 void add_view(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* view = app.add_subcommand("view", "Watch the city in a window")->footer(k_view_footer);
     view->callback([&] { options.command = Command::view; });
@@ -238,6 +250,7 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*view, words, options);
     add_camera_option(*view, words);
     add_work_views(*view, words);
+    add_without(*view, options);
     view->add_flag("--start", options.starts, "Begin with the built-in scenes, and the files opened of late");
     view->add_option("--frames", options.close_after, "Close when so many pictures were shown; 0: stay open")
         ->type_name("N")
@@ -255,6 +268,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*render, words, options);
     add_camera_option(*render, words);
     add_work_views(*render, words);
+    add_without(*render, options);
     add_parsed(*render, "--frames", parse_ticks, options.ticks,
                "Which ticks of the simulation, 60 to the second, to draw: N, A:B or A:B:STEP", "TICKS",
                "600");

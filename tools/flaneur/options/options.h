@@ -10,6 +10,7 @@
 #include "assets/scene.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
+#include "sim/pose/techniques.h"
 #include "tools/flaneur/measure/plan.h"
 
 namespace flaneur {
@@ -86,6 +87,7 @@ struct Options {
     // view, render, bench frame
     std::string device;
     bool validate = false;
+    Techniques techniques;               // of those who are drawn; not of bench
     std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
 
     // view
@@ -140,6 +142,9 @@ struct Options {
 
 // "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.
 Result<PeopleShare> parse_people(const std::string& text);
+// "feet,walls": all techniques but these; and back, of those that are off.
+Result<Techniques> parse_without(const std::string& text);
+std::string told_without(Techniques techniques);
 // 0 .. 2^64 - 1.
 Result<uint64_t> parse_seed(const std::string& text);
 // "21.5:24"

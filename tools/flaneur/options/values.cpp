@@ -7,6 +7,7 @@
 #include "assets/files/file.h"
 #include "assets/files/words.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/options/spelling.h"
 
 namespace flaneur {
 
@@ -42,6 +43,28 @@ Result<Moments> parse_moments(const std::string& text) {
         moments.last > moments.first && moments.last <= k_longest_walk)
         return moments;
     return Error{excerpt(text) + " is not seconds as FROM:TO, such as 0.5:3, of a walk of 600 at most"};
+}
+
+Result<Techniques> parse_without(const std::string& text) {
+    std::vector<std::string> known;
+    for (const TechniqueInfo& technique : k_techniques) known.emplace_back(technique.name);
+    Techniques techniques;
+    for (const std::string_view name : split(text, ',')) {
+        if (name.empty()) return Error{excerpt(text) + " has a comma that no technique stands beside"};
+        const auto* found = std::ranges::find(k_techniques, name, &TechniqueInfo::name);
+        if (found == k_techniques.end())
+            return Error{excerpt(std::string(name)) + " is no technique; there are " + joined(known) + "." +
+                         did_you_mean(name, known)};
+        techniques.*found->is_on = false;
+    }
+    return techniques;
+}
+
+std::string told_without(Techniques techniques) {
+    std::string text;
+    for (const TechniqueInfo& technique : k_techniques)
+        if (!(techniques.*technique.is_on)) text.append(text.empty() ? "" : ",").append(technique.name);
+    return text;
 }
 
 Result<uint64_t> parse_seed(const std::string& text) {

@@ -81,6 +81,12 @@ std::string record_of(const Options& options) {
     put("--walkers", std::to_string(s.walkers));
     put("--seed", std::to_string(s.seed));
     put("--character", told_people(s.people));
+    auto put_times = [&](const char* whom, float times) { put(whom, times == 1 ? "" : plainly(times)); };
+    put_times("children", s.mix.children);
+    put_times("old", s.mix.old);
+    put_times("canes", s.mix.canes);
+    put_times("prams", s.mix.prams);
+    put_times("phones", s.mix.phones);
     put("--force", options.force ? "yes" : "");
     put("--idle", told_idles(s.idles));
     put("--time", told_time(s));
@@ -93,6 +99,7 @@ std::string record_of(const Options& options) {
     put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
     put("--quality", s.quality);
     put("--transparent", options.is_transparent ? "yes" : "");
+    put("--without", told_without(options.techniques));
     put("--view", joined(names_of(s.views)));
     put("--frames", "from " + std::to_string(t.first) + " by " + std::to_string(t.step));
     return record.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -59,6 +59,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.sun = scene_sun(options.scene, show.loaded.city->latitude);
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
+    show.without.on = options.techniques;
     prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     show.has_lamps = is_dark(show);
     if (show.has_lamps) prepared.meshes.lamps = extract_lamps(*show.loaded.city);
@@ -128,7 +129,9 @@ static void dot_people(Show& show, const View& view, const Camera& camera, Frame
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
     const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
                                        static_cast<uint32_t>(size.height));
-    extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs);
+    if (!show.draws_whole) catch_up(show.without, *show.loaded.world);
+    extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs,
+                   show.draws_whole ? nullptr : &show.without);
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;
@@ -146,6 +149,7 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
 }
 
 void step(Show& show) {
+    keep_previous(show.without, *show.loaded.world);
     step(*show.loaded.world);
     if (show.work_views[WorkView::trails])
         follow_trails(*show.loaded.world, show.overlay.trails);

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "renderer/renderer.h"
+#include "sim/without.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/options/options.h"
@@ -19,6 +20,8 @@ struct Show {
     float lit_windows = 0;   // share
     bool has_lamps = false;  // the light of the city's lamps has been handed to the device
     PeopleFrame people;
+    Without without;           // how bodies are drawn,
+    bool draws_whole = false;  // or whole all the same
     WorkViews work_views;
     Overlay overlay;
 };

@@ -8,11 +8,13 @@
 
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/change/save.h"
+#include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/palette.h"
@@ -129,8 +131,10 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"Layers", k_layers},
         ActionGroup{"People", find_actions()},
         ActionGroup{"Gait", gait_actions()},
+        ActionGroup{"Techniques of bodies", technique_actions(), "Before and after, side by side", "Shift+J"},
         ActionGroup{"Measure", measure_actions()},
         ActionGroup{"Change", change_actions()},
+        ActionGroup{"Who comes", who_actions(), "More or fewer children, old people, prams", "T"},
         ActionGroup{"Undo and redo", k_editing},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},

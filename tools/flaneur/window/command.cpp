@@ -16,8 +16,8 @@ namespace {
 
 // Options of one value that what is shown says anew, or that only a window has; those that a scene's file
 // holds; and those without a value.
-constexpr std::array<std::string_view, 7> k_replaced = {"--camera", "--fov", "--view",       "--size",
-                                                        "--frames", "--out", "--close-after"};
+constexpr std::array<std::string_view, 8> k_replaced = {"--camera", "--fov",    "--view", "--without",
+                                                        "--size",   "--frames", "--out",  "--close-after"};
 constexpr std::array<std::string_view, 13> k_of_scene = {
     "--scene",     "--city", "--center",  "--radius", "--terrain", "--scale",  "--seed",
     "--character", "--idle", "--walkers", "--time",   "--weather", "--quality"};
@@ -59,6 +59,7 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
                           (shown.has_lens || shown.camera.vertical_fov != k_fov);
     add("--fov", has_lens ? told_fov(shown.camera.vertical_fov) : "");
     add("--view", views_of(shown.views));
+    add("--without", told_without(shown.techniques));
     add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
     add("--frames", std::to_string(shown.tick));
     add("--out", "picture.png");
@@ -68,6 +69,7 @@ std::string command_of(const std::vector<std::string>& words, const Shown& shown
 
 std::string why_no_command(const Viewer& v, const World& world) {
     if (v.time.beside) return "No command draws two runs side by side.";
+    if (v.techniques.is_split) return "No command draws before and after side by side; Shift+J ends that.";
     if (world.seed == v.time.first_seed) return "";
     return "No command draws this: its people are of another seed than the city's own, " +
            std::to_string(*v.time.first_seed) + ".";
@@ -83,6 +85,7 @@ std::string command_now(const Show& show, const Viewer& v, Size size) {
                 v.cameras.has_lens,
                 {},
                 {}};
+    shown.techniques = show.without.on;
     if (v.change.scene.is_overcast != show.is_overcast) shown.is_overcast = show.is_overcast;
     const std::vector<std::string>& words = v.opening.words;
     if (is_as_opened(v.change)) return command_of(words, shown);

@@ -10,6 +10,7 @@
 #include "tools/flaneur/window/ask/ask.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/measure/measure.h"
@@ -59,6 +60,7 @@ struct Viewer {
     Asking asking;
     PeopleSearch search;
     GaitWatch watch;
+    TechniqueSwitches techniques;
     MeasureRoom measure;
     double fps = 0;
     float bar_foot = 58;    // pixels from the window's upper edge: panels begin below the bar

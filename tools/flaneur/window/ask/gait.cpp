@@ -10,6 +10,7 @@
 #include "tools/extract/convert.h"
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/measure/plot.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -196,6 +197,7 @@ void lay_out_speed(const GaitWatch& watch, float width, float scale) {
 
 void lay_out_gait(Show& show, Viewer& v, float scale) {
     const World& world = *show.loaded.world;
+    lay_out_techniques(show, v, scale);
     ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
     if (!v.selected || world.roam) {
         ImGui::TextDisabled(world.roam ? "On the asteroid steps are not measured."

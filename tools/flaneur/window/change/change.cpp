@@ -41,6 +41,18 @@ void carry_time_and_weather(Show& show, Viewer& v) {
     changed_by_hand(v.time, *show.loaded.world);
 }
 
+// Who comes from now on; everybody who is there stays.
+void carry_shares(Show& show, Viewer& v) {
+    Change& c = v.change;
+    const Design& wanted = current(c.designs);
+    if (c.carried.mix == wanted.mix && c.carried.who == wanted.who) return;
+    c.carried.mix = wanted.mix, c.carried.who = wanted.who;
+    const Loaded& loaded = show.loaded;
+    set_shares(*loaded.world, shares_of(wanted.who, wanted.mix, loaded.characters, loaded.parts));
+    c.late = std::max(c.late, std::max(loaded.world->tick, 1u));
+    changed_by_hand(v.time, *loaded.world);
+}
+
 void carry_people(Show& show, Viewer& v) {
     Change& c = v.change;
     World& world = *show.loaded.world;
@@ -110,21 +122,24 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
     if (!options.inputs.empty() && has_ending(options.inputs[0], ".json"))
         std::snprintf(c.path, sizeof c.path, "%s", options.inputs[0].c_str());
     v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
-    c.carried = {scene.added, scene.hour, scene.is_overcast,
-                 static_cast<uint32_t>(walkers(*show.loaded.world).size())};
+    c.carried = {scene.added,       scene.hour,
+                 scene.is_overcast, static_cast<uint32_t>(walkers(*show.loaded.world).size()),
+                 scene.people,      scene.mix};
     c.designs = {{c.carried}, 0, 0};
 }
 
 bool is_as_opened(const Change& c) {
     const Design& now = c.carried;
     return c.late == 0 && now.added == c.scene.added && now.hour == c.scene.hour &&
-           now.people == static_cast<uint32_t>(c.scene.walkers);
+           now.people == static_cast<uint32_t>(c.scene.walkers) && now.who == c.scene.people &&
+           now.mix == c.scene.mix;
 }
 
 void want(Viewer& v, Design next, uint64_t gesture) { change(v.change.designs, std::move(next), gesture); }
 
 Result<void> carry_on(Show& show, Viewer& v) {
     carry_time_and_weather(show, v);
+    carry_shares(show, v);
     carry_people(show, v);
     v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
     return carry_additions(show, v);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "assets/additions.h"
+#include "assets/scene.h"
 
 namespace flaneur {
 
@@ -13,6 +13,8 @@ struct Design {
     float hour = 17.5f;  // of the day, that was set last
     bool is_overcast = false;
     uint32_t people = 0;
+    std::vector<PeopleShare> who{};  // as Scene::people
+    PeopleMix mix{};
     bool operator==(const Design&) const = default;
 };
 

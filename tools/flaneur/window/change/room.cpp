@@ -14,18 +14,18 @@
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/change/save.h"
+#include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
 
-namespace {
-
-// A drag of a slider is undone as one.
 uint64_t gesture_of_item(Change& c) {
     if (ImGui::IsItemActivated()) c.gesture = c.next_gesture++;
     return c.gesture;
 }
+
+namespace {
 
 void set_hour_wanted(Viewer& v, float hour, uint64_t gesture) {
     Design next = current(v.change.designs);
@@ -251,6 +251,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_day(show, v, scale);
     ImGui::Spacing();
     lay_out_people(show, v, scale);
+    lay_out_who(show, v, scale);
     if (!show.loaded.world->roam) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

@@ -1,15 +1,20 @@
 // The panel on the left that changes the city, and what keys do of it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 namespace flaneur {
 
 struct Action;
+struct Change;
 struct Show;
 struct Viewer;
 
 void lay_out_change(Show& show, Viewer& viewer, float scale);
+
+// After a slider: its drag is undone as one.
+uint64_t gesture_of_item(Change& change);
 
 std::span<const Action> change_actions();
 // Of the whole city.

@@ -49,6 +49,8 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = v.change.scene;
     const Design& d = current(v.change.designs);
     s.added = d.added;
+    s.people = d.who;
+    s.mix = d.mix;
     if (s.hour != d.hour) s.sun_height = s.sun_heading = std::nullopt;
     s.hour = d.hour;
     s.is_overcast = d.is_overcast;

@@ -60,9 +60,9 @@ Result<std::string> write_picture(const Show& show, Viewer& v, const Image& imag
     return "Wrote " + path + " and " + depth;
 }
 
-// Of one run, or of two side by side, if there are two; depths of one alone.
+// One picture, or two side by side; depths of one alone.
 Result<Image> draw(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
-    if (v.time.beside) return draw_side_by_side(show, v, frame, size, between);
+    if (has_two(v)) return draw_side_by_side(show, v, frame, size, between);
     return draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
                       static_cast<uint32_t>(size.height));
 }

@@ -31,12 +31,34 @@ void exchange_runs(Show& show, Beside& beside) {
     std::swap(show.loaded.world, beside.world);
     std::swap(show.people, beside.people);
     std::swap(show.overlay, beside.overlay);
+    std::swap(show.without, beside.without);
 }
 
 void paste(const Image& from, uint32_t left, Image& to) {
     for (uint32_t y = 0; y < std::min(from.height, to.height); ++y)
         std::memcpy(&to.rgba[(size_t{y} * to.width + left) * 4], &from.rgba[size_t{y} * from.width * 4],
                     size_t{from.width} * 4);
+}
+
+Result<Image> draw_other_run(Show& show, Viewer& v, Size one, uint32_t width, uint32_t height,
+                             float between) {
+    Beside& beside = *v.time.beside;
+    beside.overlay.letters_legends = show.overlay.letters_legends;
+    beside.without.on = show.without.on;
+    const bool is_level = beside.world->tick == show.loaded.world->tick;
+    exchange_runs(show, beside);
+    const FrameInput frame = extract_frame(show, v.camera, one, is_level ? between : 1);
+    Result<Image> image = draw_image(*show.renderer, frame, width, height);
+    exchange_runs(show, beside);
+    return image;
+}
+
+Result<Image> draw_without(Show& show, Viewer& v, Size one, uint32_t width, uint32_t height, float between) {
+    show.draws_whole = false;
+    const FrameInput frame = extract_frame(show, v.camera, one, between);
+    Result<Image> image = draw_image(*show.renderer, frame, width, height);
+    show.draws_whole = true;
+    return image;
 }
 
 }  // namespace
@@ -61,6 +83,7 @@ void put_beside(Viewer& v, std::unique_ptr<World> world, const BesideChoice& cho
         follow(*beside->history, *beside->world);
     }
     v.time.beside = std::move(beside);
+    v.techniques.is_split = false;
 }
 
 void set_beside_this_moment(Show& show, Viewer& v) {
@@ -82,6 +105,8 @@ void keep_up_beside(Show& show, Viewer& v) {
     }
     const auto start = std::chrono::steady_clock::now();
     while (world.tick < to) {
+        beside.without.on = v.techniques.on;
+        keep_previous(beside.without, world);
         step(world);
         follow(*beside.history, world);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
@@ -89,12 +114,13 @@ void keep_up_beside(Show& show, Viewer& v) {
     }
 }
 
+bool has_two(const Viewer& v) { return v.time.beside || v.techniques.is_split; }
+
 Size size_of_one(const Viewer& v, Size size) {
-    return v.time.beside ? Size{std::max((size.width - k_divider) / 2, 1), size.height} : size;
+    return has_two(v) ? Size{std::max((size.width - k_divider) / 2, 1), size.height} : size;
 }
 
 Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
-    Beside& beside = *v.time.beside;
     const Size one = size_of_one(v, size);
     // As coarse as the window's picture is.
     auto coarse = [&](int pixels) {
@@ -105,12 +131,8 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
     here.panels = {};
     Result<Image> left = draw_image(*show.renderer, here, width, height);
     if (!left) return left;
-    beside.overlay.letters_legends = show.overlay.letters_legends;
-    const bool is_level = beside.world->tick == show.loaded.world->tick;
-    exchange_runs(show, beside);
-    FrameInput other = extract_frame(show, v.camera, one, is_level ? between : 1);
-    Result<Image> right = draw_image(*show.renderer, other, width, height);
-    exchange_runs(show, beside);
+    Result<Image> right = v.time.beside ? draw_other_run(show, v, one, width, height, between)
+                                        : draw_without(show, v, one, width, height, between);
     if (!right) return right;
     Image both{std::max(coarse(size.width), 2 * width), height, {}, {}};
     both.rgba.assign(size_t{4} * both.width * both.height, 255);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/without.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/history/history.h"
 #include "tools/flaneur/overlay/overlay.h"
@@ -22,6 +23,7 @@ struct Beside {
     HistoryPtr history;
     std::optional<uint32_t> moment;  // tick at which it stands still; none: it goes along with this one
     PeopleFrame people;              // as it is drawn
+    Without without;
     Overlay overlay;
 };
 
@@ -41,9 +43,12 @@ void set_beside_this_moment(Show& show, Viewer& viewer);
 // Goes along, for a while that leaves the window alive. To be called once a picture, after this run's ticks.
 void keep_up_beside(Show& show, Viewer& viewer);
 
-// The size of the picture of one run: all of it, or a half.
+// Whether two pictures are shown side by side: this run and another one, or bodies with all that makes them
+// and without some of it (see ask/techniques.h).
+bool has_two(const Viewer& viewer);
+// The size of one of them: all of it, or a half.
 Size size_of_one(const Viewer& viewer, Size size);
-// Both pictures side by side: `frame` is this run's, of size_of_one.
+// Both: `frame` is the left one, of size_of_one.
 Result<Image> draw_side_by_side(Show& show, Viewer& viewer, const FrameInput& frame, Size size,
                                 float between);
 

@@ -75,6 +75,7 @@ void scrub(Show& show, Timeline& time) {
 void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
     show.loaded.world = std::move(world);
     show.people = {};
+    show.without = {};
     forget_past(show);
     v.walkers = show.loaded.world->crowd.count;
     v.hovered.reset();

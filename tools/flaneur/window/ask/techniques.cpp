@@ -1,0 +1,103 @@
+#include "tools/flaneur/window/ask/techniques.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <array>
+#include <string>
+
+#include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/widgets.h"
+
+namespace flaneur {
+namespace {
+
+constexpr int k_columns = 4;
+
+template <bool Techniques::*Is>
+void turn(Show&, Viewer& v) {
+    bool& is_on = v.techniques.on.*Is;
+    is_on = !is_on;
+}
+
+constexpr std::array k_actions = {
+    Action{"Before and after: techniques of bodies side by side", "Shift+J", GLFW_KEY_J, GLFW_MOD_SHIFT,
+           split_techniques},
+    Action{"Technique: feet, legs solved to the ground", "", 0, 0, turn<&Techniques::feet>},
+    Action{"Technique: soles, tilted with the ground", "", 0, 0, turn<&Techniques::soles>},
+    Action{"Technique: heels that rise", "", 0, 0, turn<&Techniques::heels>},
+    Action{"Technique: pelvis, as high as legs reach", "", 0, 0, turn<&Techniques::pelvis>},
+    Action{"Technique: limits of joints", "", 0, 0, turn<&Techniques::limits>},
+    Action{"Technique: trunk against the pelvis", "", 0, 0, turn<&Techniques::trunk>},
+    Action{"Technique: look, heads that turn", "", 0, 0, turn<&Techniques::look>},
+    Action{"Technique: walls, hands on them", "", 0, 0, turn<&Techniques::walls>},
+    Action{"Technique: holds, hands in pockets and on straps", "", 0, 0, turn<&Techniques::holds>},
+    Action{"Technique: canes in hands", "", 0, 0, turn<&Techniques::canes>},
+    Action{"Technique: prams, hands on handles", "", 0, 0, turn<&Techniques::prams>},
+    Action{"Technique: idles, recorded motion", "", 0, 0, turn<&Techniques::idles>},
+    Action{"Techniques: all on", "", 0, 0, [](Show&, Viewer& v) { v.techniques.on = {}; }},
+};
+static_assert(k_actions.size() == k_techniques.size() + 2);
+
+void lay_out_half(const char* name, float middle, const std::string& text, Size size, float scale) {
+    ImGui::SetNextWindowPos({middle * static_cast<float>(size.width),
+                             static_cast<float>(size.height) - (k_edge + k_timeline) * scale},
+                            ImGuiCond_Always, {0.5f, 1});
+    if (ImGui::Begin(name, nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
+        ImGui::PushTextWrapPos(0.3f * static_cast<float>(size.width));
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+std::span<const Action> technique_actions() { return k_actions; }
+
+void follow_switches(const TechniqueSwitches& switches, Show& show) {
+    show.without.on = switches.on;
+    show.draws_whole = switches.is_split;
+}
+
+void split_techniques(Show&, Viewer& v) {
+    v.techniques.is_split = !v.techniques.is_split;
+    if (!v.techniques.is_split) return;
+    v.time.beside.reset();
+    if (v.techniques.on == Techniques{})
+        tell(v, "Switch something off in the room Gait to see a difference.");
+}
+
+void lay_out_techniques(Show& show, Viewer& v, float scale) {
+    if (!ImGui::CollapsingHeader("Techniques", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (ImGui::BeginTable("techniques", k_columns)) {
+        for (const TechniqueInfo& technique : k_techniques) {
+            ImGui::TableNextColumn();
+            ImGui::Checkbox(technique.name.data(), &(v.techniques.on.*technique.is_on));
+            if (!ImGui::IsItemHovered()) continue;
+            ImGui::BeginTooltip();
+            ImGui::PushTextWrapPos(320 * scale);
+            ImGui::Text("On: %s.", technique.what.data());
+            ImGui::Text("Off: %s.", technique.without.data());
+            ImGui::PopTextWrapPos();
+            ImGui::EndTooltip();
+        }
+        ImGui::EndTable();
+    }
+    bool is_split = v.techniques.is_split;
+    if (ImGui::Checkbox("before and after", &is_split)) split_techniques(show, v);
+    tip("all on in the left half, as switched here in the right one (Shift+J)");
+    ImGui::SameLine();
+    if (ImGui::Button("All on")) v.techniques.on = {};
+    tip("bodies as they are");
+}
+
+void lay_out_halves(const Viewer& v, Size size, float scale) {
+    if (!v.techniques.is_split) return;
+    const std::string off = told_without(v.techniques.on);
+    lay_out_half("left half", 0.25f, "all on", size, scale);
+    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : "without " + off, size, scale);
+}
+
+}  // namespace flaneur
