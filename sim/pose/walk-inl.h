@@ -289,65 +289,46 @@ HWY_INLINE void pose_leg(PoseBlock& out, size_t lane, int side, const Pelvis<T>&
               turned_x(foot.flat_ws, foot.toe_half));
 }
 
-// A body before its pelvis is raised.
-template <class T>
-struct Begun {
-    V3<T> hips_ms, hip_ms;
-    LimbSizes<T> leg;
-    FootSizes<T> foot_size;
-    WalkNow<T> walk;
-    V3<T> origin_ws;  // the ground on which the pelvis rides, below the root
-    Foot<T> feet[2];
-    Harmonics<T, 3> cycle;
-    Heading<T> heading;
-    PelvisCurves<T> curves;
-    Pelvis<T> pelvis;
-    Height<T> height;
-};
-
-template <class T>
-HWY_INLINE Begun<T> begin_body(const GaitBlock& g, const PersonBlock& p, size_t lane) {
-    Begun<T> b;
-    b.hips_ms = joint_ms<T>(p, hips, lane);
-    b.hip_ms = joint_ms<T>(p, left_upper_leg, lane);
-    T ankle_height = at<T>(p.joints[left_foot][1] + lane);
-    T knee_height = at<T>(p.joints[left_lower_leg][1] + lane);
-    b.leg = limb_sizes(b.hip_ms.y - knee_height, knee_height - ankle_height);
-    b.foot_size = {ankle_height, at<T>(p.joints[left_toes][2] + lane) - at<T>(p.joints[left_foot][2] + lane),
-                   at<T>(p.joints[left_toes][1] + lane), at<T>(p.heel + lane), at<T>(p.toe + lane)};
-    b.walk = walk_now<T>(g, p, lane, b.hip_ms.y);
-    b.origin_ws = {at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
-    for (int side = 0; side < 2; ++side)
-        b.feet[side] = pose_foot(g.feet[side], g.feet[1 - side], lane, b.walk, b.foot_size, b.origin_ws);
-    b.cycle = harmonics<3>(at<T>(g.phase + lane));
-    SinCosOf<T> half = sin_cos(at<T>(g.heading + lane) * T(0.5f));
-    b.heading = {half, doubled(half)};
-    T astride = bs_of_os(b.heading, b.feet[k_left].place_os - b.feet[k_right].place_os).x;
-    b.curves = pelvis_curves(g, p, lane, b.walk, b.cycle, astride);
-    b.pelvis = turned_pelvis(b.curves, b.heading, b.hips_ms, b.hip_ms);
-    b.height = pelvis_height(g, p, lane, b.walk, b.cycle, b.hips_ms.y, b.hip_ms.y);
-    return b;
-}
-
 template <class T>
 HWY_INLINE void pose_chunk(const GaitBlock& g, const PersonBlock& p, float dt, const PoseBlock* before,
                            PoseBlock& out, size_t lane) {
-    Begun<T> b = begin_body<T>(g, p, lane);
-    T apart = max(abs(b.feet[k_left].drop), abs(b.feet[k_right].drop));
+    V3<T> hips_ms = joint_ms<T>(p, hips, lane), hip_ms = joint_ms<T>(p, left_upper_leg, lane);
+    T ankle_height = at<T>(p.joints[left_foot][1] + lane);
+    T knee_height = at<T>(p.joints[left_lower_leg][1] + lane);
+    LimbSizes<T> leg = limb_sizes(hip_ms.y - knee_height, knee_height - ankle_height);
+    FootSizes<T> foot_size{ankle_height,
+                           at<T>(p.joints[left_toes][2] + lane) - at<T>(p.joints[left_foot][2] + lane),
+                           at<T>(p.joints[left_toes][1] + lane), at<T>(p.heel + lane), at<T>(p.toe + lane)};
+
+    WalkNow<T> walk = walk_now<T>(g, p, lane, hip_ms.y);
+    // The ground on which the pelvis rides, below the root.
+    V3<T> origin_ws{at<T>(g.x + lane), at<T>(g.base + lane), at<T>(g.z + lane)};
+    Foot<T> feet[2] = {pose_foot(g.feet[k_left], g.feet[k_right], lane, walk, foot_size, origin_ws),
+                       pose_foot(g.feet[k_right], g.feet[k_left], lane, walk, foot_size, origin_ws)};
+
+    T apart = max(abs(feet[k_left].drop), abs(feet[k_right].drop));
     T fastest = lerp(T(k_fastest_fall), T(k_fastest_down), smoothstep(T(k_step_0), T(k_step_1), apart));
     const Fall<T> fall =
-        before ? fall_since(*before, dt, g, lane, b.origin_ws.y, b.hips_ms.y, fastest) : no_fall<T>();
-    store_place(b.origin_ws, out.origin, lane);
-    raise_pelvis(b.pelvis, b.feet, b.foot_size, b.leg, b.walk, b.height, fall, dt);
-    store((b.pelvis.place_os.y - fall.was) * fall.over_dt, out.rising + lane);
-    store(b.pelvis.wanted - b.pelvis.place_os.y, out.sunk + lane);
-    set_joint(out, hips, lane, b.pelvis.place_os, b.pelvis.rotation_ws);
-    for (int side = 0; side < 2; ++side)
-        pose_leg(out, lane, side, b.pelvis, b.heading, b.leg, b.foot_size, b.feet[side]);
+        before ? fall_since(*before, dt, g, lane, origin_ws.y, hips_ms.y, fastest) : no_fall<T>();
+    store_place(origin_ws, out.origin, lane);
 
-    Trunk<T> trunk{b.pelvis.place_os, b.hips_ms,        b.pelvis.rotation_ws, b.pelvis.axes_ws, b.heading,
-                   b.curves,          b.walk.amplitude, b.walk.running,       b.walk.over};
-    pose_trunk(g, p, out, lane, trunk, b.cycle, b.origin_ws);
+    Harmonics<T, 3> cycle = harmonics<3>(at<T>(g.phase + lane));
+    SinCosOf<T> half = sin_cos(at<T>(g.heading + lane) * T(0.5f));
+    Heading<T> heading{half, doubled(half)};
+    T astride = bs_of_os(heading, feet[k_left].place_os - feet[k_right].place_os).x;
+    PelvisCurves<T> curves = pelvis_curves(g, p, lane, walk, cycle, astride);
+    Pelvis<T> pelvis = turned_pelvis(curves, heading, hips_ms, hip_ms);
+    raise_pelvis(pelvis, feet, foot_size, leg, walk,
+                 pelvis_height(g, p, lane, walk, cycle, hips_ms.y, hip_ms.y), fall, dt);
+    store((pelvis.place_os.y - fall.was) * fall.over_dt, out.rising + lane);
+    store(pelvis.wanted - pelvis.place_os.y, out.sunk + lane);
+    set_joint(out, hips, lane, pelvis.place_os, pelvis.rotation_ws);
+    for (int side = 0; side < 2; ++side)
+        pose_leg(out, lane, side, pelvis, heading, leg, foot_size, feet[side]);
+
+    Trunk<T> trunk{pelvis.place_os, hips_ms,        pelvis.rotation_ws, pelvis.axes_ws, heading,
+                   curves,          walk.amplitude, walk.running,       walk.over};
+    pose_trunk(g, p, out, lane, trunk, cycle, origin_ws);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

@@ -95,9 +95,12 @@ void lay_out_techniques(Show& show, Viewer& v, float scale) {
 
 void lay_out_halves(const Viewer& v, Size size, float scale) {
     if (!v.techniques.is_split) return;
-    const std::string off = told_without(v.techniques.on);
+    std::string off;
+    for (const TechniqueInfo& technique : k_techniques)
+        if (!(v.techniques.on.*technique.is_on))
+            off.append(off.empty() ? "without " : ", ").append(technique.name);
     lay_out_half("left half", 0.25f, "all on", size, scale);
-    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : "without " + off, size, scale);
+    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, scale);
 }
 
 }  // namespace flaneur

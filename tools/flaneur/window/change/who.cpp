@@ -110,9 +110,10 @@ void lay_out_who(Show& show, Viewer& v, float scale) {
     if (!ImGui::CollapsingHeader("Who comes")) return;
     if (has_built_in(show)) lay_out_mix(v, scale);
     lay_out_shares(v, scale);
-    ImGui::TextDisabled("Who is there stays as he is.");
     if (ImGui::Button("Make all anew")) make_all_anew(show, v);
     tip("the run begins again, all of it with people like these");
+    ImGui::SameLine();
+    ImGui::TextDisabled("who is there stays");
 }
 
 }  // namespace flaneur
