@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "renderer/device/check.h"
-#include "renderer/picture/depths.h"
+#include "renderer/picture/channels.h"
 #include "renderer/picture/draw.h"
 #include "renderer/picture/warm_up.h"
 #include "renderer/visible/contacts.h"
@@ -273,7 +273,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
         image.rgba.resize(bytes);
         target.pixels = reinterpret_cast<uint32_t*>(image.rgba.data());
         FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
-        if (frame.wants_depths) FLANEUR_TRY(read_depths(renderer, frame.camera.near_plane, image));
+        FLANEUR_TRY(add_channels(renderer, frame, image));
         return image;
     }
     FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.picture));
@@ -289,7 +289,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
     image.rgba.assign(first, first + bytes);
-    if (frame.wants_depths) FLANEUR_TRY(read_depths(renderer, frame.camera.near_plane, image));
+    FLANEUR_TRY(add_channels(renderer, frame, image));
     return image;
 }
 

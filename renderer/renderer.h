@@ -66,6 +66,9 @@ struct Image {
     // that it looks, the nearest thing in it is, metres, infinite where only sky is. Alpha says then how much
     // of the pixel is no sky. Lines and fills count for neither.
     std::vector<float> depths = {};
+    // Where FrameInput::wants_ids asked for them, one a pixel: the id that the same nearest thing was given
+    // (WalkerDraw, CityVertex), 0 where only sky is.
+    std::vector<uint32_t> ids = {};
 };
 
 // Draws one frame off-screen and reads it back. Sizes 1..8192, or less where the device draws no larger

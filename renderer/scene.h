@@ -31,6 +31,7 @@ struct CityVertex {
     uint16_t material;   // k_material_*
     uint16_t extra;      // facades: facade_extra. Scenery: 1 + index into CityMesh::textures, or 0.
     uint32_t house = 0;  // facades: any number; those of one house share their taste in windows and doors
+    uint32_t id = 0;     // below 2^24, the same in all corners of a triangle: what Image::ids tells of it
 };
 
 // How a facade's windows look; at most four kinds.
@@ -117,6 +118,7 @@ struct WalkerDraw {
     bool is_upright = true;  // else it is drawn as a mesh however far away
     float heading = 0;       // yaw about +y, 0 faces +z, radians
     float phase = -1;        // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
+    uint32_t id = 0;         // below 2^24: what Image::ids tells of it
 };
 
 // The ground about a place, as a plane. There is none where the normal is zero.
@@ -162,6 +164,7 @@ struct FrameInput {
     // for is counted: slower, and the same picture.
     bool times_passes = false;
     bool wants_depths = false;  // off-screen: those of the picture too; see Image
+    bool wants_ids = false;     // the same; all is drawn once more for them
     bool is_overcast = false;
     float lit_windows = 0.3f;  // share of windows with a light on in the dark
     // Views for work. What is not asked for costs nothing.

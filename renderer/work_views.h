@@ -8,8 +8,8 @@
 namespace flaneur {
 
 // What surfaces show: their light, or for work how they are made. Overdraw: brighter where a pixel is drawn
-// more often.
-enum class Surfaces : uint8_t { lit, wireframe, normals, overdraw };
+// more often. Ids: the renderer's own, for FrameInput::wants_ids.
+enum class Surfaces : uint8_t { lit, wireframe, normals, overdraw, ids };
 
 // What people are coloured by: their own colours; their tints alone, without textures; or one colour for each
 // level of detail (k_level_colours).

@@ -140,6 +140,7 @@ FLANEUR_CONST uint k_paint_count = 1;  // a little, added for each time that a p
 FLANEUR_CONST uint k_paint_paper = 2;  // pale, under ink
 FLANEUR_CONST uint k_paint_ink = 3;    // the edges of triangles
 FLANEUR_CONST uint k_paint_ghost = 4;  // seen through, but for its outline
+FLANEUR_CONST uint k_paint_ids = 5;    // ids, lowest byte in red; people have them for tints
 
 // Cells of the grid over the picture that the sky's light is known at the corners of.
 FLANEUR_CONST int k_sky_columns = 40;

@@ -17,10 +17,11 @@ Result<void> make_picture_targets(const Device& device, const QualityLevel& qual
     ImageShape shape{.format = k_colour_format,
                      .width = extent.width * quality.samples,
                      .height = extent.height * quality.samples,
-                     .usage = k_drawn_and_read,
+                     .usage = k_drawn_and_read | VK_IMAGE_USAGE_TRANSFER_SRC_BIT,
                      .is_read_by_host = is_read_by_host};
     FLANEUR_TRY(make_image(device, shape, targets.colour));
     shape.format = k_surface_format;
+    shape.usage = k_drawn_and_read;
     FLANEUR_TRY(make_image(device, shape, targets.surface));
     shape.format = k_depth_format;
     shape.usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |

@@ -128,7 +128,8 @@ Attributes city_attributes() {
             {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(CityVertex, uv)},
             {3, 0, VK_FORMAT_R8G8B8A8_SNORM, offsetof(CityVertex, normal)},
             {4, 0, VK_FORMAT_R16G16_UINT, offsetof(CityVertex, material)},
-            {5, 0, VK_FORMAT_R32_UINT, offsetof(CityVertex, house)}};
+            {5, 0, VK_FORMAT_R32_UINT, offsetof(CityVertex, house)},
+            {6, 0, VK_FORMAT_R8G8B8A8_UNORM, offsetof(CityVertex, id)}};
 }
 
 Attributes person_attributes() {

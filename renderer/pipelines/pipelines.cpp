@@ -70,7 +70,7 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
     const Attributes all = city_attributes();
     PipelineShape facade{.vertex = k_spirv_facade_vert,
                          .fragment = k_spirv_facade_frag,
-                         .attributes = all,
+                         .attributes = {all[0], all[1], all[2], all[3], all[4], all[5]},
                          .stride = sizeof(CityVertex),
                          .cull = VK_CULL_MODE_BACK_BIT};
     FLANEUR_TRY(make(facade, surfaces.city_facade));

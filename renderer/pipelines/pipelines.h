@@ -30,11 +30,12 @@ enum class ViewPipeline {
     ink_city,
     ink_crowd,
     ghost_crowd,
+    id_scenery,
     fill,
     line,
     hidden_line,
 };
-inline constexpr size_t k_view_pipelines = 12;
+inline constexpr size_t k_view_pipelines = 13;
 
 struct Pipelines {
     Bindings bindings;

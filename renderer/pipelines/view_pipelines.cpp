@@ -3,6 +3,8 @@
 #include "renderer/device/check.h"
 #include "renderer/pipelines/pipelines.h"
 #include "renderer/scene.h"
+#include "spirv/id_scenery.frag.h"
+#include "spirv/id_scenery.vert.h"
 #include "spirv/overlay_fill.vert.h"
 #include "spirv/overlay_line.frag.h"
 #include "spirv/overlay_line.vert.h"
@@ -20,7 +22,7 @@ PipelineShape painted_city() {
     const Attributes city = city_attributes();
     return {.vertex = k_spirv_paint_city_vert,
             .fragment = k_spirv_paint_frag,
-            .attributes = {city[0], city[1], city[3]},
+            .attributes = {city[0], city[1], city[3], city[6]},
             .stride = sizeof(CityVertex),
             .colour = k_colour_format,
             .depth = k_depth_format,
@@ -43,6 +45,16 @@ PipelineShape painted_impostor() {
             .attributes = {},
             .colour = k_colour_format,
             .depth = k_depth_format};
+}
+
+// Nothing is there where its pictures are seen through.
+PipelineShape id_scenery() {
+    const Attributes city = city_attributes();
+    PipelineShape shape = painted_city();
+    shape.vertex = k_spirv_id_scenery_vert;
+    shape.fragment = k_spirv_id_scenery_frag;
+    shape.attributes = {city[0], city[2], city[4], city[6]};
+    return shape;
 }
 
 PipelineShape counted(PipelineShape shape) {
@@ -113,6 +125,8 @@ PipelineShape shape_of(ViewPipeline pipeline) {
             return inked(painted_crowd());
         case ViewPipeline::ghost_crowd:
             return ghost();
+        case ViewPipeline::id_scenery:
+            return id_scenery();
         case ViewPipeline::fill:
             return overlay_fill();
         case ViewPipeline::line:

@@ -6,6 +6,7 @@ const float k_ink_pull = 0.004;  // share of its distance that ink is nearer tha
 // `own`: what the surface is painted with, sRGB; `ray`: from the eye to it.
 vec4 painted(vec3 normal, vec3 own, vec3 ray) {
     if (paint == k_paint_normals) return vec4(normal * 0.5 + 0.5, 1);
+    if (paint == k_paint_ids) return vec4(own, 1);
     if (paint == k_paint_count) return vec4(0.16, 0.08, 0.035, 0);
     if (paint == k_paint_ink) return vec4(own * 0.5, 1);
     if (paint == k_paint_paper) {

@@ -17,7 +17,7 @@ void main() {
     vec3 v = in_place * instances[gl_InstanceIndex].scale, normal = vec3(in_normal.xyz) * (1.0 / 127.0);
     Skinned body = skinned(instances[gl_InstanceIndex].palette, v, normal, in_joints, in_weights);
     vec4 tint = unpackUnorm4x8(instances[gl_InstanceIndex].tints[in_normal.w]);
-    out_colour = painted(body.normal, in_colour.rgb * tint.rgb, body.place - frame.eye.xyz);
+    out_colour = painted(body.normal, paint == k_paint_ids ? tint.rgb : in_colour.rgb * tint.rgb, body.place - frame.eye.xyz);
     out_hidden = instances[gl_InstanceIndex].hidden;
     gl_Position = nearer(frame.clip_from_world * vec4(body.place, 1));
 }

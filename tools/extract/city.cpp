@@ -14,6 +14,7 @@
 #include "sim/base/rng.h"
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
+#include "tools/extract/ids.h"
 #include "tools/extract/parts.h"
 
 namespace flaneur {
@@ -102,9 +103,10 @@ void add_ground(CityMesh& mesh, const City& city) {
             glm::vec2 uv{p[k].x, p[k].z};
             if (kind == Surface::crossing || has_sleepers)
                 uv = {dot(on_ground(p[k]), city.ground_axes[t]), 0};
-            add_welded(mesh, welds, corners[k],
-                       vertex(p[k], normal, has_sleepers ? k_sleepers : k_ground_colours[look], uv,
-                              has_sleepers ? k_material_sleepers : k_ground_materials[look]));
+            CityVertex v = vertex(p[k], normal, has_sleepers ? k_sleepers : k_ground_colours[look], uv,
+                                  has_sleepers ? k_material_sleepers : k_ground_materials[look]);
+            v.id = id_of(IdKind::ground, static_cast<uint32_t>(kind));
+            add_welded(mesh, welds, corners[k], v);
         }
     }
 }
@@ -137,6 +139,33 @@ WindowKind windows_of(const Building& b) {
     return drawn < 0.3f ? WindowKind::shuttered : WindowKind::sash;
 }
 
+// What has no facade is no house but a wall, and its roof a coping.
+std::vector<uint8_t> find_houses(const City& city) {
+    std::vector<uint8_t> is_house(city.buildings.size(), 0);
+    for (const Face& f : city.ground.faces) {
+        if (f.kind == FaceKind::facade && f.building < is_house.size()) is_house[f.building] = 1;
+    }
+    return is_house;
+}
+
+uint32_t id_of_building(const std::vector<uint8_t>& is_house, uint32_t building) {
+    return id_of(building < is_house.size() && is_house[building] ? IdKind::house : IdKind::wall, building);
+}
+
+uint32_t id_of_face(const std::vector<uint8_t>& is_house, const Face& f) {
+    switch (f.kind) {
+        case FaceKind::facade:
+            return id_of(IdKind::house, f.building);
+        case FaceKind::kerb:
+            return id_of(IdKind::ground, k_kerb_number);
+        case FaceKind::riser:
+            return id_of(IdKind::ground, static_cast<uint32_t>(Surface::steps));
+        case FaceKind::garden_wall:
+            break;
+    }
+    return id_of_building(is_house, f.building);
+}
+
 constexpr float k_foot_shade = 0.84f;  // of sRGB
 
 // Those of `remnants` that are of `index`, which comes later with each call; none: it is whole.
@@ -149,7 +178,7 @@ void add_fan(CityMesh& mesh, const std::vector<uint32_t>& corners) {
         mesh.indices.insert(mesh.indices.end(), {corners[0], corners[k - 1], corners[k]});
 }
 
-void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
+void add_faces(CityMesh& mesh, const City& city, const Skin& skin, const std::vector<uint8_t>& is_house) {
     std::vector<int> doors = find_doors(city);
     size_t next = 0;
     for (size_t i = 0; i < city.ground.faces.size(); ++i) {
@@ -196,6 +225,7 @@ void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
         auto corner = [&](Vec3 at, float y, float u) {
             CityVertex v = vertex({at.x, y, at.z}, normal, colour, {u, y - foot}, material, extra);
             v.house = house;
+            v.id = id_of_face(is_house, f);
             return add_vertex(mesh, v);
         };
         const Remnant* remnant = next_remnant(skin.faces, next, i);
@@ -231,12 +261,7 @@ void add_faces(CityMesh& mesh, const City& city, const Skin& skin) {
     }
 }
 
-void add_roofs(CityMesh& mesh, const City& city, const Skin& skin) {
-    // What has no facade is no house but a wall, and its roof a coping.
-    std::vector<uint8_t> is_house(city.buildings.size(), 0);
-    for (const Face& f : city.ground.faces) {
-        if (f.kind == FaceKind::facade && f.building < is_house.size()) is_house[f.building] = 1;
-    }
+void add_roofs(CityMesh& mesh, const City& city, const Skin& skin, const std::vector<uint8_t>& is_house) {
     Welds welds = welds_of(mesh, city.roof_vertices.size());
     size_t next = 0;
     for (size_t t = 0; t < city.roof_buildings.size(); ++t) {
@@ -256,15 +281,18 @@ void add_roofs(CityMesh& mesh, const City& city, const Skin& skin) {
             colour = city.buildings[building].roof_colour;
         colour = shaded(colour, random_between(key, 0.9f, 1.08f, 1));
         const Remnant* remnant = next_remnant(skin.roofs, next, t);
-        for (size_t k = 0; k < 3 && !remnant; ++k)
-            add_welded(mesh, welds, corners[k],
-                       vertex(p[k], normal, colour, {p[k].x, p[k].z}, k_material_roof));
+        auto corner = [&](Vec3 at) {
+            CityVertex v = vertex(at, normal, colour, {at.x, at.z}, k_material_roof);
+            v.id = id_of_building(is_house, building);
+            return v;
+        };
+        for (size_t k = 0; k < 3 && !remnant; ++k) add_welded(mesh, welds, corners[k], corner(p[k]));
         if (!remnant) continue;
         for (const std::vector<Vec3>& piece : remnant->pieces) {
             std::vector<uint32_t> fan;
             for (Vec3 q : piece) {
                 welds.before.push_back(Welds::k_none);
-                fan.push_back(add_vertex(mesh, vertex(q, normal, colour, {q.x, q.z}, k_material_roof)));
+                fan.push_back(add_vertex(mesh, corner(q)));
             }
             add_fan(mesh, fan);
         }
@@ -340,9 +368,15 @@ bool is_lit_sign(PropKind kind, PropPart part) {
     return kind == PropKind::signal && (part == PropPart::red || part == PropPart::green);
 }
 
+IdKind id_kind(PropKind kind) {
+    if (kind == PropKind::tree) return IdKind::tree;
+    return kind == PropKind::car ? IdKind::car : IdKind::prop;
+}
+
 void add_props(CityMesh& mesh, const City& city) {
     mesh.seen_from.assign(mesh.indices.size() / 3, SeenFrom::anywhere);
-    for (const Prop& prop : city.props) {
+    for (uint32_t number = 0; number < city.props.size(); ++number) {
+        const Prop& prop = city.props[number];
         PropMesh made;
         add_prop(made, prop);
         mesh.seen_from.resize(mesh.seen_from.size() + made.indices.size() / 3, SeenFrom::near);
@@ -362,7 +396,9 @@ void add_props(CityMesh& mesh, const City& city) {
                 if (v.part == PropPart::light && prop.kind == PropKind::lamp) material = k_material_light;
                 if (is_lit_sign(prop.kind, v.part)) material = k_material_signal;
                 colour = v.part == PropPart::leaves ? leaf_colour(leaves, v.shade) : shaded(colour, v.shade);
-                add_vertex(mesh, vertex(v.position, v.normal, colour, k_within, material));
+                CityVertex drawn = vertex(v.position, v.normal, colour, k_within, material);
+                drawn.id = id_of(id_kind(prop.kind), number);
+                add_vertex(mesh, drawn);
             }
             for (uint32_t i : some->indices) mesh.indices.push_back(first + i);
         }
@@ -385,8 +421,9 @@ CityMesh extract_city(const City& city) {
     CityMesh mesh;
     if (!city.scenery.holds_ground) add_ground(mesh, city);
     const Skin skin = skin_of(city);
-    add_faces(mesh, city, skin);
-    add_roofs(mesh, city, skin);
+    const std::vector<uint8_t> is_house = find_houses(city);
+    add_faces(mesh, city, skin, is_house);
+    add_roofs(mesh, city, skin, is_house);
     add_shades(city, mesh);
     add_scenery(city.scenery, mesh);
     add_props(mesh, city);

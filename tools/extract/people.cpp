@@ -10,6 +10,7 @@
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
 #include "tools/extract/followers.h"
+#include "tools/extract/ids.h"
 #include "tools/extract/strides.h"
 
 namespace flaneur {
@@ -156,6 +157,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
             draw.centre = to_glm(root.position);
             draw.radius = body_sphere(character) * crowd.identity.scale[i];
             draw.mesh = crowd.identity.body[i];
+            draw.id = id_of(IdKind::walker, static_cast<uint32_t>(i));
             draw.is_upright = !world.roam;
             draw.instance.palette =
                 draw.is_upright && !needs_pose(needs, draw.centre, draw.radius) ? k_no_palette : 0;

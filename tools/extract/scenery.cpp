@@ -1,4 +1,5 @@
 #include "tools/extract/convert.h"
+#include "tools/extract/ids.h"
 #include "tools/extract/parts.h"
 
 namespace flaneur {
@@ -14,6 +15,7 @@ void add_scenery(const Scenery& scenery, CityMesh& mesh) {
         out.normal[1] = packed(v.normal.y);
         out.normal[2] = packed(v.normal.z);
         out.material = static_cast<uint16_t>(k_material_scenery);
+        out.id = id_of(IdKind::scenery, 0);
         mesh.vertices.push_back(out);
     }
     for (size_t i = 0; i < scenery.indices.size(); ++i) {
