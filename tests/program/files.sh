@@ -22,6 +22,7 @@ cd "$folder"
     "$flaneur" inspect "$map" --json "inspect of a map.json"
     if [[ $vulkan == ON ]]; then
         "$flaneur" bench frame --scene corner --size 64x36 --frames 1 --json "bench frame.json"
+        "$flaneur" render --scene corner --size 64x36 --out picture.png --ids "render and view.png"
         "$flaneur" city --check --city "$map" --walkers 2 --seconds 1 --json "city check.json" || true
     fi
     if [[ -n ${5-} ]]; then
@@ -32,7 +33,7 @@ python3 - "$manual" "$vulkan" << 'END'
 import json, os, re, sys
 
 manual, vulkan = sys.argv[1:]
-drawn = {"bench frame", "bench peers", "city check"}
+drawn = {"bench frame", "bench peers", "city check", "render and view"}
 
 # What the manual lists: by section, keys of the JSON and columns of the CSV.
 keys, columns, units, section, kind = {}, {}, {}, "", ""

@@ -66,30 +66,6 @@ TEST_F(Files, KeepTransparencyWhereItIsAskedFor) {
     }
 }
 
-TEST_F(Files, HoldDepthsInCentimetresOrMetres) {
-    std::vector<float> depths(5 * 3, 12.345f);
-    depths[0] = std::numeric_limits<float>::infinity(), depths[1] = 1e9f, depths[14] = 0.1f;
-    const std::string png = path / "depth.png", pfm = path / "depth.pfm";
-    ASSERT_TRUE(write_depths(std::move(*open_file(png)), depths, k_size));
-    ASSERT_TRUE(write_depths(std::move(*open_file(pfm)), depths, k_size));
-    const Bytes text = *read_bytes(pfm, 1 << 20), head = *read_bytes(png, 1 << 20);
-    EXPECT_EQ(head[24], 16) << "bits";
-    EXPECT_EQ(head[25], 0) << "grey";
-    const DecodedPicture greys = decode_picture(head, 100).value();
-    EXPECT_EQ(greys.rgba[0], 0) << "nothing";
-    EXPECT_EQ(greys.rgba[4], 255) << "all that is farther";
-    EXPECT_EQ(greys.rgba[8], 1235 / 256);
-    const std::string begin = "Pf\n5 3\n-1.0\n";
-    ASSERT_EQ(text.size(), begin.size() + sizeof(float) * 15);
-    EXPECT_EQ(std::string(text.begin(), text.begin() + static_cast<ptrdiff_t>(begin.size())), begin);
-    std::array<float, 15> metres{};
-    std::memcpy(metres.data(), &text[begin.size()], sizeof metres);
-    EXPECT_FLOAT_EQ(metres[4], 0.1f) << "rows from the bottom";
-    EXPECT_FLOAT_EQ(metres[10], 0) << "nothing";
-    EXPECT_FLOAT_EQ(metres[11], 1e9f);
-    EXPECT_FLOAT_EQ(metres[12], 12.345f);
-}
-
 TEST_F(Files, AppearWhenTheyAreWhole) {
     std::string name = path / "new" / "text";
     Result<PartFilePtr> file = open_file(name);

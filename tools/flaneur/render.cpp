@@ -5,9 +5,11 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/channels.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
 #include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/ids.h"
 #include "tools/flaneur/view/path.h"
 #include "tools/flaneur/view/rig.h"
 #include "tools/flaneur/view/show.h"
@@ -41,9 +43,54 @@ void say_camera(const CameraChoice& choice, const Camera& camera) {
     say("Seen from --camera " + told_camera({fixed, 0, seen.eye, seen.target}) + lens);
 }
 
-// `depth`: a file for how far away things are; null: nowhere.
+// What goes beside the picture of a tick, opened before it is drawn: null where it is not asked for.
+struct ChannelFiles {
+    PartFilePtr depths, ids, legend;
+};
+
+Result<ChannelFiles> open_channels(const Options& options, uint32_t tick) {
+    ChannelFiles files;
+    auto open = [&](const std::string& path, PartFilePtr& file) -> Result<void> {
+        if (path.empty()) return {};
+        Result<PartFilePtr> opened = open_file(path);
+        if (!opened) return opened.error();
+        file = std::move(*opened);
+        return {};
+    };
+    const std::string ids = picture_path(options.ids, tick);
+    if (Result<void> done = open(picture_path(options.depth, tick), files.depths); !done) return done.error();
+    if (Result<void> done = open(ids, files.ids); !done) return done.error();
+    if (Result<void> done = open(ids.empty() ? ids : legend_path(ids), files.legend); !done)
+        return done.error();
+    return files;
+}
+
+Result<void> write_channels(ChannelFiles files, const Image& image, const City& city) {
+    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
+    if (files.depths) {
+        if (Result<void> done = write_depths(std::move(files.depths), image.depths, size); !done) return done;
+    }
+    if (!files.ids) return {};
+    const std::string legend = legend_of(image.ids, size, city);
+    std::fwrite(legend.data(), 1, legend.size(), files.legend->file);
+    if (Result<void> done = keep_file(std::move(files.legend)); !done) return done;
+    return write_ids(std::move(files.ids), image.ids, size);
+}
+
+// One file would be written again and again.
+Result<void> check_channels(const Options& options) {
+    for (const auto& [name, path] :
+         {std::pair("--depth ", &options.depth), std::pair("--ids ", &options.ids)})
+        if (!path->empty() && count(options.ticks) > 1 && picture_path(*path, 0) == *path)
+            return Error{name + *path + " is of one picture, and there are " +
+                         std::to_string(count(options.ticks)) +
+                         ": number it, as in DIR/%05d.png, or give one tick, such as --frames 600."};
+    return {};
+}
+
+// `channels`: those of the first tick.
 Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, Output& output,
-                      PartFilePtr depth) {
+                      ChannelFiles channels) {
     World& world = *show.loaded.world;
     const TickRange& ticks = options.ticks;
     uint32_t pictures = count(ticks);
@@ -73,14 +120,22 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
         show_progress("picture " + std::to_string(i + 1) + " of " + std::to_string(pictures));
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
         if (path.keys.empty()) frame.companion = companion_of(choice);
-        frame.wants_depths = options.is_transparent || depth;
+        if (i > 0) {
+            Result<ChannelFiles> opened = open_channels(options, tick);
+            if (!opened) return opened.error();
+            channels = std::move(*opened);
+        }
+        frame.wants_depths = options.is_transparent || channels.depths;
+        frame.wants_ids = channels.ids != nullptr;
         Result<Image> image =
             draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                        static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
-        Result<void> written =
-            write_image(output, image->rgba, tick, options.is_transparent ? Alpha::kept : Alpha::dropped);
-        if (written && depth) written = write_depths(std::move(depth), image->depths, options.scene.size);
+        // Before the picture, which tells --resume that it is done.
+        Result<void> written = write_channels(std::move(channels), *image, *show.loaded.city);
+        if (written)
+            written =
+                write_image(output, image->rgba, tick, options.is_transparent ? Alpha::kept : Alpha::dropped);
         if (!written) return written;
         if (has_ending(options.out, ".mp4")) be_patient(k_film_patience);
     }
@@ -109,16 +164,17 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
         path = std::move(*loaded);
         options.ticks = ticks_of(options, path);
     }
+    if (Result<void> checked = check_channels(options); !checked) return checked;
     Result<OutputPtr> output =
         open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
     if (!output) return output.error();
-    Result<PartFilePtr> depth = options.depth.empty() ? PartFilePtr() : open_file(options.depth);
-    if (!depth) return depth.error();
+    Result<ChannelFiles> channels = open_channels(options, options.ticks.first);
+    if (!channels) return channels.error();
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
-    Result<void> drawn = draw_all(*show, options, path, **output, std::move(*depth));
+    Result<void> drawn = draw_all(*show, options, path, **output, std::move(*channels));
     clear_progress();
     return drawn;
 }

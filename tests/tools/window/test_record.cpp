@@ -36,6 +36,18 @@ TEST(Filming, EachPictureIsItsStepsLater) {
     EXPECT_EQ(seconds_to_pass(Record{}, 0.25), 0.25) << "without a film time is what it is";
 }
 
+TEST(Filming, TellsHowLongTheFilmIs) {
+    Filming filming;
+    filming.step = 2, filming.began = 100;
+    EXPECT_EQ(told_progress(filming, 100), "0.0 s, drawn in 0 s");
+    filming.pictures = 60;
+    EXPECT_EQ(told_progress(filming, 131), "2.0 s, drawn in 31 s");
+    filming.all = 360;
+    EXPECT_EQ(told_progress(filming, 131), "2.0 of 12 s, about 3 min to go") << "155 s";
+    filming.pictures = 0;
+    EXPECT_EQ(told_progress(filming, 100), "0.0 of 12 s");
+}
+
 TEST(Turntable, GoesOnceRoundAndComesBack) {
     Turntable turn;
     turn.middle = {3, 1, -2};

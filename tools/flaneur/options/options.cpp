@@ -108,6 +108,7 @@ Examples:
   flaneur render --camera-path way.json --out out/way.mp4                 a camera that moves
   flaneur render --like out/view-361.png --size 3840x2160 --out out/large.png
   flaneur render --transparent --depth out/depth.png --out out/cut_out.png
+  flaneur render --frames 600:1200:60 --ids out/%05d-ids.png --out out/%05d.png
 A camera path is JSON: { "keys": [ { "time": 0, "eye": [0, 1.7, -20], "target": [0, 1.5, 0], "fov": 32 }, ... ] } in
 seconds, metres and degrees; the window's Cameras room records one, plays it and writes it.)";
 
@@ -294,9 +295,17 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     render->add_flag("--transparent", options.is_transparent,
                      "Where there is sky, pictures are seen through");
     render
-        ->add_option("--depth", options.depth,
-                     "Write how far away it is too, what one picture shows: centimetres in a FILE.png of 16 "
-                     "bits, 0 for the sky, or metres in a FILE.pfm")
+        ->add_option(
+            "--depth", options.depth,
+            "Write how far away it is too, what a picture shows: metres in a FILE.exr or FILE.pfm, or "
+            "centimetres in a FILE.png of 16 bits; 0 for the sky. DIR/%05d.exr for one a tick")
+        ->type_name("FILE");
+    render
+        ->add_option(
+            "--ids", options.ids,
+            "Write too which walker, house, tree, car, prop or ground each pixel shows: a number each "
+            "in a FILE.exr, or in the three bytes of a FILE.png, and FILE.json, which says what they "
+            "are. DIR/%05d.exr for one a tick")
         ->type_name("FILE");
     render->add_flag("--resume", options.resume,
                      "Go on with a film, or numbered pictures, that the same command began");

@@ -102,7 +102,8 @@ struct Options {
     bool resume = false;
     std::string like;             // a picture whose options these are, where no others are given
     bool is_transparent = false;  // where there is sky
-    std::string depth;            // a file for depths; empty: none
+    std::string depth;            // a file for depths, or a pattern as `out`; empty: none
+    std::string ids;              // the same, for ids
 
     std::string out;  // where render, city and bench peers write
 

@@ -294,28 +294,6 @@ Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size siz
     return write_encoded(std::move(f), encode_png(rgb, size.width, size.height, 3, comment));
 }
 
-Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size size) {
-    static constexpr float k_most = 65534;
-    const auto width = static_cast<size_t>(size.width), height = static_cast<size_t>(size.height);
-    assert(depths.size() == width * height);
-    if (has_ending(f->path, ".png")) {
-        std::vector<uint16_t> centimetres(depths.size());
-        std::transform(depths.begin(), depths.end(), centimetres.begin(), [](float metres) {
-            if (std::isinf(metres)) return uint16_t{0};
-            return static_cast<uint16_t>(std::clamp(std::round(metres * 100), 1.0f, k_most));
-        });
-        return write_encoded(std::move(f), encode_png(centimetres, size.width, size.height, "centimetres"));
-    }
-    std::fprintf(f->file, "Pf\n%d %d\n-1.0\n", size.width, size.height);
-    std::vector<float> row(width);
-    for (size_t y = height; y-- > 0;) {
-        std::transform(&depths[y * width], &depths[y * width] + width, row.begin(),
-                       [](float metres) { return std::isinf(metres) ? 0.0f : metres; });
-        std::fwrite(row.data(), sizeof(float), width, f->file);
-    }
-    return keep_file(std::move(f));
-}
-
 struct Output {
     Size size;
     PartFilePtr first;  // one picture; of numbered ones the first, opened early to see that it can be written

@@ -55,11 +55,6 @@ enum class Alpha : uint8_t { dropped, kept };
 Result<void> write_png(PartFilePtr file, const std::vector<uint8_t>& rgba, Size size,
                        const std::string& comment = {}, Alpha alpha = Alpha::dropped);
 
-// How far away each pixel is, metres, rows from the top, infinite where there is nothing. In a .png of 16
-// bits of grey: centimetres, rounded, 65534 for all that is farther, 0 for nothing. Else as a portable float
-// map, .pfm: metres, 0 for nothing, rows from the bottom, the least byte first.
-Result<void> write_depths(PartFilePtr file, const std::vector<float>& depths, Size size);
-
 // Where render's pictures go: FILE.png or a stream (one tick), a pattern such as DIR/%05d.png (numbered by
 // tick), or FILE.mp4.
 struct Output;

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -10,8 +11,11 @@
 #include "sim/base/tick.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/output/channels.h"
+#include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/camera.h"
+#include "tools/flaneur/view/ids.h"
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
@@ -40,7 +44,30 @@ void report(Viewer& v, const std::string& what) {
     tell(v, printable(what));
 }
 
-// A picture, and how far away it is if that is asked for; what was written where.
+// What a picture shows besides its light, as far as it has it: beside it. Which files these are.
+Result<std::vector<std::string>> write_channels(const City& city, const PictureChoice& choice,
+                                                const Image& image, const std::string& picture) {
+    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
+    const std::string stem = picture.substr(0, picture.size() - 4), ending = choice.is_exr ? ".exr" : ".png";
+    std::vector<std::string> paths;
+    auto write = [&](const char* what, const auto& values, auto write_values) -> Result<void> {
+        paths.push_back(stem + what + ending);
+        Result<PartFilePtr> file = open_file(paths.back());
+        if (!file) return file.error();
+        return write_values(std::move(*file), values, size);
+    };
+    if (choice.has_depth && !image.depths.empty()) {
+        if (Result<void> done = write("-depth", image.depths, write_depths); !done) return done.error();
+    }
+    if (!choice.has_ids || image.ids.empty()) return paths;
+    if (Result<void> done = write("-ids", image.ids, write_ids); !done) return done.error();
+    paths.push_back(legend_path(paths.back()));
+    if (Result<void> done = write_text(paths.back(), legend_of(image.ids, size, city)); !done)
+        return done.error();
+    return paths;
+}
+
+// A picture with its channels; what was written where.
 Result<std::string> write_picture(const Show& show, Viewer& v, const Image& image, bool has_command) {
     const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
     const std::string path = free_path("view", show.loaded.world->tick, ".png");
@@ -52,15 +79,21 @@ Result<std::string> write_picture(const Show& show, Viewer& v, const Image& imag
                       is_transparent ? Alpha::kept : Alpha::dropped);
         !done)
         return done.error();
-    if (!v.record.picture.has_depth || image.depths.empty()) return "Wrote " + path;
-    const std::string depth = path.substr(0, path.size() - 4) + "-depth.png";
-    Result<PartFilePtr> second = open_file(depth);
-    if (!second) return second.error();
-    if (Result<void> done = write_depths(std::move(*second), image.depths, size); !done) return done.error();
-    return "Wrote " + path + " and " + depth;
+    const Result<std::vector<std::string>> channels =
+        write_channels(*show.loaded.city, v.record.picture, image, path);
+    if (!channels) return channels.error();
+    std::string told = "Wrote " + path;
+    for (size_t i = 0; i < channels->size(); ++i)
+        told.append(i + 1 == channels->size() ? " and " : ", ").append((*channels)[i], path.size() - 4);
+    return told;
 }
 
-// One picture, or two side by side; depths of one alone.
+void ask_for_channels(const PictureChoice& choice, FrameInput& frame) {
+    frame.wants_depths = choice.is_transparent || choice.has_depth;
+    frame.wants_ids = choice.has_ids;
+}
+
+// Of one run, or of two side by side, if there are two; channels of one alone.
 Result<Image> draw(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
     if (has_two(v)) return draw_side_by_side(show, v, frame, size, between);
     return draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
@@ -73,7 +106,7 @@ void take_picture(Show& show, Viewer& v, Size window, float between) {
     if (!size) return report(v, size.error().message);
     // As the command draws it, which tells a place and no companion.
     FrameInput frame = extract_frame(show, v.camera, size_of_one(v, *size), between);
-    frame.wants_depths = v.record.picture.is_transparent || v.record.picture.has_depth;
+    ask_for_channels(v.record.picture, frame);
     const Result<Image> image = draw(show, v, frame, *size, between);
     const Result<std::string> told =
         image ? write_picture(show, v, *image, why_no_command(v, *show.loaded.world).empty()) : image.error();
@@ -112,6 +145,9 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
     be_patient(k_film_patience);
     filming.film = std::move(*film);
     if (turns) filming.turn = turn_of(show, v, filming.step);
+    filming.all = turns ? filming.turn->pictures
+                        : static_cast<uint32_t>(v.record.film_seconds) * k_film_ticks / filming.step;
+    filming.began = glfwGetTime();
     v.clock.due = 0;
     v.record.filming = std::move(filming);
 }
@@ -131,10 +167,9 @@ Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     }
     v.resolution = std::min(v.resolution, k_filming_resolution);
     ++filming.pictures;
-    if (filming.turn && filming.pictures == filming.turn->pictures) {
-        v.camera = filming.turn->from;
-        end_film(v);
-    }
+    if (filming.pictures != filming.all) return {};
+    if (filming.turn) v.camera = filming.turn->from;
+    end_film(v);
     return {};
 }
 
@@ -211,11 +246,34 @@ Result<void> take_pictures(Show& show, Viewer& v, Size window, float between) {
 
 Result<void> take_picture_with_panels(Show& show, Viewer& v, const FrameInput& frame, Size window) {
     if (!std::exchange(v.record.wants_panels, false)) return {};
-    const Result<Image> image = draw(show, v, frame, window, 1);
+    FrameInput wanted = frame;
+    ask_for_channels(v.record.picture, wanted);
+    const Result<Image> image = draw(show, v, wanted, window, 1);
     if (!image) return image.error();
     const Result<std::string> told = write_picture(show, v, *image, false);
     report(v, told ? *told : told.error().message);
     return {};
+}
+
+std::string told_progress(const Filming& filming, double now) {
+    const double passed = std::max(now - filming.began, 0.0), drawn = filming.pictures * filming.step / 60.0;
+    auto told = [](double seconds) {
+        char text[32];
+        if (seconds < 99.5)
+            std::snprintf(text, sizeof text, "%.0f s", seconds);
+        else
+            std::snprintf(text, sizeof text, "%.0f min", std::round(seconds / 60));
+        return std::string(text);
+    };
+    char text[96];
+    if (filming.all == 0) {
+        std::snprintf(text, sizeof text, "%.1f s, drawn in %s", drawn, told(passed).c_str());
+        return text;
+    }
+    std::snprintf(text, sizeof text, "%.1f of %.0f s", drawn, filming.all * filming.step / 60.0);
+    if (filming.pictures == 0) return text;
+    const double left = passed * (filming.all - filming.pictures) / filming.pictures;
+    return std::string(text).append(", about ").append(told(left)).append(" to go");
 }
 
 void end_film(Viewer& v) {
@@ -224,9 +282,9 @@ void end_film(Viewer& v) {
     if (!filming.film) return;
     if (filming.pictures == 0) return report(v, "The film is not kept: it had no picture yet.");
     const Result<void> done = finish_film(std::move(filming.film));
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.1f", filming.pictures * filming.step / 60.0);
-    report(v, done ? "Wrote " + filming.path + ", " + seconds + " s" : done.error().message);
+    filming.all = 0;  // it is as long as it is
+    report(v, done ? "Wrote " + filming.path + ", " + told_progress(filming, glfwGetTime())
+                   : done.error().message);
 }
 
 void ask_for_picture(Show&, Viewer& v) { v.record.wants_picture = true; }

@@ -22,9 +22,10 @@ enum class Extent : uint8_t { window, hd, uhd, uhd_8k, typed };
 struct PictureChoice {
     Extent extent = Extent::window;
     char typed[16] = "1600x900";
-    bool has_panels = false;      // only in the window's size
-    bool is_transparent = false;  // where there is sky
-    bool has_depth = false;       // as a further file
+    bool has_panels = false;                  // only in the window's size
+    bool is_transparent = false;              // where there is sky
+    bool has_depth = false, has_ids = false;  // as further files
+    bool is_exr = false;                      // these
 };
 // In pixels. Refuses what is typed and is no size.
 Result<Size> size_of(const PictureChoice& choice, Size window);
@@ -50,8 +51,9 @@ struct Filming {
     Size size;
     uint32_t step = 2;      // ticks to a picture, at the usual rate of time
     uint32_t pictures = 0;  // so far
+    uint32_t all = 0;       // when it ends by itself; 0: until it is ended
     std::optional<Turntable> turn;
-    double drawing_since = 0;  // of the window's time
+    double began = 0;  // of the window's time
 };
 
 struct Record {
@@ -60,6 +62,7 @@ struct Record {
     Extent film_extent = Extent::hd;
     bool is_smooth = false;  // 60 pictures a second rather than 30
     int turn_seconds = 12;
+    int film_seconds = 0;     // after which it ends by itself; 0: until it is ended
     bool wants_film = false;  // or no longer, if one is made
     bool wants_turn = false;
     std::optional<Filming> filming;
@@ -76,6 +79,9 @@ float between_pictures(const Record& record, const Clock& clock);
 Result<void> take_pictures(Show& show, Viewer& viewer, Size window, float between);
 // One with panels: of the window's frame, which holds them.
 Result<void> take_picture_with_panels(Show& show, Viewer& viewer, const FrameInput& frame, Size window);
+// How long the film is by now, of how long, and how long that takes: "2.0 s, drawn in 31 s" or
+// "2.0 of 12 s, about 2 min to go". `now`: the window's time.
+std::string told_progress(const Filming& filming, double now);
 // A film that is being made becomes whole.
 void end_film(Viewer& viewer);
 

@@ -1,3 +1,4 @@
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <array>
@@ -34,7 +35,19 @@ void lay_out_record(Show&, Viewer& v, float scale) {
     lay_out_extent("picture", r.picture.extent, r.picture.typed, scale);
     ImGui::Checkbox("the sky is transparent", &r.picture.is_transparent);
     ImGui::Checkbox("depth, in a further file", &r.picture.has_depth);
-    tip("16 bits of grey: centimetres, 0 for the sky");
+    tip(r.picture.is_exr ? "metres, 0 for the sky" : "16 bits of grey: centimetres, 0 for the sky");
+    ImGui::Checkbox("ids, in a further file", &r.picture.has_ids);
+    tip("which walker, house, tree, car, prop or ground each pixel shows:\na number each, and a .json that "
+        "says "
+        "what they are");
+    if (r.picture.has_depth || r.picture.has_ids) {
+        ImGui::Indent();
+        int format = r.picture.is_exr;
+        if (ImGui::RadioButton("as .png", &format, 0)) r.picture.is_exr = false;
+        ImGui::SameLine();
+        if (ImGui::RadioButton("as .exr", &format, 1)) r.picture.is_exr = true;
+        ImGui::Unindent();
+    }
     if (r.picture.extent == Extent::window) ImGui::Checkbox("with panels", &r.picture.has_panels);
     if (ImGui::Button("Write a picture")) r.wants_picture = true;
     tip("F12");
@@ -47,7 +60,12 @@ void lay_out_record(Show&, Viewer& v, float scale) {
     if (ImGui::RadioButton("30 a second", &rate, 0)) r.is_smooth = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("60", &rate, 1)) r.is_smooth = true;
+    ImGui::SetNextItemWidth(150 * scale);
+    ImGui::SliderInt("##length", &r.film_seconds, 0, 120,
+                     r.film_seconds == 0 ? "until it is ended" : "%d s long", ImGuiSliderFlags_AlwaysClamp);
     ImGui::EndDisabled();
+    tip("Of the film, whose time goes by in its own steps: where pictures take long to draw,\na second of it "
+        "takes several to make.");
     if (ImGui::Button(is_filming ? "End the film" : "Record a film")) r.wants_film = true;
     tip("R");
     ImGui::BeginDisabled(is_filming);
@@ -71,13 +89,9 @@ void lay_out_filming(const Viewer& v, Size size) {
                                                     0xff3030e0u);
         ImGui::Dummy({height, height});
         ImGui::SameLine();
-        const double seconds = filming.pictures * filming.step / 60.0;
-        if (filming.turn)
-            ImGui::Text("%.1f of %.0f s", seconds, filming.turn->pictures * filming.step / 60.0);
-        else
-            ImGui::Text("%.1f s", seconds);
+        ImGui::TextUnformatted(told_progress(filming, glfwGetTime()).c_str());
         ImGui::SameLine();
-        ImGui::TextDisabled("of a film of %d x %d, R ends it", filming.size.width, filming.size.height);
+        ImGui::TextDisabled("a film of %d x %d, R ends it", filming.size.width, filming.size.height);
     }
     ImGui::End();
 }

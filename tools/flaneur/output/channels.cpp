@@ -1,0 +1,91 @@
+#include "tools/flaneur/output/channels.h"
+
+#include <tinyexr.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "assets/files/file.h"
+#include "assets/files/picture.h"
+
+namespace flaneur {
+namespace {
+
+Result<void> write_bytes(PartFilePtr f, const void* bytes, size_t count) {
+    if (count == 0)
+        return Error{"Cannot write " + f->path + ": there is not enough memory to compress the picture."};
+    std::fwrite(bytes, 1, count, f->file);
+    return keep_file(std::move(f));
+}
+
+Result<void> write_bytes(PartFilePtr f, const std::string& bytes) {
+    return write_bytes(std::move(f), bytes.data(), bytes.size());
+}
+
+// One channel of 32 bits; `type` is one of tinyexr's.
+template <class Value>
+Result<void> write_exr(PartFilePtr f, const char* name, int type, std::vector<Value> values, Size size) {
+    static_assert(sizeof(Value) == 4);
+    EXRHeader header;
+    EXRImage image;
+    InitEXRHeader(&header);
+    InitEXRImage(&image);
+    EXRChannelInfo channel{};
+    std::snprintf(channel.name, sizeof channel.name, "%s", name);
+    header.num_channels = image.num_channels = 1;
+    header.channels = &channel;
+    header.pixel_types = header.requested_pixel_types = &type;
+    header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
+    auto* pixels = reinterpret_cast<unsigned char*>(values.data());
+    image.images = &pixels;
+    image.width = size.width, image.height = size.height;
+    unsigned char* bytes = nullptr;
+    const char* why = nullptr;
+    const size_t count = SaveEXRImageToMemory(&image, &header, &bytes, &why);
+    if (why) FreeEXRErrorMessage(why);
+    Result<void> written = write_bytes(std::move(f), bytes, count);
+    std::free(bytes);
+    return written;
+}
+
+}  // namespace
+
+Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size size) {
+    static constexpr float k_most = 65534;
+    const auto width = static_cast<size_t>(size.width), height = static_cast<size_t>(size.height);
+    assert(depths.size() == width * height);
+    if (has_ending(f->path, ".png")) {
+        std::vector<uint16_t> centimetres(depths.size());
+        std::transform(depths.begin(), depths.end(), centimetres.begin(), [](float metres) {
+            if (std::isinf(metres)) return uint16_t{0};
+            return static_cast<uint16_t>(std::clamp(std::round(metres * 100), 1.0f, k_most));
+        });
+        return write_bytes(std::move(f), encode_png(centimetres, size.width, size.height, "centimetres"));
+    }
+    std::vector<float> metres = depths;
+    for (float& far : metres)
+        if (std::isinf(far)) far = 0;
+    if (has_ending(f->path, ".exr"))
+        return write_exr(std::move(f), "Z", TINYEXR_PIXELTYPE_FLOAT, std::move(metres), size);
+    std::fprintf(f->file, "Pf\n%d %d\n-1.0\n", size.width, size.height);
+    for (size_t y = height; y-- > 0;) std::fwrite(&metres[y * width], sizeof(float), width, f->file);
+    return keep_file(std::move(f));
+}
+
+Result<void> write_ids(PartFilePtr f, const std::vector<uint32_t>& ids, Size size) {
+    assert(ids.size() == static_cast<size_t>(size.width) * static_cast<size_t>(size.height));
+    if (has_ending(f->path, ".exr")) return write_exr(std::move(f), "id", TINYEXR_PIXELTYPE_UINT, ids, size);
+    std::vector<uint8_t> rgb;
+    rgb.reserve(ids.size() * 3);
+    for (const uint32_t id : ids)
+        for (const uint32_t shift : {0u, 8u, 16u}) rgb.push_back(static_cast<uint8_t>(id >> shift & 0xffu));
+    return write_bytes(std::move(f), encode_png(rgb, size.width, size.height, 3));
+}
+
+std::string legend_path(const std::string& ids) { return ids.substr(0, ids.rfind('.')) + ".json"; }
+
+}  // namespace flaneur
