@@ -57,7 +57,12 @@ TEST(Opening, ACharacterJoinsThePeople) {
 TEST(Opening, HeightsGoUnderAMapAlone) {
     TestFolder folder;
     const std::string map = folder.write("town.osm", "<osm/>"), heights = folder.write("N43E007.hgt", "");
-    EXPECT_FALSE(wish_for_file({}, heights));
+    for (const std::vector<std::string>& words : {std::vector<std::string>{}, {"--scene", "square"}}) {
+        const Result<ShowWish> alone = wish_for_file(words, heights);
+        ASSERT_FALSE(alone);
+        EXPECT_EQ(alone.error().message.find("--"), std::string::npos) << "as a window says it";
+        EXPECT_NE(alone.error().message.find("open an .osm"), std::string::npos) << alone.error().message;
+    }
     const Result<ShowWish> wish = wish_for_file({"--city", map, "--terrain", "old.hgt"}, heights);
     ASSERT_TRUE(wish) << wish.error().message;
     EXPECT_EQ(wish->options.scene.terrain, heights);

@@ -66,8 +66,9 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     return s;
 }
 
-Result<std::string> save_scene(const Show& show, const Viewer& v, const std::string& path) {
-    if (!has_ending(path, ".json")) return Error{"A scene's file ends in .json: " + path + " does not."};
+Result<std::string> save_scene(const Show& show, const Viewer& v, const std::string& typed) {
+    if (fs::path(typed).filename().empty()) return Error{"A scene needs a name, such as out/square.json."};
+    const std::string path = has_ending(typed, ".json") ? typed : typed + ".json";
     const Scene scene = changed_scene(show, v, fs::path(path).parent_path().string());
     Result<PartFilePtr> file = open_file(path);
     if (!file) return file.error();

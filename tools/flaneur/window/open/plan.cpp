@@ -48,6 +48,12 @@ Result<ShowWish> parsed(ShowWish wish) {
     return wish;
 }
 
+// Whether an OpenStreetMap city is shown.
+bool has_map(const std::vector<std::string>& words) {
+    const Result<ShowWish> now = parsed({without(words, {"--terrain"}), {}, {}, {}});
+    return now && kind_of(now->options.scene.city) == FileKind::map;
+}
+
 // As `told` says who is how many of all.
 std::string told_share(const ShowWish& wish, const std::string& name) {
     const size_t kinds = wish.options.scene.people.size();
@@ -76,6 +82,9 @@ Result<ShowWish> wish_for_file(const std::vector<std::string>& words, const std:
         if (!has_option(words, "--character")) add(wish.words, "--character", "builtin");
         add(wish.words, "--character", path + ":1");
     } else if (ends_in(path, {".hgt", ".hgt.zip", ".tif", ".tiff"})) {
+        if (!has_map(words))
+            return Error{name +
+                         " is heights under a map, and no map is shown: open an .osm or .osm.pbf first."};
         wish.words = without(words, {"--terrain", "--camera"});
         add(wish.words, "--terrain", path);
     } else {
