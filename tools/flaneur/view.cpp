@@ -29,6 +29,7 @@
 #include "tools/flaneur/window/command.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
+#include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/open/open.h"
@@ -44,6 +45,9 @@ namespace {
 
 constexpr double k_title_seconds = 0.5;
 constexpr double k_idle_seconds = 0.1;  // between looks at the keys while nothing is drawn
+// What passes at most from one picture to the next: for the clock, which says how far it is behind, and for
+// what moves by itself. Where more did, the process or the machine was halted, and all goes on from there.
+constexpr double k_longest_pause = 5, k_longest_move = 1;
 
 struct WindowDelete {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
@@ -161,7 +165,10 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         else
             glfwPollEvents();
         const double now = glfwGetTime();
-        const double passed = is_hidden && v.record.filming ? 0 : seconds_to_pass(v.record, now - last);
+        const double passed = is_hidden && v.record.filming
+                                  ? 0
+                                  : seconds_to_pass(v.record, std::min(now - last, k_longest_pause));
+        if (v.record.filming) v.record.filming->began += std::max(now - last - k_longest_pause, 0.0);
         last = now;
         go_on_opening(show, v);
         take_people_anew(show, v);
@@ -194,13 +201,13 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         const bool is_taken = draw_with_mouse(show, was, here, one, is_elsewhere, v) ||
                               take_mouse(show, was, here, one, is_elsewhere, v) || is_driving(show);
         if (is_taken) free.is_held = free.has_clicked = false;
-        const auto seconds = static_cast<float>(passed);
+        const auto seconds = static_cast<float>(std::min(passed, k_longest_move));
         Steering hands = steering_of(window, was, free, v) + read_pad(window, seconds, v);
         if (paces) hands = lead(*paces, v);
         bool is_moving = navigate(world, was, free, gui_wheel(v.settings.inverts_wheel), one, grip, v);
         is_moving |= !is_driving(show) && steer(show, hands, seconds, v);
         is_moving |= move_camera(show, one, seconds, between, v);
-        go_on_presenting(show, v, passed);
+        go_on_presenting(show, v, static_cast<double>(seconds));
         for (WorkView view : std::exchange(v.toggles, {}))
             set_work_views(show, toggled(show.work_views, view));
         if (!is_hidden && size.width > 0 && size.height > 0) {
@@ -227,6 +234,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             begin_gui(gui, v.panel_keys.are_on, next_tap(v.panel_keys));
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
+            keep_what_is_kept(v);
             if (Result<void> done = take_picture_with_panels(show, v, frame, size); !done) return done;
             frame.resolution = v.resolution;
             const double start = glfwGetTime();
@@ -284,7 +292,10 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     if (!settings) tell(viewer, printable(settings.error().message));
     start_changes(options, *show, viewer);
     begin_run(viewer.time, *show->loaded.world);
-    if (paces) add_setting(paces->figures, options, *show->loaded.world);
+    if (paces)
+        add_setting(paces->figures, options, *show->loaded.world);
+    else
+        recall(*show, viewer);
     Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
     for (int lost = 0; !done && lost < k_most_lost && has_lost_device(*show->renderer); ++lost) {
         say(done.error().message);

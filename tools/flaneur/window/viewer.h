@@ -13,6 +13,7 @@
 #include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
+#include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/measure/measure.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/record/present.h"
@@ -46,6 +47,7 @@ struct Viewer {
     bool chosen = false;  // the choice's camera has been taken
     Camera camera;
     Cameras cameras;
+    Keeping keeping;
     bool is_loading = true;
     std::vector<KeyPress> presses;  // not acted upon yet
     bool has_waited = false;        // they, for a picture

@@ -23,11 +23,12 @@ struct Viewer;
 // What decides where the eye is. The first three choose a place once, and stay there.
 enum class CameraMode : uint8_t { street, overview, crowd, follow, eyes, map, fly, walk, path };
 
-// A camera that was kept, for this session.
+// A camera that was kept.
 struct Bookmark {
     CameraChoice choice;
     float fov = 0;  // as Cameras::fov
     char name[32] = {};
+    bool operator==(const Bookmark&) const = default;
 };
 inline constexpr size_t k_bookmarks = 9;
 inline constexpr double k_narrowest = 20, k_widest = 100;  // lenses that one chooses, degrees

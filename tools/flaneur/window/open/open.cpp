@@ -41,6 +41,7 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
     begin_cameras(options.scene, v);
     v.change = {};
     start_changes(options, show, v);
+    recall(show, v);
     v.hovered = v.selected = std::nullopt;
     v.clock.due = 0;
 }

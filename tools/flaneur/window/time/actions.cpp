@@ -32,7 +32,7 @@ void go_to_latest(Show& show, Viewer& v) { go_to(v, *show.loaded.world, v.time.l
 
 void go_to_mark(Show& show, Viewer& v, const Mark* mark) {
     if (!mark) return tell(v, "No mark lies there: B marks a moment.");
-    go_to(v, *show.loaded.world, mark->tick);
+    go_to_mark(v, *show.loaded.world, *mark);
 }
 
 uint32_t people_of(const Show& show) {

@@ -24,7 +24,7 @@ void lay_out_run(Show& show, Viewer& v, float scale) {
     ImGui::Text("Seed %llu, %u people, %s so far", static_cast<unsigned long long>(world.seed),
                 static_cast<unsigned>(world.crowd.slots.living.size()), run_time(v.time.latest).c_str());
     if (ImGui::Button("Restart")) restart(show, v, world.seed);
-    tip("the same people from the start; marks and events of this run go");
+    tip("the same people from the start; events of this run go, its marks stay");
     ImGui::SameLine();
     if (ImGui::Button("Start with seed")) restart(show, v, static_cast<uint64_t>(v.time.seed));
     tip("other people in the same city");
@@ -80,8 +80,8 @@ void lay_out_marks(const Show& show, Viewer& v, float scale) {
     for (size_t i = 0; i < v.time.marks.size(); ++i) {
         Mark& mark = v.time.marks[i];
         ImGui::PushID(static_cast<int>(mark.tick));
-        if (ImGui::Button(run_time(mark.tick).c_str(), {72 * scale, 0})) go_to(v, world, mark.tick);
-        tip("go there");
+        if (ImGui::Button(run_time(mark.tick).c_str(), {72 * scale, 0})) go_to_mark(v, world, mark);
+        tip("go there, and look from where it was marked");
         ImGui::SameLine();
         char name[64];
         std::snprintf(name, sizeof name, "%s", mark.name.c_str());

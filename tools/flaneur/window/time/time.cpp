@@ -84,6 +84,7 @@ void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
     v.clock.due = 0;
     ++v.time.run;
     begin_run(v.time, *show.loaded.world);
+    recall_marks(show, v);
     tell(v, "Seed " + std::to_string(show.loaded.world->seed) + ", from the start");
 }
 
@@ -266,9 +267,15 @@ void mark_moment(Viewer& v, const World& world) {
                                      [](const Mark& mark, uint32_t tick) { return mark.tick < tick; });
     if (at != marks.end() && at->tick == world.tick)
         return tell(v, "This moment is marked already: " + at->name);
-    const Mark mark{world.tick, "Mark " + std::to_string(marks.size() + 1)};
+    const Mark mark{world.tick, "Mark " + std::to_string(marks.size() + 1), kept_choice(v), v.cameras.fov};
     marks.insert(at, mark);
     tell(v, mark.name + ", at " + run_time(mark.tick));
+}
+
+void go_to_mark(Viewer& v, const World& world, const Mark& mark) {
+    go_to(v, world, mark.tick);
+    v.cameras.fov = mark.fov;
+    choose(v, mark.choice);
 }
 
 const Mark* mark_after(const Timeline& time, uint32_t tick) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/look.h"
 #include "tools/flaneur/history/events.h"
 #include "tools/flaneur/history/history.h"
 #include "tools/flaneur/window/time/beside.h"
@@ -22,10 +23,13 @@ namespace flaneur {
 struct Action;
 struct PeopleAnew;
 
-// A moment that somebody wants to find again.
+// A moment that somebody wants to find again, and from where it was looked at.
 struct Mark {
     uint32_t tick = 0;
     std::string name;
+    CameraChoice choice;
+    float fov = 0;  // as Cameras::fov
+    bool operator==(const Mark&) const = default;
 };
 
 // On the way to another moment.
@@ -111,6 +115,8 @@ void restart(Show& show, Viewer& viewer, uint64_t seed);
 void take_people_anew(Show& show, Viewer& viewer);
 
 void mark_moment(Viewer& viewer, const World& world);
+// There, with its camera.
+void go_to_mark(Viewer& viewer, const World& world, const Mark& mark);
 const Mark* mark_after(const Timeline& time, uint32_t tick);
 const Mark* mark_before(const Timeline& time, uint32_t tick);
 

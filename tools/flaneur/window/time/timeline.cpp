@@ -133,10 +133,11 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     ImGui::SetCursorScreenPos({from.x + letters, from.y - 2 * scale});
     ImGui::InvisibleButton("bar", {std::max(bar_width, 40.0f), height + 10 * scale});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const Bar bar{{low.x, low.y + 5 * scale},
-                  {high.x, high.y - 5 * scale},
-                  first,
-                  std::max(time.latest, first + k_least_span)};
+    const Bar bar{
+        {low.x, low.y + 5 * scale},
+        {high.x, high.y - 5 * scale},
+        first,
+        std::max({time.latest, first + k_least_span, time.marks.empty() ? 0 : time.marks.back().tick})};
     const Pointed pointed = pointed_at(time, bar, ImGui::GetIO().MousePos.x, scale);
     if (ImGui::IsItemActive()) {
         time.going.reset();
