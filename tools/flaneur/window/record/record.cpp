@@ -67,11 +67,13 @@ Result<std::vector<std::string>> write_channels(const City& city, const PictureC
     return paths;
 }
 
-// A picture with its channels; what was written where.
-Result<std::string> write_picture(const Show& show, Viewer& v, const Image& image, bool has_command) {
+// A picture with its channels; what was written where. With panels it is opaque, and no command draws it.
+Result<std::string> write_picture(const Show& show, Viewer& v, const Image& image, bool has_panels) {
     const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
     const std::string path = free_path("view", show.loaded.world->tick, ".png");
-    const bool is_transparent = v.record.picture.is_transparent && !image.depths.empty();
+    const PictureChoice& choice = v.record.picture;
+    const bool is_transparent = choice.is_transparent && !has_panels && !image.depths.empty();
+    const bool has_command = !has_panels && why_no_command(v, *show.loaded.world).empty();
     Result<PartFilePtr> file = open_file(path);
     if (!file) return file.error();
     if (Result<void> done =
@@ -79,12 +81,12 @@ Result<std::string> write_picture(const Show& show, Viewer& v, const Image& imag
                       is_transparent ? Alpha::kept : Alpha::dropped);
         !done)
         return done.error();
-    const Result<std::vector<std::string>> channels =
-        write_channels(*show.loaded.city, v.record.picture, image, path);
+    const Result<std::vector<std::string>> channels = write_channels(*show.loaded.city, choice, image, path);
     if (!channels) return channels.error();
     std::string told = "Wrote " + path;
     for (size_t i = 0; i < channels->size(); ++i)
         told.append(i + 1 == channels->size() ? " and " : ", ").append((*channels)[i], path.size() - 4);
+    if (v.time.beside && (choice.has_depth || choice.has_ids)) told += "; depth and ids are of one run alone";
     return told;
 }
 
@@ -108,8 +110,7 @@ void take_picture(Show& show, Viewer& v, Size window, float between) {
     FrameInput frame = extract_frame(show, v.camera, size_of_one(v, *size), between);
     ask_for_channels(v.record.picture, frame);
     const Result<Image> image = draw(show, v, frame, *size, between);
-    const Result<std::string> told =
-        image ? write_picture(show, v, *image, why_no_command(v, *show.loaded.world).empty()) : image.error();
+    const Result<std::string> told = image ? write_picture(show, v, *image, false) : image.error();
     report(v, told ? *told : told.error().message);
 }
 
@@ -250,7 +251,7 @@ Result<void> take_picture_with_panels(Show& show, Viewer& v, const FrameInput& f
     ask_for_channels(v.record.picture, wanted);
     const Result<Image> image = draw(show, v, wanted, window, 1);
     if (!image) return image.error();
-    const Result<std::string> told = write_picture(show, v, *image, false);
+    const Result<std::string> told = write_picture(show, v, *image, true);
     report(v, told ? *told : told.error().message);
     return {};
 }
