@@ -105,7 +105,8 @@ TEST_F(KeptScene, IsThereAgain) {
     again.act(time_actions(), "To the next mark");
     EXPECT_EQ(again.v.choice, again.v.time.marks[0].choice) << "with its camera";
     double now = 0;
-    while (go_on(again.show, again.v, ++now)) {}
+    while (go_on(again.show, again.v, ++now)) {
+    }
     EXPECT_EQ(again.show.loaded.world->tick, 90u);
 
     Opened other(20, 2);
