@@ -53,19 +53,19 @@ void lay_out_walker(Show& show, uint32_t walker, Viewer& v, float scale) {
     }
     if (ImGui::Button("Follow")) v.choice.walker = walker, choose(v, CameraChoice::Kind::follow);
     tip("Shift+F");
-    ImGui::SameLine();
+    go_beside("Eyes", scale);
     if (ImGui::Button("Eyes")) v.choice.walker = walker, choose(v, CameraChoice::Kind::eyes);
     tip("4");
-    ImGui::SameLine();
+    go_beside("Stop driving", scale);
     if (ImGui::Button(is_driving(show) ? "Stop driving" : "Drive")) drive_asked(show, v);
     tip("X");
-    ImGui::SameLine();
+    go_beside("Gait", scale);
     if (ImGui::Button("Gait")) v.room = v.room == Room::gait ? Room::none : Room::gait;
     tip("the angles of its legs, and its steps (J)");
-    ImGui::SameLine();
+    go_beside("Let go", scale);
     if (ImGui::Button("Let go")) v.selected.reset();
     tip("Esc");
-    if (ImGui::CollapsingHeader("Speed of late")) lay_out_speed(v.watch, 260 * scale, scale);
+    if (ImGui::CollapsingHeader("Speed of late")) lay_out_speed(v.watch, fitted(260, scale), scale);
 }
 
 void lay_out_thing(const Thing& thing, bool is_selected, Viewer& v) {
@@ -75,26 +75,37 @@ void lay_out_thing(const Thing& thing, bool is_selected, Viewer& v) {
     if (is_selected && ImGui::Button("Let go")) v.asking.selected.reset();
 }
 
-}  // namespace
-
+struct Asked {
+    std::optional<uint32_t> who;
+    std::optional<Thing> thing;
+};
 // A walker who is selected or pointed at goes before other things; what is selected before what is pointed
 // at. Of the ground one asks by a click.
-void lay_out_card(Show& show, Viewer& v, Size size, float scale) {
+Asked asked_of(const Viewer& v) {
+    Asked asked{v.selected, v.asking.selected};
+    if (asked.who || asked.thing) return asked;
+    asked = {v.hovered, v.asking.hovered};
+    if (asked.thing && asked.thing->kind == ThingKind::ground) asked.thing.reset();
+    return asked;
+}
+
+}  // namespace
+
+Card card_of(const Show& show, Viewer& v) {
     if (v.selected && !is_there(show.loaded.world->crowd, *v.selected)) v.selected.reset();
-    std::optional<uint32_t> who = v.selected;
-    if (!who && !v.asking.selected) who = v.hovered;
-    const std::optional<Thing>& thing = v.asking.selected ? v.asking.selected : v.asking.hovered;
-    const bool is_ground = thing && thing->kind == ThingKind::ground && !v.asking.selected;
-    if (!who && (!thing || is_ground)) return;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale, v.bar_foot}, ImGuiCond_Always,
-                            {1, 0});
-    if (ImGui::Begin("who", nullptr, k_plain)) {
-        if (who)
-            lay_out_walker(show, who.value_or(0), v, scale);
-        else
-            lay_out_thing(*thing, v.asking.selected.has_value(), v);
-    }
-    ImGui::End();
+    if (v.selected || v.asking.selected) return Card::kept;
+    const Asked asked = asked_of(v);
+    return asked.who || asked.thing ? Card::glimpse : Card::none;
+}
+
+void lay_out_card(Show& show, Viewer& v, float scale) {
+    const Asked asked = asked_of(v);
+    if ((!asked.who && !asked.thing) || !begin_side(v, SidePanel::card, "who", nullptr, k_plain)) return;
+    if (asked.who)
+        lay_out_walker(show, *asked.who, v, scale);
+    else
+        lay_out_thing(*asked.thing, v.asking.selected.has_value(), v);
+    end_side(v, SidePanel::card);
 }
 
 }  // namespace flaneur

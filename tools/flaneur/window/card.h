@@ -6,6 +6,9 @@
 
 namespace flaneur {
 
-void lay_out_card(Show& show, Viewer& viewer, Size size, float scale);
+// Whether there is one: of what one points at, or of what was clicked.
+enum class Card : uint8_t { none, glimpse, kept };
+Card card_of(const Show& show, Viewer& viewer);
+void lay_out_card(Show& show, Viewer& viewer, float scale);
 
 }  // namespace flaneur

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "letters.h"
+#include "tools/flaneur/window/layout.h"
 
 namespace flaneur {
 namespace {
@@ -142,7 +143,10 @@ void GuiDelete::operator()(Gui* gui) const {
 }
 
 Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float scale, bool is_light) {
-    const float wanted = scale > 0 ? scale : display_scale(window);
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window, &width, &height);
+    const float most = most_scale({static_cast<float>(width), static_cast<float>(height)});
+    const float wanted = std::min(scale > 0 ? scale : display_scale(window), most);
     if (wanted == gui.scale && is_light == gui.is_light) return {};
     const bool is_larger = wanted != gui.scale;
     gui.scale = wanted;

@@ -36,8 +36,8 @@ Result<void> hand_letters(Gui& gui, Renderer& renderer);
 // Letters of headings, half as large again.
 ImFont* title_font();
 
-// Letters and all else in another size (as make_gui takes it) and theme, from the next frame on; nothing
-// happens where they are so already.
+// Letters and all else in another size (as make_gui takes it, but no larger than the window has room for) and
+// theme, from the next frame on; nothing happens where they are so already.
 Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float scale, bool is_light);
 
 // Between these two the calls of ImGui lay out what is seen. What is returned is valid until the next call.

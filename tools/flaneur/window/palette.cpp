@@ -63,7 +63,8 @@ void lay_out_keys(Viewer& v, Size size, float scale) {
     if (!v.lists_keys) return;
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
                             ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {1e9f, static_cast<float>(size.height) - 2 * k_edge * scale});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(size.width) - 2 * k_edge * scale,
+                                                 static_cast<float>(size.height) - 2 * k_edge * scale});
     if (ImGui::Begin("Keys", &v.lists_keys, k_room)) {
         auto table = [&](const char* name, auto rows) {
             ImGui::TextUnformatted(name);
@@ -88,9 +89,9 @@ void lay_out_keys(Viewer& v, Size size, float scale) {
 void lay_out_palette(Show& show, Viewer& v, Size size, float scale) {
     Palette& palette = v.palette;
     if (!palette.is_open) return;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) * 0.18f},
-                            ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({std::min(520 * scale, static_cast<float>(size.width)), 0});
+    const DialogPlace place = dialog_place(size.height, 14, scale);
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, place.top}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize({fitted(520, scale), 0});
     const Action* chosen = nullptr;
     if (ImGui::Begin("palette", nullptr, k_plain & ~ImGuiWindowFlags_NoFocusOnAppearing)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -102,14 +103,20 @@ void lay_out_palette(Show& show, Viewer& v, Size size, float scale) {
         const int last = static_cast<int>(found.size()) - 1;
         palette.chosen = std::clamp(palette.chosen, 0, std::max(last, 0));
         if (found.empty()) ImGui::TextDisabled("nothing of that name");
-        if (ImGui::BeginChild("found", {0, 14 * ImGui::GetTextLineHeightWithSpacing()})) {
+        if (ImGui::BeginChild("found", {0, place.list})) {
             for (int i = 0; i <= last; ++i) {
                 const Match& row = found[static_cast<size_t>(i)];
                 ImGui::PushID(row.action);
                 if (ImGui::Selectable(row.action->name, i == palette.chosen)) chosen = row.action;
                 if (i == palette.chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
-                ImGui::SameLine(370 * scale);
-                ImGui::TextDisabled("%s", *row.action->keys ? row.action->keys : row.group);
+                const char* keys = *row.action->keys ? row.action->keys : row.group;
+                // Where that would lie over the name, it is left out.
+                const float right =
+                    std::min(370 * scale, ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(keys).x);
+                if (right > ImGui::CalcTextSize(row.action->name).x + 10 * scale) {
+                    ImGui::SameLine(right);
+                    ImGui::TextDisabled("%s", keys);
+                }
                 ImGui::PopID();
             }
         }

@@ -14,6 +14,7 @@
 #include "sim/base/tick.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/bar.h"
 #include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/card.h"
 #include "tools/flaneur/window/change/room.h"
@@ -24,12 +25,6 @@
 
 namespace flaneur {
 namespace {
-
-struct RoomPanel {
-    Room room;
-    const char *name, *tip;
-    void (*lay_out)(Show& show, Viewer& viewer, float scale);
-};
 
 // What is drawn over the city.
 void lay_out_layers(Show& show, Viewer& v, float scale) {
@@ -55,13 +50,8 @@ constexpr RoomPanel k_rooms[] = {
 };
 
 // What the colours of the layers mean.
-void lay_out_legends(const Show& show, Size size, float scale) {
-    const std::vector<Legend> legends = legends_of(show.work_views);
-    if (legends.empty()) return;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) - k_edge * scale,
-                             static_cast<float>(size.height) - (k_edge + k_timeline + k_scale_bar) * scale},
-                            ImGuiCond_Always, {1, 1});
-    if (!ImGui::Begin("legends", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
+void lay_out_legends(const std::vector<Legend>& legends, Viewer& v, float scale) {
+    if (legends.empty() || !begin_side(v, SidePanel::legend, "legends", nullptr, k_plain)) return;
     const float swatch = ImGui::GetFontSize();
     for (const Legend& legend : legends) {
         ImGui::TextDisabled("%s", legend.title);
@@ -75,79 +65,37 @@ void lay_out_legends(const Show& show, Size size, float scale) {
             ImGui::TextUnformatted(entry.what);
         }
     }
-    ImGui::End();
+    end_side(v, SidePanel::legend);
 }
 
-void lay_out_room(Show& show, Viewer& v, Size size, float scale) {
+void lay_out_room(Show& show, Viewer& v, float scale) {
     for (const RoomPanel& room : k_rooms) {
-        if (room.room != v.room) continue;
-        // Between the bar above and what lies below.
-        ImGui::SetNextWindowPos({k_edge * scale, v.bar_foot});
-        ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(size.width) * 0.45f,
-                                                     std::max(static_cast<float>(size.height) - v.bar_foot -
-                                                                  (k_edge + k_timeline + k_state) * scale,
-                                                              80.0f)});
         bool is_open = true;
-        if (ImGui::Begin(room.name, &is_open, k_room)) room.lay_out(show, v, scale);
-        ImGui::End();
+        if (room.room != v.room || !begin_side(v, SidePanel::room, room.name, &is_open, k_room)) continue;
+        room.lay_out(show, v, scale);
+        end_side(v, SidePanel::room);
         if (!is_open) v.room = Room::none;
+        return;  // another one may have been opened
     }
 }
 
-// To the panel whose turn it is: the bar, the room, the card.
+// To the panel whose turn it is: the bar, the room, the figures, the card.
 void give_keys(Viewer& v) {
     if (!std::exchange(v.panel_keys.wants_focus, false)) return;
     std::vector<const char*> shown = {"time"};
+    auto is_there = [&](SidePanel side) { return v.layout.plan.sides[static_cast<size_t>(side)].is_there; };
     for (const RoomPanel& room : k_rooms)
-        if (room.room == v.room) shown.push_back(room.name);
-    if (v.selected) shown.push_back("who");
+        if (room.room == v.room && is_there(SidePanel::room)) shown.push_back(room.name);
+    if (is_there(SidePanel::figures)) shown.push_back("beside");
+    if (is_there(SidePanel::card)) shown.push_back("who");
     ImGui::SetWindowFocus(shown[v.panel_keys.panel % shown.size()]);
 }
 
-// Beside the last item, or below it where the window ends.
-void go_beside(const char* next, Size size, float scale) {
-    const float right = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x +
-                        ImGui::CalcTextSize(next).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (right < static_cast<float>(size.width) - 2 * k_edge * scale) ImGui::SameLine();
-}
-
-void lay_out_bar(const Show& show, Viewer& v, Size size, float scale) {
-    ImGui::SetNextWindowPos({k_edge * scale, k_edge * scale});
-    if (!ImGui::Begin("time", nullptr, k_plain)) return ImGui::End();
-    if (ImGui::Button(v.clock.is_paused ? "  Go  " : " Stop ")) v.clock.is_paused = !v.clock.is_paused;
-    tip("Space");
-    ImGui::SameLine();
-    if (ImGui::Button("Step")) v.clock.is_paused = true, ++v.clock.steps;
-    tip("one tick, 1/60 s (.)");
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(110 * scale);
-    ImGui::SliderFloat("##rate", &v.clock.rate, k_least_rate, k_most_rate, "%.2g x",
-                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    tip("how fast time goes by (- and +)");
-    ImGui::SameLine();
-    ImGui::Text("%s", clock_text(show).c_str());
-    for (const RoomPanel& room : k_rooms) {
-        go_beside(room.name, size, scale);
-        if (ImGui::Button(room.name)) {
-            v.room = v.room == room.room ? Room::none : room.room;
-            v.search.is_opening = v.room == Room::find;
-        }
-        tip(room.tip);
-    }
-    go_beside("Find", size, scale);
-    if (ImGui::Button("Find")) v.palette = {.is_open = true};
-    tip("any action by its name (Ctrl+P)");
-    go_beside("Keys", size, scale);
-    if (ImGui::Button("Keys")) v.lists_keys = !v.lists_keys;
-    tip("F1");
-    v.bar_foot = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + k_edge * scale;
-    ImGui::End();
-}
-
 // Above the timeline, at the left: what comes and goes, so that no button moves.
-void lay_out_state(const Viewer& v, Size size, float scale) {
-    ImGui::SetNextWindowPos({k_edge * scale, static_cast<float>(size.height) - (k_edge + k_timeline) * scale},
-                            ImGuiCond_Always, {0, 1});
+void lay_out_state(Viewer& v) {
+    const PanelPlan& plan = v.layout.plan;
+    if (!plan.has_state) return;
+    ImGui::SetNextWindowPos({plan.edge, plan.row_foot}, ImGuiCond_Always, {0, 1});
     if (!ImGui::Begin("state", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
     const char* coarser = v.record.filming ? "   coarser while a film is made" : "   coarser while you move";
     ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps, v.resolution < 1 ? coarser : "");
@@ -156,6 +104,7 @@ void lay_out_state(const Viewer& v, Size size, float scale) {
         ImGui::TextColored({0.95f, 0.71f, 0.36f, 1}, "%.2g x wanted, %.2g x reached",
                            static_cast<double>(v.clock.rate), static_cast<double>(*reached));
     }
+    v.layout.wish.state = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();
 }
 
@@ -167,16 +116,17 @@ std::optional<float> share_of(const std::string& line) {
                                       : std::optional(std::strtof(&line[space], nullptr) / 100);
 }
 
-void lay_out_note(const Viewer& v, Size size, float scale) {
+void lay_out_note(Viewer& v, Size size, float scale) {
+    v.layout.wish.note = {};
     if (ImGui::GetTime() >= v.note_until) return;
-    ImGui::SetNextWindowPos(
-        {static_cast<float>(size.width) / 2,
-         static_cast<float>(size.height) - (12 + (v.has_panels ? k_timeline : 0)) * scale},
-        ImGuiCond_Always, {0.5f, 1});
+    const float foot =
+        v.has_panels ? v.layout.plan.row_foot : static_cast<float>(size.height) - k_edge * scale;
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, foot}, ImGuiCond_Always, {0.5f, 1});
     if (ImGui::Begin("note", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
-        ImGui::PushTextWrapPos(std::max(static_cast<float>(size.width) - 60 * scale, 100.0f));
+        ImGui::PushTextWrapPos(fitted(1e9f, scale));
         ImGui::TextUnformatted(v.note.c_str());
         ImGui::PopTextWrapPos();
+        v.layout.wish.note = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     }
     ImGui::End();
 }
@@ -204,7 +154,7 @@ void lay_out_loading(const std::string& city, const std::string& doing, const ch
                      float scale) {
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
                             ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(460 * scale, static_cast<float>(size.width)), 0});
+    ImGui::SetNextWindowSize({fitted(460, scale), 0});
     if (ImGui::Begin("loading", nullptr, k_plain)) {
         ImGui::Text("%s", city.c_str());
         // A bar where the line says how many hundredths; else dots that come and go.
@@ -220,6 +170,12 @@ void lay_out_loading(const std::string& city, const std::string& doing, const ch
 
 void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     if (viewer.presentation.is_on) return lay_out_presentation(show, viewer, size, scale);
+    const std::vector<Legend> legends = legends_of(show.work_views);
+    const Card card = card_of(show, viewer);
+    plan_picture(
+        viewer, {static_cast<float>(size.width), static_cast<float>(size.height)}, scale,
+        {viewer.room != Room::none, viewer.time.beside != nullptr, card != Card::none, !legends.empty()},
+        card == Card::glimpse);
     lay_out_keys(viewer, size, scale);
     lay_out_palette(show, viewer, size, scale);
     lay_out_note(viewer, size, scale);
@@ -228,14 +184,14 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_labels(viewer, size, scale);
     if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
     lay_out_map(viewer, size, scale);
-    lay_out_legends(show, size, scale);
-    lay_out_bar(show, viewer, size, scale);
-    lay_out_state(viewer, size, scale);
-    lay_out_room(show, viewer, size, scale);
+    lay_out_legends(legends, viewer, scale);
+    lay_out_bar(show, viewer, k_rooms, scale);
+    lay_out_state(viewer);
+    lay_out_room(show, viewer, scale);
     lay_out_timeline(show, viewer, size, scale);
-    lay_out_beside(show, viewer, size, scale);
+    lay_out_beside(show, viewer);
     lay_out_halves(viewer, size, scale);
-    lay_out_card(show, viewer, size, scale);
+    lay_out_card(show, viewer, scale);
     give_keys(viewer);
     keep_changed_settings(viewer);
 }

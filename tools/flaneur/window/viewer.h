@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/kept/kept.h"
+#include "tools/flaneur/window/layout.h"
 #include "tools/flaneur/window/measure/measure.h"
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/record/present.h"
@@ -65,7 +66,7 @@ struct Viewer {
     TechniqueSwitches techniques;
     MeasureRoom measure;
     double fps = 0;
-    float bar_foot = 58;    // pixels from the window's upper edge: panels begin below the bar
+    PanelLayout layout;
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
     Change change;

@@ -3,12 +3,13 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace flaneur {
 
-inline constexpr float k_edge = 10;       // between panels and the window's edge, at scale 1
-inline constexpr float k_scale_bar = 58;  // of a map's scale, with the gap above it
-inline constexpr float k_state = 40;      // of the line that says how fast it goes
-inline constexpr float k_timeline = 46;   // of the timeline's height, with the gap above it
+inline constexpr float k_edge = 10;      // between panels and the window's edge, at scale 1
+inline constexpr float k_state = 34;     // of the line that says how fast it goes
+inline constexpr float k_timeline = 36;  // of the timeline's height
 
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =
@@ -22,6 +23,35 @@ inline constexpr ImGuiWindowFlags k_room = ImGuiWindowFlags_AlwaysAutoResize |
 // What the last item is for, while one points at it.
 inline void tip(const char* what) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
+}
+
+// So many pixels at scale 1, or fewer where a panel as wide as the window has no more.
+inline float fitted(float pixels, float scale) {
+    constexpr float k_about = 44;  // edges, padding and what scrolls
+    return std::min(pixels * scale, std::max(ImGui::GetIO().DisplaySize.x - k_about * scale, 60 * scale));
+}
+
+// The next item is beside the last one if a panel as wide as the window has room for a button of that name;
+// else below it.
+inline void go_beside(const char* name, float scale) {
+    const float right = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x +
+                        ImGui::CalcTextSize(name).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x - ImGui::GetScrollX();
+    if (right - left <= fitted(1e9f, scale)) ImGui::SameLine();
+}
+
+// Of a field over a list of so many rows: where it begins, and how high the list is, in a window of this
+// size.
+struct DialogPlace {
+    float top, list;
+};
+inline DialogPlace dialog_place(int height, int rows, float scale) {
+    const float all = static_cast<float>(height), line = ImGui::GetTextLineHeightWithSpacing();
+    const float around = (k_edge + 60) * scale;  // the field, padding, and the gap below
+    const float wanted = static_cast<float>(rows) * line;
+    const float top =
+        std::clamp(all - around - wanted, k_edge * scale, std::max(0.18f * all, k_edge * scale));
+    return {top, std::clamp(all - around - top, line, wanted)};
 }
 
 }  // namespace flaneur

@@ -132,10 +132,10 @@ void mark_found(Show& show, Viewer& v, FrameInput& frame) {
 void lay_out_finding(Show& show, Viewer& v, float scale) {
     PeopleSearch& search = v.search;
     if (search.is_opening) ImGui::SetKeyboardFocusHere(), search.is_opening = false;
-    ImGui::SetNextItemWidth(460 * scale);
+    ImGui::SetNextItemWidth(fitted(460, scale));
     ImGui::InputTextWithHint("##who", "woman over 70 with cane", search.typed, sizeof search.typed);
     if (!search.refused.empty()) {
-        ImGui::PushTextWrapPos(460 * scale);
+        ImGui::PushTextWrapPos(fitted(460, scale));
         ImGui::TextUnformatted(search.refused.c_str());
         ImGui::PopTextWrapPos();
         return;
@@ -146,7 +146,7 @@ void lay_out_finding(Show& show, Viewer& v, float scale) {
     search.pointed.reset();
     if (search.found.empty()) return;
     const auto rows = static_cast<float>(std::min<size_t>(search.found.size(), 16));
-    if (ImGui::BeginChild("found", {520 * scale, rows * ImGui::GetTextLineHeightWithSpacing()})) {
+    if (ImGui::BeginChild("found", {fitted(520, scale), rows * ImGui::GetTextLineHeightWithSpacing()})) {
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(search.found.size()));
         while (clipper.Step())

@@ -101,7 +101,7 @@ void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool 
     plot.bands = bands;
     plot.curves = curves;
     plot.mark = mark;
-    lay_out_plot(plot, {k_wide * scale, (is_last ? 124.0f : 108.0f) * scale}, scale);
+    lay_out_plot(plot, {fitted(k_wide, scale), (is_last ? 124.0f : 108.0f) * scale}, scale);
 }
 
 }  // namespace
@@ -221,12 +221,12 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
     const float mark = gait.standing[lane] ? -1e9f : 100 * gait.feet[k_left].phase[lane];
     for (const Angle& angle : k_angles)
         lay_out_angle(watch, angle, mark, &angle == std::end(k_angles) - 1, scale);
-    ImGui::PushTextWrapPos(k_wide * scale);
+    ImGui::PushTextWrapPos(fitted(k_wide, scale));
     ImGui::TextDisabled(
         "Band: grown people on level ground at 1.1 to 1.33 m/s, mean and standard deviation (Winter 1991; "
         "Fukuchi, Fukuchi & Duarte 2018). Upright line: where the left leg is now.");
     ImGui::PopTextWrapPos();
-    lay_out_speed(watch, k_wide * scale, scale);
+    lay_out_speed(watch, fitted(k_wide, scale), scale);
 }
 
 }  // namespace flaneur

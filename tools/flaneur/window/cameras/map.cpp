@@ -116,13 +116,18 @@ std::string told_length(float metres) {
     return text;
 }
 
-void lay_out_map(const Viewer& v, Size size, float scale) {
-    if (v.choice.kind != CameraChoice::Kind::map || !(v.choice.across > 0)) return;
-    const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+void lay_out_map(Viewer& v, Size size, float scale) {
+    glm::vec2& extent = v.layout.wish.map;
+    if (v.choice.kind != CameraChoice::Kind::map || !(v.choice.across > 0)) {
+        extent = {};
+        return;
+    }
+    if (extent.x > 0 && !v.layout.plan.has_map) return;
+    const PanelPlan& plan = v.layout.plan;
+    const float width = static_cast<float>(size.width);
     const float most = 150 * scale, north = 17 * scale, gap = 10 * scale;
     const ScaleBar bar = scale_bar(v.choice.across / width, most);
-    ImGui::SetNextWindowPos({width - k_edge * scale, height - (k_edge + k_timeline) * scale},
-                            ImGuiCond_Always, {1, 1});
+    ImGui::SetNextWindowPos({width - plan.edge, plan.row_foot}, ImGuiCond_Always, {1, 1});
     if (ImGui::Begin("map", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         ImDrawList& list = *ImGui::GetWindowDrawList();
         const std::string label = told_length(bar.metres);
@@ -136,6 +141,7 @@ void lay_out_map(const Viewer& v, Size size, float scale) {
         draw_scale(list, {std::round(at.x), std::round(middle + 8 * scale)}, bar.pixels, scale);
         draw_north(list, {at.x + bar.pixels + gap + north, middle}, north, v.choice.bearing);
     }
+    extent = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();
 }
 

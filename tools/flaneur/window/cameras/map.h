@@ -37,6 +37,6 @@ ScaleBar scale_bar(float metres_a_pixel, float most);
 std::string told_length(float metres);  // "50 m", "2 km"
 
 // The arrow to the north and the scale, in the lower right corner.
-void lay_out_map(const Viewer& viewer, Size size, float scale);
+void lay_out_map(Viewer& viewer, Size size, float scale);
 
 }  // namespace flaneur

@@ -114,7 +114,7 @@ double plotted(const Counts& counts, uint32_t since) {
 void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
     const Flow all = flow_of(line, counts.shown, 1e9), lately = flow_of(line, counts.shown, k_flow_seconds);
     ImGui::Text("%.2f m long, counted for %.0f s", static_cast<double>(length_of(line.line)), all.seconds);
-    if (ImGui::BeginTable("flow", 4, ImGuiTableFlags_SizingStretchSame, {(k_wide - 20) * scale, 0})) {
+    if (ImGui::BeginTable("flow", 4, ImGuiTableFlags_SizingStretchSame, {fitted(k_wide - 20, scale), 0})) {
         auto row = [](const char* what, const Flow& flow, const char* form_left) {
             ImGui::TableNextColumn(), ImGui::TextDisabled("%s", what);
             ImGui::TableNextColumn(), ImGui::Text(form_left, flow.left, flow.right);
@@ -146,7 +146,7 @@ void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
     const PlotCurve all_curves[] = {{"to the left", k_left, curves[0]}, {"to the right", k_right, curves[1]}};
     Plot plot{"people/min", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
     plot.curves = all_curves;
-    lay_out_plot(plot, {k_wide * scale, 150 * scale}, scale);
+    lay_out_plot(plot, {fitted(k_wide, scale), 150 * scale}, scale);
 }
 
 void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
@@ -177,10 +177,10 @@ void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
     const PlotCurve speeds[] = {{"", k_grey, speed}};
     Plot plot{"people/m\u00b2", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
     plot.curves = densities;
-    lay_out_plot(plot, {k_wide * scale, 140 * scale}, scale);
+    lay_out_plot(plot, {fitted(k_wide, scale), 140 * scale}, scale);
     Plot below{"mean speed, m/s", "seconds ago", {-all_seconds, 0}, {0, round_top(fastest)}};
     below.curves = speeds;
-    lay_out_plot(below, {k_wide * scale, 120 * scale}, scale);
+    lay_out_plot(below, {fitted(k_wide, scale), 120 * scale}, scale);
 }
 
 void lay_out_selected(const MeasureRoom& room, float scale) {
@@ -198,7 +198,7 @@ void lay_out_selected(const MeasureRoom& room, float scale) {
 void lay_out_files(Show& show, Viewer& v, float scale) {
     MeasureRoom& room = v.measure;
     ImGui::Separator();
-    const float field = (k_wide - 150) * scale;
+    const float field = fitted(k_wide, scale) - 150 * scale;
     ImGui::SetNextItemWidth(field);
     ImGui::InputText("##csv", room.csv, sizeof room.csv);
     tip("a file for each line and zone: out/measures-L1.csv ...");
@@ -213,7 +213,7 @@ void lay_out_files(Show& show, Viewer& v, float scale) {
     if (ImGui::Button("Read")) read_plan(show, v);
     if (ImGui::Button("Count anew")) begin_anew(room.counts, show.loaded.world->tick);
     tip("forgets what was counted");
-    ImGui::SameLine();
+    go_beside("Copy as options of flaneur sim", scale);
     if (ImGui::Button("Copy as options of flaneur sim")) copy_options(v);
 }
 
@@ -225,7 +225,7 @@ void lay_out_measures(Show& show, Viewer& v, float scale) {
         return;
     }
     lay_out_tools(v);
-    ImGui::PushTextWrapPos(k_wide * scale);
+    ImGui::PushTextWrapPos(fitted(k_wide, scale));
     ImGui::TextDisabled("%s", hint_of(v.measure).c_str());
     ImGui::PopTextWrapPos();
     if (!v.measure.drawn.empty()) ImGui::Separator();

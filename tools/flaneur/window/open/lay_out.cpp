@@ -54,9 +54,9 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
         prompt.found = completions(prompt.typed);
         prompt.chosen = -1;
     }
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) * 0.18f},
-                            ImGuiCond_Always, {0.5f, 0});
-    ImGui::SetNextWindowSize({std::min(620 * scale, static_cast<float>(size.width)), 0});
+    const DialogPlace place = dialog_place(size.height, k_rows + 1, scale);
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, place.top}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowSize({fitted(620, scale), 0});
     std::optional<std::string> clicked;
     if (ImGui::Begin("open", nullptr, k_plain & ~ImGuiWindowFlags_NoFocusOnAppearing)) {
         if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -66,7 +66,7 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
                                  ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_CallbackAlways |
                                      ImGuiInputTextFlags_CallbackCompletion,
                                  replace_typed, &prompt);
-        if (ImGui::BeginChild("found", {0, k_rows * ImGui::GetTextLineHeightWithSpacing()})) {
+        if (ImGui::BeginChild("found", {0, place.list - ImGui::GetTextLineHeightWithSpacing()})) {
             for (int i = 0; i < static_cast<int>(prompt.found.size()); ++i) {
                 const std::string& path = prompt.found[static_cast<size_t>(i)];
                 const size_t slash = path.rfind('/', path.size() - 2);

@@ -112,7 +112,8 @@ void lay_out_start(Show& show, Viewer& v, Size size, float scale) {
     const auto columns = static_cast<float>(c.columns);
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, static_cast<float>(size.height) / 2},
                             ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {1e9f, static_cast<float>(size.height) - 2 * k_edge * scale});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(size.width) - 2 * k_edge * scale,
+                                                 static_cast<float>(size.height) - 2 * k_edge * scale});
     int clicked = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 16 * scale});
     if (ImGui::Begin("start", nullptr, k_plain & ~ImGuiWindowFlags_NoScrollbar)) {
@@ -129,10 +130,11 @@ void lay_out_start(Show& show, Viewer& v, Size size, float scale) {
             ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         if (ImGui::Button("Open a file...")) clicked = c.path();
         if (is_chosen) ImGui::PopStyleColor();
-        ImGui::SameLine();
+        go_beside("Go on with what is shown", scale);
         if (ImGui::Button("Go on with what is shown")) opening.start.is_open = false;
-        ImGui::SameLine();
-        ImGui::TextDisabled("   arrows and Enter choose, Esc goes on");
+        constexpr const char* k_hint = "arrows and Enter choose, Esc goes on";
+        go_beside(k_hint, scale);
+        ImGui::TextDisabled("%s", k_hint);
     }
     ImGui::End();
     ImGui::PopStyleVar();

@@ -93,7 +93,7 @@ void open_record_room(Show& show, Viewer& viewer);
 
 void lay_out_record(Show& show, Viewer& viewer, float scale);
 // How far the film is, over the city.
-void lay_out_filming(const Viewer& viewer, Size size);
+void lay_out_filming(Viewer& viewer, Size size);
 
 // All of it (window/actions.h).
 std::span<const Action> record_actions();

@@ -78,10 +78,14 @@ void lay_out_record(Show&, Viewer& v, float scale) {
     ImGui::TextDisabled("They go into the folder out/.");
 }
 
-void lay_out_filming(const Viewer& v, Size size) {
-    if (!v.record.filming) return;
+void lay_out_filming(Viewer& v, Size size) {
+    if (!v.record.filming) {
+        v.layout.wish.film = {};
+        return;
+    }
     const Filming& filming = *v.record.filming;
-    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, v.bar_foot}, ImGuiCond_Always, {0.5f, 0});
+    ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, v.layout.plan.film_top}, ImGuiCond_Always,
+                            {0.5f, 0});
     if (ImGui::Begin("filming", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         const float height = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -93,6 +97,7 @@ void lay_out_filming(const Viewer& v, Size size) {
         ImGui::SameLine();
         ImGui::TextDisabled("a film of %d x %d, R ends it", filming.size.width, filming.size.height);
     }
+    v.layout.wish.film = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();
 }
 

@@ -141,11 +141,9 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
     return both;
 }
 
-void lay_out_beside(const Show& show, Viewer& v, Size size, float scale) {
-    if (!v.time.beside) return;
+void lay_out_beside(const Show& show, Viewer& v) {
+    if (!v.time.beside || !begin_side(v, SidePanel::figures, "beside", nullptr, k_plain)) return;
     const Beside& beside = *v.time.beside;
-    ImGui::SetNextWindowPos({(static_cast<float>(size.width) + k_divider) / 2 + k_edge * scale, v.bar_foot});
-    if (!ImGui::Begin("beside", nullptr, k_plain)) return ImGui::End();
     const World& here = *show.loaded.world;
     const CrowdFigures a = figures_of(here), b = figures_of(*beside.world);
     if (ImGui::BeginTable("figures", 4, ImGuiTableFlags_SizingFixedFit)) {
@@ -174,9 +172,10 @@ void lay_out_beside(const Show& show, Viewer& v, Size size, float scale) {
         if (!here.roam) figure("densest, people/m2", "%.2f", a.density, b.density);
         ImGui::EndTable();
     }
-    if (ImGui::Button("End")) v.time.beside.reset();
+    const bool is_over = ImGui::Button("End");
     tip("one run alone again, the left one");
-    ImGui::End();
+    end_side(v, SidePanel::figures);
+    if (is_over) v.time.beside.reset();
 }
 
 CrowdFigures figures_of(const World& world) {

@@ -52,8 +52,8 @@ Size size_of_one(const Viewer& viewer, Size size);
 Result<Image> draw_side_by_side(Show& show, Viewer& viewer, const FrameInput& frame, Size size,
                                 float between);
 
-// What differs, in figures: over both.
-void lay_out_beside(const Show& show, Viewer& viewer, Size size, float scale);
+// What differs, in figures.
+void lay_out_beside(const Show& show, Viewer& viewer);
 
 // Of everybody in a world: how many, how many of them walk, at what mean speed those, m/s, and how dense the
 // densest square of k_crowd_cell is, people/m2.

@@ -145,7 +145,7 @@ void lay_out_events(Show& show, Viewer& v, float scale) {
     ImGui::TextDisabled(shown.empty() ? "none so far" : "%zu", shown.size());
     if (shown.empty()) return;
     const auto rows = static_cast<float>(std::min<size_t>(shown.size(), 9));
-    if (ImGui::BeginChild("events", {330 * scale, rows * ImGui::GetTextLineHeightWithSpacing()})) {
+    if (ImGui::BeginChild("events", {fitted(330, scale), rows * ImGui::GetTextLineHeightWithSpacing()})) {
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(shown.size()));
         while (clipper.Step())

@@ -93,9 +93,9 @@ void lay_out_progress(const Show& show, const Viewer& v, Size size, float scale)
     const auto progress = progress_of(v.time, *show.loaded.world, glfwGetTime());
     if (!progress || !progress->is_long) return;
     ImGui::SetNextWindowPos(
-        {static_cast<float>(size.width) / 2, static_cast<float>(size.height) - (k_timeline + 52) * scale},
-        ImGuiCond_Always, {0.5f, 1});
-    ImGui::SetNextWindowSize({320 * scale, 0});
+        {static_cast<float>(size.width) / 2, v.layout.plan.row_foot - v.layout.wish.note.y}, ImGuiCond_Always,
+        {0.5f, 1});
+    ImGui::SetNextWindowSize({fitted(320, scale), 0});
     if (ImGui::Begin("going", nullptr, k_plain)) {
         const std::string at = run_time(show.loaded.world->tick);
         if (v.time.anew)
@@ -104,7 +104,7 @@ void lay_out_progress(const Show& show, const Viewer& v, Size size, float scale)
             ImGui::Text("On to the next event: %s", at.c_str());
         else
             ImGui::Text("%s of %s", at.c_str(), run_time(v.time.going->to).c_str());
-        ImGui::SameLine(230 * scale);
+        ImGui::SameLine(fitted(230, scale));
         ImGui::TextDisabled("Esc stops");
         if (v.time.anew || !is_search(*v.time.going))
             ImGui::ProgressBar(progress->share, {-1, 6 * scale}, "");
@@ -118,10 +118,9 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     lay_out_progress(show, v, size, scale);
     Timeline& time = v.time;
     const World& world = *show.loaded.world;
-    const float width = static_cast<float>(size.width) - 2 * k_edge * scale;
-    ImGui::SetNextWindowPos({k_edge * scale, static_cast<float>(size.height) - k_edge * scale},
-                            ImGuiCond_Always, {0, 1});
-    ImGui::SetNextWindowSize({width, (k_timeline - k_edge) * scale});
+    const PanelPlan& plan = v.layout.plan;
+    ImGui::SetNextWindowPos({plan.edge, plan.timeline_top});
+    ImGui::SetNextWindowSize({static_cast<float>(size.width) - 2 * plan.edge, k_timeline * scale});
     if (!ImGui::Begin("timeline", nullptr, k_plain & ~ImGuiWindowFlags_AlwaysAutoResize)) return ImGui::End();
     const std::vector<uint32_t> kept = kept_ticks(*time.history);
     const uint32_t first = kept.empty() ? 0 : kept.front(), now = time.scrubbed_to.value_or(world.tick);
