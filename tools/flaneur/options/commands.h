@@ -1,0 +1,27 @@
+// The options of each command. Private to the files that parse them.
+#pragma once
+
+#include "tools/flaneur/options/options.h"
+#include "tools/flaneur/options/scene.h"
+
+namespace flaneur {
+
+void add_view(CLI::App& app, SceneWords& words, Options& options);
+void add_render(CLI::App& app, SceneWords& words, Options& options);
+void add_sim(CLI::App& app, SceneWords& words, Options& options);
+void add_bench(CLI::App& app, SceneWords& words, Options& options);
+void add_gait(CLI::App& app, SceneWords& words, Options& options);
+void add_people(CLI::App& app, SceneWords& words, Options& options);
+void add_inspect(CLI::App& app, SceneWords& words, Options& options);
+void add_city(CLI::App& app, SceneWords& words, Options& options);
+void add_scenes(CLI::App& app, Options& options);
+// After all others, which get --no-cache by it.
+void add_cache(CLI::App& app, Options& options);
+
+// What is drawn with: device, size, quality.
+void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
+
+// Refuses lines and zones that cannot be counted by, and figures of none.
+Result<void> settle_measures(Options& options);
+
+}  // namespace flaneur
