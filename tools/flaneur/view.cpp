@@ -93,7 +93,7 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
         glfwGetFramebufferSize(window, &size.width, &size.height);
         if (size.width <= 0 || size.height <= 0) continue;
         FrameInput frame;
-        begin_gui(gui);
+        begin_gui(gui, window, {});
         lay_out_loading(city_name(options.scene), line, "Esc closes", size, gui.scale);
         frame.panels = end_gui(gui);
         Result<void> drawn = draw_window(*renderer, frame);
@@ -185,9 +185,11 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
         v.measure.counts.shown = std::min(world.tick, v.measure.counts.tick);
         const float between = is_going ? 1 : between_pictures(v.record, v.clock);
 
-        const bool is_panels = gui_has_mouse() || v.presentation.is_on;
+        take_events(v.events.mouse, v.events.pointer);
+        const bool is_on = v.presentation.is_on || is_on_panel(v.events.pointer.x, v.events.pointer.y);
         const Mouse before = mouse;
-        read_mouse(window, is_panels, mouse);
+        read_mouse(v.events.pointer, is_on, mouse);
+        const bool is_panels = is_of_panels(before, mouse, is_on);
         Size size;
         glfwGetFramebufferSize(window, &size.width, &size.height);
         const Size one = size_of_one(v, size);
@@ -231,7 +233,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                 !done)
                 return done;
             v.opening.pictures = gui.boxes;
-            begin_gui(gui, v.panel_keys.are_on, next_tap(v.panel_keys));
+            begin_gui(gui, window, gui_input(window, v));
             lay_out_panels(show, v, size, gui.scale);
             frame.panels = end_gui(gui);
             keep_what_is_kept(v);

@@ -34,5 +34,26 @@ TEST(Actions, AreFoundByWhatOneTypes) {
     EXPECT_EQ(match("og s", "Stop or go"), 0);
 }
 
+TEST(Actions, ClickWithoutAMouse) {
+    const Action* click = nullptr;
+    for (const ActionGroup& group : action_groups())
+        for (const Action& action : group.actions)
+            if (std::string(action.keys) == "K") click = &action;
+    ASSERT_TRUE(click);
+    Show show;
+    Viewer v;
+    v.layout.wish.window = {800, 600};
+    click->act(show, v);
+    take_events(v.events.mouse, v.events.pointer);
+    EXPECT_EQ(v.events.pointer.x, 400);
+    EXPECT_EQ(v.events.pointer.y, 300);
+    EXPECT_FALSE(v.events.pointer.is_down[0]) << "one sees first what would be clicked";
+    click->act(show, v);
+    take_events(v.events.mouse, v.events.pointer);
+    EXPECT_TRUE(v.events.pointer.is_down[0]);
+    take_events(v.events.mouse, v.events.pointer);
+    EXPECT_FALSE(v.events.pointer.is_down[0]);
+}
+
 }  // namespace
 }  // namespace flaneur

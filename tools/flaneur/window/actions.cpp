@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "tools/flaneur/window/ask/find.h"
@@ -16,9 +17,10 @@
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/gui.h"
+#include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
-#include "tools/flaneur/window/palette.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/panels/palette.h"
 #include "tools/flaneur/window/settings/room.h"
 
 namespace flaneur {
@@ -91,7 +93,19 @@ constexpr std::array k_layers = {
     Action{"Layer: skeletons", "F10", GLFW_KEY_F10, 0, turn<WorkView::skeletons>},
     Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
 };
+// For who has no mouse: the cursor goes there first, so that one sees what a click would mean.
+void click_in_middle(Show&, Viewer& v) {
+    const glm::dvec2 window(v.layout.wish.window);
+    const double x = std::floor(window.x / (v.time.beside ? 4 : 2)), y = std::floor(window.y / 2);
+    Events& events = v.events;
+    const bool is_there = events.x == x && events.y == y;
+    events.x = x, events.y = y;
+    if (!is_there) return add_event(events.mouse, {x, y});
+    for (const bool is_down : {true, false}) add_event(events.mouse, {x, y, GLFW_MOUSE_BUTTON_LEFT, is_down});
+}
+
 constexpr std::array k_window = {
+    Action{"Point at the middle of the picture; again: click there", "K", GLFW_KEY_K, 0, click_in_middle},
     Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
            [](Show&, Viewer& v) { v.wants_command = true; }},
     Action{"Hide the panels, or show them", "H", GLFW_KEY_H, 0,
@@ -149,10 +163,11 @@ void act_on_presses(Show& show, Viewer& v) {
         v.presses.clear();
         end_presentation(v);
     }
-    // What was typed before a key reaches its field a picture later.
-    if (gui_has_keys() && !std::exchange(v.has_waited, !v.presses.empty())) return;
-    v.has_waited = false;
-    for (const KeyPress& press : std::exchange(v.presses, {})) {
+    // What was typed before a key reaches its field first.
+    auto waits = [&] { return (gui_has_field() || has_own_field(v)) && !v.events.typing.waiting.empty(); };
+    while (!v.presses.empty() && !waits()) {
+        const KeyPress press = v.presses.front();
+        v.presses.erase(v.presses.begin());
         if (press.key == GLFW_KEY_Q && (press.mods & GLFW_MOD_CONTROL)) v.wants_close = true;
         if (v.palette.is_open) {
             press_in_palette(press.key, show, v);

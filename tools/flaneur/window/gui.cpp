@@ -3,10 +3,13 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "letters.h"
@@ -129,7 +132,10 @@ Result<GuiPtr> make_gui(GLFWwindow* window, Renderer& renderer, float scale,
     gui->scale = scale > 0 ? scale : display_scale(window);
     gui->pictures = std::move(pictures);
     set_style(gui->scale, gui->is_light);
-    ImGui_ImplGlfw_InitForOther(window, true);
+    ImGui_ImplGlfw_InitForOther(window, false);
+    glfwSetScrollCallback(window, ImGui_ImplGlfw_ScrollCallback);
+    glfwSetWindowFocusCallback(window, ImGui_ImplGlfw_WindowFocusCallback);
+    glfwSetCursorEnterCallback(window, ImGui_ImplGlfw_CursorEnterCallback);
     if (Result<void> loaded = hand_letters(*gui, renderer); !loaded) return loaded.error();
     return gui;
 }
@@ -155,16 +161,25 @@ Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float sc
     return is_larger ? hand_letters(gui, renderer) : Result<void>();
 }
 
-void begin_gui(Gui&, bool keys, int tap) {
-    constexpr int k_moving[] = {GLFW_KEY_TAB,      GLFW_KEY_SPACE,  GLFW_KEY_ENTER,
-                                GLFW_KEY_KP_ENTER, GLFW_KEY_ESCAPE, GLFW_KEY_LEFT,
-                                GLFW_KEY_RIGHT,    GLFW_KEY_UP,     GLFW_KEY_DOWN};
+void begin_gui(Gui&, GLFWwindow* window, const GuiInput& input) {
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    io.ConfigFlags = keys ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
-    if (!keys) io.KeysDown[GLFW_KEY_TAB] = false;  // which would go to a field all the same
-    for (const int key : k_moving)
-        if (keys) io.KeysDown[key] = key == tap;
+    io.ConfigFlags = input.moves ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    for (const int key : {input.tap, input.typed.key})
+        if (key > 0) io.KeysDown[key] = true;
+    for (const unsigned letter : input.typed.letters) io.AddInputCharacter(letter);
+    const int mods = input.typed.key > 0 ? input.typed.mods : input.held;
+    io.KeyCtrl = (mods & GLFW_MOD_CONTROL) != 0, io.KeyShift = (mods & GLFW_MOD_SHIFT) != 0;
+    io.KeyAlt = (mods & GLFW_MOD_ALT) != 0, io.KeySuper = false;
+    // Outside of the window it is nowhere, unless a button is held.
+    const std::array<bool, 3>& down = input.pointer.is_down;
+    const bool is_held = down[0] || down[1] || down[2];
+    if (is_held || glfwGetWindowAttrib(window, GLFW_HOVERED) == GLFW_TRUE)
+        io.MousePos = {static_cast<float>(input.pointer.x), static_cast<float>(input.pointer.y)};
+    else
+        io.MousePos = {-1e30f, -1e30f};
+    std::copy(down.begin(), down.end(), std::begin(io.MouseDown));
     ImGui::NewFrame();
 }
 
@@ -201,6 +216,17 @@ Wheel gui_wheel(bool is_inverted) {
     if (io.KeyShift) return {0, -io.MouseWheel - io.MouseWheelH};
     return {is_inverted ? -io.MouseWheel : io.MouseWheel, -io.MouseWheelH};
 }
+bool is_on_panel(double x, double y) {
+    if (!ImGui::GetCurrentContext()) return false;
+    const ImGuiContext& gui = *ImGui::GetCurrentContext();
+    if (gui.OpenPopupStack.Size > 0) return true;
+    const ImVec2 place(static_cast<float>(x), static_cast<float>(y));
+    return std::any_of(gui.Windows.begin(), gui.Windows.end(), [&](const ImGuiWindow* panel) {
+        return panel->WasActive && !panel->Hidden && !(panel->Flags & ImGuiWindowFlags_NoMouseInputs) &&
+               panel->OuterRectClipped.Contains(place);
+    });
+}
+bool gui_has_field() { return ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput; }
 bool gui_has_keys() {
     return ImGui::GetCurrentContext() && (ImGui::GetIO().WantTextInput || ImGui::GetIO().ConfigFlags != 0);
 }

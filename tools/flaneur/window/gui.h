@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "renderer/renderer.h"
+#include "tools/flaneur/window/events.h"
 
 struct GLFWwindow;
 struct ImFont;
 
 namespace flaneur {
 
-// One in a program at a time. Takes over the window's callbacks, and passes on to those that were set before
-// it.
+// One in a program at a time. Takes over the window's callbacks of wheel and focus; mouse and keys it is told
+// of.
 struct Gui {
     std::vector<PanelVertex> vertices;
     std::vector<uint16_t> indices;
@@ -41,14 +42,22 @@ ImFont* title_font();
 Result<void> suit_gui(Gui& gui, GLFWwindow* window, Renderer& renderer, float scale, bool is_light);
 
 // Between these two the calls of ImGui lay out what is seen. What is returned is valid until the next call.
-// `keys`: whether arrows, Tab, Space and Enter move about in panels; of them ImGui learns in this frame that
-// `tap` is pressed, and of none in another way. 0: of none.
-void begin_gui(Gui& gui, bool keys = false, int tap = 0);
+struct GuiInput {
+    Pointer pointer;
+    TypedNow typed;
+    bool moves = false;  // arrows, Tab, Space and Enter move about in panels,
+    int tap = 0;         // of which this one is pressed; 0: none
+    int held = 0;        // of GLFW_MOD_CONTROL, _SHIFT and _ALT
+};
+void begin_gui(Gui& gui, GLFWwindow* window, const GuiInput& input);
 Panels end_gui(Gui& gui);
 
-// Whether the cursor, or the keys, are a panel's.
+// Whether the cursor, or the keys, are a panel's; and whether one types in a field.
 bool gui_has_mouse();
 bool gui_has_keys();
+bool gui_has_field();
+// Whether a press at this place, pixels, is a panel's, as they were laid out last.
+bool is_on_panel(double x, double y);
 // Notches that the wheel was turned since the last frame, away from the hand and to the right; none over a
 // panel. With Shift it goes to the side.
 struct Wheel {

@@ -48,6 +48,7 @@ PanelPlan plan(const PanelWish& wish) {
     const bool is_told = !is_small || !has_sides;
     p.has_state = is_told && is_beside_note(wish, wish.state.x, p.edge);
     p.has_map = is_told && wish.map.x > 0 && is_beside_note(wish, wish.map.x, p.edge);
+    if (p.has_map && wish.state.x + wish.map.x + 3 * p.edge > wish.window.x) p.has_state = false;
     auto over = [&](float row) { return row > 0 ? p.row_foot - row - p.edge : p.row_foot; };
     const float row = is_told ? std::max(k_state * wish.scale, wish.map.y) : 0;
     const float foot = over(std::max(row, wish.note.y));

@@ -13,6 +13,7 @@
 #include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
+#include "tools/flaneur/window/events.h"
 #include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/layout.h"
 #include "tools/flaneur/window/measure/measure.h"
@@ -50,8 +51,8 @@ struct Viewer {
     Cameras cameras;
     Keeping keeping;
     bool is_loading = true;
+    Events events;
     std::vector<KeyPress> presses;  // not acted upon yet
-    bool has_waited = false;        // they, for a picture
     bool wants_command = false, wants_close = false;
     bool lists_keys = false, has_panels = true;
     Room room = Room::none;

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace flaneur {
 
@@ -23,6 +24,17 @@ inline constexpr ImGuiWindowFlags k_room = ImGuiWindowFlags_AlwaysAutoResize |
 // What the last item is for, while one points at it.
 inline void tip(const char* what) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
+}
+
+// A button that shows whether what it is for is on, also while the cursor is still on it.
+inline bool toggle_button(const char* name, bool is_on, ImVec2 size = {0, 0}) {
+    constexpr ImGuiCol k_both[] = {ImGuiCol_Button, ImGuiCol_ButtonHovered};
+    if (is_on)
+        for (const ImGuiCol what : k_both)
+            ImGui::PushStyleColor(what, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool is_pressed = ImGui::Button(name, size);
+    if (is_on) ImGui::PopStyleColor(static_cast<int>(std::size(k_both)));
+    return is_pressed;
 }
 
 // So many pixels at scale 1, or fewer where a panel as wide as the window has no more.

@@ -3,6 +3,9 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
 
@@ -30,6 +33,13 @@ bool press_in_panels(int key, int mods, Viewer& v) {
     const bool is_enter = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
     v.panel_keys.taps.push_back(is_enter && !ImGui::GetIO().WantTextInput ? GLFW_KEY_SPACE : key);
     return true;
+}
+
+bool is_panel_key(int key) {
+    constexpr int k_keys[] = {GLFW_KEY_TAB,      GLFW_KEY_SPACE,  GLFW_KEY_ENTER,
+                              GLFW_KEY_KP_ENTER, GLFW_KEY_ESCAPE, GLFW_KEY_LEFT,
+                              GLFW_KEY_RIGHT,    GLFW_KEY_UP,     GLFW_KEY_DOWN};
+    return std::find(std::begin(k_keys), std::end(k_keys), key) != std::end(k_keys);
 }
 
 int next_tap(PanelKeys& keys) {

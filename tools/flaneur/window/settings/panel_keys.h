@@ -27,6 +27,9 @@ void leave_panels(Viewer& viewer);
 // While they are on: whether the key is a panel's.
 bool press_in_panels(int key, int mods, Viewer& viewer);
 
+// Whether it moves about in panels.
+bool is_panel_key(int key);
+
 // Between pictures: which key panels are told of in the next one, 0: none. A tap is a picture long, and a
 // picture lies between two, so that none is lost however slowly pictures come.
 int next_tap(PanelKeys& keys);

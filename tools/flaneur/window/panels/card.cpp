@@ -1,4 +1,4 @@
-#include "tools/flaneur/window/card.h"
+#include "tools/flaneur/window/panels/card.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "tools/flaneur/window/palette.h"
+#include "tools/flaneur/window/panels/palette.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>

@@ -1,4 +1,4 @@
-#include "tools/flaneur/window/bar.h"
+#include "tools/flaneur/window/panels/bar.h"
 
 #include <imgui.h>
 
@@ -10,14 +10,6 @@
 
 namespace flaneur {
 namespace {
-
-// A button that shows whether what it opens is open.
-bool lay_out_button(const char* name, bool is_on, ImVec2 size = {0, 0}) {
-    if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool is_pressed = ImGui::Button(name, size);
-    if (is_on) ImGui::PopStyleColor();
-    return is_pressed;
-}
 
 void open_room(Viewer& v, Room room) {
     v.room = v.room == room ? Room::none : room;
@@ -44,14 +36,14 @@ float rows_of(std::span<const RoomPanel> rooms, float begun, float scale) {
 void lay_out_rooms(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     for (const RoomPanel& room : rooms) {
         go_beside(room.name, scale);
-        if (lay_out_button(room.name, v.room == room.room)) open_room(v, room.room);
+        if (toggle_button(room.name, v.room == room.room)) open_room(v, room.room);
         tip(room.tip);
     }
     go_beside("Find", scale);
     if (ImGui::Button("Find")) v.palette = {.is_open = true};
     tip("any action by its name (Ctrl+P)");
     go_beside("Keys", scale);
-    if (lay_out_button("Keys", v.lists_keys)) v.lists_keys = !v.lists_keys;
+    if (toggle_button("Keys", v.lists_keys)) v.lists_keys = !v.lists_keys;
     tip("F1");
 }
 
@@ -65,7 +57,7 @@ void lay_out_menu(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     bool is_left = true, is_done = false;
     auto add = [&](const char* name, bool is_on) {
         if (!std::exchange(is_left, !is_left)) ImGui::SameLine();
-        const bool is_pressed = lay_out_button(name, is_on, each);
+        const bool is_pressed = toggle_button(name, is_on, each);
         is_done |= is_pressed;
         return is_pressed;
     };
@@ -91,7 +83,7 @@ void lay_out_tabs(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
                 if (room.room == v.room) name = room.name;
         if (!std::exchange(is_first, false)) go_beside(name, scale);
         ImGui::PushID(static_cast<int>(i));
-        if (lay_out_button(name, wish.chosen == static_cast<SidePanel>(i)))
+        if (toggle_button(name, wish.chosen == static_cast<SidePanel>(i)))
             wish.chosen = static_cast<SidePanel>(i);
         ImGui::PopID();
     }
