@@ -6,6 +6,7 @@
 #include "tests/tools/loaded.h"
 #include "tools/flaneur/window/ask/facts.h"
 #include "tools/flaneur/window/ask/gait.h"
+#include "tools/flaneur/window/viewer.h"
 
 namespace flaneur {
 namespace {
@@ -93,6 +94,18 @@ TEST_F(AskingTest, KeepsTheLastTicksAlone) {
         EXPECT_LE(watch.walk.ticks.size(), 2 * k_watched_ticks);
     }
     EXPECT_GT(watch.walk.ticks.size(), k_watched_ticks);
+}
+
+TEST(Gait, IsThatOfWhoIsFollowedWhereNobodyIsSelected) {
+    Viewer v;
+    v.choice.walker = 7;
+    EXPECT_FALSE(watched(v)) << "the eye flies";
+    for (const auto kind : {CameraChoice::Kind::follow, CameraChoice::Kind::eyes}) {
+        v.choice.kind = kind;
+        EXPECT_EQ(watched(v), 7u);
+    }
+    v.selected = 3;
+    EXPECT_EQ(watched(v), 3u);
 }
 
 }  // namespace

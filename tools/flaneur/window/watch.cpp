@@ -8,7 +8,7 @@ namespace flaneur {
 
 void watch_tick(const Show& show, Viewer& v, bool is_new) {
     if (is_new) count_people(v.measure.counts, *show.loaded.world);
-    watch_gait(*show.loaded.world, v.selected, v.watch);
+    watch_gait(*show.loaded.world, watched(v), v.watch);
     ride(*show.loaded.world, v.cameras, v.choice);
 }
 

@@ -92,7 +92,7 @@ void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool 
         if (watch.legs[side]) own[side] = points_of(watch.legs[side]->curves.*angle.curve), widen(own[side]);
     const PlotCurve curves[] = {{"left", plot_colour(k_left), own[k_left]},
                                 {"right", plot_colour(k_right), own[k_right]}};
-    const PlotBand bands[] = {{low, high, IM_COL32(255, 255, 255, 46)}};
+    const PlotBand bands[] = {{low, high, ImGui::GetColorU32(ImGuiCol_Text, 0.18f)}};
     const float room = 0.06f * (span.y - span.x);
     Plot plot{angle.title,
               is_last ? "% of the gait cycle, from the foot's contact" : "",
@@ -107,6 +107,13 @@ void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool 
 }  // namespace
 
 std::span<const Action> gait_actions() { return k_actions; }
+
+std::optional<uint32_t> watched(const Viewer& v) {
+    if (v.selected) return v.selected;
+    using enum CameraChoice::Kind;
+    const bool is_along = v.choice.kind == follow || v.choice.kind == eyes;
+    return is_along ? std::optional(v.choice.walker) : std::nullopt;
+}
 
 void watch_gait(const World& world, std::optional<uint32_t> walker, GaitWatch& watch) {
     if (!walker || world.roam || !is_there(world.crowd, *walker)) {
@@ -163,17 +170,18 @@ void measure_legs(GaitWatch& watch) {
 void mark_gait(Show& show, Viewer& v, FrameInput& frame) {
     const GaitWatch& watch = v.watch;
     const World& world = *show.loaded.world;
-    if (!watch.shows_steps || !v.has_panels || !v.selected || world.roam || watch.walk.ticks.empty()) return;
+    const std::optional<uint32_t> who = watched(v);
+    if (!watch.shows_steps || !v.has_panels || !who || world.roam || watch.walk.ticks.empty()) return;
     for (const GaitWatch::Print& print : watch.prints) {
         Pen pen{.pixels = 1.5f, .place = GizmoPlace::in_world_hidden};
         pen.colour = (plot_colour(print.side) & 0xffffffu) | 0xa0000000u;
         const glm::vec3 lift = print.normal * 0.01f;
         add_footprint(show.overlay.lines, pen, print.heel + lift, print.tip + lift, print.normal);
     }
-    if (show.people.walkers[*v.selected].instance.palette != k_no_palette) {
+    if (show.people.walkers[*who].instance.palette != k_no_palette) {
         const OverlayInput input{world, show.loaded.characters, v.camera};
-        add_contact_marks(input, *v.selected, show.overlay);
-        add_gizmos_of(input, show.people, *v.selected, show.overlay);
+        add_contact_marks(input, *who, show.overlay);
+        add_gizmos_of(input, show.people, *who, show.overlay);
     }
     frame.lines = show.overlay.lines;
     frame.fills = show.overlay.fills;
@@ -199,15 +207,16 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
     const World& world = *show.loaded.world;
     lay_out_techniques(show, v, scale);
     ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
-    if (!v.selected || world.roam) {
+    const std::optional<uint32_t> who = watched(v);
+    if (!who || world.roam || !is_there(world.crowd, *who)) {
         ImGui::TextDisabled(world.roam ? "On the asteroid steps are not measured."
-                                       : "Click somebody to see how they walk.");
+                                       : "Click somebody, or follow them (3), to see how they walk.");
         return;
     }
     GaitWatch& watch = v.watch;
     measure_legs(watch);
     if (!watch.legs[k_left] && !watch.legs[k_right])
-        ImGui::TextDisabled("No. %u has not made a whole stride since you asked.", *v.selected);
+        ImGui::TextDisabled("No. %u has not made a whole stride since you asked.", *who);
     else
         ImGui::Text("stride %.2f m in %.2f s, %.0f steps a minute", watch.metres, watch.seconds,
                     watch.seconds > 0 ? 120 / watch.seconds : 0.0);
@@ -216,8 +225,8 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
             ImGui::TextDisabled("%s: mean of %d stride%s, stands for %.0f %% of it",
                                 side == k_left ? "left" : "right", watch.legs[side]->strides,
                                 watch.legs[side]->strides == 1 ? "" : "s", 100 * watch.legs[side]->stance);
-    const GaitBlock& gait = world.gait.blocks[*v.selected / k_block];
-    const size_t lane = *v.selected % k_block;
+    const GaitBlock& gait = world.gait.blocks[*who / k_block];
+    const size_t lane = *who % k_block;
     const float mark = gait.standing[lane] ? -1e9f : 100 * gait.feet[k_left].phase[lane];
     for (const Angle& angle : k_angles)
         lay_out_angle(watch, angle, mark, &angle == std::end(k_angles) - 1, scale);

@@ -41,6 +41,9 @@ struct GaitWatch {
     size_t known_contacts = 0;       // and when `legs` were made
 };
 
+// Whose gait is told of: who is selected, or else gone along with.
+std::optional<uint32_t> watched(const Viewer& viewer);
+
 // After each tick. Another walker, or a tick that does not follow, begins anew.
 void watch_gait(const World& world, std::optional<uint32_t> walker, GaitWatch& watch);
 

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_grid = IM_COL32(255, 255, 255, 26), k_axis = IM_COL32(255, 255, 255, 70),
-                   k_words = IM_COL32(167, 162, 154, 255), k_title = IM_COL32(242, 239, 233, 255);
+// Of lines and letters, in a dark theme and a light one.
+uint32_t grid_colour() { return ImGui::GetColorU32(ImGuiCol_Text, 0.12f); }
+uint32_t axis_colour() { return ImGui::GetColorU32(ImGuiCol_Text, 0.3f); }
+uint32_t words_colour() { return ImGui::GetColorU32(ImGuiCol_TextDisabled); }
+uint32_t title_colour() { return ImGui::GetColorU32(ImGuiCol_Text); }
 
 struct Frame {
     ImVec2 low, high;  // of the plotted ground, pixels: left and above, right and below
@@ -23,6 +27,11 @@ struct Frame {
         return high.y - (high.y - low.y) * (value - plot.low.y) / (plot.high.y - plot.low.y);
     }
     ImVec2 at(glm::vec2 p) const { return {x(p.x), y(p.y)}; }
+    // The abscissa at a pixel.
+    float value(float x_pixel) const {
+        const float share = (x_pixel - low.x) / (high.x - low.x);
+        return plot.low.x + std::clamp(share, 0.0f, 1.0f) * (plot.high.x - plot.low.x);
+    }
 };
 
 void add_grid(ImDrawList& list, const Frame& frame) {
@@ -41,20 +50,21 @@ void add_grid(ImDrawList& list, const Frame& frame) {
     for (float v = std::ceil(plot.low.y / step_y - 1e-3f) * step_y; v <= plot.high.y + 1e-3f * step_y;
          v += step_y) {
         if (std::fabs(v) < 1e-3f * step_y) v = 0;
-        list.AddLine({frame.low.x, frame.y(v)}, {frame.high.x, frame.y(v)}, v == 0 ? k_axis : k_grid);
+        list.AddLine({frame.low.x, frame.y(v)}, {frame.high.x, frame.y(v)},
+                     v == 0 ? axis_colour() : grid_colour());
         const ImVec2 size = label(v, step_y);
-        list.AddText({frame.low.x - size.x - line * 0.3f, frame.y(v) - size.y / 2}, k_words, text);
+        list.AddText({frame.low.x - size.x - line * 0.3f, frame.y(v) - size.y / 2}, words_colour(), text);
     }
     const float step_x = grid_step(plot.high.x - plot.low.x);
     for (float v = std::ceil(plot.low.x / step_x - 1e-3f) * step_x; v <= plot.high.x + 1e-3f * step_x;
          v += step_x) {
         if (std::fabs(v) < 1e-3f * step_x) v = 0;
-        list.AddLine({frame.x(v), frame.low.y}, {frame.x(v), frame.high.y}, k_grid);
+        list.AddLine({frame.x(v), frame.low.y}, {frame.x(v), frame.high.y}, grid_colour());
         const ImVec2 size = label(v, step_x);
-        list.AddText({frame.x(v) - size.x / 2, frame.high.y + line * 0.3f}, k_words, text);
+        list.AddText({frame.x(v) - size.x / 2, frame.high.y + line * 0.3f}, words_colour(), text);
     }
     const ImVec2 unit = ImGui::CalcTextSize(plot.x_unit);
-    list.AddText({frame.high.x - unit.x, frame.high.y + line * 1.2f}, k_words, plot.x_unit);
+    list.AddText({frame.high.x - unit.x, frame.high.y + line * 1.2f}, words_colour(), plot.x_unit);
 }
 
 void add_curve(ImDrawList& list, const Frame& frame, const PlotCurve& curve, float width) {
@@ -67,9 +77,39 @@ void add_curve(ImDrawList& list, const Frame& frame, const PlotCurve& curve, flo
     list.AddPolyline(points.data(), static_cast<int>(points.size()), curve.colour, ImDrawFlags_None, width);
 }
 
+// Keys move about in panels.
+bool has_nav() { return (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; }
+
+float last_of(const Plot& plot) {
+    float last = plot.low.x;
+    for (const PlotCurve& curve : plot.curves)
+        if (!curve.points.empty()) last = std::max(last, curve.points.back().x);
+    return last;
+}
+
+// At an abscissa: a line, a dot on each curve, and in words what they are there.
+void tell_values(ImDrawList& list, const Frame& frame, float x, float scale) {
+    std::string text;
+    char line[96];
+    auto add = [&](const char* form, const char* name, float value) {
+        std::snprintf(line, sizeof line, form, name, static_cast<double>(value));
+        text.append(text.empty() ? "" : "\n").append(line);
+    };
+    list.AddLine({frame.x(x), frame.low.y}, {frame.x(x), frame.high.y}, axis_colour());
+    for (const PlotCurve& curve : frame.plot.curves) {
+        const std::optional<float> value = value_at(curve, x);
+        if (!value) continue;
+        list.AddCircleFilled(frame.at({x, *value}), 3.5f * scale, curve.colour);
+        add("%s: %.3g", *curve.name ? curve.name : frame.plot.title, *value);
+    }
+    if (text.empty()) return;
+    add("%s: %.3g", *frame.plot.x_unit ? frame.plot.x_unit : "at", std::fabs(x));
+    ImGui::SetTooltip("%s", text.c_str());
+}
+
 // The title, and behind it what the curves are.
 void add_names(ImDrawList& list, const Plot& plot, ImVec2 at, float right) {
-    list.AddText(at, k_title, plot.title);
+    list.AddText(at, title_colour(), plot.title);
     float x = right;
     for (size_t i = plot.curves.size(); i-- > 0;) {
         const PlotCurve& curve = plot.curves[i];
@@ -82,6 +122,16 @@ void add_names(ImDrawList& list, const Plot& plot, ImVec2 at, float right) {
 }
 
 }  // namespace
+
+std::optional<float> value_at(const PlotCurve& curve, float x) {
+    const std::span<const glm::vec2> points = curve.points;
+    if (points.empty() || x < points.front().x || x > points.back().x) return {};
+    size_t i = 0;
+    while (i + 1 < points.size() && points[i + 1].x <= x) ++i;
+    if (i + 1 == points.size() || curve.is_stepped) return points[i].y;
+    const glm::vec2 a = points[i], b = points[i + 1];
+    return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+}
 
 float grid_step(float span) {
     float step = 0.01f;
@@ -97,8 +147,9 @@ float round_top(float most) {
 void lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
     const float line = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({size.x, size.y});
+    ImGui::InvisibleButton(plot.title, {size.x, size.y});
     if (!ImGui::IsItemVisible()) return;
+    const bool is_pointed_at = ImGui::IsItemHovered(), has_keys = ImGui::IsItemFocused() && has_nav();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Frame frame{{at.x + 2.6f * line, at.y + 1.4f * line},
                       {at.x + size.x - 0.5f * line, at.y + size.y - (*plot.x_unit ? 2.4f : 1.5f) * line},
@@ -113,10 +164,14 @@ void lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
     add_grid(list, frame);
     list.PushClipRect({frame.low.x, frame.low.y - 1}, {frame.high.x, frame.high.y + 1}, true);
     if (plot.mark >= plot.low.x && plot.mark <= plot.high.x)
-        list.AddLine({frame.x(plot.mark), frame.low.y}, {frame.x(plot.mark), frame.high.y}, k_axis);
+        list.AddLine({frame.x(plot.mark), frame.low.y}, {frame.x(plot.mark), frame.high.y}, axis_colour());
     for (const PlotCurve& curve : plot.curves)
         if (curve.points.size() > 1) add_curve(list, frame, curve, 1.6f * scale);
     list.PopClipRect();
+    if (is_pointed_at)
+        tell_values(list, frame, frame.value(ImGui::GetIO().MousePos.x), scale);
+    else if (has_keys)
+        tell_values(list, frame, last_of(plot), scale);
 }
 
 }  // namespace flaneur

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,10 @@ float grid_step(float span);
 // `high` of an axis from 0 that holds `most`: a whole number of grid lines.
 float round_top(float most);
 
+// What a curve is at an abscissa: between its points; none outside of them.
+std::optional<float> value_at(const PlotCurve& curve, float x);
+
+// What the curves are under the cursor is told; while the plot has the keys, what they are at its right end.
 void lay_out_plot(const Plot& plot, glm::vec2 size, float scale);
 
 }  // namespace flaneur
