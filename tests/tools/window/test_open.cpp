@@ -1,11 +1,14 @@
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "tests/folder.h"
 #include "tools/flaneur/window/open/complete.h"
 #include "tools/flaneur/window/open/plan.h"
 #include "tools/flaneur/window/open/recent.h"
+#include "tools/flaneur/window/viewer.h"
 
 namespace flaneur {
 namespace {
@@ -132,6 +135,22 @@ TEST(Complete, OffersFoldersAndWhatCanBeOpened) {
     setenv("HOME", folder.path.c_str(), 1);
     EXPECT_EQ(completions("~/bern"), Words{"~/bern.osm.pbf"});
     EXPECT_EQ(full_path("~/a/../b.osm"), folder / "b.osm");
+}
+
+TEST(Complete, TabGoesAsFarAsTwoFilesAgree) {
+    TestFolder folder;
+    for (const char* name : {"town_north.osm", "town_south.osm", "village.osm"})
+        static_cast<void>(folder.write(name, ""));
+    Show show;
+    Viewer v;
+    PathPrompt& prompt = v.opening.prompt;
+    prompt.is_open = true;
+    const std::string at = folder / "";
+    prompt.looked_for = at, prompt.found = completions(at);  // before the last letter was typed
+    std::snprintf(prompt.typed, sizeof prompt.typed, "%st", at.c_str());
+    EXPECT_TRUE(press_in_opening(GLFW_KEY_TAB, 0, show, v));
+    EXPECT_EQ(prompt.becomes, at + "town_");
+    EXPECT_EQ(prompt.found, (Words{at + "town_north.osm", at + "town_south.osm"})) << "and they are listed";
 }
 
 }  // namespace

@@ -33,6 +33,13 @@ int replace_typed(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
+void look_for(PathPrompt& prompt) {
+    if (prompt.looked_for == prompt.typed && !prompt.found.empty()) return;
+    prompt.looked_for = prompt.typed;
+    prompt.found = completions(prompt.typed);
+    prompt.chosen = -1;
+}
+
 void become(PathPrompt& prompt, const std::string& text) {
     prompt.becomes = text;
     prompt.chosen = -1;
@@ -49,11 +56,7 @@ void take(Viewer& v, const std::string& path) {
 void lay_out_prompt(Viewer& v, Size size, float scale) {
     PathPrompt& prompt = v.opening.prompt;
     if (!prompt.is_open) return;
-    if (prompt.looked_for != prompt.typed || prompt.found.empty()) {
-        prompt.looked_for = prompt.typed;
-        prompt.found = completions(prompt.typed);
-        prompt.chosen = -1;
-    }
+    look_for(prompt);
     const DialogPlace place = dialog_place(size.height, k_rows + 1, scale);
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, place.top}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({fitted(620, scale), 0});
@@ -79,7 +82,10 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
             if (prompt.found.empty()) ImGui::TextDisabled("nothing here that can be opened");
         }
         ImGui::EndChild();
-        ImGui::TextDisabled("Tab completes, Enter opens, Esc leaves it");
+        if (prompt.found.size() > 1)
+            ImGui::TextDisabled("Tab completes what all %zu begin with, Enter opens", prompt.found.size());
+        else
+            ImGui::TextDisabled("Tab completes, Enter opens, Esc leaves it");
     }
     ImGui::End();
     if (clicked) take(v, *clicked);
@@ -87,6 +93,7 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
 
 void press_in_prompt(int key, Viewer& v) {
     PathPrompt& prompt = v.opening.prompt;
+    look_for(prompt);  // what was typed since the last picture too
     const int last = static_cast<int>(prompt.found.size()) - 1;
     if (key == GLFW_KEY_ESCAPE) prompt.is_open = false;
     if (key == GLFW_KEY_DOWN) prompt.chosen = std::min(prompt.chosen + 1, last);
