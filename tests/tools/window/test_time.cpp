@@ -256,6 +256,58 @@ TEST_F(Time, AnotherRunBesideGoesAlong) {
     EXPECT_EQ(size_of_one(v, {802, 600}).width, 802);
 }
 
+TEST_F(Time, LinesAndZonesCountInTheRunBesideToo) {
+    // Before whoever is the fastest.
+    const CrowdMotion& motion = world().crowd.motion;
+    uint32_t who = 0;
+    for (const WalkerId id : world().crowd.slots.living)
+        if (length(motion.velocity[id.index]) > length(motion.velocity[who])) who = id.index;
+    const Vec3 at = motion.position[who];
+    const Vec2 ahead = normalize_or(motion.velocity[who], {1, 0});
+    const Vec2 middle = on_ground(at) + ahead * 1.5f, aside = Vec2{-ahead.z, ahead.x} * 30;
+    MeasurePlan plan;
+    plan.lines.push_back({"L1", middle - aside, middle + aside});
+    plan.zones.push_back(
+        {"Z1", {{at.x - 9, at.z - 9}, {at.x + 9, at.z - 9}, {at.x + 9, at.z + 9}, {at.x - 9, at.z + 9}}});
+    Counts& here = v.measure.counts;
+    set_plan(here, plan, world().tick);
+    count_people(here, world());
+    auto put = [&](std::optional<uint32_t> moment) {
+        set_beside(show, v, {1, 40, moment});
+        v.time.anew->ready.wait();
+        take_people_anew(show, v);
+    };
+    auto keep_up = [&] {
+        for (int pictures = 0; pictures < 1000 && v.time.beside->world->tick != world().tick; ++pictures)
+            keep_up_beside(show, v);
+    };
+    put({}), keep_up();
+    // The same run: what is counted from here on is the same.
+    begin_anew(v.time.beside->counts, world().tick);
+    for (int i = 0; i < 300; ++i) make_tick(show, v);
+    keep_up();
+    const Counts& there = v.time.beside->counts;
+    ASSERT_EQ(there.lines.size(), 1u);
+    const Flow left = flow_of(here.lines[0], 700, 1e9), right = flow_of(there.lines[0], there.shown, 1e9);
+    EXPECT_GT(left.left + left.right, 0u);
+    EXPECT_EQ(left.left, right.left);
+    EXPECT_EQ(left.right, right.right);
+    EXPECT_EQ(zone_now(here.zones[0], here).people, zone_now(there.zones[0], there).people);
+    // What has been looked at again is not counted again.
+    go(500), keep_up(), go(700), keep_up();
+    const Flow again = flow_of(there.lines[0], there.shown, 1e9);
+    EXPECT_EQ(again.left + again.right, right.left + right.right);
+    plan.lines.push_back({"L2", {at.x, at.z - 30}, {at.x, at.z + 30}});
+    set_plan(here, plan, world().tick);
+    keep_up_beside(show, v);
+    EXPECT_EQ(plan_of(there), plan) << "drawn meanwhile";
+    // A moment that is kept has what was counted until then.
+    put(world().tick);
+    keep_up_beside(show, v);
+    const Flow kept = flow_of(v.time.beside->counts.lines[0], v.time.beside->counts.shown, 1e9);
+    EXPECT_EQ(kept.left + kept.right, left.left + left.right);
+}
+
 TEST_F(Time, FiguresOfACrowd) {
     Crowd& crowd = world().crowd;
     for (uint32_t i = 0; i < crowd.count; ++i) {

@@ -31,7 +31,7 @@ constexpr std::array k_actions = {
     Action{"Finish what is drawn", "Enter", GLFW_KEY_ENTER, 0,
            [](Show& show, Viewer& v) { finish_draft(show, v); }},
     Action{"Count people anew on all lines and zones", "", 0, 0,
-           [](Show& show, Viewer& v) { begin_anew(v.measure.counts, show.loaded.world->tick); }},
+           [](Show& show, Viewer& v) { count_anew(show, v); }},
     Action{"Write what lines and zones counted, as CSV", "", 0, 0,
            [](Show& show, Viewer& v) { write_counts_as_csv(show, v); }},
     Action{"Save lines and zones", "", 0, 0, [](Show&, Viewer& v) { write_plan(v); }},

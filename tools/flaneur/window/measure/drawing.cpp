@@ -171,6 +171,11 @@ void count_drawn(const Show& show, Viewer& v) {
     v.measure.outlines.clear();
 }
 
+void count_anew(const Show& show, Viewer& v) {
+    begin_anew(v.measure.counts, show.loaded.world->tick);
+    if (v.time.beside) begin_anew(v.time.beside->counts, v.time.beside->world->tick);
+}
+
 void take_tool(MarkingKind kind, Viewer& v) {
     MeasureRoom& room = v.measure;
     v.room = Room::measure;

@@ -29,6 +29,8 @@ bool abandon_drawing(Viewer& viewer);
 
 // Counts by what is drawn, from now on.
 void count_drawn(const Show& show, Viewer& viewer);
+// Forgets what was counted, in a run beside this one too.
+void count_anew(const Show& show, Viewer& viewer);
 
 // What is written and read.
 void write_counts_as_csv(const Show& show, Viewer& viewer);

@@ -26,11 +26,8 @@ constexpr const char* k_tips[] = {"click from point to point; Enter or a double 
 void lay_out_tools(Viewer& v) {
     for (size_t i = 0; i < std::size(k_drawn_names); ++i) {
         const auto kind = static_cast<MarkingKind>(i);
-        const bool is_on = v.measure.tool == kind;
         if (i > 0) ImGui::SameLine();
-        if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        if (ImGui::Button(k_drawn_names[i])) take_tool(kind, v);
-        if (is_on) ImGui::PopStyleColor();
+        if (toggle_button(k_drawn_names[i], v.measure.tool == kind)) take_tool(kind, v);
         tip(k_tips[i]);
     }
 }
@@ -211,7 +208,7 @@ void lay_out_files(Show& show, Viewer& v, float scale) {
     if (ImGui::Button("Save")) write_plan(v);
     ImGui::SameLine();
     if (ImGui::Button("Read")) read_plan(show, v);
-    if (ImGui::Button("Count anew")) begin_anew(room.counts, show.loaded.world->tick);
+    if (ImGui::Button("Count anew")) count_anew(show, v);
     tip("forgets what was counted");
     go_beside("Copy as options of flaneur sim", scale);
     if (ImGui::Button("Copy as options of flaneur sim")) copy_options(v);

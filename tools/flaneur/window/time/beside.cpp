@@ -81,6 +81,7 @@ void put_beside(Viewer& v, std::unique_ptr<World> world, const BesideChoice& cho
         if (Result<void> done = restore(*v.time.history, from, *beside->world); !done)
             return tell(v, "This run cannot be set beside itself: " + done.error().message);
         follow(*beside->history, *beside->world);
+        beside->counts = v.measure.counts;  // up to that moment
     }
     v.time.beside = std::move(beside);
     v.techniques.is_split = false;
@@ -92,10 +93,21 @@ void set_beside_this_moment(Show& show, Viewer& v) {
     set_beside(show, v, {world.seed, static_cast<uint32_t>(world.crowd.slots.living.size()), world.tick});
 }
 
+void count_beside(const Counts& here, Beside& beside) {
+    const MeasurePlan plan = plan_of(here);
+    const World& world = *beside.world;
+    if (plan_of(beside.counts) != plan) {
+        set_plan(beside.counts, plan, world.tick);
+        count_people(beside.counts, world);
+    }
+    beside.counts.shown = std::min(beside.counts.tick, world.tick);
+}
+
 void keep_up_beside(Show& show, Viewer& v) {
     if (!v.time.beside) return;
     Beside& beside = *v.time.beside;
     World& world = *beside.world;
+    count_beside(v.measure.counts, beside);
     const uint32_t to = beside.moment.value_or(show.loaded.world->tick);
     if (world.tick == to) return;
     const uint32_t from = kept_before(*beside.history, to).value_or(0);
@@ -109,6 +121,9 @@ void keep_up_beside(Show& show, Viewer& v) {
         keep_previous(beside.without, world);
         step(world);
         follow(*beside.history, world);
+        const Counts& counts = beside.counts;
+        if (counts.tick == k_unticked || world.tick > counts.tick) count_people(beside.counts, world);
+        beside.counts.shown = std::min(counts.tick, world.tick);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
         if (spent.count() > k_piece_seconds) return;
     }
@@ -170,6 +185,23 @@ void lay_out_beside(const Show& show, Viewer& v) {
         figure("who walk", "%.0f", static_cast<float>(a.walking), static_cast<float>(b.walking));
         figure("at, m/s", "%.2f", a.speed, b.speed);
         if (!here.roam) figure("densest, people/m2", "%.2f", a.density, b.density);
+        const Counts &here_counts = v.measure.counts, &there = beside.counts;
+        // What has not been counted for a while is not told.
+        auto flow = [&](const LineCount& left, const LineCount& right) {
+            const Flow l = flow_of(left, here_counts.shown, k_flow_seconds),
+                       r = flow_of(right, there.shown, k_flow_seconds);
+            const std::string what = left.line.name + ", people/min";
+            if (l.seconds > 0 && r.seconds > 0)
+                return figure(what.c_str(), "%.1f", static_cast<float>(l.per_minute),
+                              static_cast<float>(r.per_minute));
+            row(what.c_str(), "-", "-", "");
+        };
+        for (size_t i = 0; i < std::min(here_counts.lines.size(), there.lines.size()); ++i)
+            flow(here_counts.lines[i], there.lines[i]);
+        for (size_t i = 0; i < std::min(here_counts.zones.size(), there.zones.size()); ++i)
+            figure((here_counts.zones[i].zone.name + ", people/m2").c_str(), "%.2f",
+                   zone_now(here_counts.zones[i], here_counts).density,
+                   zone_now(there.zones[i], there).density);
         ImGui::EndTable();
     }
     const bool is_over = ImGui::Button("End");

@@ -9,6 +9,7 @@
 #include "sim/without.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/history/history.h"
+#include "tools/flaneur/measure/count.h"
 #include "tools/flaneur/overlay/overlay.h"
 
 namespace flaneur {
@@ -25,6 +26,7 @@ struct Beside {
     PeopleFrame people;              // as it is drawn
     Without without;
     Overlay overlay;
+    Counts counts;  // by the lines and zones of this run
 };
 
 // Makes it in the background, of the same city and characters; it is there once it is made. In place of one
@@ -43,6 +45,10 @@ void set_beside_this_moment(Show& show, Viewer& viewer);
 // Goes along, for a while that leaves the window alive. To be called once a picture, after this run's ticks.
 void keep_up_beside(Show& show, Viewer& viewer);
 
+// Its people are counted by the same lines and zones as this run's. To be called when those have changed, and
+// before it goes along.
+void count_beside(const Counts& here, Beside& beside);
+
 // Whether two pictures are shown side by side: this run and another one, or bodies with all that makes them
 // and without some of it (see ask/techniques.h).
 bool has_two(const Viewer& viewer);
@@ -52,7 +58,7 @@ Size size_of_one(const Viewer& viewer, Size size);
 Result<Image> draw_side_by_side(Show& show, Viewer& viewer, const FrameInput& frame, Size size,
                                 float between);
 
-// What differs, in figures.
+// What differs, in figures: of all, and of each line and zone.
 void lay_out_beside(const Show& show, Viewer& viewer);
 
 // Of everybody in a world: how many, how many of them walk, at what mean speed those, m/s, and how dense the
