@@ -3,8 +3,10 @@
 
 #include "renderer/view.h"
 #include "tests/tools/loaded.h"
+#include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/measure/plot.h"
 
 namespace flaneur {
 namespace {
@@ -170,6 +172,42 @@ TEST_F(MeasureRoomTest, ElsewhereTheMouseIsFree) {
     v.room = Room::layers;
     click(300, 200), click(500, 260);
     EXPECT_TRUE(room().drawn.empty() && room().draft.empty());
+}
+
+TEST_F(MeasureRoomTest, ACloseOfAStreetIsSeenBeforeTheClick) {
+    v.room = Room::change;
+    v.change.tool = AddedKind::barrier;
+    bool is_seen = false;
+    Mouse was;
+    for (double x = 100; x < 800 && !is_seen; x += 50) {
+        const Mouse now{.x = x, .y = 225};
+        take_mouse(show, was, now, k_size, false, v);
+        is_seen = v.change.ghost.has_value();
+        was = now;
+    }
+    ASSERT_TRUE(is_seen);
+    const Addition seen = *v.change.ghost;
+    EXPECT_TRUE(current(v.change.designs).added.empty()) << "nothing is closed yet";
+    const double x = was.x;
+    take_mouse(show, was, {.x = x, .y = 225, .is_held = true, .held_x = x, .held_y = 225}, k_size, false, v);
+    was.is_held = true;
+    take_mouse(show, was, {.x = x, .y = 225, .has_clicked = true}, k_size, false, v);
+    ASSERT_EQ(current(v.change.designs).added.size(), 1u);
+    EXPECT_EQ(current(v.change.designs).added[0], seen) << "what was seen is what is closed";
+    EXPECT_NE(v.note.find(crossed_by(*show.loaded.world->ground, seen)), std::string::npos) << v.note;
+}
+
+TEST(Plot, TellsWhatACurveIsAt) {
+    const std::vector<glm::vec2> points = {{0, 1}, {2, 3}, {2, 7}, {4, 7}};
+    PlotCurve curve{"", 0, points};
+    EXPECT_FLOAT_EQ(value_at(curve, 1).value(), 2);
+    EXPECT_FLOAT_EQ(value_at(curve, 2).value(), 7) << "after a step";
+    EXPECT_FLOAT_EQ(value_at(curve, 4).value(), 7);
+    EXPECT_FALSE(value_at(curve, 4.1f));
+    EXPECT_FALSE(value_at(curve, -0.1f));
+    curve.is_stepped = true;
+    EXPECT_FLOAT_EQ(value_at(curve, 1.9f).value(), 1);
+    EXPECT_FALSE(value_at({"", 0, {}}, 0));
 }
 
 }  // namespace

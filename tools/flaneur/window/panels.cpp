@@ -14,11 +14,12 @@
 #include "sim/base/tick.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
-#include "tools/flaneur/window/panels/bar.h"
 #include "tools/flaneur/window/cameras/map.h"
-#include "tools/flaneur/window/panels/card.h"
 #include "tools/flaneur/window/change/room.h"
+#include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/panels/bar.h"
+#include "tools/flaneur/window/panels/card.h"
 #include "tools/flaneur/window/panels/palette.h"
 #include "tools/flaneur/window/settings/room.h"
 #include "tools/flaneur/window/widgets.h"
@@ -108,6 +109,23 @@ void lay_out_state(Viewer& v) {
     ImGui::End();
 }
 
+// What a click does in the city, beside the cursor, while it is more than to ask.
+void lay_out_tool(const Show& show, const Viewer& v, float scale) {
+    std::string tool;
+    if (v.room == Room::measure && v.measure.tool) tool = k_drawn_names[static_cast<size_t>(*v.measure.tool)];
+    if (v.room == Room::change) tool = armed_tool(show, v.change);
+    const Pointer& pointer = v.events.pointer;
+    if (tool.empty() || show.loaded.world->roam || is_on_panel(pointer.x, pointer.y)) return;
+    const std::string text = tool.append(" (Esc ends)");
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 at{static_cast<float>(pointer.x) + 18 * scale, static_cast<float>(pointer.y) + 14 * scale};
+    const float room = 5 * scale;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled({at.x - room, at.y - room / 2}, {at.x + size.x + room, at.y + size.y + room / 2},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg), 4 * scale);
+    list.AddText(at, ImGui::GetColorU32(ImGuiCol_CheckMark), text.c_str());
+}
+
 // "so far 43 %" as 0.43.
 std::optional<float> share_of(const std::string& line) {
     if (!line.ends_with(" %")) return {};
@@ -181,8 +199,9 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_note(viewer, size, scale);
     lay_out_filming(viewer, size);
     lay_out_opening(show, viewer, size, scale);
-    lay_out_labels(viewer, size, scale);
+    lay_out_labels(viewer, size_of_one(viewer, size), scale);
     if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
+    lay_out_tool(show, viewer, scale);
     lay_out_map(viewer, size, scale);
     lay_out_legends(legends, viewer, scale);
     lay_out_bar(show, viewer, k_rooms, scale);

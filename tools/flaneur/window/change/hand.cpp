@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "sim/base/math.h"
 #include "sim/base/segment.h"
@@ -69,7 +70,16 @@ void end_line(const World& world, Viewer& v) {
     const bool is_long = length(on_ground(a.to - a.at)) >= k_shortest_added;
     if (is_long) return put_down(world, a, v);
     if (a.kind == AddedKind::wall) return tell(v, "Drag from one end of the wall to the other.");
-    if (const auto row = closure_at(*world.ground, a.at)) return put_down(world, *row, v);
+    if (const auto row = closure_at(*world.ground, a.at)) {
+        const size_t before = current(v.change.designs).added.size();
+        put_down(world, *row, v);
+        if (current(v.change.designs).added.size() == before) return;
+        char told[80];
+        std::snprintf(told, sizeof told, "A %s is closed, %.1f m from wall to wall.",
+                      crossed_by(*world.ground, *row),
+                      static_cast<double>(length(on_ground(row->to - row->at))));
+        return tell(v, told);
+    }
     tell(v, "No walls are near on both sides: drag from one end of the barrier to the other.");
 }
 
@@ -175,6 +185,27 @@ std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
     return best;
 }
 
+const char* crossed_by(const Ground& ground, const Addition& row) {
+    constexpr float k_apart = 0.5f;  // metres
+    bool has_road = false, has_path = false, has_plaza = false, has_steps = false;
+    const auto pieces = static_cast<int>(length(on_ground(row.to - row.at)) / k_apart) + 1;
+    for (int i = 0; i <= pieces; ++i) {
+        const Vec3 place = lerp(row.at, row.to, static_cast<float>(i) / static_cast<float>(pieces));
+        const auto under = ground_at(ground, place, 3, 3);
+        if (!under) continue;
+        const Surface kind = under->kind;
+        has_road |= kind == Surface::road || kind == Surface::crossing || kind == Surface::track;
+        has_path |= kind == Surface::path || kind == Surface::sidewalk;
+        has_plaza |= kind == Surface::plaza;
+        has_steps |= kind == Surface::steps;
+    }
+    return has_road    ? "street"
+           : has_steps ? "flight of steps"
+           : has_plaza ? "square"
+           : has_path  ? "path"
+                       : "yard";
+}
+
 std::optional<size_t> addition_at(std::span<const Addition> added, Vec3 place) {
     std::optional<size_t> found;
     float least = 1e9f;
@@ -248,6 +279,8 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
         return true;
     }
     if (place && !now.is_held && !is_drawn_out(*c.tool)) c.ghost = new_one(*world.ground, *c.tool, *place);
+    if (place && !now.is_held && c.tool == AddedKind::barrier)
+        c.ghost = closure_at(*world.ground, rounded(*place));
     return now.has_clicked;
 }
 

@@ -31,6 +31,10 @@ void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
 // m.
 std::optional<Addition> closure_at(const Ground& ground, Vec3 place);
 
+// What a row of barriers lies across, in a word: "street" where there is a carriageway, "yard" where there is
+// nothing but grass.
+const char* crossed_by(const Ground& ground, const Addition& row);
+
 // The number of the addition that a place on the ground lies on, or next to.
 std::optional<size_t> addition_at(std::span<const Addition> added, Vec3 place);
 

@@ -92,7 +92,8 @@ struct ToolButton {
 };
 constexpr ToolButton k_tools[] = {
     {AddedKind::barrier, "Close a street",
-     "Click a street to close it from wall to wall; or drag from one end of the barrier to the other."},
+     "Click a street, a path or a yard to close it from wall to wall; or drag from one end of the barrier to "
+     "the other."},
     {AddedKind::wall, "Wall", "Drag from one end of the wall to the other."},
     {AddedKind::planter, "Planter", "Click the ground to put one down."},
     {AddedKind::car, "Car", "Click the ground to put one down."},
@@ -123,13 +124,9 @@ void lay_out_tools(Viewer& v, float scale) {
         const size_t place = number < 2 ? number : (number + 1) % 3;
         const float width = number++ < 2 ? 129 : 84;
         if (place > 0) ImGui::SameLine();
-        const bool is_on = c.tool == button.kind;
-        if (is_on) {
-            hint = button.hint;
-            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        }
-        if (ImGui::Button(button.name, {width * scale, 0})) choose_tool(v, button.kind);
-        if (is_on) ImGui::PopStyleColor();
+        if (c.tool == button.kind) hint = button.hint;
+        if (toggle_button(button.name, c.tool == button.kind, {width * scale, 0}))
+            choose_tool(v, button.kind);
     }
     ImGui::PushTextWrapPos(264 * scale);
     ImGui::TextDisabled("%s", hint);
@@ -243,6 +240,25 @@ void undo_last(Show&, Viewer& v) {
 void redo_last(Show&, Viewer& v) {
     if (!redo(v.change.designs)) tell(v, "Nothing has been undone.");
     v.change.selected.reset();
+}
+
+std::string armed_tool(const Show& show, const Change& c) {
+    if (!c.tool) return "";
+    const bool is_row = c.ghost && is_drawn_out(c.ghost->kind);
+    const float across = is_row ? length(on_ground(c.ghost->to - c.ghost->at)) : 0;
+    const bool is_click = *c.tool == AddedKind::barrier && !c.grip.is_held;
+    char text[80];
+    if (is_click && is_row)
+        std::snprintf(text, sizeof text, "Close this %s, %.1f m",
+                      crossed_by(*show.loaded.world->ground, *c.ghost), static_cast<double>(across));
+    else if (is_click)
+        std::snprintf(text, sizeof text, "No walls on both sides: drag");
+    else if (is_row)
+        std::snprintf(text, sizeof text, "%s, %.1f m", k_tools[*c.tool == AddedKind::wall ? 1 : 0].name,
+                      static_cast<double>(across));
+    for (const ToolButton& button : k_tools)
+        if (!is_click && !is_row && c.tool == button.kind) return button.name;
+    return text;
 }
 
 std::span<const Action> change_actions() { return k_actions; }

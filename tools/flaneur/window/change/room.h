@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace flaneur {
 
@@ -11,6 +12,8 @@ struct Change;
 struct Show;
 struct Viewer;
 
+// What a click does, and of a row of barriers what it closes and how broad that is; "": it asks.
+std::string armed_tool(const Show& show, const Change& change);
 void lay_out_change(Show& show, Viewer& viewer, float scale);
 
 // After a slider: its drag is undone as one.
