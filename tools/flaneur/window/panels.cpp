@@ -118,7 +118,10 @@ void lay_out_tool(const Show& show, const Viewer& v, float scale) {
     if (tool.empty() || show.loaded.world->roam || is_on_panel(pointer.x, pointer.y)) return;
     const std::string text = tool.append(" (Esc ends)");
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at{static_cast<float>(pointer.x) + 18 * scale, static_cast<float>(pointer.y) + 14 * scale};
+    ImVec2 at{static_cast<float>(pointer.x) + 18 * scale, static_cast<float>(pointer.y) + 14 * scale};
+    const float right = at.x + size.x;
+    const bool is_hidden = right > v.layout.wish.window.x || is_on_panel(right, at.y);
+    if (is_hidden) at.x = static_cast<float>(pointer.x) - 12 * scale - size.x;
     const float room = 5 * scale;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddRectFilled({at.x - room, at.y - room / 2}, {at.x + size.x + room, at.y + size.y + room / 2},

@@ -66,6 +66,7 @@ void lay_out_keys(Viewer& v, Size size, float scale) {
     ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(size.width) - 2 * k_edge * scale,
                                                  static_cast<float>(size.height) - 2 * k_edge * scale});
     if (ImGui::Begin("Keys", &v.lists_keys, k_room)) {
+        ImGui::PushTextWrapPos(fitted(1e9f, scale));
         auto table = [&](const char* name, auto rows) {
             ImGui::TextUnformatted(name);
             if (!ImGui::BeginTable(name, 2)) return;
@@ -82,6 +83,7 @@ void lay_out_keys(Viewer& v, Size size, float scale) {
                 for (const Action& action : group.actions)
                     if (*action.keys) lay_out_row(action.name, action.keys);
             });
+        ImGui::PopTextWrapPos();
     }
     ImGui::End();
 }
