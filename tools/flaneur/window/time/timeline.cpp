@@ -55,8 +55,9 @@ Pointed pointed_at(const Timeline& time, const Bar& bar, float x, float scale) {
 }
 
 void draw_kept(ImDrawList& list, const Bar& bar, const std::vector<uint32_t>& kept, uint32_t latest) {
-    list.AddRectFilled(bar.low, bar.high, panel_colour(0x353a41), 3);
-    list.AddRectFilled(bar.low, {bar.x_of(latest), bar.high.y}, panel_colour(0x4a5560), 3);
+    list.AddRectFilled(bar.low, bar.high, ImGui::GetColorU32(ImGuiCol_FrameBg), 3);
+    list.AddRectFilled(bar.low, {bar.x_of(latest), bar.high.y}, ImGui::GetColorU32(ImGuiCol_FrameBgActive),
+                       3);
     // The brighter, the closer together what is kept, and the sooner one is there.
     for (size_t i = 0; i < kept.size(); ++i) {
         const uint32_t next = i + 1 < kept.size() ? kept[i + 1] : latest;
@@ -83,9 +84,9 @@ void draw_events(ImDrawList& list, const Bar& bar, const Timeline& time, float s
 void draw_marks(ImDrawList& list, const Bar& bar, const Timeline& time, float scale) {
     for (const Mark& mark : time.marks) {
         const float x = bar.x_of(mark.tick), side = 5 * scale;
-        list.AddLine({x, bar.low.y}, {x, bar.high.y}, panel_colour(0xf2efe9), scale);
+        list.AddLine({x, bar.low.y}, {x, bar.high.y}, ImGui::GetColorU32(ImGuiCol_Text), scale);
         list.AddTriangleFilled({x, bar.low.y - 2 * scale}, {x + 1.6f * side, bar.low.y + 0.5f * side},
-                               {x, bar.low.y + side}, panel_colour(0xf2efe9));
+                               {x, bar.low.y + side}, ImGui::GetColorU32(ImGuiCol_Text));
     }
 }
 
@@ -156,8 +157,9 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     draw_events(list, bar, time, scale);
     draw_marks(list, bar, time, scale);
     const float x = bar.x_of(now), middle = 0.5f * (bar.low.y + bar.high.y);
-    list.AddLine({x, bar.low.y - 4 * scale}, {x, bar.high.y + 4 * scale}, panel_colour(0x7fdbe6), 2 * scale);
-    list.AddCircleFilled({x, middle}, 5 * scale, panel_colour(0x7fdbe6));
+    list.AddLine({x, bar.low.y - 4 * scale}, {x, bar.high.y + 4 * scale},
+                 ImGui::GetColorU32(ImGuiCol_SliderGrabActive), 2 * scale);
+    list.AddCircleFilled({x, middle}, 5 * scale, ImGui::GetColorU32(ImGuiCol_SliderGrabActive));
     ImGui::SetCursorScreenPos({high.x + 10 * scale, from.y});
     ImGui::TextDisabled("%s", run_time(time.latest).c_str());
     tip("as far as the run has come (End)");
