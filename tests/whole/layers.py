@@ -86,8 +86,8 @@ tools/flaneur/window/open: renderer, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/record: renderer, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/window/settings: renderer, sim/base, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/time: assets, sim, tools/extract, tools/flaneur/history, tools/flaneur/measure, tools/flaneur/overlay
-tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/kept: assets, tools/flaneur/window/cameras, tools/flaneur/window/time
+tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras

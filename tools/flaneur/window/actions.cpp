@@ -96,7 +96,7 @@ constexpr std::array k_layers = {
 // For who has no mouse: the cursor goes there first, so that one sees what a click would mean.
 void click_in_middle(Show&, Viewer& v) {
     const glm::dvec2 window(v.layout.wish.window);
-    const double x = std::floor(window.x / (v.time.beside ? 4 : 2)), y = std::floor(window.y / 2);
+    const double x = std::floor(window.x / (has_two(v) ? 4 : 2)), y = std::floor(window.y / 2);
     Events& events = v.events;
     const bool is_there = events.x == x && events.y == y;
     events.x = x, events.y = y;

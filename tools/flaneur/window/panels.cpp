@@ -214,7 +214,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_room(show, viewer, scale);
     lay_out_timeline(show, viewer, size, scale);
     lay_out_beside(show, viewer);
-    lay_out_halves(viewer, size, scale);
+    lay_out_halves(viewer, size);
     lay_out_card(show, viewer, scale);
     give_keys(viewer);
     keep_changed_settings(viewer);

@@ -40,10 +40,8 @@ constexpr std::array k_actions = {
 };
 static_assert(k_actions.size() == k_techniques.size() + 2);
 
-void lay_out_half(const char* name, float middle, const std::string& text, Size size, float scale) {
-    ImGui::SetNextWindowPos({middle * static_cast<float>(size.width),
-                             static_cast<float>(size.height) - (k_edge + k_timeline) * scale},
-                            ImGuiCond_Always, {0.5f, 1});
+void lay_out_half(const char* name, float middle, const std::string& text, Size size, float foot) {
+    ImGui::SetNextWindowPos({middle * static_cast<float>(size.width), foot}, ImGuiCond_Always, {0.5f, 1});
     if (ImGui::Begin(name, nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         ImGui::PushTextWrapPos(0.3f * static_cast<float>(size.width));
         ImGui::TextUnformatted(text.c_str());
@@ -93,14 +91,14 @@ void lay_out_techniques(Show& show, Viewer& v, float scale) {
     tip("bodies as they are");
 }
 
-void lay_out_halves(const Viewer& v, Size size, float scale) {
+void lay_out_halves(const Viewer& v, Size size) {
     if (!v.techniques.is_split) return;
     std::string off;
     for (const TechniqueInfo& technique : k_techniques)
         if (!(v.techniques.on.*technique.is_on))
             off.append(off.empty() ? "without " : ", ").append(technique.name);
-    lay_out_half("left half", 0.25f, "all on", size, scale);
-    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, scale);
+    lay_out_half("left half", 0.25f, "all on", size, v.layout.plan.row_foot);
+    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, v.layout.plan.row_foot);
 }
 
 }  // namespace flaneur

@@ -26,7 +26,7 @@ void split_techniques(Show& show, Viewer& viewer);
 // In the room Gait.
 void lay_out_techniques(Show& show, Viewer& viewer, float scale);
 // What either half shows.
-void lay_out_halves(const Viewer& viewer, Size size, float scale);
+void lay_out_halves(const Viewer& viewer, Size size);
 
 std::span<const Action> technique_actions();
 

@@ -86,7 +86,7 @@ Result<std::string> write_picture(const Show& show, Viewer& v, const Image& imag
     std::string told = "Wrote " + path;
     for (size_t i = 0; i < channels->size(); ++i)
         told.append(i + 1 == channels->size() ? " and " : ", ").append((*channels)[i], path.size() - 4);
-    if (v.time.beside && (choice.has_depth || choice.has_ids)) told += "; depth and ids are of one run alone";
+    if (has_two(v) && (choice.has_depth || choice.has_ids)) told += "; depth and ids are of one run alone";
     return told;
 }
 
@@ -95,7 +95,7 @@ void ask_for_channels(const PictureChoice& choice, FrameInput& frame) {
     frame.wants_ids = choice.has_ids;
 }
 
-// Of one run, or of two side by side, if there are two; channels of one alone.
+// One picture, or two side by side; channels of one alone.
 Result<Image> draw(Show& show, Viewer& v, const FrameInput& frame, Size size, float between) {
     if (has_two(v)) return draw_side_by_side(show, v, frame, size, between);
     return draw_image(*show.renderer, frame, static_cast<uint32_t>(size.width),
