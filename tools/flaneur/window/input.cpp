@@ -44,8 +44,8 @@ void on_key(GLFWwindow* window, int key, int, int action, int mods) {
     if (action == GLFW_RELEASE) return;
     if (!v.is_loading) add_typed(key, mods, action == GLFW_REPEAT, v);
     const bool has_own_keys = has_own_field(v) || v.panel_keys.are_on;
-    // These are nothing that one types.
-    const bool is_typed = key != GLFW_KEY_ESCAPE && !(key == GLFW_KEY_Q && (mods & GLFW_MOD_CONTROL));
+    // These are nothing that one types; and a field that was left counts as one until the next picture.
+    const bool is_typed = key != GLFW_KEY_ESCAPE && (!(mods & GLFW_MOD_CONTROL) || edits(key, mods));
     if (gui_has_keys() && !has_own_keys && is_typed) return;
     if (v.is_loading && key == GLFW_KEY_ESCAPE) v.wants_close = true;
     if (!v.is_loading) v.presses.push_back({key, mods, action == GLFW_REPEAT});
