@@ -92,6 +92,13 @@ WalkerFacts facts_of(const Show& show, uint32_t walker) {
     return f;
 }
 
+std::string told_who(const WalkerFacts& f) {
+    if (!f.is_built_in) return f.name;
+    const bool is_child = f.age < k_grown_up;
+    const char* sex = f.is_woman ? (is_child ? "Girl" : "Woman") : (is_child ? "Boy" : "Man");
+    return std::string(sex) + ", " + std::to_string(static_cast<int>(f.age + 0.5f));
+}
+
 std::string told_doing(const WalkerFacts& f) {
     char text[96] = "";
     switch (f.doing) {

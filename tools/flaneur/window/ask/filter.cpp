@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_child = 14, k_old = 65;        // years: below, from
+constexpr float k_old = 65;                      // years, from
 constexpr float k_stands = 0.1f, k_runs = 2.2f;  // m/s: below, from
 
 using Holds = Filter::Holds;
@@ -28,12 +28,12 @@ bool goes_to(const WalkerFacts& f) {
 }
 
 constexpr Word k_words[] = {
-    {"woman", [](const WalkerFacts& f) { return f.is_built_in && f.is_woman && f.age >= k_child; }},
-    {"man", [](const WalkerFacts& f) { return f.is_built_in && !f.is_woman && f.age >= k_child; }},
-    {"girl", [](const WalkerFacts& f) { return f.is_built_in && f.is_woman && f.age < k_child; }},
-    {"boy", [](const WalkerFacts& f) { return f.is_built_in && !f.is_woman && f.age < k_child; }},
-    {"child", [](const WalkerFacts& f) { return f.is_built_in && f.age < k_child; }},
-    {"adult", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_child; }},
+    {"woman", [](const WalkerFacts& f) { return f.is_built_in && f.is_woman && f.age >= k_grown_up; }},
+    {"man", [](const WalkerFacts& f) { return f.is_built_in && !f.is_woman && f.age >= k_grown_up; }},
+    {"girl", [](const WalkerFacts& f) { return f.is_built_in && f.is_woman && f.age < k_grown_up; }},
+    {"boy", [](const WalkerFacts& f) { return f.is_built_in && !f.is_woman && f.age < k_grown_up; }},
+    {"child", [](const WalkerFacts& f) { return f.is_built_in && f.age < k_grown_up; }},
+    {"adult", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_grown_up; }},
     {"old", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_old; }},
     {"cane", [](const WalkerFacts& f) { return f.cane; }},
     {"pram", [](const WalkerFacts& f) { return f.pram; }},

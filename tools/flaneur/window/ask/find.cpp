@@ -49,12 +49,6 @@ void understand(Viewer& v) {
     search.filter = filter ? std::move(*filter) : Filter();
 }
 
-std::string told_who(const WalkerFacts& f) {
-    if (!f.is_built_in) return f.name;
-    const char* sex = f.age < 14 ? (f.is_woman ? "girl" : "boy") : (f.is_woman ? "woman" : "man");
-    return std::string(sex) + ", " + std::to_string(static_cast<int>(f.age + 0.5f));
-}
-
 void lay_out_hints(float scale) {
     if (!ImGui::BeginTable("words", 2)) return;
     ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, 110 * scale);

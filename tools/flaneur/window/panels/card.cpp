@@ -13,10 +13,7 @@ namespace {
 double wide(float v) { return static_cast<double>(v); }
 
 void lay_out_who(const WalkerFacts& f) {
-    if (f.is_built_in)
-        ImGui::Text("%s, %.0f", f.is_woman ? "Woman" : "Man", wide(f.age));
-    else
-        ImGui::Text("%s", f.name.c_str());
+    ImGui::TextUnformatted(told_who(f).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("no. %u", f.number);
     ImGui::Text("%.2f m tall", wide(f.height));
