@@ -106,7 +106,7 @@ constexpr ToolButton k_tools[] = {
 void choose_tool(Viewer& v, AddedKind kind) {
     Change& c = v.change;
     v.room = Room::change;
-    c.tool = c.tool == kind ? std::nullopt : std::optional(kind);
+    c.tool = kind;
     c.selected.reset();
 }
 

@@ -181,10 +181,7 @@ void take_tool(MarkingKind kind, Viewer& v) {
     v.room = Room::measure;
     room.draft.clear();
     room.selected.reset();
-    if (room.tool == kind)
-        room.tool.reset();
-    else
-        room.tool = kind;
+    room.tool = kind;
 }
 
 void finish_draft(const Show& show, Viewer& v) {

@@ -129,8 +129,15 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     const ImVec2 from = ImGui::GetCursorScreenPos();
     ImGui::Text("%s", run_time(now).c_str());
     tip("since the run began");
-    const float bar_width = ImGui::GetContentRegionAvail().x - 2 * letters;
-    ImGui::SetCursorScreenPos({from.x + letters, from.y - 2 * scale});
+    float start = letters;
+    if (first > 0) {
+        ImGui::SetCursorScreenPos({from.x + letters, from.y});
+        ImGui::TextDisabled("%s", run_time(first).c_str());
+        tip("as far as the past goes back: the city was changed then, or memory is short");
+        start += letters;
+    }
+    const float bar_width = ImGui::GetContentRegionAvail().x - start - letters;
+    ImGui::SetCursorScreenPos({from.x + start, from.y - 2 * scale});
     ImGui::InvisibleButton("bar", {std::max(bar_width, 40.0f), height + 10 * scale});
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const Bar bar{
