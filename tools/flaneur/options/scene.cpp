@@ -157,6 +157,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
         options.scene.city = *words.city;
         options.scene.asteroid = false;
         // What is said of the scene's own city.
+        options.scene.about.clear();
         options.scene.center = std::nullopt;
         options.scene.radius = 0;
         options.scene.terrain.clear();
