@@ -90,7 +90,8 @@ TEST(Options, NobodyAsksForTheCameraOfWhatIsNotDrawn) {
 TEST(Options, AnotherCityIsNotWhatTheSceneSaysOfItsOwn) {
     TestFolder folder;
     std::string map = folder.write(
-        "map.json", R"({"about": "A", "city": "a.osm", "terrain": "a.tif", "center": "52,13", "radius": 500})");
+        "map.json",
+        R"({"about": "A", "city": "a.osm", "terrain": "a.tif", "center": "52,13", "radius": 500})");
     std::string model = folder.write("model.json", R"({"city": "a.glb", "scale": 0.01})");
     Options own = parsed({"sim", "--scene", map}), other = parsed({"sim", "--scene", map, "--city", "b.osm"});
     EXPECT_EQ(own.scene.terrain, folder / "a.tif");
