@@ -132,7 +132,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
                        static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
         // Before the picture, which tells --resume that it is done.
-        Result<void> written = write_channels(std::move(channels), *image, *show.loaded.city);
+        Result<void> written = write_channels(std::exchange(channels, {}), *image, *show.loaded.city);
         if (written)
             written =
                 write_image(output, image->rgba, tick, options.is_transparent ? Alpha::kept : Alpha::dropped);

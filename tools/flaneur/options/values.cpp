@@ -47,6 +47,7 @@ Result<Moments> parse_moments(const std::string& text) {
 
 Result<Techniques> parse_without(const std::string& text) {
     std::vector<std::string> known;
+    known.reserve(k_techniques.size());
     for (const TechniqueInfo& technique : k_techniques) known.emplace_back(technique.name);
     Techniques techniques;
     for (const std::string_view name : split(text, ',')) {
