@@ -35,8 +35,7 @@ inline constexpr std::array<TechniqueInfo, 12> k_techniques = {{
      "feet"},
     {"limits", &Techniques::limits, "hips and ankles keep within people's range, and legs within their speed",
      "legs do what their feet ask for: in starts and turns they bend too far and jerk. Where feet, soles, "
-     "heels "
-     "or the pelvis are off, this is too"},
+     "heels or the pelvis are off, this is too"},
     {"trunk", &Techniques::trunk, "chest and head turn and tip against the pelvis, and keep level",
      "they turn and tip with it, stiffly"},
     {"look", &Techniques::look, "chest, neck and head turn to what is looked at",

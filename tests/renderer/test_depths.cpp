@@ -7,18 +7,7 @@
 namespace flaneur {
 namespace {
 
-class DepthsTest : public testing::TestWithParam<std::tuple<bool, Quality>> {
-  protected:
-    void SetUp() override {
-        RendererOptions options = validated();
-        options.lights_on_host = std::get<0>(GetParam());
-        options.quality = std::get<1>(GetParam());
-        Result<RendererPtr> made = make_renderer(options);
-        ASSERT_TRUE(made) << made.error().message;
-        renderer = std::move(*made);
-    }
-    RendererPtr renderer;
-};
+class DepthsTest : public ByLightAndQuality {};
 
 // One looks along the ground: whatever the pixel, its depth is where its way meets the ground.
 TEST_P(DepthsTest, AreMetresAheadAndCoverWhatIsNoSky) {

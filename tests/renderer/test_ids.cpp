@@ -12,22 +12,13 @@ namespace {
 
 constexpr uint32_t k_width = 160, k_height = 90;
 
-class IdsTest : public testing::TestWithParam<std::tuple<bool, Quality>> {
+class IdsTest : public ByLightAndQuality {
   protected:
-    void SetUp() override {
-        RendererOptions options = validated();
-        options.lights_on_host = std::get<0>(GetParam());
-        options.quality = std::get<1>(GetParam());
-        Result<RendererPtr> made = make_renderer(options);
-        ASSERT_TRUE(made) << made.error().message;
-        renderer = std::move(*made);
-    }
     Image draw(const FrameInput& frame) {
         Result<Image> image = draw_image(*renderer, frame, k_width, k_height);
         if (!image) throw std::runtime_error(image.error().message);
         return std::move(*image);
     }
-    RendererPtr renderer;
 };
 
 // What a shape added is given an id.

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+#include <utility>
+
 #include "renderer/renderer.h"
 
 namespace flaneur {
@@ -22,5 +25,19 @@ inline RendererOptions validated() {
     options.on_message = [](const std::string& message) { ADD_FAILURE() << message; };
     return options;
 }
+
+// Whether the host lights, and a quality.
+class ByLightAndQuality : public testing::TestWithParam<std::tuple<bool, Quality>> {
+  protected:
+    void SetUp() override {
+        RendererOptions options = validated();
+        options.lights_on_host = std::get<0>(GetParam());
+        options.quality = std::get<1>(GetParam());
+        Result<RendererPtr> made = make_renderer(options);
+        ASSERT_TRUE(made) << made.error().message;
+        renderer = std::move(*made);
+    }
+    RendererPtr renderer;
+};
 
 }  // namespace flaneur
