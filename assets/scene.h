@@ -23,11 +23,21 @@ struct PeopleShare {
 // How many there are of some of the built-in people, times as many as usual: 0, nobody, to k_most_mix. Who is
 // two of these, such as an old one with a cane, is there by both.
 struct PeopleMix {
-    float children = 1;  // below 14
-    float old = 1;       // 65 and more
+    float children = 1;  // below k_grown_up
+    float old = 1;       // from k_old_age
     float canes = 1, prams = 1, phones = 1;
     bool operator==(const PeopleMix&) const = default;
 };
+inline constexpr float k_grown_up = 14, k_old_age = 65;  // years
+struct MixKey {
+    const char* name;  // in a scene's file
+    float PeopleMix::*times;
+};
+inline constexpr MixKey k_mix[] = {{"children", &PeopleMix::children},
+                                   {"old", &PeopleMix::old},
+                                   {"canes", &PeopleMix::canes},
+                                   {"prams", &PeopleMix::prams},
+                                   {"phones", &PeopleMix::phones}};
 inline constexpr float k_most_mix = 10;
 inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
 inline constexpr double k_least_share = 0.001, k_most_share = 1000;

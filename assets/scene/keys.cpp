@@ -23,6 +23,13 @@ constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
 
+template <float PeopleMix::*Times>
+SceneKey<Scene> mix_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, k_most_mix},
+            "1",     "2",
+            meaning, [](SceneReading&, Scene& s, const Json& v) { s.mix.*Times = v; }};
+}
+
 // In the order of the schema and of docs/scenes.md.
 const std::vector<SceneKey<Scene>>& scene_keys() {
     using enum KeyKind;
@@ -112,36 +119,18 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"([{"character": "robot.glb", "share": 1}, {"builtin": true, "share": 9}])",
          "Who they are; without it, the built-in people.",
          read_people},
-        {"children",
-         {number, 0, k_most_mix},
-         "1",
-         "2",
-         "How many of the built-in people below 14 years there are, times as many as usual.",
-         [](Reading&, Scene& s, const Json& v) { s.mix.children = v; }},
-        {"old",
-         {number, 0, k_most_mix},
-         "1",
-         "2",
-         "How many of the built-in people of 65 years and more there are, times as many as usual.",
-         [](Reading&, Scene& s, const Json& v) { s.mix.old = v; }},
-        {"canes",
-         {number, 0, k_most_mix},
-         "1",
-         "2",
-         "How many of the built-in people who walk with a cane there are, times as many as usual.",
-         [](Reading&, Scene& s, const Json& v) { s.mix.canes = v; }},
-        {"prams",
-         {number, 0, k_most_mix},
-         "1",
-         "2",
-         "How many of the built-in people who push a pram there are, times as many as usual.",
-         [](Reading&, Scene& s, const Json& v) { s.mix.prams = v; }},
-        {"phones",
-         {number, 0, k_most_mix},
-         "1",
-         "2",
-         "How many of the built-in people who look at a phone there are, times as many as usual.",
-         [](Reading&, Scene& s, const Json& v) { s.mix.phones = v; }},
+        mix_key<&PeopleMix::children>(
+            "children", "How many of the built-in people below 14 years there are, times as many as usual."),
+        mix_key<&PeopleMix::old>(
+            "old", "How many of the built-in people of 65 years and more there are, times as many as usual."),
+        mix_key<&PeopleMix::canes>(
+            "canes",
+            "How many of the built-in people who walk with a cane there are, times as many as usual."),
+        mix_key<&PeopleMix::prams>(
+            "prams", "How many of the built-in people who push a pram there are, times as many as usual."),
+        mix_key<&PeopleMix::phones>(
+            "phones",
+            "How many of the built-in people who look at a phone there are, times as many as usual."),
         {"added",
          {added},
          nullptr,

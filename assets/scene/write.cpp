@@ -66,11 +66,8 @@ std::string scene_text(const Scene& s) {
     tell("seed", s.seed, s.seed != usual.seed);
     json["walkers"] = s.walkers;
     tell("people", people_of(s.people), !s.people.empty());
-    tell("children", short_number(s.mix.children), s.mix.children != usual.mix.children);
-    tell("old", short_number(s.mix.old), s.mix.old != usual.mix.old);
-    tell("canes", short_number(s.mix.canes), s.mix.canes != usual.mix.canes);
-    tell("prams", short_number(s.mix.prams), s.mix.prams != usual.mix.prams);
-    tell("phones", short_number(s.mix.phones), s.mix.phones != usual.mix.phones);
+    for (const MixKey& of : k_mix)
+        tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);
     tell("added", added_of(s.added), !s.added.empty());
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);

@@ -110,10 +110,9 @@ int district_blocks(const Scene& scene) {
 }  // namespace
 
 static float times_usual(const PeopleMix& mix, const PersonOptions& person) {
-    constexpr float k_grown = 14, k_old = 65;
     float times = 1;
-    if (person.age < k_grown) times *= mix.children;
-    if (person.age >= k_old) times *= mix.old;
+    if (person.age < k_grown_up) times *= mix.children;
+    if (person.age >= k_old_age) times *= mix.old;
     if (person.stick) times *= mix.canes;
     if (person.pram) times *= mix.prams;
     if (person.phone) times *= mix.phones;

@@ -81,12 +81,7 @@ std::string record_of(const Options& options) {
     put("--walkers", std::to_string(s.walkers));
     put("--seed", std::to_string(s.seed));
     put("--character", told_people(s.people));
-    auto put_times = [&](const char* whom, float times) { put(whom, times == 1 ? "" : plainly(times)); };
-    put_times("children", s.mix.children);
-    put_times("old", s.mix.old);
-    put_times("canes", s.mix.canes);
-    put_times("prams", s.mix.prams);
-    put_times("phones", s.mix.phones);
+    for (const MixKey& of : k_mix) put(of.name, s.mix.*of.times == 1 ? "" : plainly(s.mix.*of.times));
     put("--force", options.force ? "yes" : "");
     put("--idle", told_idles(s.idles));
     put("--time", told_time(s));

@@ -43,7 +43,6 @@ WalkerFacts facts_of(const Show& show, uint32_t walker);
 // The same without where to and from, which take longer to find.
 WalkerFacts quick_facts_of(const Show& show, uint32_t walker);
 
-inline constexpr float k_grown_up = 14;  // years
 // "Girl, 11", or whose character it is.
 std::string told_who(const WalkerFacts& facts);
 // "stays for 12 s more"

@@ -11,7 +11,6 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_old = 65;                      // years, from
 constexpr float k_stands = 0.1f, k_runs = 2.2f;  // m/s: below, from
 
 using Holds = Filter::Holds;
@@ -34,7 +33,7 @@ constexpr Word k_words[] = {
     {"boy", [](const WalkerFacts& f) { return f.is_built_in && !f.is_woman && f.age < k_grown_up; }},
     {"child", [](const WalkerFacts& f) { return f.is_built_in && f.age < k_grown_up; }},
     {"adult", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_grown_up; }},
-    {"old", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_old; }},
+    {"old", [](const WalkerFacts& f) { return f.is_built_in && f.age >= k_old_age; }},
     {"cane", [](const WalkerFacts& f) { return f.cane; }},
     {"pram", [](const WalkerFacts& f) { return f.pram; }},
     {"phone", [](const WalkerFacts& f) { return f.phone; }},
