@@ -31,6 +31,20 @@ Result<void> find_file(const std::string& path);
 // name. The error's sentence has no subject: "cannot be opened as a file; check ...".
 Result<Bytes> read_bytes(const std::string& path, size_t most);
 
+// What parse(text) makes of a file of at most so many bytes. The error of what is refused: "`so_what`, for
+// FILE" and the parser's sentence, which has no subject.
+template <class T>
+Result<T> read_parsed(const std::string& path, size_t most, Result<T> (*parse)(std::string_view),
+                      const char* so_what) {
+    const Result<Bytes> bytes = read_bytes(path, most);
+    Result<T> read =
+        bytes ? parse({reinterpret_cast<const char*>(bytes->data()), bytes->size()}) : bytes.error();
+    if (read) return read;
+    std::string why = read.error().message;
+    if (why.ends_with('.')) why.pop_back();
+    return Error{std::string(so_what) + ", for " + path + " " + why + "."};
+}
+
 // Where a program keeps files of one kind for its user, after the XDG base directory specification: `flaneur`
 // in the folder that the environment's `variable` names, or else in $HOME/`usual`. Empty, for nowhere, where
 // neither is an absolute path.

@@ -63,9 +63,7 @@ Result<void> run_bench(const Options& options) {
     }
     Result<std::string> figures = measure(options);
     if (!figures) return figures.error();
-    if (!json) return {};
-    std::fwrite(figures->data(), 1, figures->size(), json->file);
-    return keep_file(std::move(json));
+    return json ? write_file(std::move(json), *figures) : Result<void>();
 }
 
 }  // namespace flaneur

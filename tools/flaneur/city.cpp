@@ -19,9 +19,7 @@ Result<void> run_city(const Options& options) {
     Result<City> city = read_city(options.scene);
     if (!city) return city.error();
     clear_progress();
-    std::string bytes = still_glb(city_model(*city));
-    std::fwrite(bytes.data(), 1, bytes.size(), (*file)->file);
-    return keep_file(std::move(*file));
+    return write_file(std::move(*file), still_glb(city_model(*city)));
 }
 
 }  // namespace flaneur

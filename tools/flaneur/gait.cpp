@@ -151,11 +151,7 @@ struct Paper {
     PartFilePtr file{};
 };
 
-Result<void> write(Paper& paper) {
-    std::string text = paper.text();
-    std::fwrite(text.data(), 1, text.size(), paper.file->file);
-    return keep_file(std::move(paper.file));
-}
+Result<void> write(Paper& paper) { return write_file(std::move(paper.file), paper.text()); }
 
 }  // namespace
 

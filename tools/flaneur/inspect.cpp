@@ -218,9 +218,7 @@ Result<void> run_inspect(const Options& options) {
     print_facts(*facts);
     if (!file) return {};
     // A name in the file may be anything but UTF-8.
-    std::string text = facts->dump(4, ' ', false, Json::error_handler_t::replace) + "\n";
-    std::fwrite(text.data(), 1, text.size(), file->file);
-    return keep_file(std::move(file));
+    return write_file(std::move(file), facts->dump(4, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace flaneur

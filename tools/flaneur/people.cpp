@@ -87,9 +87,8 @@ Result<void> write_files(PartFilePtr first, const std::vector<Sitter>& sitters, 
                                std::to_string(sitters.size()) + " people");
         Result<PartFilePtr> file = i == 0 ? std::move(first) : open_person(folder, i, sitters.size());
         if (!file) return file.error();
-        std::string bytes = character_glb(sitters[i].character, sitters[i].tints);
-        std::fwrite(bytes.data(), 1, bytes.size(), (*file)->file);
-        if (Result<void> kept = keep_file(std::move(*file)); !kept) return kept;
+        const std::string bytes = character_glb(sitters[i].character, sitters[i].tints);
+        if (Result<void> kept = write_file(std::move(*file), bytes); !kept) return kept;
     }
     return {};
 }

@@ -5,7 +5,6 @@
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/flaneur/output/channels.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/output/record.h"
 #include "tools/flaneur/view/camera.h"
@@ -43,38 +42,8 @@ void say_camera(const CameraChoice& choice, const Camera& camera) {
     say("Seen from --camera " + told_camera({fixed, 0, seen.eye, seen.target}) + lens);
 }
 
-// What goes beside the picture of a tick, opened before it is drawn: null where it is not asked for.
-struct ChannelFiles {
-    PartFilePtr depths, ids, legend;
-};
-
-Result<ChannelFiles> open_channels(const Options& options, uint32_t tick) {
-    ChannelFiles files;
-    auto open = [&](const std::string& path, PartFilePtr& file) -> Result<void> {
-        if (path.empty()) return {};
-        Result<PartFilePtr> opened = open_file(path);
-        if (!opened) return opened.error();
-        file = std::move(*opened);
-        return {};
-    };
-    const std::string ids = picture_path(options.ids, tick);
-    if (Result<void> done = open(picture_path(options.depth, tick), files.depths); !done) return done.error();
-    if (Result<void> done = open(ids, files.ids); !done) return done.error();
-    if (Result<void> done = open(ids.empty() ? ids : legend_path(ids), files.legend); !done)
-        return done.error();
-    return files;
-}
-
-Result<void> write_channels(ChannelFiles files, const Image& image, const City& city) {
-    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
-    if (files.depths) {
-        if (Result<void> done = write_depths(std::move(files.depths), image.depths, size); !done) return done;
-    }
-    if (!files.ids) return {};
-    const std::string legend = legend_of(image.ids, size, city);
-    std::fwrite(legend.data(), 1, legend.size(), files.legend->file);
-    if (Result<void> done = keep_file(std::move(files.legend)); !done) return done;
-    return write_ids(std::move(files.ids), image.ids, size);
+Result<ChannelFiles> open_channels_of(const Options& options, uint32_t tick) {
+    return open_channels(picture_path(options.depth, tick), picture_path(options.ids, tick));
 }
 
 // One file would be written again and again.
@@ -121,7 +90,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
         FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
         if (path.keys.empty()) frame.companion = companion_of(choice);
         if (i > 0) {
-            Result<ChannelFiles> opened = open_channels(options, tick);
+            Result<ChannelFiles> opened = open_channels_of(options, tick);
             if (!opened) return opened.error();
             channels = std::move(*opened);
         }
@@ -168,7 +137,7 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
     Result<OutputPtr> output =
         open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
     if (!output) return output.error();
-    Result<ChannelFiles> channels = open_channels(options, options.ticks.first);
+    Result<ChannelFiles> channels = open_channels_of(options, options.ticks.first);
     if (!channels) return channels.error();
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
     if (!renderer) return renderer.error();

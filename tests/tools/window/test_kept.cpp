@@ -145,7 +145,10 @@ TEST(Kept, IsOfACityAndARun) {
     EXPECT_EQ(kept_file(other), file);
     EXPECT_EQ(run_name(other, 1), run);
     EXPECT_NE(run_name(other, 2), run);
-    other.walkers = 3;
+    other.mix.children = 2;
+    EXPECT_EQ(kept_file(other), file);
+    EXPECT_NE(run_name(other, 1), run);
+    other.mix = {}, other.walkers = 3;
     EXPECT_EQ(kept_file(other), file);
     EXPECT_NE(run_name(other, 1), run);
     other.blocks = 7;

@@ -344,10 +344,7 @@ Result<void> check_city(const Options& options) {
             {{"name", f.name}, {"value", f.value}, {"bar", f.bar}, {"met", is_met(f)}, {"where", f.where}});
     }
     if (file) {
-        std::string text = json.dump(2) + "\n";
-        std::fwrite(text.data(), 1, text.size(), file->file);
-        Result<void> kept = keep_file(std::move(file));
-        if (!kept) return kept;
+        if (Result<void> kept = write_file(std::move(file), json.dump(2) + "\n"); !kept) return kept;
     }
     if (missed > 0)
         return Error{name + " misses " + std::to_string(missed) + " of " + std::to_string(findings.size()) +

@@ -15,17 +15,6 @@
 namespace flaneur {
 namespace {
 
-Result<void> write_bytes(PartFilePtr f, const void* bytes, size_t count) {
-    if (count == 0)
-        return Error{"Cannot write " + f->path + ": there is not enough memory to compress the picture."};
-    std::fwrite(bytes, 1, count, f->file);
-    return keep_file(std::move(f));
-}
-
-Result<void> write_bytes(PartFilePtr f, const std::string& bytes) {
-    return write_bytes(std::move(f), bytes.data(), bytes.size());
-}
-
 // One channel of 32 bits; `type` is one of tinyexr's.
 template <class Value>
 Result<void> write_exr(PartFilePtr f, const char* name, int type, std::vector<Value> values, Size size) {
@@ -47,7 +36,7 @@ Result<void> write_exr(PartFilePtr f, const char* name, int type, std::vector<Va
     const char* why = nullptr;
     const size_t count = SaveEXRImageToMemory(&image, &header, &bytes, &why);
     if (why) FreeEXRErrorMessage(why);
-    Result<void> written = write_bytes(std::move(f), bytes, count);
+    Result<void> written = write_compressed(std::move(f), {reinterpret_cast<const char*>(bytes), count});
     std::free(bytes);
     return written;
 }
@@ -64,7 +53,8 @@ Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size 
             if (std::isinf(metres)) return uint16_t{0};
             return static_cast<uint16_t>(std::clamp(std::round(metres * 100), 1.0f, k_most));
         });
-        return write_bytes(std::move(f), encode_png(centimetres, size.width, size.height, "centimetres"));
+        return write_compressed(std::move(f),
+                                encode_png(centimetres, size.width, size.height, "centimetres"));
     }
     std::vector<float> metres = depths;
     for (float& far : metres)
@@ -83,7 +73,7 @@ Result<void> write_ids(PartFilePtr f, const std::vector<uint32_t>& ids, Size siz
     rgb.reserve(ids.size() * 3);
     for (const uint32_t id : ids)
         for (const uint32_t shift : {0u, 8u, 16u}) rgb.push_back(static_cast<uint8_t>(id >> shift & 0xffu));
-    return write_bytes(std::move(f), encode_png(rgb, size.width, size.height, 3));
+    return write_compressed(std::move(f), encode_png(rgb, size.width, size.height, 3));
 }
 
 std::string legend_path(const std::string& ids) { return ids.substr(0, ids.rfind('.')) + ".json"; }

@@ -5,14 +5,6 @@
 #include "tools/flaneur/measure/csv.h"
 
 namespace flaneur {
-namespace {
-
-Result<void> finish(PartFilePtr file, const std::string& text) {
-    std::fwrite(text.data(), 1, text.size(), file->file);
-    return keep_file(std::move(file));
-}
-
-}  // namespace
 
 Result<std::vector<PartFilePtr>> open_counts(const std::string& path, const MeasurePlan& plan) {
     if (is_stream(path))
@@ -36,15 +28,10 @@ Result<std::vector<PartFilePtr>> open_counts(const std::string& path, const Meas
 Result<void> write_counts(std::vector<PartFilePtr> files, const Counts& counts) {
     size_t at = 0;
     for (const LineCount& line : counts.lines)
-        if (Result<void> kept = finish(std::move(files[at++]), line_csv(line)); !kept) return kept;
+        if (Result<void> kept = write_file(std::move(files[at++]), line_csv(line)); !kept) return kept;
     for (const ZoneCount& zone : counts.zones)
-        if (Result<void> kept = finish(std::move(files[at++]), zone_csv(zone)); !kept) return kept;
+        if (Result<void> kept = write_file(std::move(files[at++]), zone_csv(zone)); !kept) return kept;
     return {};
-}
-
-Result<void> write_text(const std::string& path, const std::string& text) {
-    Result<PartFilePtr> file = open_file(path);
-    return file ? finish(std::move(*file), text) : file.error();
 }
 
 }  // namespace flaneur

@@ -16,7 +16,4 @@ Result<std::vector<PartFilePtr>> open_counts(const std::string& path, const Meas
 // `files` are those that open_counts() opened for their plan.
 Result<void> write_counts(std::vector<PartFilePtr> files, const Counts& counts);
 
-// Writes a text to a file, or says why not.
-Result<void> write_text(const std::string& path, const std::string& text);
-
 }  // namespace flaneur

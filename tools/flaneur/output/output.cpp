@@ -277,10 +277,19 @@ Result<void> keep_file(PartFilePtr f) {
     return {};
 }
 
-static Result<void> write_encoded(PartFilePtr f, const std::string& png) {
-    if (png.empty()) return cannot_write(f->path, "there is not enough memory to compress the picture");
-    std::fwrite(png.data(), 1, png.size(), f->file);
+Result<void> write_file(PartFilePtr f, std::string_view bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), f->file);
     return keep_file(std::move(f));
+}
+
+Result<void> write_file(const std::string& path, std::string_view bytes) {
+    Result<PartFilePtr> file = open_file(path);
+    return file ? write_file(std::move(*file), bytes) : file.error();
+}
+
+Result<void> write_compressed(PartFilePtr f, std::string_view bytes) {
+    if (bytes.empty()) return cannot_write(f->path, "there is not enough memory to compress the picture");
+    return write_file(std::move(f), bytes);
 }
 
 Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size size, const std::string& comment,
@@ -288,10 +297,10 @@ Result<void> write_png(PartFilePtr f, const std::vector<uint8_t>& rgba, Size siz
     size_t pixels = static_cast<size_t>(size.width) * static_cast<size_t>(size.height);
     assert(rgba.size() == pixels * 4);
     if (alpha == Alpha::kept)
-        return write_encoded(std::move(f), encode_png(rgba, size.width, size.height, 4, comment));
+        return write_compressed(std::move(f), encode_png(rgba, size.width, size.height, 4, comment));
     std::vector<uint8_t> rgb(pixels * 3);
     for (size_t i = 0; i < pixels; ++i) std::memcpy(&rgb[i * 3], &rgba[i * 4], 3);
-    return write_encoded(std::move(f), encode_png(rgb, size.width, size.height, 3, comment));
+    return write_compressed(std::move(f), encode_png(rgb, size.width, size.height, 3, comment));
 }
 
 struct Output {

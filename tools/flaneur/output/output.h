@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/result.h"
@@ -40,6 +41,12 @@ void protect_inputs(std::function<std::vector<std::string>()> paths);
 Result<PartFilePtr> open_file(const std::string& path);
 // Closes and renames. Fails by unread() (ending.h) where nobody reads the pipe any more.
 Result<void> keep_file(PartFilePtr file);
+
+// Writes all that a file is to hold, and keeps it.
+Result<void> write_file(PartFilePtr file, std::string_view bytes);
+Result<void> write_file(const std::string& path, std::string_view bytes);
+// The same of what was compressed; there is none where memory was too short for that.
+Result<void> write_compressed(PartFilePtr file, std::string_view bytes);
 
 // Whether what is written goes on at once, to a pipe or a device.
 bool is_stream(const std::string& path);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tools/extract/ids.h"
+#include "tools/flaneur/output/channels.h"
 
 namespace flaneur {
 namespace {
@@ -65,6 +66,33 @@ std::string legend_of(const std::vector<uint32_t>& ids, Size size, const City& c
         text.append(std::exchange(before, ",\n  ")).append(thing.dump());
     }
     return text + "\n ]\n}\n";
+}
+
+Result<ChannelFiles> open_channels(const std::string& depth, const std::string& ids) {
+    ChannelFiles files;
+    auto open = [](const std::string& path, PartFilePtr& file) -> Result<void> {
+        if (path.empty()) return {};
+        Result<PartFilePtr> opened = open_file(path);
+        if (!opened) return opened.error();
+        file = std::move(*opened);
+        return {};
+    };
+    if (Result<void> done = open(depth, files.depths); !done) return done.error();
+    if (Result<void> done = open(ids, files.ids); !done) return done.error();
+    if (Result<void> done = open(ids.empty() ? ids : legend_path(ids), files.legend); !done)
+        return done.error();
+    return files;
+}
+
+Result<void> write_channels(ChannelFiles files, const Image& image, const City& city) {
+    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
+    if (files.depths) {
+        if (Result<void> done = write_depths(std::move(files.depths), image.depths, size); !done) return done;
+    }
+    if (!files.ids) return {};
+    if (Result<void> done = write_file(std::move(files.legend), legend_of(image.ids, size, city)); !done)
+        return done;
+    return write_ids(std::move(files.ids), image.ids, size);
 }
 
 }  // namespace flaneur

@@ -97,11 +97,7 @@ void lay_out_bookmarks(Show& show, Viewer& v, float scale) {
 
 void save_path(Viewer& v) {
     const std::string file = v.cameras.path_file;
-    Result<PartFilePtr> to = open_file(file);
-    if (!to) return tell(v, to.error().message);
-    const std::string text = path_text(v.cameras.path);
-    std::fwrite(text.data(), 1, text.size(), (*to)->file);
-    Result<void> kept = keep_file(std::move(*to));
+    const Result<void> kept = write_file(file, path_text(v.cameras.path));
     tell(v, kept ? "Wrote " + file + ": flaneur render --camera-path " + file +
                        " --out way.mp4 films it, with the options of this scene."
                  : kept.error().message);

@@ -70,10 +70,7 @@ Result<std::string> save_scene(const Show& show, const Viewer& v, const std::str
     if (fs::path(typed).filename().empty()) return Error{"A scene needs a name, such as out/square.json."};
     const std::string path = has_ending(typed, ".json") ? typed : typed + ".json";
     const Scene scene = changed_scene(show, v, fs::path(path).parent_path().string());
-    Result<PartFilePtr> file = open_file(path);
-    if (!file) return file.error();
-    std::fputs(scene_text(scene).c_str(), (*file)->file);
-    if (Result<void> done = keep_file(std::move(*file)); !done) return done.error();
+    if (Result<void> done = write_file(path, scene_text(scene)); !done) return done.error();
     std::string told = "Wrote " + path + "; flaneur view --scene " + path + " opens it.";
     constexpr int k_a_block = 750;  // people for whom the built-in district is not made larger
     if (scene.city.empty() && !scene.asteroid && scene.walkers > scene.blocks * scene.blocks * k_a_block)

@@ -141,6 +141,16 @@ Kept read_or_tell(const std::string& file, Viewer& v) {
     return {};
 }
 
+void take_marks(Kept kept, const Show& show, Viewer& v) {
+    Keeping& keeping = v.keeping;
+    keeping.run = run_name(v.change.scene, show.loaded.world->seed);
+    v.time.marks.clear();
+    if (is_as_opened(v.change))
+        for (KeptRun& run : kept.runs)
+            if (run.run == keeping.run) v.time.marks = std::move(run.marks);
+    keeping.last = shown_now(v);
+}
+
 }  // namespace
 
 std::string kept_file(const Scene& scene) {
@@ -150,7 +160,7 @@ std::string kept_file(const Scene& scene) {
 
 std::string run_name(const Scene& scene, uint64_t seed) {
     Scene s = city_of(scene);
-    s.people = scene.people, s.added = scene.added, s.idles = scene.idles;
+    s.people = scene.people, s.mix = scene.mix, s.added = scene.added, s.idles = scene.idles;
     s.walkers = scene.walkers, s.hour = scene.hour;
     s.seed = seed;
     return hash_text(s);
@@ -189,32 +199,19 @@ std::string told(const Kept& kept) {
 Result<Kept> read_kept(const std::string& file) {
     std::error_code unknown;
     if (file.empty() || !std::filesystem::exists(file, unknown)) return Kept();
-    const Result<Bytes> bytes = read_bytes(file, k_most_bytes);
-    Result<Kept> read =
-        bytes ? parse_kept({reinterpret_cast<const char*>(bytes->data()), bytes->size()}) : bytes.error();
-    if (read) return read;
-    std::string why = read.error().message;
-    if (why.ends_with('.')) why.pop_back();
-    return Error{"Bookmarks and marks are not there, for " + file + " " + why + "."};
+    return read_parsed(file, k_most_bytes, parse_kept, "Bookmarks and marks are not there");
 }
 
 void recall(const Show& show, Viewer& v) {
     v.keeping.file = kept_file(v.change.scene);
-    v.cameras.bookmarks = read_or_tell(v.keeping.file, v).bookmarks;
-    recall_marks(show, v);
+    Kept kept = read_or_tell(v.keeping.file, v);
+    v.cameras.bookmarks = kept.bookmarks;
+    take_marks(std::move(kept), show, v);
 }
 
 void recall_marks(const Show& show, Viewer& v) {
-    Keeping& keeping = v.keeping;
-    keeping.run = run_name(v.change.scene, show.loaded.world->seed);
-    v.time.marks.clear();
-    if (is_as_opened(v.change)) {
-        Result<Kept> kept = read_kept(keeping.file);
-        if (!kept) kept = Kept();  // which was told
-        for (KeptRun& run : kept->runs)
-            if (run.run == keeping.run) v.time.marks = std::move(run.marks);
-    }
-    keeping.last = shown_now(v);
+    Result<Kept> kept = read_kept(v.keeping.file);
+    take_marks(kept ? std::move(*kept) : Kept(), show, v);  // what is wrong was told
 }
 
 void keep_what_is_kept(Viewer& v) {
@@ -226,7 +223,7 @@ void keep_what_is_kept(Viewer& v) {
     if (!all) all = Kept();
     put_first(*all, now);
     keeping.last = std::move(now);
-    if (Result<void> done = write_text(keeping.file, told(*all)); !done)
+    if (Result<void> done = write_file(keeping.file, told(*all)); !done)
         tell(v, printable(done.error().message));
 }
 

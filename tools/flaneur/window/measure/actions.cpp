@@ -85,7 +85,7 @@ void write_counts_as_csv(const Show&, Viewer& v) {
 void write_plan(Viewer& v) {
     const MeasurePlan plan = plan_of(v.measure.counts);
     if (is_empty(plan)) return tell(v, "There is nothing to save: draw a line or a zone first.");
-    const Result<void> written = write_text(v.measure.json, plan_json(plan));
+    const Result<void> written = write_file(v.measure.json, plan_json(plan));
     const std::string told = written ? std::string("Wrote ").append(v.measure.json) : written.error().message;
     say(told);
     tell(v, printable(told));

@@ -45,25 +45,17 @@ void report(Viewer& v, const std::string& what) {
 }
 
 // What a picture shows besides its light, as far as it has it: beside it. Which files these are.
-Result<std::vector<std::string>> write_channels(const City& city, const PictureChoice& choice,
-                                                const Image& image, const std::string& picture) {
-    const Size size{static_cast<int>(image.width), static_cast<int>(image.height)};
+Result<std::vector<std::string>> write_beside(const City& city, const PictureChoice& choice,
+                                              const Image& image, const std::string& picture) {
     const std::string stem = picture.substr(0, picture.size() - 4), ending = choice.is_exr ? ".exr" : ".png";
+    const std::string depth = choice.has_depth && !image.depths.empty() ? stem + "-depth" + ending : "";
+    const std::string ids = choice.has_ids && !image.ids.empty() ? stem + "-ids" + ending : "";
+    Result<ChannelFiles> files = open_channels(depth, ids);
+    if (!files) return files.error();
+    if (Result<void> done = write_channels(std::move(*files), image, city); !done) return done.error();
     std::vector<std::string> paths;
-    auto write = [&](const char* what, const auto& values, auto write_values) -> Result<void> {
-        paths.push_back(stem + what + ending);
-        Result<PartFilePtr> file = open_file(paths.back());
-        if (!file) return file.error();
-        return write_values(std::move(*file), values, size);
-    };
-    if (choice.has_depth && !image.depths.empty()) {
-        if (Result<void> done = write("-depth", image.depths, write_depths); !done) return done.error();
-    }
-    if (!choice.has_ids || image.ids.empty()) return paths;
-    if (Result<void> done = write("-ids", image.ids, write_ids); !done) return done.error();
-    paths.push_back(legend_path(paths.back()));
-    if (Result<void> done = write_text(paths.back(), legend_of(image.ids, size, city)); !done)
-        return done.error();
+    if (!depth.empty()) paths.push_back(depth);
+    if (!ids.empty()) paths.insert(paths.end(), {ids, legend_path(ids)});
     return paths;
 }
 
@@ -81,7 +73,7 @@ Result<std::string> write_picture(const Show& show, Viewer& v, const Image& imag
                       is_transparent ? Alpha::kept : Alpha::dropped);
         !done)
         return done.error();
-    const Result<std::vector<std::string>> channels = write_channels(*show.loaded.city, choice, image, path);
+    const Result<std::vector<std::string>> channels = write_beside(*show.loaded.city, choice, image, path);
     if (!channels) return channels.error();
     std::string told = "Wrote " + path;
     for (size_t i = 0; i < channels->size(); ++i)

@@ -78,20 +78,11 @@ std::string told(const Settings& s) {
 Result<Settings> read_settings(const std::string& file) {
     std::error_code unknown;
     if (file.empty() || !std::filesystem::exists(file, unknown)) return Settings();
-    const Result<Bytes> bytes = read_bytes(file, k_most_bytes);
-    Result<Settings> read =
-        bytes ? parse_settings({reinterpret_cast<const char*>(bytes->data()), bytes->size()}) : bytes.error();
-    if (read) return read;
-    std::string why = read.error().message;
-    if (why.ends_with('.')) why.pop_back();
-    return Error{"The settings are as usual, for " + file + " " + why + "."};
+    return read_parsed(file, k_most_bytes, parse_settings, "The settings are as usual");
 }
 
 Result<void> keep_settings(const std::string& file, const Settings& settings) {
-    Result<PartFilePtr> part = open_file(file);
-    if (!part) return part.error();
-    std::fputs(told(settings).c_str(), (*part)->file);
-    return keep_file(std::move(*part));
+    return write_file(file, told(settings));
 }
 
 }  // namespace flaneur
