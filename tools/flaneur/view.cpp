@@ -79,6 +79,19 @@ Result<void> remake_renderer(RendererPtr& renderer, GLFWwindow* window, Gui& gui
     return hand_letters(gui, *renderer);
 }
 
+// Does `act`; whenever that fails because a device was lost, says so and does act(true) with one made anew.
+template <class Act>
+Result<void> outlive_devices(RendererPtr& renderer, GLFWwindow* window, Gui& gui, const Options& options,
+                             std::atomic<uint32_t>& messages, Act act) {
+    Result<void> done = act(false);
+    for (int lost = 0; !done && lost < k_most_lost && renderer && has_lost_device(*renderer); ++lost) {
+        say(done.error().message);
+        done = remake_renderer(renderer, window, gui, options, messages);
+        if (done) done = act(true);
+    }
+    return done;
+}
+
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
 Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options,
                        const Viewer& viewer, std::atomic<uint32_t>& messages) {
@@ -107,8 +120,10 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
     if (!prepared) return prepared.error();
     Show show;
     show.renderer = std::move(renderer);
-    if (Result<void> uploaded = upload_show(show, std::move(*prepared), options.scene.views); !uploaded)
-        return uploaded.error();
+    Result<void> uploaded = outlive_devices(show.renderer, window, gui, options, messages, [&](bool) {
+        return upload_show(show, *prepared, options.scene.views);
+    });
+    if (!uploaded) return uploaded.error();
     return show;
 }
 
@@ -298,15 +313,14 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
         add_setting(paces->figures, options, *show->loaded.world);
     else
         recall(*show, viewer);
-    Result<void> done = run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
-    for (int lost = 0; !done && lost < k_most_lost && has_lost_device(*show->renderer); ++lost) {
-        say(done.error().message);
-        done = remake_renderer(show->renderer, window.get(), **gui, options, messages);
-        if (done) done = upload_again(*show);
-        if (!done) break;
-        tell(viewer, "The graphics device was lost. A new one has taken over.");
-        done = run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
-    }
+    Result<void> done = outlive_devices(
+        show->renderer, window.get(), **gui, options, messages, [&](bool is_anew) -> Result<void> {
+            if (is_anew) {
+                if (Result<void> uploaded = upload_again(*show); !uploaded) return uploaded;
+                tell(viewer, "The graphics device was lost. A new one has taken over.");
+            }
+            return run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
+        });
     end_film(viewer);
     viewer.time.anew.reset();                            // they are made of the show
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded

@@ -1,5 +1,6 @@
-// A Vulkan layer under which the first device is lost at the submit with the number LOST_AT, and stays lost,
-// as after a GPU's reset; those that are made after it last.
+// A Vulkan layer under which the first device is lost at the submit with the number LOST_AT, or at the first
+// one after a buffer of LOST_INDICES bytes of indices, a city's, was made; it stays lost, as after a GPU's
+// reset. Those that are made after it last.
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -14,7 +15,7 @@ PFN_vkGetDeviceProcAddr next_device;
 VkInstance instance;
 VkDevice opened;
 std::atomic<int> submits = 0;
-std::atomic<bool> is_lost = false;
+std::atomic<bool> is_due = false, is_lost = false;
 
 template <class T>
 T next(VkDevice device, const char* name) {
@@ -57,11 +58,24 @@ VkResult create_device(VkPhysicalDevice physical, const VkDeviceCreateInfo* info
     return result;
 }
 
+long long number(const char* name) {
+    const char* text = std::getenv(name);
+    return text ? std::atoll(text) : 0;
+}
+
+VkResult create_buffer(VkDevice of, const VkBufferCreateInfo* info, const VkAllocationCallbacks* allocator,
+                       VkBuffer* out) {
+    const auto bytes = static_cast<VkDeviceSize>(number("LOST_INDICES"));
+    const bool is_of_indices = (info->usage & VK_BUFFER_USAGE_INDEX_BUFFER_BIT) != 0;
+    if (bytes > 0 && is_of_indices && info->size >= bytes) is_due = true;
+    return next<PFN_vkCreateBuffer>(of, "vkCreateBuffer")(of, info, allocator, out);
+}
+
 VkResult submit(VkQueue queue, uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
-    const char* at = std::getenv("LOST_AT");
-    if (++submits == (at ? std::atoi(at) : 0)) {
+    if (++submits == number("LOST_AT") || is_due.exchange(false)) {
         is_lost = true;
-        setenv("LOST_AT", "0", 1);  // the loader loads this anew for the next instance
+        unsetenv("LOST_AT");  // the loader loads this anew for the next instance
+        unsetenv("LOST_INDICES");
     }
     if (is_lost) return VK_ERROR_DEVICE_LOST;
     return next<PFN_vkQueueSubmit2>(opened, "vkQueueSubmit2")(queue, count, infos, fence);
@@ -84,6 +98,7 @@ PFN_vkVoidFunction as_void(F* function) {
 
 PFN_vkVoidFunction find_device(VkDevice device, const char* name) {
     if (std::strcmp(name, "vkGetDeviceProcAddr") == 0) return as_void(find_device);
+    if (std::strcmp(name, "vkCreateBuffer") == 0) return as_void(create_buffer);
     if (std::strcmp(name, "vkQueueSubmit2") == 0) return as_void(submit);
     if (std::strcmp(name, "vkWaitForFences") == 0) return as_void(wait);
     if (std::strcmp(name, "vkDeviceWaitIdle") == 0) return as_void(wait_idle);

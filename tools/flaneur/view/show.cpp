@@ -66,7 +66,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     return prepared;
 }
 
-Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views) {
+Result<void> upload_show(Show& show, PreparedShow& prepared, WorkViews views) {
     Result<void> uploaded = upload_with_impostors(*show.renderer, prepared.meshes);
     clear_progress();
     if (!uploaded) return uploaded;
@@ -92,7 +92,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options) {
     if (!prepared) return prepared.error();
     Show show;
     show.renderer = std::move(renderer);
-    if (Result<void> uploaded = upload_show(show, std::move(*prepared), options.scene.views); !uploaded)
+    if (Result<void> uploaded = upload_show(show, *prepared, options.scene.views); !uploaded)
         return uploaded.error();
     return show;
 }

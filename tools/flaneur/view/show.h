@@ -38,9 +38,9 @@ struct PreparedShow {
 };
 // Loads what the options name. Says on stderr what an import repaired, and how far it is.
 Result<PreparedShow> prepare_show(const Options& options);
-// Puts what was prepared in place of all that `show` has but its renderer. After a failure `show` is as it
-// was.
-Result<void> upload_show(Show& show, PreparedShow prepared, WorkViews views);
+// Puts what was prepared, which is moved from, in place of all that `show` has but its renderer. After a
+// failure both are as they were.
+Result<void> upload_show(Show& show, PreparedShow& prepared, WorkViews views);
 // The same show once more, by a renderer that was made anew.
 Result<void> upload_again(Show& show);
 // Says on stderr which device draws.

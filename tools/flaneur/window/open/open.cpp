@@ -49,7 +49,7 @@ void begin_anew(Show& show, const Options& options, Viewer& v) {
 void show_next(Show& show, ShowWish wish, Result<PreparedShow> prepared, Viewer& v) {
     v.time.anew.reset();  // they are made of what is shown
     Result<void> done =
-        prepared ? upload_show(show, std::move(*prepared), show.work_views) : Result<void>(prepared.error());
+        prepared ? upload_show(show, *prepared, show.work_views) : Result<void>(prepared.error());
     if (!done) {
         clear_progress();
         say(done.error().message);
