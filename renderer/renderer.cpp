@@ -140,6 +140,7 @@ void RendererDelete::operator()(Renderer* renderer) const {
         vkDeviceWaitIdle(r.device.handle);
         destroy_swapchain(r.device, r.swapchain);
         destroy_scene(r.device, r.scene);
+        destroy_scene(r.device, r.held);
         destroy_picture_targets(r.device, r.targets);
         destroy_shadow_maps(r.device, r.shadows);
         destroy_image(r.device, r.picture);
@@ -202,7 +203,10 @@ Result<void> upload_scene(Renderer& renderer, const SceneMeshes& meshes) {
     return replace(
         renderer,
         [&](GpuScene& scene) { return make_scene(renderer.device, renderer.pipelines, meshes, scene); },
-        [&](GpuScene& scene) { std::swap(renderer.scene, scene), forget_shadows(renderer); });
+        [&](GpuScene& scene) {
+            std::swap(renderer.scene, scene), forget_shadows(renderer);
+            destroy_scene(renderer.device, renderer.held);
+        });
 }
 
 Result<std::shared_ptr<const PreparedCity>> prepare_for_upload(const CityMesh& city) {
@@ -221,6 +225,25 @@ Result<void> upload_lamps(Renderer& renderer, const LampMap& lamps) {
     return replace(
         renderer, [&](GpuScene& scene) { return make_lamps(renderer.device, lamps, scene); },
         [&](GpuScene& scene) { swap_lamps(renderer.scene, scene); });
+}
+
+Result<void> hold_city(Renderer& renderer, const PreparedCity& city, const LampMap& lamps) {
+    return replace(
+        renderer,
+        [&](GpuScene& scene) -> Result<void> {
+            FLANEUR_TRY(make_city(renderer.device, city, scene));
+            return make_lamps(renderer.device, lamps, scene);
+        },
+        [&](GpuScene& scene) { std::swap(renderer.held, scene); });
+}
+
+Result<void> exchange_cities(Renderer& renderer) {
+    if (renderer.held.chunks.empty()) return Error{"No other city is held that could be drawn."};
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    swap_cities(renderer.scene, renderer.held);
+    swap_lamps(renderer.scene, renderer.held);
+    forget_shadows(renderer);
+    return {};
 }
 
 Result<void> upload_letters(Renderer& renderer, const Letters& letters) {

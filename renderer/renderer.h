@@ -51,6 +51,12 @@ Result<void> upload_city(Renderer& renderer, const PreparedCity& city);
 // The same of the light of lamps.
 Result<void> upload_lamps(Renderer& renderer, const LampMap& lamps);
 
+// Holds a second city with the light of its lamps on the device, in place of an earlier one and until another
+// scene is uploaded; and draws that one from the next frame on, while the one that was drawn is held. Neither
+// of them is lost by a failure.
+Result<void> hold_city(Renderer& renderer, const PreparedCity& city, const LampMap& lamps);
+Result<void> exchange_cities(Renderer& renderer);
+
 // The impostors of the scene, for SceneMeshes::impostors of one with the same people, and a key that says of
 // people, device and shaders what impostors depend on.
 Result<std::vector<uint32_t>> baked_impostors(Renderer& renderer);

@@ -21,6 +21,7 @@ struct Renderer {
     FrameSlot slots[k_slots];
     uint32_t next_slot = 0;
     GpuScene scene;
+    GpuScene held;  // another city, with its lamps
     ShadowMaps shadows;
     PictureTargets targets;
     GpuImage picture;  // off-screen, where the device lights, or panels lie over it; in a window, where it is

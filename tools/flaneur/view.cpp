@@ -317,6 +317,8 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
         show->renderer, window.get(), **gui, options, messages, [&](bool is_anew) -> Result<void> {
             if (is_anew) {
                 if (Result<void> uploaded = upload_again(*show); !uploaded) return uploaded;
+                if (viewer.time.beside && viewer.time.beside->city)
+                    viewer.time.beside.reset();  // not held any more
                 tell(viewer, "The graphics device was lost. A new one has taken over.");
             }
             return run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);

@@ -126,8 +126,8 @@ TEST(History, CloseTogetherOnlyNearNow) {
 TEST(History, AnotherRunIsTheOneThatAProgramBeginsWithThatSeed) {
     Loaded l = loaded_scene("corner", 50, 2);
     for (int i = 0; i < 100; ++i) step(*l.world);
-    Result<std::unique_ptr<World>> again = people_anew(l, {l.world->seed, 50}),
-                                   other = people_anew(l, {99, 50});
+    Result<std::unique_ptr<World>> again = make_people(order_people(l, l.world->seed, 50)),
+                                   other = make_people(order_people(l, 99, 50));
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_TRUE(other) << other.error().message;
     const Loaded fresh = loaded_scene("corner", 50, 1);
@@ -135,7 +135,7 @@ TEST(History, AnotherRunIsTheOneThatAProgramBeginsWithThatSeed) {
     EXPECT_NE(hash_world(**other), hash_world(*fresh.world));
     for (int i = 0; i < 60; ++i) step(**again), step(*fresh.world);
     EXPECT_EQ(hash_world(**again), hash_world(*fresh.world));
-    EXPECT_FALSE(people_anew(l, {1, 50}, [](std::string_view, float) { return false; }));
+    EXPECT_FALSE(make_people(order_people(l, 1, 50), [](std::string_view, float) { return false; }));
 
     // Nor does a state of one load into the other.
     HistoryPtr history = make_history();

@@ -197,6 +197,34 @@ TEST_F(MeasureRoomTest, ACloseOfAStreetIsSeenBeforeTheClick) {
     EXPECT_NE(v.note.find(crossed_by(*show.loaded.world->ground, seen)), std::string::npos) << v.note;
 }
 
+// As measures are drawn: one end, the other end. The first click by itself puts nothing down.
+TEST_F(MeasureRoomTest, WallsAreDrawnByTwoClicksToo) {
+    v.room = Room::change;
+    v.change.tool = AddedKind::wall;
+    Mouse was;
+    auto click_at = [&](double x, double y) {
+        for (const Mouse& now :
+             {Mouse{.x = x, .y = y}, Mouse{.x = x, .y = y, .is_held = true, .held_x = x, .held_y = y},
+              Mouse{.x = x, .y = y, .has_clicked = true}}) {
+            take_mouse(show, was, now, k_size, false, v);
+            was = now;
+        }
+    };
+    click_at(300, 225);
+    EXPECT_TRUE(current(v.change.designs).added.empty());
+    EXPECT_FALSE(v.note.empty()) << "what to do next is said";
+    click_at(301, 225);
+    EXPECT_TRUE(current(v.change.designs).added.empty()) << "shorter than a wall may be";
+    click_at(420, 240);
+    ASSERT_EQ(current(v.change.designs).added.size(), 1u);
+    EXPECT_GE(length(current(v.change.designs).added[0].to - current(v.change.designs).added[0].at), 0.5f);
+    click_at(300, 300);
+    EXPECT_TRUE(abandon_line(v)) << "Esc gives up what has one end";
+    EXPECT_FALSE(abandon_line(v));
+    click_at(500, 225);
+    EXPECT_EQ(current(v.change.designs).added.size(), 1u) << "that was another first end";
+}
+
 TEST(Plot, TellsWhatACurveIsAt) {
     const std::vector<glm::vec2> points = {{0, 1}, {2, 3}, {2, 7}, {4, 7}};
     PlotCurve curve{"", 0, points};

@@ -253,24 +253,30 @@ Result<Loaded> load(const Options& options) {
     return loaded;
 }
 
-Result<std::unique_ptr<World>> people_anew(const Loaded& loaded, PeopleAnew people,
+PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) {
+    const World& world = *loaded.world;
+    PeopleOrder order;
+    WorldOptions& options = order.options;
+    options.destinations = loaded.city->destinations;
+    options.kinds = world.kinds;
+    options.idles = world.idles.clips;
+    options.walkers = walkers;
+    options.seed = seed;
+    options.threads = thread_count(*world.workers);
+    options.hour = world.crowd.demand.hour;
+    order.ground = world.ground;
+    order.mesh = navmesh_bytes(*world.navmesh);
+    if (world.roam) order.compound = world.roam->compound;
+    return order;
+}
+
+Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
                                            const std::function<bool(std::string_view, float)>& progress) {
-    const World& old = *loaded.world;
-    const std::shared_ptr<const City>& city = loaded.city;
-    WorldOptions options;
-    options.destinations = city->destinations;
-    options.kinds = old.kinds;
-    options.idles = old.idles.clips;
-    options.walkers = people.walkers;
-    options.seed = people.seed;
-    options.threads = thread_count(*old.workers);
-    options.hour = old.crowd.demand.hour;
-    // The mesh is a world's own: of the same bytes.
-    Result<NavmeshPtr> mesh = restore_navmesh(*old.ground, {}, navmesh_bytes(*old.navmesh), options.threads);
+    Result<NavmeshPtr> mesh = restore_navmesh(*order.ground, {}, order.mesh, order.options.threads);
     if (!mesh) return mesh.error();
-    auto made = make_world(old.ground, std::move(*mesh), options, progress);
-    if (made && old.roam) {
-        Result<void> set = set_down(**made, old.roam->compound);
+    auto made = make_world(order.ground, std::move(*mesh), order.options, progress);
+    if (made && order.compound) {
+        Result<void> set = set_down(**made, *order.compound);
         if (!set) return set.error();
     }
     return made;

@@ -23,14 +23,18 @@ struct Loaded {
     std::vector<PeopleShare> parts;
 };
 
-// The same city with other people in it: so many, set down and led by that seed, of the same characters, as
-// of the hour at which it began. `loaded` is only looked at, and may go on meanwhile. `progress` as
-// make_world() calls it; where it answers false, the people are given up with an error.
-struct PeopleAnew {
-    uint64_t seed = 1;
-    uint32_t walkers = 0;
+// What another run with the same characters is made of, apart from the one that goes on meanwhile.
+struct PeopleOrder {
+    WorldOptions options;
+    std::shared_ptr<const Ground> ground;
+    std::string mesh;  // bytes of the ground's navmesh: one is a world's own
+    std::optional<Compound> compound;
 };
-Result<std::unique_ptr<World>> people_anew(const Loaded& loaded, PeopleAnew people,
+// So many people in the same city, set down and led by that seed, as of the hour at which it began.
+PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);
+// On any thread. `progress` as make_world() calls it; where it answers false, the people are given up with an
+// error.
+Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
                                            const std::function<bool(std::string_view, float)>& progress = {});
 
 // The part of all walkers that each character has by a scene's people and mix.

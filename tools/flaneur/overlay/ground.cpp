@@ -15,15 +15,92 @@ constexpr int k_half_grid = 300;  // cells from the eye to the grid's border
 constexpr float k_kernel = 2;     // metres about a walker over which it counts
 constexpr float k_least = 0.02f;  // people to a square metre that show
 
+// People to a square metre about the eye, on a grid over the ground.
 struct Node {
     float density = 0;
     float height = 0;  // of a walker near it
-    bool is_known = false, has_ground = false;
+    bool is_near = false, is_known = false, has_ground = false;
+};
+struct DensityGrid {
+    static constexpr int k_edge = 2 * k_half_grid;
+    int first_x, first_z;
+    std::vector<Node> nodes = std::vector<Node>(size_t{k_edge} * k_edge);
+
+    explicit DensityGrid(glm::vec3 eye)
+        : first_x(static_cast<int>(std::floor(eye.x / k_cell)) - k_half_grid),
+          first_z(static_cast<int>(std::floor(eye.z / k_cell)) - k_half_grid) {}
+    Node& at(int x, int z) { return nodes[static_cast<size_t>(z) * k_edge + static_cast<size_t>(x)]; }
+    Vec3 place(int x, int z) {
+        return {static_cast<float>(x + first_x) * k_cell, at(x, z).height,
+                static_cast<float>(z + first_z) * k_cell};
+    }
 };
 
+// Each walker over a disc, by a paraboloid whose volume is `weight`.
+void spread(const World& world, float weight, DensityGrid& grid) {
+    for (WalkerId id : world.crowd.slots.living) {
+        const Vec3 p = world.crowd.motion.position[id.index];
+        constexpr int reach = static_cast<int>(k_kernel / k_cell);
+        const int x = static_cast<int>(std::floor(p.x / k_cell)) - grid.first_x;
+        const int z = static_cast<int>(std::floor(p.z / k_cell)) - grid.first_z;
+        if (x < reach || z < reach || x >= DensityGrid::k_edge - reach - 1 ||
+            z >= DensityGrid::k_edge - reach - 1)
+            continue;
+        for (int j = z - reach; j <= z + reach + 1; ++j)
+            for (int i = x - reach; i <= x + reach + 1; ++i) {
+                const float dx = static_cast<float>(i + grid.first_x) * k_cell - p.x;
+                const float dz = static_cast<float>(j + grid.first_z) * k_cell - p.z;
+                const float near = 1 - (dx * dx + dz * dz) / (k_kernel * k_kernel);
+                if (near <= 0) continue;
+                Node& node = grid.at(i, j);
+                node.density += weight * near * (2 / (3.14159265f * k_kernel * k_kernel));
+                node.height = p.y;
+                node.is_near = true;
+            }
+    }
+}
+
+bool is_over_ground(const World& world, DensityGrid& grid, int x, int z) {
+    Node& node = grid.at(x, z);
+    if (node.is_known || !node.is_near) return node.has_ground;
+    node.is_known = true;
+    if (const auto hit = ground_at(*world.ground, grid.place(x, z), 1.5f, 3))
+        node.height = hit->height, node.has_ground = true;
+    return node.has_ground;
+}
+
+// Two triangles for each cell that people are near, and whose corners are over the ground.
+void fill_cells(const World& world, DensityGrid& grid, uint32_t (*colour)(float), Overlay& overlay) {
+    for (int j = 0; j + 1 < DensityGrid::k_edge; ++j)
+        for (int i = 0; i + 1 < DensityGrid::k_edge; ++i) {
+            constexpr int corners[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+            bool is_whole = true, is_seen = false;
+            for (const auto& c : corners) {
+                is_seen |= std::fabs(grid.at(i + c[0], j + c[1]).density) > k_least;
+                is_whole &= grid.at(i + c[0], j + c[1]).is_near;
+            }
+            if (!is_seen || !is_whole) continue;
+            for (const auto& c : corners) is_whole &= is_over_ground(world, grid, i + c[0], j + c[1]);
+            if (!is_whole) continue;
+            for (int k : {0, 1, 2, 0, 2, 3}) {
+                const int x = i + corners[k][0], z = j + corners[k][1];
+                overlay.fills.push_back({to_glm(grid.place(x, z)), colour(grid.at(x, z).density)});
+            }
+        }
+}
+
+uint32_t with_opacity(uint32_t colour, float opacity) {
+    return (colour & 0xffffffu) | static_cast<uint32_t>(std::clamp(opacity, 0.0f, 1.0f) * 0.62f * 255) << 24;
+}
+
+// The fainter the fewer: whoever walks alone is hardly seen.
 uint32_t density_colour(float density) {
-    const float opacity = std::clamp((density - k_least) / 0.12f, 0.0f, 1.0f) * 0.62f;
-    return (k_fruin_colours[fruin_level(density)] & 0xffffffu) | static_cast<uint32_t>(opacity * 255) << 24;
+    return with_opacity(k_fruin_colours[fruin_level(density)],
+                        (density - k_least) / (k_fruin_densities[0] - k_least));
+}
+
+uint32_t difference_colour(float more) {
+    return with_opacity(ink(more > 0 ? k_more_people : k_fewer_people), (std::fabs(more) - k_least) / 0.4f);
 }
 
 uint32_t lighter(uint32_t colour, float factor) {
@@ -40,61 +117,19 @@ constexpr float k_trail_reach = 150;  // metres from the eye
 
 }  // namespace
 
-// Each walker is spread over a disc by a paraboloid whose volume is one person.
 void add_density(const OverlayInput& input, Overlay& overlay) {
-    const World& world = input.world;
-    if (world.roam) return;
-    constexpr int edge = 2 * k_half_grid;
-    const int first_x = static_cast<int>(std::floor(input.camera.eye.x / k_cell)) - k_half_grid;
-    const int first_z = static_cast<int>(std::floor(input.camera.eye.z / k_cell)) - k_half_grid;
-    std::vector<Node> nodes(static_cast<size_t>(edge) * edge);
-    auto node = [&](int x, int z) -> Node& {
-        return nodes[static_cast<size_t>(z) * edge + static_cast<size_t>(x)];
-    };
-    for (WalkerId id : world.crowd.slots.living) {
-        const Vec3 p = world.crowd.motion.position[id.index];
-        constexpr int reach = static_cast<int>(k_kernel / k_cell);
-        const int x = static_cast<int>(std::floor(p.x / k_cell)) - first_x;
-        const int z = static_cast<int>(std::floor(p.z / k_cell)) - first_z;
-        if (x < reach || z < reach || x >= edge - reach - 1 || z >= edge - reach - 1) continue;
-        for (int j = z - reach; j <= z + reach + 1; ++j)
-            for (int i = x - reach; i <= x + reach + 1; ++i) {
-                const float dx = static_cast<float>(i + first_x) * k_cell - p.x;
-                const float dz = static_cast<float>(j + first_z) * k_cell - p.z;
-                const float near = 1 - (dx * dx + dz * dz) / (k_kernel * k_kernel);
-                if (near <= 0) continue;
-                node(i, j).density += near * (2 / (3.14159265f * k_kernel * k_kernel));
-                node(i, j).height = p.y;
-            }
-    }
-    auto place = [&](int i, int j) {
-        return Vec3{static_cast<float>(i + first_x) * k_cell, node(i, j).height,
-                    static_cast<float>(j + first_z) * k_cell};
-    };
-    auto look_up = [&](int i, int j) {
-        Node& n = node(i, j);
-        if (n.is_known || n.density <= 0) return n.has_ground;
-        n.is_known = true;
-        if (const auto hit = ground_at(*world.ground, place(i, j), 1.5f, 3))
-            n.height = hit->height, n.has_ground = true;
-        return n.has_ground;
-    };
-    for (int j = 0; j + 1 < edge; ++j)
-        for (int i = 0; i + 1 < edge; ++i) {
-            constexpr int corners[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
-            bool is_whole = true, is_seen = false;
-            for (const auto& c : corners) {
-                is_seen |= node(i + c[0], j + c[1]).density > k_least;
-                is_whole &= node(i + c[0], j + c[1]).density > 0;
-            }
-            if (!is_seen || !is_whole) continue;
-            for (const auto& c : corners) is_whole &= look_up(i + c[0], j + c[1]);
-            if (!is_whole) continue;
-            for (int k : {0, 1, 2, 0, 2, 3}) {
-                const int x = i + corners[k][0], z = j + corners[k][1];
-                overlay.fills.push_back({to_glm(place(x, z)), density_colour(node(x, z).density)});
-            }
-        }
+    if (input.world.roam) return;
+    DensityGrid grid(input.camera.eye);
+    spread(input.world, 1, grid);
+    fill_cells(input.world, grid, density_colour, overlay);
+}
+
+void add_density_difference(const OverlayInput& input, const World& other, Overlay& overlay) {
+    if (input.world.roam || other.roam) return;
+    DensityGrid grid(input.camera.eye);
+    spread(input.world, 1, grid);
+    spread(other, -1, grid);
+    fill_cells(input.world, grid, difference_colour, overlay);
 }
 
 // The mesh's triangles, halved until their edges are short, each corner on the ground that its triangle is

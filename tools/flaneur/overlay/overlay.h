@@ -54,6 +54,9 @@ std::vector<Legend> legends_of(WorkViews views);
 
 // The views, each adding to the overlay.
 void add_density(const OverlayInput& input, Overlay& overlay);
+// Where there are more people than in another world, and where fewer; from the same eye.
+inline constexpr uint32_t k_more_people = 0xe0871e, k_fewer_people = 0x2f7fd6;  // RGB
+void add_density_difference(const OverlayInput& input, const World& other, Overlay& overlay);
 void add_walkable(const OverlayInput& input, Overlay& overlay);
 void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);

@@ -47,7 +47,8 @@ Result<void> check_messages(uint32_t messages) {
                  " times); see above."};
 }
 
-bool is_dark(const Show& show) { return make_daylight(show.sun, show.is_overcast).lamps > 0; }
+bool is_dark(const Sun& sun, bool is_overcast) { return make_daylight(sun, is_overcast).lamps > 0; }
+bool is_dark(const Show& show) { return is_dark(show.sun, show.is_overcast); }
 
 Result<PreparedShow> prepare_show(const Options& options) {
     Result<Loaded> loaded = load(options);

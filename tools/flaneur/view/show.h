@@ -51,6 +51,7 @@ Result<Show> make_show(RendererPtr renderer, const Options& options);
 
 // Whether lamps are lit.
 bool is_dark(const Show& show);
+bool is_dark(const Sun& sun, bool is_overcast);
 
 // One tick, and what the views for work keep of it.
 void step(Show& show);

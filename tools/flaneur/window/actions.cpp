@@ -38,7 +38,7 @@ void dismiss(Show& show, Viewer& v) {
     if (std::exchange(v.lists_keys, false)) return;
     if (give_up_opening(v.opening)) return tell(v, "Nothing new is opened.");
     if (stop_going(v)) return;
-    if (abandon_drawing(v)) return;
+    if (abandon_drawing(v) || abandon_line(v)) return;
     if (v.room == Room::change && std::exchange(v.change.tool, std::nullopt)) return;
     if (std::exchange(v.room, Room::none) != Room::none) return;
     if (v.selected) return v.selected.reset();

@@ -204,7 +204,7 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_note(viewer, size, scale);
     lay_out_filming(viewer, size);
     lay_out_opening(show, viewer, size, scale);
-    lay_out_labels(viewer, size_of_one(viewer, size), scale);
+    lay_out_labels(viewer, size, scale);
     if (!viewer.has_panels) return viewer.time.scrubbed_to.reset();  // no hand is on what is hidden
     lay_out_tool(show, viewer, scale);
     lay_out_map(viewer, size, scale);

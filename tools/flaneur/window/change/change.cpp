@@ -80,13 +80,6 @@ void carry_people(Show& show, Viewer& v) {
     if (follows && !is_there(world.crowd, v.choice.walker)) take_off(v);
 }
 
-Order order_of(const Show& show, const Change& c, std::vector<Addition> added) {
-    const World& world = *show.loaded.world;
-    Order order{show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, is_dark(show), 0};
-    order.mesh = navmesh_bytes(*world.navmesh);
-    return order;
-}
-
 // Takes in what has been made, and has the next thing made.
 Result<void> carry_additions(Show& show, Viewer& v) {
     Change& c = v.change;
@@ -100,7 +93,9 @@ Result<void> carry_additions(Show& show, Viewer& v) {
         }
         const bool is_city = (**made).city != nullptr;
         c.carried.added = (**made).added;
-        if (Result<void> done = move_in(show, std::move(**made)); !done) return done;
+        const bool stays_beside = is_city && v.time.beside && !v.time.beside->city;
+        if (stays_beside) v.time.beside->city = show.loaded.city;
+        if (Result<void> done = move_in(show, std::move(**made), stays_beside); !done) return done;
         if (is_city) {
             c.home.reset();
             c.late = std::max(c.late, show.loaded.world->tick);
@@ -115,6 +110,13 @@ Result<void> carry_additions(Show& show, Viewer& v) {
 }
 
 }  // namespace
+
+Order order_of(const Show& show, const Change& c, std::vector<Addition> added) {
+    const World& world = *show.loaded.world;
+    Order order{show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, is_dark(show), 0};
+    order.mesh = navmesh_bytes(*world.navmesh);
+    return order;
+}
 
 void start_changes(const Options& options, const Show& show, Viewer& v) {
     Change& c = v.change;

@@ -17,6 +17,7 @@ struct Viewer;
 // What the left button holds: an addition that is moved, or the end of one that is drawn.
 struct ChangeGrip {
     bool is_held = false;
+    bool is_clicked = false;      // its first end was clicked: the next click is the other one
     std::optional<size_t> moved;  // number of an addition; none: a new one is drawn
     Addition was;                 // before
     Vec3 from;                    // where it was taken hold of
@@ -45,6 +46,9 @@ void start_changes(const Options& options, const Show& show, Viewer& viewer);
 
 // Whether nothing but the weather is otherwise than in the scene that was opened, and never was.
 bool is_as_opened(const Change& change);
+
+// What makes the city with these additions in place of those that are carried.
+Order order_of(const Show& show, const Change& change, std::vector<Addition> added);
 
 // Once a frame, between two ticks: carries on what is wanted, as far as it is ready.
 Result<void> carry_on(Show& show, Viewer& viewer);

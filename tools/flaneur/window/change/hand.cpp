@@ -65,22 +65,27 @@ void put_down(const World& world, const Addition& a, Viewer& v) {
     want(v, std::move(next));
 }
 
-void end_line(const World& world, Viewer& v) {
+// Whether a row of barriers, or a wall that was drawn out, is put down. Else one end of it was clicked, and
+// `why` tells what to do.
+bool end_line(const World& world, Viewer& v, const char*& why) {
     const Addition a = *v.change.ghost;
     const bool is_long = length(on_ground(a.to - a.at)) >= k_shortest_added;
-    if (is_long) return put_down(world, a, v);
-    if (a.kind == AddedKind::wall) return tell(v, "Drag from one end of the wall to the other.");
-    if (const auto row = closure_at(*world.ground, a.at)) {
-        const size_t before = current(v.change.designs).added.size();
-        put_down(world, *row, v);
-        if (current(v.change.designs).added.size() == before) return;
-        char told[80];
-        std::snprintf(told, sizeof told, "A %s is closed, %.1f m from wall to wall.",
-                      crossed_by(*world.ground, *row),
-                      static_cast<double>(length(on_ground(row->to - row->at))));
-        return tell(v, told);
+    if (is_long) return put_down(world, a, v), true;
+    why = "Click where it ends, half a metre away or farther.";
+    if (a.kind == AddedKind::wall || v.change.grip.is_clicked) return false;
+    const auto row = closure_at(*world.ground, a.at);
+    if (!row) {
+        why = "No walls are near on both sides: click where the barrier ends.";
+        return false;
     }
-    tell(v, "No walls are near on both sides: drag from one end of the barrier to the other.");
+    const size_t before = current(v.change.designs).added.size();
+    put_down(world, *row, v);
+    if (current(v.change.designs).added.size() == before) return true;
+    char told[80];
+    std::snprintf(told, sizeof told, "A %s is closed, %.1f m from wall to wall.",
+                  crossed_by(*world.ground, *row), static_cast<double>(length(on_ground(row->to - row->at))));
+    tell(v, told);
+    return true;
 }
 
 void end_move(Viewer& v) {
@@ -94,7 +99,10 @@ void end_move(Viewer& v) {
 void let_go_of(const World& world, Viewer& v) {
     Change& c = v.change;
     if (c.ghost && c.grip.moved && *c.ghost != c.grip.was) end_move(v);
-    if (c.ghost && !c.grip.moved) end_line(world, v);
+    if (const char* why = nullptr; c.ghost && !c.grip.moved && !end_line(world, v, why)) {
+        c.grip.is_clicked = true;
+        return tell(v, why);
+    }
     c.grip = {};
     c.ghost.reset();
 }
@@ -115,12 +123,12 @@ bool take_hold(Vec3 place, Viewer& v) {
     const std::vector<Addition>& added = current(c.designs).added;
     if (const auto there = addition_at(added, place)) {
         c.selected = there;
-        c.grip = {true, there, added[*there], place};
+        c.grip = {true, false, there, added[*there], place};
         c.ghost = added[*there];
         return true;
     }
     if (!c.tool || !is_drawn_out(*c.tool)) return false;
-    c.grip = {true, {}, {}, place};
+    c.grip = {true, false, {}, {}, place};
     c.ghost = Addition{*c.tool, rounded(place), rounded(place), 0};
     return true;
 }
@@ -262,7 +270,7 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
     const auto place = is_panels ? std::nullopt : place_at(now.x, now.y);
     if (c.grip.is_held) {
         if (place) hold(*place, v);
-        if (!now.is_held) let_go_of(world, v);
+        if (c.grip.is_clicked ? before.is_held && !now.is_held : !now.is_held) let_go_of(world, v);
         return true;
     }
     c.ghost.reset();
@@ -285,6 +293,13 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
 }
 
 bool is_putting(const Viewer& v) { return v.room == Room::change && v.change.tool.has_value(); }
+
+bool abandon_line(Viewer& v) {
+    if (!v.change.grip.is_clicked) return false;
+    v.change.grip = {};
+    v.change.ghost.reset();
+    return true;
+}
 
 void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
     if (v.room != Room::change) return;

@@ -21,6 +21,9 @@ struct Viewer;
 bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size size, bool is_panels,
                 Viewer& viewer);
 
+// Whether a wall or barrier of which one end was clicked is given up.
+bool abandon_line(Viewer& viewer);
+
 // Whether a click puts something down, whoever stands there.
 bool is_putting(const Viewer& viewer);
 

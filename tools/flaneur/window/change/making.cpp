@@ -42,9 +42,12 @@ std::optional<Result<Made>> finish(Making& making) {
     return making.coming.get();
 }
 
-Result<void> move_in(Show& show, Made made) {
+Result<void> move_in(Show& show, Made made, bool holds_old) {
     if (made.city) {
-        if (Result<void> done = upload_city(*show.renderer, *made.drawn); !done) return done;
+        Result<void> done =
+            holds_old ? hold_city(*show.renderer, *made.drawn, {}) : upload_city(*show.renderer, *made.drawn);
+        if (done && holds_old) done = exchange_cities(*show.renderer);
+        if (!done) return done;
         show.loaded.city = made.city;
         change_ground(*show.loaded.world, std::shared_ptr<const Ground>(made.city, &made.city->ground),
                       std::move(made.mesh), made.city->destinations, made.changed);

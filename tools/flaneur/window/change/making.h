@@ -43,7 +43,8 @@ void begin(Making& making, Order order);
 // If it is done.
 std::optional<Result<Made>> finish(Making& making);
 
-// Between two ticks: people walk in it from now on, and it is drawn.
-Result<void> move_in(Show& show, Made made);
+// Between two ticks: people walk in it from now on, and it is drawn. The renderer may hold the one that was
+// drawn.
+Result<void> move_in(Show& show, Made made, bool holds_old = false);
 
 }  // namespace flaneur

@@ -94,7 +94,7 @@ constexpr ToolButton k_tools[] = {
     {AddedKind::barrier, "Close a street",
      "Click a street, a path or a yard to close it from wall to wall; or drag from one end of the barrier to "
      "the other."},
-    {AddedKind::wall, "Wall", "Drag from one end of the wall to the other."},
+    {AddedKind::wall, "Wall", "Click one end of the wall and then the other, or drag."},
     {AddedKind::planter, "Planter", "Click the ground to put one down."},
     {AddedKind::car, "Car", "Click the ground to put one down."},
     {AddedKind::tree, "Tree", "Click the ground to plant one."},
@@ -107,6 +107,8 @@ void choose_tool(Viewer& v, AddedKind kind) {
     Change& c = v.change;
     v.room = Room::change;
     c.tool = kind;
+    c.grip = {};
+    c.ghost.reset();
     c.selected.reset();
 }
 
@@ -148,7 +150,7 @@ void lay_out_selected(Viewer& v, float scale) {
             ImGui::SliderFloat("##turn", &a.turn, -180, 180, "%.0f degrees", ImGuiSliderFlags_AlwaysClamp);
         // Made anew once the hand has let go.
         const uint64_t gesture = gesture_of_item(c);
-        tip("R turns it by 15 degrees");
+        tip("Alt+R turns it by 15 degrees");
         if (is_turned_now) {
             a.turn = std::round(a.turn);
             want(v, std::move(next), gesture);
@@ -172,7 +174,6 @@ void lay_out_name(Show& show, Viewer& v, float scale) {
 
 void lay_out_history(Show& show, Viewer& v, float scale) {
     const Designs& d = v.change.designs;
-    ImGui::Separator();
     ImGui::BeginDisabled(d.at == 0);
     if (ImGui::Button("Undo")) undo_last(show, v);
     ImGui::EndDisabled();
@@ -186,6 +187,7 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
     if (ImGui::Button("Save...")) begin_naming(v);
     tip("as the file of a scene (Ctrl+S)");
     lay_out_name(show, v, scale);
+    ImGui::Separator();
 }
 
 template <AddedKind Kind>
@@ -252,7 +254,7 @@ std::string armed_tool(const Show& show, const Change& c) {
         std::snprintf(text, sizeof text, "Close this %s, %.1f m",
                       crossed_by(*show.loaded.world->ground, *c.ghost), static_cast<double>(across));
     else if (is_click)
-        std::snprintf(text, sizeof text, "No walls on both sides: drag");
+        std::snprintf(text, sizeof text, "No walls on both sides: click both ends");
     else if (is_row)
         std::snprintf(text, sizeof text, "%s, %.1f m", k_tools[*c.tool == AddedKind::wall ? 1 : 0].name,
                       static_cast<double>(across));
@@ -264,6 +266,7 @@ std::string armed_tool(const Show& show, const Change& c) {
 std::span<const Action> change_actions() { return k_actions; }
 
 void lay_out_change(Show& show, Viewer& v, float scale) {
+    lay_out_history(show, v, scale);  // first, so that it stays where it is
     lay_out_day(show, v, scale);
     ImGui::Spacing();
     lay_out_people(show, v, scale);
@@ -273,7 +276,6 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
         lay_out_tools(v, scale);
         lay_out_selected(v, scale);
     }
-    lay_out_history(show, v, scale);
 }
 
 }  // namespace flaneur

@@ -10,6 +10,7 @@
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/overlay/shapes.h"
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/time/beside.h"
 #include "tools/flaneur/window/viewer.h"
 
 namespace flaneur {
@@ -156,7 +157,7 @@ void add_line_labels(const Marking& drawn, const std::vector<glm::vec3>& outline
     labels.push_back({middle - aside, std::to_string(all.left), 0xf2efe9});
 }
 
-void add_labels(const MeasureRoom& room, std::vector<Label>& labels) {
+void add_labels(const MeasureRoom& room, const Counts& counts, std::vector<Label>& labels) {
     for (size_t i = 0; i < room.drawn.size() && i < room.outlines.size(); ++i) {
         const Marking& drawn = room.drawn[i];
         const char* name = drawn.name.c_str();
@@ -164,12 +165,12 @@ void add_labels(const MeasureRoom& room, std::vector<Label>& labels) {
         const glm::vec3 centre = centre_of(drawn.points);
         switch (drawn.kind) {
             case MarkingKind::line:
-                add_line_labels(drawn, room.outlines[i], room.counts, labels);
+                add_line_labels(drawn, room.outlines[i], counts, labels);
                 break;
             case MarkingKind::zone:
-                for (const ZoneCount& zone : room.counts.zones) {
+                for (const ZoneCount& zone : counts.zones) {
                     if (zone.zone.name != drawn.name) continue;
-                    const ZoneSample now = zone_now(zone, room.counts);
+                    const ZoneSample now = zone_now(zone, counts);
                     labels.push_back(
                         {centre,
                          text_of("%s  %u %s  %.2f/m\u00b2  %c", name, now.people,
@@ -202,28 +203,15 @@ void add_draft_label(const MeasureRoom& room, std::vector<Label>& labels) {
 
 uint32_t imgui_colour(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
 
-}  // namespace
-
-void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
-    MeasureRoom& room = v.measure;
-    const bool is_open = v.room == Room::measure;
-    if (!v.has_panels || (room.drawn.empty() && room.draft.empty() && !room.under)) return;
-    const World& world = *show.loaded.world;
-    if (room.outlines.size() != room.drawn.size()) {
-        room.outlines.clear(), room.fills.clear();
-        for (const Marking& drawn : room.drawn) {
-            room.outlines.push_back(outline(world, drawn.points, is_closed(drawn.kind)));
-            room.fills.push_back(drawn.kind == MarkingKind::zone ? fill(world, drawn.points)
-                                                                 : std::vector<glm::vec3>());
-        }
-    }
-    Drawer draw{show.overlay.lines};
-    for (size_t i = 0; i < room.drawn.size(); ++i) {
+// What has been drawn, with what `counts` say of it.
+void draw_kept(const MeasureRoom& room, const Counts& counts, bool is_open, Overlay& overlay) {
+    Drawer draw{overlay.lines};
+    for (size_t i = 0; i < room.drawn.size() && i < room.outlines.size(); ++i) {
         const Marking& drawn = room.drawn[i];
         const bool is_selected = is_open && room.selected == i, is_pointed_at = is_open && room.hovered == i;
         const uint32_t rgb = k_colours[static_cast<size_t>(drawn.kind)];
         const uint32_t colour = is_selected || is_pointed_at ? ink(0xffffff) : ink(rgb);
-        add_fill(drawn, room.fills[i], room.counts, show.overlay.fills);
+        add_fill(drawn, room.fills[i], counts, overlay.fills);
         draw.stroke(room.outlines[i], colour, is_selected ? 3.5f : 2.5f);
         if (drawn.kind == MarkingKind::line) {
             const glm::vec3 middle = middle_of(room.outlines[i]), aside = right_of(drawn) * reach_of(drawn);
@@ -238,7 +226,68 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
             draw.point(drawn.points[k], is_held ? ink(0xffffff) : ink(rgb), is_selected ? 9.0f : 5.0f);
         }
     }
+}
+
+struct Box {
+    ImVec2 low, high;
+};
+bool overlap(const Box& a, const Box& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+// Above its place, or a few rows higher or lower where others are there.
+Box free_place(ImVec2 at, ImVec2 size, float apart, const std::vector<Box>& taken) {
+    const float row = size.y + apart;
+    for (const float rows : {0.0f, -1.0f, 1.0f, -2.0f, 2.0f, -3.0f, 3.0f}) {
+        const Box box{{at.x, at.y + rows * row}, {at.x + size.x, at.y + rows * row + size.y}};
+        if (std::none_of(taken.begin(), taken.end(), [&](const Box& b) { return overlap(box, b); }))
+            return box;
+    }
+    return {at, {at.x + size.x, at.y + size.y}};
+}
+
+// Over a picture of that size, which begins at `left`.
+void write_labels(const std::vector<Label>& labels, const Camera& camera, Size size, float left,
+                  float scale) {
+    const auto width = static_cast<float>(std::max(size.width, 1)),
+               height = static_cast<float>(std::max(size.height, 1));
+    const glm::mat4 clip_from_world =
+        make_view(camera, static_cast<uint32_t>(width), static_cast<uint32_t>(height)).clip_from_world;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 room{6 * scale, 3 * scale};
+    std::vector<Box> taken;
+    for (const Label& label : labels) {
+        const glm::vec4 at = clip_from_world * glm::vec4(label.place + glm::vec3(0, 0.25f, 0), 1);
+        if (at.w <= 0.05f || std::fabs(at.x) > at.w) continue;
+        const ImVec2 words = ImGui::CalcTextSize(label.text.c_str());
+        const ImVec2 whole{words.x + 2 * room.x, words.y + 2 * room.y};
+        const ImVec2 corner{left + std::round((at.x / at.w * 0.5f + 0.5f) * width - whole.x / 2),
+                            std::round((at.y / at.w * 0.5f + 0.5f) * height - whole.y - 5 * scale)};
+        const Box box = free_place(corner, whole, 2 * scale, taken);
+        taken.push_back(box);
+        list.AddRectFilled(box.low, box.high, IM_COL32(27, 30, 34, 205), 4 * scale);
+        list.AddText({box.low.x + room.x, box.low.y + room.y}, imgui_colour(label.colour),
+                     label.text.c_str());
+    }
+}
+
+}  // namespace
+
+void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
+    MeasureRoom& room = v.measure;
+    if (!v.has_panels || (room.drawn.empty() && room.draft.empty() && !room.under)) return;
+    const World& world = *show.loaded.world;
+    if (room.outlines.size() != room.drawn.size()) {
+        room.outlines.clear(), room.fills.clear();
+        for (const Marking& drawn : room.drawn) {
+            room.outlines.push_back(outline(world, drawn.points, is_closed(drawn.kind)));
+            room.fills.push_back(drawn.kind == MarkingKind::zone ? fill(world, drawn.points)
+                                                                 : std::vector<glm::vec3>());
+        }
+    }
+    draw_kept(room, room.counts, v.room == Room::measure, show.overlay);
     if (room.tool) {
+        Drawer draw{show.overlay.lines};
         const uint32_t colour = ink(k_colours[static_cast<size_t>(*room.tool)]);
         std::vector<glm::vec3> points = room.draft;
         if (room.under) points.push_back(*room.under);
@@ -249,29 +298,25 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
     frame.fills = show.overlay.fills;
 }
 
+void mark_measures_beside(const Viewer& v, const Counts& counts, Overlay& overlay, FrameInput& frame) {
+    if (!v.has_panels || v.measure.drawn.empty()) return;
+    draw_kept(v.measure, counts, false, overlay);
+    frame.lines = overlay.lines;
+    frame.fills = overlay.fills;
+}
+
 void lay_out_labels(const Viewer& v, Size size, float scale) {
     if (!v.has_panels) return;
-    std::vector<Label> labels;
-    add_labels(v.measure, labels);
-    add_draft_label(v.measure, labels);
-    if (labels.empty()) return;
-    const glm::mat4 clip_from_world = make_view(v.camera, static_cast<uint32_t>(std::max(size.width, 1)),
-                                                static_cast<uint32_t>(std::max(size.height, 1)))
-                                          .clip_from_world;
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (const Label& label : labels) {
-        const glm::vec4 at = clip_from_world * glm::vec4(label.place + glm::vec3(0, 0.25f, 0), 1);
-        if (at.w <= 0.05f) continue;
-        const ImVec2 words = ImGui::CalcTextSize(label.text.c_str());
-        const ImVec2 corner{
-            std::round((at.x / at.w * 0.5f + 0.5f) * static_cast<float>(size.width) - words.x / 2),
-            std::round((at.y / at.w * 0.5f + 0.5f) * static_cast<float>(size.height) - words.y - 8 * scale)};
-        const float room_x = 6 * scale, room_y = 3 * scale;
-        list.AddRectFilled({corner.x - room_x, corner.y - room_y},
-                           {corner.x + words.x + room_x, corner.y + words.y + room_y},
-                           IM_COL32(27, 30, 34, 205), 4 * scale);
-        list.AddText(corner, imgui_colour(label.colour), label.text.c_str());
-    }
+    const Size one = size_of_one(v, size);
+    const auto right = static_cast<float>(size.width - one.width);
+    auto write = [&](const Counts& counts, float left, bool with_draft) {
+        std::vector<Label> labels;
+        add_labels(v.measure, counts, labels);
+        if (with_draft) add_draft_label(v.measure, labels);
+        write_labels(labels, v.camera, one, left, scale);
+    };
+    write(v.measure.counts, 0, true);
+    if (has_two(v)) write(v.time.beside ? v.time.beside->counts : v.measure.counts, right, false);
 }
 
 }  // namespace flaneur

@@ -76,6 +76,7 @@ constexpr std::array k_actions = {
                set_beside(show, v, {show.loaded.world->seed, 2 * people_of(show)});
            }},
     Action{"Compare with this moment, kept", "", 0, 0, set_beside_this_moment},
+    Action{"Compare with the city as opened", "", 0, 0, set_beside_as_opened},
     Action{"End comparing", "", 0, 0, [](Show&, Viewer& v) { v.time.beside.reset(); }},
 };
 

@@ -11,9 +11,14 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/renderer.h"
 #include "sim/base/tick.h"
+#include "tools/flaneur/load/load.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/flaneur/view/sun.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/time/colours.h"
 #include "tools/flaneur/window/time/time.h"
 #include "tools/flaneur/window/viewer.h"
 #include "tools/flaneur/window/widgets.h"
@@ -32,6 +37,14 @@ void exchange_runs(Show& show, Beside& beside) {
     std::swap(show.people, beside.people);
     std::swap(show.overlay, beside.overlay);
     std::swap(show.without, beside.without);
+    std::swap(show.sun, beside.sun);
+    std::swap(show.is_overcast, beside.is_overcast);
+    std::swap(show.lit_windows, beside.lit_windows);
+    if (beside.city) std::swap(show.loaded.city, beside.city);
+}
+
+Result<void> exchange_drawn_cities(Show& show, const Beside& beside) {
+    return beside.city ? exchange_cities(*show.renderer) : Result<void>();
 }
 
 void paste(const Image& from, uint32_t left, Image& to) {
@@ -46,16 +59,29 @@ Result<Image> draw_other_run(Show& show, Viewer& v, Size one, uint32_t width, ui
     beside.overlay.letters_legends = show.overlay.letters_legends;
     beside.without.on = show.without.on;
     const bool is_level = beside.world->tick == show.loaded.world->tick;
+    if (Result<void> done = exchange_drawn_cities(show, beside); !done) return done.error();
     exchange_runs(show, beside);
-    const FrameInput frame = extract_frame(show, v.camera, one, is_level ? between : 1);
+    const WorkViews views = show.work_views;
+    if (beside.shows_difference && views[WorkView::density])
+        show.work_views = toggled(views, WorkView::density);
+    FrameInput frame = extract_frame(show, v.camera, one, is_level ? between : 1);
+    show.work_views = views;
+    mark_measures_beside(v, beside.counts, show.overlay, frame);
+    if (beside.shows_difference) {
+        add_density_difference({*show.loaded.world, show.loaded.characters, v.camera}, *beside.world,
+                               show.overlay);
+        frame.fills = show.overlay.fills;
+    }
     Result<Image> image = draw_image(*show.renderer, frame, width, height);
     exchange_runs(show, beside);
+    if (Result<void> done = exchange_drawn_cities(show, beside); !done) return done.error();
     return image;
 }
 
 Result<Image> draw_without(Show& show, Viewer& v, Size one, uint32_t width, uint32_t height, float between) {
     show.draws_whole = false;
-    const FrameInput frame = extract_frame(show, v.camera, one, between);
+    FrameInput frame = extract_frame(show, v.camera, one, between);
+    mark_measures_beside(v, v.measure.counts, show.overlay, frame);
     Result<Image> image = draw_image(*show.renderer, frame, width, height);
     show.draws_whole = true;
     return image;
@@ -64,13 +90,58 @@ Result<Image> draw_without(Show& show, Viewer& v, Size one, uint32_t width, uint
 }  // namespace
 
 void set_beside(Show& show, Viewer& v, const BesideChoice& choice) {
-    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
-    make_anew(show, v, {choice.seed, choice.walkers});
+    if (v.time.anew) return tell(v, k_is_making);
+    make_anew(v, order_people(show.loaded, choice.seed, choice.walkers));
     v.time.anew->beside = choice;
 }
 
-void put_beside(Viewer& v, std::unique_ptr<World> world, const BesideChoice& choice) {
+void set_beside_as_opened(Show& show, Viewer& v) {
+    if (v.time.anew) return tell(v, k_is_making);
+    const Change& c = v.change;
+    const Scene& scene = c.scene;
+    if (is_as_opened(c) && c.carried.is_overcast == scene.is_overcast)
+        return tell(v, "Nothing has been changed yet, in the room Change: both would be the same.");
+    const World& world = *show.loaded.world;
+    PeopleOrder people = order_people(show.loaded, world.seed, static_cast<uint32_t>(scene.walkers));
+    people.options.hour = scene.hour;
+    const std::vector<float> shares =
+        shares_of(scene.people, scene.mix, show.loaded.characters, show.loaded.parts);
+    for (size_t i = 0; i < shares.size(); ++i) people.options.kinds[i].share = shares[i];
+    std::optional<Order> city;
+    const bool is_night = is_dark(scene_sun(scene, show.loaded.city->latitude), scene.is_overcast);
+    if (!world.roam && (scene.added != c.carried.added || (is_night && !show.has_lamps))) {
+        city = order_of(show, c, scene.added);
+        city->with_lamps = is_night;
+    }
+    make_anew(v, std::move(people), std::move(city));
+    v.time.anew->beside = BesideChoice{world.seed, static_cast<uint32_t>(scene.walkers), {}, true};
+}
+
+// The city that was made for it, on the device.
+static Result<void> take_city(Show& show, Made& made, Beside& beside) {
+    if (made.city) {
+        beside.city = std::move(made.city);
+        return hold_city(*show.renderer, *made.drawn, made.lamps.value_or(LampMap{}));
+    }
+    if (!made.lamps) return {};
+    show.has_lamps = true;
+    return upload_lamps(*show.renderer, *made.lamps);
+}
+
+void put_beside(Show& show, Viewer& v, std::unique_ptr<World> world, Anew& anew) {
+    const BesideChoice choice = anew.beside.value_or(BesideChoice{});
     auto beside = std::make_unique<Beside>();
+    beside->sun = show.sun, beside->is_overcast = show.is_overcast, beside->lit_windows = show.lit_windows;
+    if (choice.is_as_opened) {
+        const Scene& scene = v.change.scene;
+        beside->is_as_opened = true;
+        beside->sun = scene_sun(scene, show.loaded.city->latitude);
+        beside->is_overcast = scene.is_overcast;
+        beside->lit_windows = lit_windows(scene.hour);
+    }
+    if (anew.made)
+        if (Result<void> done = take_city(show, *anew.made, *beside); !done)
+            return tell(v, done.error().message);
     beside->moment = choice.moment;
     beside->world = std::move(world);
     beside->history = make_history(k_beside_bytes);
@@ -156,6 +227,18 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
     return both;
 }
 
+static void lay_out_difference(Beside& beside) {
+    ImGui::Checkbox("where they differ", &beside.shows_difference);
+    tip("people to a square metre, in the right picture: where there are more than on the left, and where "
+        "fewer");
+    if (!beside.shows_difference) return;
+    for (const auto& [text, colour] :
+         {std::pair{"more", k_more_people}, std::pair{"fewer", k_fewer_people}}) {
+        ImGui::SameLine();
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(panel_colour(colour)), "%s", text);
+    }
+}
+
 void lay_out_beside(const Show& show, Viewer& v) {
     if (!v.time.beside || !begin_side(v, SidePanel::figures, "beside", nullptr, k_plain)) return;
     const Beside& beside = *v.time.beside;
@@ -179,6 +262,7 @@ void lay_out_beside(const Show& show, Viewer& v) {
                 written((std::string("%+") + (format + 1)).c_str(), right - left));
         };
         row("", "left", "right", "right - left");
+        if (beside.is_as_opened) row("city", "as changed", "as opened", "");
         row("seed", std::to_string(here.seed), std::to_string(beside.world->seed), "");
         row("time", run_time(here.tick), run_time(beside.world->tick), "");
         figure("people", "%.0f", static_cast<float>(a.people), static_cast<float>(b.people));
@@ -204,6 +288,7 @@ void lay_out_beside(const Show& show, Viewer& v) {
                    zone_now(there.zones[i], there).density);
         ImGui::EndTable();
     }
+    if (!here.roam) lay_out_difference(*v.time.beside);
     const bool is_over = ImGui::Button("End");
     tip("one run alone again, the left one");
     end_side(v, SidePanel::figures);

@@ -14,6 +14,7 @@
 
 namespace flaneur {
 
+struct Anew;
 struct Image;
 struct Show;
 struct Size;
@@ -21,9 +22,16 @@ struct Viewer;
 
 struct Beside {
     std::unique_ptr<World> world;
+    std::shared_ptr<const City> city;  // that the renderer holds for it; null: it walks in this run's
+    // The light of its hour and weather, which stay.
+    Sun sun;
+    bool is_overcast = false;
+    float lit_windows = 0;
     HistoryPtr history;
     std::optional<uint32_t> moment;  // tick at which it stands still; none: it goes along with this one
-    PeopleFrame people;              // as it is drawn
+    bool is_as_opened = false;
+    bool shows_difference = false;  // of densities, over the right picture
+    PeopleFrame people;  // as it is drawn
     Without without;
     Overlay overlay;
     Counts counts;  // by the lines and zones of this run
@@ -35,10 +43,13 @@ struct BesideChoice {
     uint64_t seed = 1;
     uint32_t walkers = 0;
     std::optional<uint32_t> moment{};
+    bool is_as_opened = false;  // the city, its hour, weather and people as they were before all changes
 };
 void set_beside(Show& show, Viewer& viewer, const BesideChoice& choice);
 // Takes what was made.
-void put_beside(Viewer& viewer, std::unique_ptr<World> world, const BesideChoice& choice);
+void put_beside(Show& show, Viewer& viewer, std::unique_ptr<World> world, Anew& anew);
+// This run beside one in the city as it was opened, before and after what was changed.
+void set_beside_as_opened(Show& show, Viewer& viewer);
 // This run, as it is now, beside what becomes of it.
 void set_beside_this_moment(Show& show, Viewer& viewer);
 

@@ -55,6 +55,10 @@ void lay_out_side_by_side(Show& show, Viewer& v, float scale) {
     number("##beside people", v.time.beside_people);
     if (ImGui::Button("With this moment", {150 * scale, 0})) set_beside_this_moment(show, v);
     tip("this run as it is now, at rest, beside what becomes of it");
+    if (ImGui::Button("With the city as opened", {fitted(290, scale), 0})) set_beside_as_opened(show, v);
+    tip("before and after all that was changed: streets, hour and people of the scene that was opened, from "
+        "its "
+        "start, beside this run");
 }
 
 void lay_out_past(Viewer& v, float scale) {

@@ -7,6 +7,7 @@
 
 #include "sim/base/tick.h"
 #include "sim/state.h"
+#include "tools/flaneur/load/load.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
@@ -230,21 +231,40 @@ bool stop_going(Viewer& v) {
     return true;
 }
 
-void make_anew(Show& show, Viewer& v, PeopleAnew people) {
-    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
+// In another city, if one is ordered.
+static void make_run(Anew& anew, PeopleOrder people, const std::optional<Order>& city) {
+    if (city) {
+        Result<Made> made = make(*city);
+        if (!made) {
+            anew.world = made.error();
+            return;
+        }
+        if (made->city) {
+            people.ground = std::shared_ptr<const Ground>(made->city, &made->city->ground);
+            people.mesh = navmesh_bytes(*made->mesh);
+            people.options.destinations = made->city->destinations;
+        }
+        anew.made = std::move(*made);
+    }
+    anew.world = make_people(people, [&](std::string_view, float done) {
+        anew.done = done;
+        return !anew.is_given_up;
+    });
+}
+
+void make_anew(Viewer& v, PeopleOrder people, std::optional<Order> city) {
     v.time.anew = std::make_unique<Anew>();
     Anew& anew = *v.time.anew;
-    anew.seed = people.seed;
-    anew.ready = std::async(std::launch::async, [&loaded = show.loaded, &anew, people] {
-        anew.world = people_anew(loaded, people, [&](std::string_view, float done) {
-            anew.done = done;
-            return !anew.is_given_up;
-        });
+    anew.seed = people.options.seed;
+    anew.ready = std::async(std::launch::async, [&anew, people = std::move(people), city = std::move(city)] {
+        make_run(anew, people, city);
     });
 }
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
-    make_anew(show, v, {seed, static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size())});
+    if (v.time.anew) return tell(v, k_is_making);
+    make_anew(v, order_people(show.loaded, seed,
+                              static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size())));
 }
 
 void take_people_anew(Show& show, Viewer& v) {
@@ -256,7 +276,7 @@ void take_people_anew(Show& show, Viewer& v) {
     if (anew->is_given_up) return tell(v, "Given up: everybody is still who they were.");
     if (!world) return tell(v, world.error().message);
     if (anew->beside)
-        put_beside(v, std::move(*world), *anew->beside);
+        put_beside(show, v, std::move(*world), *anew);
     else
         take_run(show, v, std::move(*world));
 }

@@ -16,12 +16,13 @@
 #include "assets/look.h"
 #include "tools/flaneur/history/events.h"
 #include "tools/flaneur/history/history.h"
+#include "tools/flaneur/window/change/making.h"
 #include "tools/flaneur/window/time/beside.h"
 
 namespace flaneur {
 
 struct Action;
-struct PeopleAnew;
+struct PeopleOrder;
 
 // A moment that somebody wants to find again, and from where it was looked at.
 struct Mark {
@@ -45,6 +46,7 @@ inline bool is_search(const Going& going) { return going.to == k_wherever; }
 struct Anew {
     uint64_t seed = 1;
     std::optional<BesideChoice> beside;
+    std::optional<Made> made;  // the city that they walk in, if one was ordered
     std::atomic<bool> is_given_up = false;
     std::atomic<float> done = 0;                     // share
     Result<std::unique_ptr<World>> world = Error{};  // once it is ready
@@ -107,8 +109,9 @@ std::optional<Progress> progress_of(const Timeline& time, const World& world, do
 // Stops where it is, or gives up the people who are made anew. False if there is neither.
 bool stop_going(Viewer& viewer);
 
-// Makes people in the background, unless some are being made.
-void make_anew(Show& show, Viewer& viewer, PeopleAnew people);
+inline constexpr char k_is_making[] = "People are being made already: Esc gives them up.";
+// Makes people in the background, in another city first, if one is ordered. Not while some are being made.
+void make_anew(Viewer& viewer, PeopleOrder people, std::optional<Order> city = {});
 // Other people, or the same, begin a run in place of this one.
 void restart(Show& show, Viewer& viewer, uint64_t seed);
 // Takes those who are made. To be called once a picture.
