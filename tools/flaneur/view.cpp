@@ -185,6 +185,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                                   : seconds_to_pass(v.record, std::min(now - last, k_longest_pause));
         if (v.record.filming) v.record.filming->began += std::max(now - last - k_longest_pause, 0.0);
         last = now;
+        begin_picture(v.costs, now);
         go_on_opening(show, v);
         take_people_anew(show, v);
         act_on_presses(show, v);
@@ -196,6 +197,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
         keep_up_beside(show, v);
         follow_switches(v.techniques, show);
+        end_part(v.costs, CostOf::ticks, glfwGetTime());
         const World& world = *show.loaded.world;
         v.measure.counts.shown = std::min(world.tick, v.measure.counts.tick);
         const float between = is_going ? 1 : between_pictures(v.record, v.clock);
@@ -243,6 +245,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             mark_gait(show, v, frame);
             mark_measures(show, v, frame);
             mark_changes(v, show, frame);
+            end_part(v.costs, CostOf::people, glfwGetTime());
             if (Result<void> done =
                     suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);
                 !done)
@@ -254,8 +257,12 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
             keep_what_is_kept(v);
             if (Result<void> done = take_picture_with_panels(show, v, frame, size); !done) return done;
             frame.resolution = v.resolution;
+            frame.times_passes = v.room == Room::frame && v.costs.is_apart;
             const double start = glfwGetTime();
+            end_part(v.costs, CostOf::panels, start);
             if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
+            end_part(v.costs, CostOf::draw, glfwGetTime());
+            end_picture(v.costs, frame_stats(*show.renderer));
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
             if (paces) {

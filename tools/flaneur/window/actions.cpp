@@ -106,6 +106,7 @@ void click_in_middle(Show&, Viewer& v) {
 
 constexpr std::array k_window = {
     Action{"Point at the middle of the picture; again: click there", "K", GLFW_KEY_K, 0, click_in_middle},
+    Action{"What a picture costs, and what makes it slow", "I", GLFW_KEY_I, 0, open<Room::frame>},
     Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
            [](Show&, Viewer& v) { v.wants_command = true; }},
     Action{"Hide the panels, or show them", "H", GLFW_KEY_H, 0,

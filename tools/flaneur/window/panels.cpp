@@ -16,6 +16,7 @@
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/cameras/map.h"
 #include "tools/flaneur/window/change/room.h"
+#include "tools/flaneur/window/frame/room.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/panels/bar.h"
@@ -47,6 +48,7 @@ constexpr RoomPanel k_rooms[] = {
     {Room::change, "Change", "time of day, weather, people, and what stands in the streets (T)",
      lay_out_change},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
+    {Room::frame, "Frame", "what a picture costs, and what makes it slow (I)", lay_out_frame},
     {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
 };
 

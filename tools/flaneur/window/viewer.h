@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/events.h"
+#include "tools/flaneur/window/frame/costs.h"
 #include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/layout.h"
 #include "tools/flaneur/window/measure/measure.h"
@@ -28,7 +29,7 @@
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, change, record, settings };
+enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, change, record, frame, settings };
 
 struct KeyPress {
     int key = 0, mods = 0;
@@ -52,6 +53,7 @@ struct Viewer {
     Keeping keeping;
     bool is_loading = true;
     Events events;
+    Costs costs;
     std::vector<KeyPress> presses;  // not acted upon yet
     bool wants_command = false, wants_close = false;
     bool lists_keys = false, has_panels = true;

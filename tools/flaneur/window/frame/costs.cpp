@@ -1,0 +1,105 @@
+#include "tools/flaneur/window/frame/costs.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "renderer/renderer.h"
+
+namespace flaneur {
+namespace {
+
+constexpr double k_new = 0.1;  // weight of the last picture
+
+void mix(double& average, double value) {
+    average = average == 0 ? value : average + k_new * (value - average);
+}
+
+// What lessens a stage of the device, by its name.
+struct Advice {
+    const char *name, *what;
+};
+constexpr Advice k_advice[] = {
+    {"crowd", "people near the eye: the layers overdraw and levels of detail show where"},
+    {"city", "the city in view: the layer overdraw shows where; --quality low draws plainer"},
+    {"scene", "city and people in view: time them apart, above"},
+    {"sky", "the sky in view"},
+    {"light", "the picture's size: each pixel is lit once"},
+    {"crowd shadows", "people whose shadows are near: --quality low has fewer"},
+    {"city shadows", "the city's shadows, drawn anew when the sun or the eye moves"},
+};
+
+}  // namespace
+
+void begin_picture(Costs& c, double time) {
+    if (c.began > 0) {
+        c.wholes.push_back(static_cast<float>((time - c.began) * 1000));
+        if (c.wholes.size() > Costs::k_kept) c.wholes.erase(c.wholes.begin());
+        c.now[static_cast<size_t>(CostOf::rest)] += time - c.ended;
+        for (size_t i = 0; i < k_costs; ++i) mix(c.parts[i], c.now[i] * 1000);
+    }
+    c.now = {};
+    c.began = c.ended = time;
+}
+
+void end_part(Costs& c, CostOf part, double time) {
+    c.now[static_cast<size_t>(part)] += time - c.ended;
+    c.ended = time;
+}
+
+void end_picture(Costs& c, const FrameStats& stats) {
+    mix(c.record, stats.cpu_record_ms);
+    const bool is_same =
+        std::equal(c.stages.begin(), c.stages.end(), stats.stages.begin(), stats.stages.end(),
+                   [](const auto& a, const auto& b) { return a.name == b.name; });
+    if (!is_same) c.stages.clear();
+    c.stages.resize(stats.stages.size());
+    for (size_t i = 0; i < c.stages.size(); ++i) {
+        c.stages[i].name = stats.stages[i].name;
+        mix(c.stages[i].ms, stats.stages[i].gpu_ms);
+        c.stages[i].fragments = stats.stages[i].fragments;
+    }
+}
+
+Spread spread_of(const Costs& c) {
+    if (c.wholes.empty()) return {};
+    std::vector<float> sorted = c.wholes;
+    std::sort(sorted.begin(), sorted.end());
+    return {sorted[sorted.size() / 2], sorted.back()};
+}
+
+std::string costliest(const Costs& c) {
+    double whole = 0, stages = 0;
+    for (const double ms : c.parts) whole += ms;
+    const Costs::Stage* stage = nullptr;
+    for (const Costs::Stage& s : c.stages) {
+        stages += s.ms;
+        if (!stage || s.ms > stage->ms) stage = &s;
+    }
+    if (whole <= 0) return "";
+    const auto most = static_cast<size_t>(std::max_element(c.parts.begin(), c.parts.end()) - c.parts.begin());
+    char share[64];
+    std::snprintf(share, sizeof share, "%.0f %% of a picture is ", 100 * c.parts[most] / whole);
+    std::string text = share;
+    switch (static_cast<CostOf>(most)) {
+        case CostOf::ticks:
+            return text + "stepping people: fewer of them, or slower time, would lessen it.";
+        case CostOf::people:
+            return text + "getting people and layers ready: fewer people, or fewer layers, would lessen it.";
+        case CostOf::panels:
+            return text + "these panels: H hides them.";
+        case CostOf::rest:
+            return text + "waiting for the display, or for the pictures a second that the settings allow.";
+        case CostOf::draw:
+            break;
+    }
+    text += "drawing";
+    if (!stage || stages <= 0) return text + ".";
+    std::snprintf(share, sizeof share, ", where %s takes %.0f %%", stage->name.c_str(),
+                  100 * stage->ms / stages);
+    text += share;
+    for (const Advice& advice : k_advice)
+        if (stage->name == advice.name) return text.append(": ").append(advice.what).append(".");
+    return text + ".";
+}
+
+}  // namespace flaneur
