@@ -252,5 +252,26 @@ TEST_F(WindowCameras, FramesSomebodyToAThirdOfThePicture) {
     EXPECT_GE(seen, 57);
 }
 
+TEST_F(WindowCameras, MapShowsAllAtFirstAndWhereOneWasInTurn) {
+    auto press = [&] { look_at_map(show, v), pictures(40); };
+    choose(v, CameraChoice::Kind::street);
+    pictures(40);
+    v.layout.wish.window = {k_size.width, k_size.height};
+    const glm::vec3 target = v.camera.target;
+    press();
+    const CameraChoice all = map_of_all(world(), k_size);
+    EXPECT_EQ(v.choice, all);
+    EXPECT_NE(v.note.find("wheel"), std::string::npos) << v.note;
+    press();
+    EXPECT_LT(v.choice.across, 0.7f * all.across) << "where one was";
+    EXPECT_LT(length(v.choice.middle - Vec2{target.x, target.z}), all.across / 2);
+    v.choice.across *= 0.8f, v.choice.middle.x += 3;
+    const CameraChoice zoomed = v.choice;
+    press();
+    EXPECT_EQ(v.choice, all);
+    press();
+    EXPECT_EQ(v.choice, zoomed) << "as one left it";
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -103,5 +103,21 @@ TEST(Map, CameraSeesThePlacesThatTheMapSays) {
     }
 }
 
+TEST(Map, OfAllLiesBetweenPanels) {
+    Options options;
+    options.scene = load_scene("corner").value();
+    options.scene.walkers = 1;
+    Result<Loaded> loaded = load(options);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const World& world = *loaded->world;
+    const CameraChoice map = map_between(world, k_size, 100, 460);
+    const Vec2 above = place_under(map, k_size, {499.5f, 99.5f}),
+               below = place_under(map, k_size, {499.5f, 459.5f});
+    EXPECT_LE(above.z, world.ground->low.z);
+    EXPECT_GE(below.z, world.ground->high.z);
+    EXPECT_NEAR(above.z + below.z, world.ground->low.z + world.ground->high.z, 0.01f)
+        << "in the middle of it";
+}
+
 }  // namespace
 }  // namespace flaneur

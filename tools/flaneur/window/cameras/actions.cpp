@@ -17,11 +17,19 @@ namespace {
 
 using enum CameraChoice::Kind;
 
+// Says so where it cannot.
+bool is_city(const Show& show, Viewer& v) {
+    if (show.loaded.world->roam) tell(v, "That is for cities: round the asteroid up is not one way.");
+    return !show.loaded.world->roam;
+}
+
 template <CameraChoice::Kind To>
 void look(Show& show, Viewer& v) {
-    if (To != overview && show.loaded.world->roam)
-        return tell(v, "That is for cities: round the asteroid up is not one way.");
-    choose(v, To);
+    if (To == overview || is_city(show, v)) choose(v, To);
+}
+
+void look_down(Show& show, Viewer& v) {
+    if (is_city(show, v)) look_at_map(show, v);
 }
 
 // Who was asked about, or is pointed at, or gone along with.
@@ -72,7 +80,7 @@ void frame_asked(Show& show, Viewer& v) {
     const auto who = somebody(show, v);
     if (!who) return tell(v, "Click somebody, or point at them, to look at them.");
     const World& world = *show.loaded.world;
-    if (world.roam) return tell(v, "That is for cities: round the asteroid up is not one way.");
+    if (!is_city(show, v)) return;
     const Vec3 feet = world.crowd.motion.position[*who];
     if (v.choice.kind == map) {
         CameraChoice there = v.choice;
@@ -142,13 +150,8 @@ constexpr std::array k_actions = {
     Action{"Follow somebody", "3", GLFW_KEY_3, 0, go_along<follow>},
     Action{"Look through somebody's eyes", "4", GLFW_KEY_4, 0, go_along<eyes>},
     Action{"The next one", "Tab", GLFW_KEY_TAB, 0, go_along_with_next},
-    Action{"Map, from straight above", "5", GLFW_KEY_5, 0, look<map>},
+    Action{"Map: all of the city, or where one was", "5", GLFW_KEY_5, 0, look_down},
     Action{"Map: north up", "", 0, 0, north_up},
-    Action{"Map: all of the city", "", 0, 0,
-           [](Show& show, Viewer& v) {
-               look<map>(show, v);
-               if (!show.loaded.world->roam) v.choice = map_of_all(*show.loaded.world, {16, 9});
-           }},
     Action{"Walk on foot, or lift off", "G", GLFW_KEY_G, 0, [](Show& show, Viewer& v) { set_foot(show, v); }},
     Action{"Look at who was asked about", "F", GLFW_KEY_F, 0, frame_asked},
     Action{"Follow who was asked about", "Shift+F", GLFW_KEY_F, GLFW_MOD_SHIFT, follow_asked},

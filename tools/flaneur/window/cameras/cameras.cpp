@@ -23,6 +23,12 @@ void ease_lens(Camera& camera, float lens, float seconds) {
     camera.vertical_fov = std::fabs(off) < k_there ? lens : lens - off * std::exp(-k_rate * seconds);
 }
 
+// Between bar and timeline, where they are laid out.
+CameraChoice whole_map(const Viewer& v, const World& world, Size size) {
+    const float top = v.layout.wish.bar_foot, foot = v.layout.plan.timeline_top;
+    return v.has_panels && foot > top ? map_between(world, size, top, foot) : map_of_all(world, size);
+}
+
 // Of a glide, so that it is seen where pictures take long.
 constexpr float k_longest = 0.12f;  // seconds between two pictures
 
@@ -87,6 +93,22 @@ CameraChoice kept_choice(const Viewer& v) {
     const Camera& camera = is_gliding(v.cameras.glide) ? v.cameras.glide.to : v.camera;
     const CameraKey key = key_of(camera, 0);
     return {CameraChoice::Kind::fixed, v.choice.walker, key.eye, key.target};
+}
+
+void look_at_map(const Show& show, Viewer& v) {
+    Cameras& c = v.cameras;
+    const bool is_map = v.choice.kind == CameraChoice::Kind::map;
+    if (is_map && v.choice == c.whole_map && c.near_map.across > 0) return choose(v, c.near_map);
+    if (is_map && v.choice != c.whole_map) c.near_map = v.choice;
+    if (!is_map && c.has_shown) {
+        const glm::vec2 window = v.layout.wish.window;
+        const Size size{static_cast<int>(window.x), static_cast<int>(window.y)};
+        const Camera& here = is_gliding(c.glide) ? c.glide.to : v.camera;
+        c.near_map = map_around(*show.loaded.world, here, size_of_one(v, size));
+    }
+    choose(v, CameraChoice::Kind::map);
+    tell(v, std::string("All of the city. The wheel zooms in at the cursor") +
+                (c.near_map.across > 0 ? ", 5 goes back and forth between this and nearby." : "."));
 }
 
 void set_foot(const Show& show, Viewer& v) {
@@ -173,7 +195,7 @@ bool move_camera(const Show& show, Size size, float seconds, float between, View
     const float lens = lens_of(v);
     if (goes_along(v.choice.kind) && c.rig.choice != v.choice) advance(c.rig, world, v.choice);
     if (v.choice.kind == CameraChoice::Kind::map && v.choice.across == 0)
-        v.choice = c.has_shown ? map_around(world, v.camera, size) : map_of_all(world, size);
+        v.choice = c.whole_map = whole_map(v, world, size);
 
     Camera wanted = is_gliding(c.glide) ? c.glide.to : v.camera;
     bool is_led = false;

@@ -37,7 +37,8 @@ struct Cameras {
     float fov = 0;          // the lens that was chosen, radians; 0: what suits the mode
     bool has_lens = false;  // what is shown was opened with one
     bool has_shown = false;
-    Glide glide;  // its end is where the eye will be, or is
+    CameraChoice whole_map, near_map;  // of all, and what a map shows in turn with it; across 0: none yet
+    Glide glide;                       // its end is where the eye will be, or is
     CameraRig rig;
     bool is_walking = false;
     Stroll walk;
@@ -66,6 +67,8 @@ void choose(Viewer& viewer, const CameraChoice& choice);
 // The place from which it is now looked, or who is gone along with.
 CameraChoice kept_choice(const Viewer& viewer);
 
+// The map of all of the city; from that one, where one was before.
+void look_at_map(const Show& show, Viewer& viewer);
 // On foot, where there is ground; says so where there is none.
 void set_foot(const Show& show, Viewer& viewer);
 // Shows the path at a moment.

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "sim/base/math.h"
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/viewer.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -62,6 +63,13 @@ CameraChoice map_around(const World& world, const Camera& camera, Size size) {
     map.kind = CameraChoice::Kind::map;
     map.middle = {middle.x, middle.z};
     map.across = std::clamp(2 * distance * std::tan(camera.vertical_fov / 2) * wide, k_least, k_most);
+    return map;
+}
+
+CameraChoice map_between(const World& world, Size size, float top, float foot) {
+    CameraChoice map = map_of_all(world, {size.width, std::max(static_cast<int>(foot - top), 1)});
+    const float metres = map.across / static_cast<float>(size.width);
+    map.middle.z += 0.5f * (static_cast<float>(size.height) - top - foot) * metres;
     return map;
 }
 

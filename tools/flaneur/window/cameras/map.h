@@ -16,6 +16,9 @@ struct Viewer;
 // About what a camera looks at, as wide as is seen there.
 CameraChoice map_around(const World& world, const Camera& camera, Size size);
 
+// All of the city, between two rows of the picture: what is above and below is covered.
+CameraChoice map_between(const World& world, Size size, float top, float foot);
+
 // Of a picture of this size, at the height of the ground.
 Vec2 place_under(const CameraChoice& map, Size size, glm::vec2 pixel);
 

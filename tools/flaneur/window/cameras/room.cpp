@@ -28,7 +28,7 @@ constexpr ModeRow k_modes[] = {
     {CameraMode::crowd, "Densest crowd", "Look at the densest crowd"},
     {CameraMode::follow, "Behind somebody", "Follow somebody"},
     {CameraMode::eyes, "Somebody's eyes", "Look through somebody's eyes"},
-    {CameraMode::map, "Map", "Map, from straight above"},
+    {CameraMode::map, "Map", "Map: all of the city, or where one was"},
 };
 
 const Action* action_named(const char* name) {
