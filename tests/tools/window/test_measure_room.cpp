@@ -6,6 +6,7 @@
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/measure/moments.h"
 #include "tools/flaneur/window/measure/plot.h"
 
 namespace flaneur {
@@ -236,6 +237,51 @@ TEST(Plot, TellsWhatACurveIsAt) {
     curve.is_stepped = true;
     EXPECT_FLOAT_EQ(value_at(curve, 1.9f).value(), 1);
     EXPECT_FALSE(value_at({"", 0, {}}, 0));
+}
+
+TEST(Charts, ShowTheMomentThatIsLookedAt) {
+    auto is = [](Stretch s, double from, double to) {
+        EXPECT_EQ(s.from, from);
+        EXPECT_EQ(s.to, to);
+    };
+    is(plotted(600, 600, 600), 10, 70);         // just begun
+    is(plotted(600, 6000, 6000), 10, 130);      // all of it
+    is(plotted(600, 60000, 60000), 700, 1000);  // the last five minutes
+    is(plotted(600, 60000, 48000), 700, 1000);  // in which an earlier moment is
+    is(plotted(600, 60000, 30000), 350, 650);   // or those about it
+    is(plotted(600, 60000, 660), 10, 310);
+}
+
+TEST(Charts, KnowTheirHighestMoments) {
+    MeasureRoom room;
+    EXPECT_FALSE(peak_of_zones(room, 0) || peak_of_lines(room, 0));
+    ZoneCount zone;
+    zone.zone.name = "Z1";
+    zone.samples = {{60, 1, 0.1f, 0, 0}, {120, 4, 0.4f, 0, 0}, {180, 2, 0.2f, 0, 0}, {240, 4, 0.4f, 0, 0}};
+    EXPECT_EQ(densest(zone, 0)->tick, 120u) << "the first of several";
+    EXPECT_EQ(densest(zone, 121)->tick, 240u) << "as far as the past goes back";
+    EXPECT_FALSE(densest(zone, 300));
+    LineCount line;
+    line.line.name = "L1";
+    line.since = 300;
+    for (const double seconds : {6.0, 7.0, 8.0, 9.0, 12.0, 31.0, 34.0, 47.0, 48.0, 49.0})
+        line.crossings.push_back({seconds, 0, true, 1, {}});
+    const std::optional<Height> most = fullest(line, 0, 49 * 60);
+    ASSERT_TRUE(most);
+    EXPECT_EQ(most->tick, 35 * 60u) << "the middle of a whole step";
+    EXPECT_EQ(most->value, 12) << "a minute";
+    EXPECT_EQ(fullest(line, 0, 50 * 60)->tick, 45 * 60u);
+    EXPECT_FALSE(fullest(line, 0, 600));
+    room.counts.zones = {zone}, room.counts.lines = {line}, room.counts.tick = 49 * 60;
+    EXPECT_EQ(peak_of_zones(room, 0)->tick, 120u);
+    EXPECT_EQ(peak_of_lines(room, 0)->told, "over L1 went most, 12 people a minute");
+}
+
+TEST(Plot, TimeHasStepsOfClocks) {
+    EXPECT_EQ(time_step(60), 15);
+    EXPECT_EQ(time_step(300), 60);
+    EXPECT_EQ(time_step(3), 1);
+    EXPECT_EQ(time_step(40000), 3 * 3600);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tools/flaneur/measure/csv.h"
 #include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/measure/moments.h"
 #include "tools/flaneur/window/panels.h"
 
 namespace flaneur {
@@ -30,6 +31,10 @@ constexpr std::array k_actions = {
     Action{"Measure density: draw a zone", "", 0, 0, draw<MarkingKind::zone>},
     Action{"Finish what is drawn", "Enter", GLFW_KEY_ENTER, 0,
            [](Show& show, Viewer& v) { finish_draft(show, v); }},
+    Action{"To when the zone was densest", "", 0, 0,
+           [](Show& show, Viewer& v) { go_to_densest(*show.loaded.world, v); }},
+    Action{"To when most crossed the line", "", 0, 0,
+           [](Show& show, Viewer& v) { go_to_fullest(*show.loaded.world, v); }},
     Action{"Count people anew on all lines and zones", "", 0, 0,
            [](Show& show, Viewer& v) { count_anew(show, v); }},
     Action{"Write what lines and zones counted, as CSV", "", 0, 0,
@@ -39,6 +44,19 @@ constexpr std::array k_actions = {
     Action{"Copy lines and zones as options of flaneur sim", "", 0, 0,
            [](Show&, Viewer& v) { copy_options(v); }},
 };
+
+// As far as the past goes back.
+uint32_t first_tick(const Viewer& v) {
+    const std::vector<uint32_t> kept = kept_ticks(*v.time.history);
+    return kept.empty() ? v.time.latest : kept.front();
+}
+
+void go_to_peak(const std::optional<Peak>& peak, const char* none, const World& world, Viewer& v) {
+    if (!peak) return tell(v, none);
+    v.clock.is_paused = true;
+    go_to(v, world, peak->tick);
+    tell(v, run_time(peak->tick) + ": " + peak->told + ". Space goes on.");
+}
 
 // The height of the highest ground, for places that come from a file.
 glm::vec3 set_down(const Ground* ground, Vec2 place) {
@@ -50,6 +68,14 @@ glm::vec3 set_down(const Ground* ground, Vec2 place) {
 }  // namespace
 
 std::span<const Action> measure_actions() { return k_actions; }
+
+void go_to_densest(const World& world, Viewer& v) {
+    go_to_peak(peak_of_zones(v.measure, first_tick(v)), "Nobody has been counted in a zone yet.", world, v);
+}
+void go_to_fullest(const World& world, Viewer& v) {
+    go_to_peak(peak_of_lines(v.measure, first_tick(v)),
+               "Nobody has been counted on a line yet, in ten whole seconds.", world, v);
+}
 
 std::string options_of(const MeasurePlan& plan) {
     std::string words;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "tools/flaneur/window/measure/drawing.h"
+#include "tools/flaneur/window/measure/moments.h"
 #include "tools/flaneur/window/measure/plot.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
@@ -14,8 +16,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_wide = 380;                  // of the room, at scale 1
-constexpr double k_plotted = 300, k_bin = 10;  // seconds: of a plot, and of one of its steps
+constexpr float k_wide = 380;  // of the room, at scale 1
 constexpr uint32_t k_right = IM_COL32(242, 193, 78, 255), k_left = IM_COL32(124, 198, 214, 255),
                    k_grey = IM_COL32(200, 196, 188, 255);
 constexpr const char* k_tips[] = {"click from point to point; Enter or a double click ends it",
@@ -102,13 +103,24 @@ void lay_out_list(MeasureRoom& room, float scale) {
     }
 }
 
-double now_of(const Counts& counts) { return counts.shown / 60.0; }
-// How many seconds are plotted of what is counted since a tick: a minute to five.
-double plotted(const Counts& counts, uint32_t since) {
-    return std::clamp(std::ceil((counts.shown - since) / 3600.0) * 60, 60.0, k_plotted);
+// A hand on a chart goes to its moment, as far as is counted.
+void go_where_held(std::optional<float> seconds, const World& world, Viewer& v) {
+    if (!seconds) return;
+    const auto tick = static_cast<uint32_t>(std::lround(std::max(*seconds, 0.0f) * 60));
+    const uint32_t to = std::min(tick, v.time.latest);
+    const uint32_t going = v.time.going ? v.time.going->to : world.tick;
+    if (to != going) go_to(v, world, to);
 }
 
-void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
+Plot over_time(const char* title, Stretch time, float most, const Counts& counts) {
+    Plot plot{title, "minutes of the run", {time.from, 0}, {time.to, round_top(most)}};
+    plot.mark = static_cast<float>(counts.shown / 60.0);
+    plot.is_time = true;
+    return plot;
+}
+
+void lay_out_line(const LineCount& line, const World& world, Viewer& v, float scale) {
+    const Counts& counts = v.measure.counts;
     const Flow all = flow_of(line, counts.shown, 1e9), lately = flow_of(line, counts.shown, k_flow_seconds);
     ImGui::Text("%.2f m long, counted for %.0f s", static_cast<double>(length_of(line.line)), all.seconds);
     if (ImGui::BeginTable("flow", 4, ImGuiTableFlags_SizingStretchSame, {fitted(k_wide - 20, scale), 0})) {
@@ -123,30 +135,35 @@ void lay_out_line(const LineCount& line, const Counts& counts, float scale) {
         ImGui::EndTable();
     }
     // How many a minute, each way, in each step of time.
-    const double now = now_of(counts), all_seconds = plotted(counts, line.since),
-                 first = std::floor((now - all_seconds) / k_bin) * k_bin;
-    const auto bins = static_cast<size_t>(std::ceil((now - first) / k_bin));
-    std::array<std::vector<float>, 2> sums{std::vector<float>(bins + 1), std::vector<float>(bins + 1)};
+    const Stretch time = plotted(line.since, counts.tick, counts.shown);
+    const double first = std::floor(time.from / k_step_seconds) * k_step_seconds;
+    const auto steps = static_cast<size_t>(std::ceil((time.to - first) / k_step_seconds));
+    std::array<std::vector<float>, 2> sums{std::vector<float>(steps), std::vector<float>(steps)};
     for (auto c = line.crossings.rbegin(); c != line.crossings.rend() && c->seconds >= first; ++c)
-        ++sums[c->to_right ? 1 : 0][std::min(static_cast<size_t>((c->seconds - first) / k_bin), bins)];
+        if (const auto i = static_cast<size_t>((c->seconds - first) / k_step_seconds); i < steps)
+            ++sums[c->to_right ? 1 : 0][i];
     std::array<std::vector<glm::vec2>, 2> curves;
     float most = 6;
     for (size_t side = 0; side < 2; ++side)
-        for (size_t i = 0; i < bins; ++i) {
-            const double begin = first + static_cast<double>(i) * k_bin;
-            if (begin + k_bin > now || begin < line.since / 60.0) continue;
-            const float value = sums[side][i] * static_cast<float>(60 / k_bin);
+        for (size_t i = 0; i < steps; ++i) {
+            const double begin = first + static_cast<double>(i) * k_step_seconds,
+                         end = begin + k_step_seconds;
+            if (end > counts.tick / 60.0 || begin < line.since / 60.0) continue;
+            const float value = sums[side][i] * static_cast<float>(60 / k_step_seconds);
             most = std::max(most, value);
-            curves[side].push_back({begin - now, value});
-            curves[side].push_back({begin + k_bin - now, value});
+            curves[side].push_back({begin, value});
+            curves[side].push_back({end, value});
         }
     const PlotCurve all_curves[] = {{"to the left", k_left, curves[0]}, {"to the right", k_right, curves[1]}};
-    Plot plot{"people/min", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
+    Plot plot = over_time("people/min", time, most, counts);
     plot.curves = all_curves;
-    lay_out_plot(plot, {fitted(k_wide, scale), 150 * scale}, scale);
+    go_where_held(lay_out_plot(plot, {fitted(k_wide, scale), 150 * scale}, scale), world, v);
+    if (ImGui::Button("Fullest")) go_to_fullest(world, v);
+    tip("goes to when most crossed it");
 }
 
-void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
+void lay_out_zone(const ZoneCount& zone, const World& world, Viewer& v, float scale) {
+    const Counts& counts = v.measure.counts;
     const ZoneSample now = zone_now(zone, counts);
     ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.shown - zone.since) / 60.0);
     ImGui::Text("%u %s, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
@@ -160,35 +177,41 @@ void lay_out_zone(const ZoneCount& zone, const Counts& counts, float scale) {
     else
         ImGui::Text("nobody is inside, level of service A");
     tip("Fruin's, of walkways: A below 0.31 people/m\u00b2, B 0.43, C 0.72, D 1.08, E 2.15, F above");
-    const double all_seconds = plotted(counts, zone.since);
+    const Stretch time = plotted(zone.since, counts.tick, counts.shown);
     std::vector<glm::vec2> density, voronoi, speed;
     float most = 0.1f, fastest = 1;
     for (auto s = zone.samples.rbegin(); s != zone.samples.rend(); ++s) {
-        const float ago = static_cast<float>(s->tick / 60.0 - now_of(counts));
-        if (ago < -static_cast<float>(all_seconds)) break;
-        density.push_back({ago, s->density}), voronoi.push_back({ago, s->voronoi});
-        if (s->people > 0) speed.push_back({ago, s->speed});
+        const double seconds = s->tick / 60.0;
+        if (seconds < time.from) break;
+        if (seconds > time.to) continue;
+        density.push_back({seconds, s->density}), voronoi.push_back({seconds, s->voronoi});
+        if (s->people > 0) speed.push_back({seconds, s->speed});
         most = std::max({most, s->density, s->voronoi}), fastest = std::max(fastest, s->speed);
     }
+    for (std::vector<glm::vec2>* curve : {&density, &voronoi, &speed})
+        std::reverse(curve->begin(), curve->end());
     const PlotCurve densities[] = {{"count / area", k_right, density}, {"Voronoi", k_left, voronoi}};
     const PlotCurve speeds[] = {{"", k_grey, speed}};
-    Plot plot{"people/m\u00b2", "seconds ago", {-all_seconds, 0}, {0, round_top(most)}};
+    Plot plot = over_time("people/m\u00b2", time, most, counts);
     plot.curves = densities;
-    lay_out_plot(plot, {fitted(k_wide, scale), 140 * scale}, scale);
-    Plot below{"mean speed, m/s", "seconds ago", {-all_seconds, 0}, {0, round_top(fastest)}};
+    go_where_held(lay_out_plot(plot, {fitted(k_wide, scale), 140 * scale}, scale), world, v);
+    if (ImGui::Button("Densest")) go_to_densest(world, v);
+    tip("goes to when most people to a square metre were in it");
+    Plot below = over_time("mean speed, m/s", time, fastest, counts);
     below.curves = speeds;
-    lay_out_plot(below, {fitted(k_wide, scale), 120 * scale}, scale);
+    go_where_held(lay_out_plot(below, {fitted(k_wide, scale), 120 * scale}, scale), world, v);
 }
 
-void lay_out_selected(const MeasureRoom& room, float scale) {
+void lay_out_selected(const World& world, Viewer& v, float scale) {
+    const MeasureRoom& room = v.measure;
     if (!room.selected) return;
     const Marking& drawn = room.drawn[*room.selected];
     const LineCount* line = line_called(room.counts, drawn.name);
     const ZoneCount* zone = zone_called(room.counts, drawn.name);
     if (!line && !zone) return;
     ImGui::Separator();
-    if (drawn.kind == MarkingKind::line && line) lay_out_line(*line, room.counts, scale);
-    if (drawn.kind == MarkingKind::zone && zone) lay_out_zone(*zone, room.counts, scale);
+    if (drawn.kind == MarkingKind::line && line) lay_out_line(*line, world, v, scale);
+    if (drawn.kind == MarkingKind::zone && zone) lay_out_zone(*zone, world, v, scale);
 }
 
 // Where to and from.
@@ -227,7 +250,7 @@ void lay_out_measures(Show& show, Viewer& v, float scale) {
     ImGui::PopTextWrapPos();
     if (!v.measure.drawn.empty()) ImGui::Separator();
     lay_out_list(v.measure, scale);
-    lay_out_selected(v.measure, scale);
+    lay_out_selected(*show.loaded.world, v, scale);
     lay_out_files(show, v, scale);
 }
 

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "tools/flaneur/window/time/time.h"
+
 namespace flaneur {
 namespace {
 
@@ -55,12 +57,18 @@ void add_grid(ImDrawList& list, const Frame& frame) {
         const ImVec2 size = label(v, step_y);
         list.AddText({frame.low.x - size.x - line * 0.3f, frame.y(v) - size.y / 2}, words_colour(), text);
     }
-    const float step_x = grid_step(plot.high.x - plot.low.x);
+    const float span_x = plot.high.x - plot.low.x;
+    const float step_x = plot.is_time ? time_step(span_x) : grid_step(span_x);
     for (float v = std::ceil(plot.low.x / step_x - 1e-3f) * step_x; v <= plot.high.x + 1e-3f * step_x;
          v += step_x) {
         if (std::fabs(v) < 1e-3f * step_x) v = 0;
         list.AddLine({frame.x(v), frame.low.y}, {frame.x(v), frame.high.y}, grid_colour());
-        const ImVec2 size = label(v, step_x);
+        ImVec2 size = label(v, step_x);
+        if (plot.is_time) {
+            const auto seconds = static_cast<int>(std::lround(v));
+            std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
+            size = ImGui::CalcTextSize(text);
+        }
         list.AddText({frame.x(v) - size.x / 2, frame.high.y + line * 0.3f}, words_colour(), text);
     }
     const ImVec2 unit = ImGui::CalcTextSize(plot.x_unit);
@@ -102,8 +110,14 @@ void tell_values(ImDrawList& list, const Frame& frame, float x, float scale) {
         list.AddCircleFilled(frame.at({x, *value}), 3.5f * scale, curve.colour);
         add("%s: %.3g", *curve.name ? curve.name : frame.plot.title, *value);
     }
-    if (text.empty()) return;
-    add("%s: %.3g", *frame.plot.x_unit ? frame.plot.x_unit : "at", std::fabs(x));
+    if (text.empty() && !frame.plot.is_time) return;
+    if (frame.plot.is_time)
+        text.append(text.empty() ? "" : "\n")
+            .append("at ")
+            .append(run_time(static_cast<uint32_t>(std::lround(std::max(x, 0.0f) * 60))))
+            .append(", a click goes there");
+    else
+        add("%s: %.3g", *frame.plot.x_unit ? frame.plot.x_unit : "at", std::fabs(x));
     ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -116,6 +130,7 @@ void add_names(ImDrawList& list, const Plot& plot, ImVec2 at, float right) {
         if (!*curve.name) continue;
         const ImVec2 size = ImGui::CalcTextSize(curve.name);
         x -= size.x;
+        if (x < at.x + ImGui::CalcTextSize(plot.title).x + ImGui::GetFontSize()) return;
         list.AddText({x, at.y}, curve.colour, curve.name);
         x -= ImGui::GetFontSize() * 0.8f;
     }
@@ -139,16 +154,24 @@ float grid_step(float span) {
     return step;
 }
 
+float time_step(float span) {
+    constexpr float k_steps[] = {1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800};
+    for (const float step : k_steps)
+        if (span / step <= 5.001f) return step;
+    return std::ceil(span / (5 * 3600)) * 3600;
+}
+
 float round_top(float most) {
     const float step = grid_step(std::max(most, 1e-3f));
     return std::max(std::ceil(most / step - 1e-3f), 1.0f) * step;
 }
 
-void lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
+std::optional<float> lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
     const float line = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(plot.title, {size.x, size.y});
-    if (!ImGui::IsItemVisible()) return;
+    if (!ImGui::IsItemVisible()) return {};
+    const bool is_held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const bool is_pointed_at = ImGui::IsItemHovered(), has_keys = ImGui::IsItemFocused() && has_nav();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Frame frame{{at.x + 2.6f * line, at.y + 1.4f * line},
@@ -164,7 +187,8 @@ void lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
     add_grid(list, frame);
     list.PushClipRect({frame.low.x, frame.low.y - 1}, {frame.high.x, frame.high.y + 1}, true);
     if (plot.mark >= plot.low.x && plot.mark <= plot.high.x)
-        list.AddLine({frame.x(plot.mark), frame.low.y}, {frame.x(plot.mark), frame.high.y}, axis_colour());
+        list.AddLine({frame.x(plot.mark), frame.low.y}, {frame.x(plot.mark), frame.high.y},
+                     ImGui::GetColorU32(ImGuiCol_CheckMark), 1.5f * scale);
     for (const PlotCurve& curve : plot.curves)
         if (curve.points.size() > 1) add_curve(list, frame, curve, 1.6f * scale);
     list.PopClipRect();
@@ -172,6 +196,7 @@ void lay_out_plot(const Plot& plot, glm::vec2 size, float scale) {
         tell_values(list, frame, frame.value(ImGui::GetIO().MousePos.x), scale);
     else if (has_keys)
         tell_values(list, frame, last_of(plot), scale);
+    return is_held ? std::optional(frame.value(ImGui::GetIO().MousePos.x)) : std::nullopt;
 }
 
 }  // namespace flaneur

@@ -25,11 +25,14 @@ struct Plot {
     glm::vec2 low, high;  // of both axes
     std::span<const PlotBand> bands = {};
     std::span<const PlotCurve> curves = {};
-    float mark = -1e9f;  // an abscissa that is marked by an upright line
+    float mark = -1e9f;    // an abscissa that is marked by an upright line
+    bool is_time = false;  // the axis below is of seconds since the run began
 };
 
 // A round distance between grid lines: five of them at most.
 float grid_step(float span);
+// The same of time, seconds.
+float time_step(float span);
 // `high` of an axis from 0 that holds `most`: a whole number of grid lines.
 float round_top(float most);
 
@@ -37,6 +40,7 @@ float round_top(float most);
 std::optional<float> value_at(const PlotCurve& curve, float x);
 
 // What the curves are under the cursor is told; while the plot has the keys, what they are at its right end.
-void lay_out_plot(const Plot& plot, glm::vec2 size, float scale);
+// The abscissa under the cursor while it is held down there.
+std::optional<float> lay_out_plot(const Plot& plot, glm::vec2 size, float scale);
 
 }  // namespace flaneur
