@@ -12,6 +12,12 @@ inline constexpr float k_edge = 10;      // between panels and the window's edge
 inline constexpr float k_state = 34;     // of the line that says how fast it goes
 inline constexpr float k_timeline = 36;  // of the timeline's height
 
+// Of what is not as one would expect.
+inline ImVec4 warning_colour() {
+    const bool is_light = ImGui::GetStyleColorVec4(ImGuiCol_Text).x < 0.5f;
+    return is_light ? ImVec4(0.6f, 0.36f, 0, 1) : ImVec4(0.95f, 0.71f, 0.36f, 1);
+}
+
 // A panel that stays where it is put.
 inline constexpr ImGuiWindowFlags k_plain =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -24,6 +30,30 @@ inline constexpr ImGuiWindowFlags k_room = ImGuiWindowFlags_AlwaysAutoResize |
 // What the last item is for, while one points at it.
 inline void tip(const char* what) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
+}
+
+// The same, where it covers nothing of the panel that the item is in: below that one.
+inline void tip_below(const char* what) {
+    if (!ImGui::IsItemHovered()) return;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(what).x + 2 * style.WindowPadding.x;
+    const float most = ImGui::GetIO().DisplaySize.x - width;
+    ImGui::SetNextWindowPos({std::max(std::min(ImGui::GetItemRectMin().x, most), 0.0f),
+                             ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + style.ItemSpacing.y / 2});
+    ImGui::SetTooltip("%s", what);
+}
+// And of more than a line, at most as wide: beside it, on the right if there is room.
+inline void begin_tip_beside(float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x / 2, left = ImGui::GetWindowPos().x,
+                right = left + ImGui::GetWindowWidth(), all = width + 2 * style.WindowPadding.x;
+    const bool fits = right + gap + all <= ImGui::GetIO().DisplaySize.x;
+    const float y = ImGui::GetItemRectMin().y;
+    if (fits)
+        ImGui::SetNextWindowPos({right + gap, y});
+    else if (left - gap >= all)
+        ImGui::SetNextWindowPos({left - gap, y}, ImGuiCond_Always, {1, 0});
+    ImGui::BeginTooltip();
 }
 
 // A button that shows whether what it is for is on, also while the cursor is still on it.

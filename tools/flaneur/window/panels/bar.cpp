@@ -37,21 +37,21 @@ void lay_out_rooms(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     for (const RoomPanel& room : rooms) {
         go_beside(room.name, scale);
         if (toggle_button(room.name, v.room == room.room)) open_room(v, room.room);
-        tip(room.tip);
+        tip_below(room.tip);
     }
     go_beside("Find", scale);
     if (ImGui::Button("Find")) v.palette = {.is_open = true};
-    tip("any action by its name (Ctrl+P)");
+    tip_below("any action by its name (Ctrl+P)");
     go_beside("Keys", scale);
     if (toggle_button("Keys", v.lists_keys)) v.lists_keys = !v.lists_keys;
-    tip("F1");
+    tip_below("F1");
 }
 
 // The same, two beside each other, and how many people there are, which may have no other place.
 void lay_out_menu(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     ImGui::SameLine();
     if (ImGui::Button("Menu")) ImGui::OpenPopup("rooms");
-    tip("all rooms; any action is found by Ctrl+P");
+    tip_below("all rooms; any action is found by Ctrl+P");
     if (!ImGui::BeginPopup("rooms")) return;
     const ImVec2 each{100 * scale, 0};
     bool is_left = true, is_done = false;
@@ -90,7 +90,7 @@ void lay_out_tabs(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     if (v.room == Room::none) return;
     go_beside("Close", scale);
     if (ImGui::Button("Close")) v.room = Room::none;
-    tip("the room (Esc)");
+    tip_below("the room (Esc)");
 }
 
 }  // namespace
@@ -101,10 +101,10 @@ void lay_out_bar(const Show& show, Viewer& v, std::span<const RoomPanel> rooms, 
     ImGui::SetNextWindowPos({edge, edge});
     ImGui::Begin("time", nullptr, k_plain);
     if (ImGui::Button(v.clock.is_paused ? "  Go  " : " Stop ")) v.clock.is_paused = !v.clock.is_paused;
-    tip("Space");
+    tip_below("Space");
     ImGui::SameLine();
     if (ImGui::Button("Step")) v.clock.is_paused = true, ++v.clock.steps;
-    tip("one tick, 1/60 s (.)");
+    tip_below("one tick, 1/60 s (.)");
     ImGui::SameLine();
     const std::string clock = clock_text(show);
     const float others =
@@ -115,7 +115,7 @@ void lay_out_bar(const Show& show, Viewer& v, std::span<const RoomPanel> rooms, 
     ImGui::SetNextItemWidth(is_folded ? std::clamp(left, 30 * scale, most_pace) : most_pace);
     ImGui::SliderFloat("##rate", &v.clock.rate, k_least_rate, k_most_rate, "%.2g x",
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    tip("how fast time goes by (- and +)");
+    tip_below("how fast time goes by (- and +)");
     ImGui::SameLine();
     ImGui::TextUnformatted(clock.c_str());
     is_folded ? lay_out_menu(v, rooms, scale) : lay_out_rooms(v, rooms, scale);
