@@ -130,5 +130,24 @@ TEST(Layout, LettersAreNoLargerThanTheWindowHasRoomFor) {
     EXPECT_EQ(most_scale({100, 100}), 1);
 }
 
+TEST(Layout, OnePanelAtATimeIsBetweenTwoHalves) {
+    for (const glm::vec2 window : {glm::vec2(1280, 720), glm::vec2(2560, 1440)})
+        for (const float scale : {1.0f, 1.5f})
+            for (unsigned shown = 1; shown < 16; ++shown) {
+                PanelWish wish = wish_of(window, scale, shown);
+                wish.is_between = true;
+                const PanelPlan plan = plan_panels(wish);
+                expect_calm(wish);
+                for (size_t i = 0; i < k_sides; ++i) {
+                    if (!plan.sides[i].is_there) continue;
+                    EXPECT_EQ(static_cast<SidePanel>(i), wish.chosen);
+                    const float wide = std::min(wish.whole[i].x, plan.sides[i].most.x);
+                    EXPECT_GT((window.x - wide) / 2, 0.32f * window.x)
+                        << "the middles of both halves are free";
+                    EXPECT_EQ(plan.sides[i].at.x - plan.sides[i].pivot.x * wide, (window.x - wide) / 2);
+                }
+            }
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -75,5 +75,15 @@ TEST(TechniqueSwitches, BeforeAndAfterTakesThePlaceOfAnotherRun) {
     EXPECT_FALSE(has_two(v));
 }
 
+TEST(TechniqueSwitches, CurvesSayWhatTheyAreOf) {
+    Techniques on;
+    EXPECT_EQ(told_off(on), "");
+    EXPECT_EQ(told_of_curves(on), "Curves: the walk, all techniques on.");
+    on.feet = on.look = false;
+    EXPECT_EQ(told_off(on), "without feet, look");
+    EXPECT_EQ(told_of_curves(on),
+              "Curves: the walk, all techniques on; bodies are drawn without feet, look.");
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -12,6 +12,8 @@
 namespace flaneur {
 namespace {
 
+constexpr float k_between = 1.0f / 3;                       // of the window's width, at most
+constexpr float k_least_between = 260;                      // that are worth it, at scale 1
 constexpr float k_small_width = 500, k_small_height = 360;  // of a window, at scale 1
 
 bool is_shown(const PanelWish& wish, SidePanel side) { return wish.is_shown[static_cast<size_t>(side)]; }
@@ -63,8 +65,10 @@ PanelPlan plan(const PanelWish& wish) {
     const bool is_film_above = wish.film.x > 0 && std::max(left.x, right.x) + p.edge > middle;
     const float film = is_film_above ? wish.film.y + p.edge : 0;
     top += film;
-    p.has_tabs =
-        columns > wide || right.y > over(row) - top;  // a note, which comes and goes, changes nothing
+    const bool is_shared =
+        wish.is_between && std::count(wish.is_shown.begin(), wish.is_shown.end(), true) > 1;
+    // A note, which comes and goes, changes nothing.
+    p.has_tabs = is_shared || columns > wide || right.y > over(row) - top;
     if (p.has_tabs) p.film_top = wish.tabs_foot + p.edge, top = p.film_top + film;
 
     const float high = std::max(foot - top, 1.0f);
@@ -75,6 +79,11 @@ PanelPlan plan(const PanelWish& wish) {
         place.is_there = wish.is_shown[i] && (!p.has_tabs || side == wish.chosen);
         place.at = {p.edge, top};
         place.most = {wide, high};
+        if (wish.is_between) {
+            place.at.x = wish.window.x / 2, place.pivot.x = 0.5f;
+            place.most.x = k_between * wish.window.x;
+            continue;
+        }
         if (p.has_tabs || side == SidePanel::room) continue;
         const bool is_lowest = side == SidePanel::legend;
         place.at = {wish.window.x - p.edge, is_lowest ? foot : down};
@@ -106,13 +115,15 @@ void plan_picture(Viewer& v, glm::vec2 window, float scale, const std::array<boo
     PanelLayout& layout = v.layout;
     PanelWish& wish = layout.wish;
     const std::array<bool, k_sides> before = std::exchange(wish.is_shown, shown);
+    wish.is_between = v.techniques.is_split && k_between * window.x >= k_least_between * scale;
     const bool is_other_room = std::exchange(layout.room, static_cast<uint8_t>(v.room)) != layout.room;
     for (size_t i = 0; i < k_sides; ++i) {
         const bool is_new = !before[i] || (i == 0 && is_other_room);
         if (!shown[i] || is_new || scale != wish.scale) wish.whole[i] = {};
         const bool was_glimpse = i == static_cast<size_t>(SidePanel::card) && wish.is_glimpse;
         const bool is_mere = i == static_cast<size_t>(SidePanel::card) && is_glimpse;
-        if (shown[i] && (is_new || was_glimpse) && !is_mere) wish.chosen = static_cast<SidePanel>(i);
+        const bool gives_way = is_mere || (wish.is_between && i > 0 && shown[0]);
+        if (shown[i] && (is_new || was_glimpse) && !gives_way) wish.chosen = static_cast<SidePanel>(i);
     }
     if (!shown[static_cast<size_t>(wish.chosen)]) {
         const auto first = std::find(shown.begin(), shown.end(), true);
@@ -120,6 +131,13 @@ void plan_picture(Viewer& v, glm::vec2 window, float scale, const std::array<boo
     }
     wish.window = window, wish.scale = scale, wish.is_glimpse = is_glimpse;
     layout.plan = plan_panels(wish);
+}
+
+float width_in(const Viewer& v, SidePanel side, float pixels) {
+    const float most = v.layout.plan.sides[static_cast<size_t>(side)].most.x;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return std::min(fitted(pixels, v.layout.wish.scale),
+                    most - 2 * style.WindowPadding.x - style.ScrollbarSize);
 }
 
 bool begin_side(Viewer& v, SidePanel side, const char* name, bool* is_open, int flags) {

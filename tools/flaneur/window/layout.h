@@ -3,7 +3,8 @@
 // Above lies the bar, below it on the left the room that is open, and on the right the figures of a
 // comparison, the card, and what colours mean. Along the lower edge lies the timeline, and over it a row of
 // what is told: how fast it goes, notes, the scale of a map. Where not all of it fits, one of the four is
-// shown at a time, and the bar has tabs for them.
+// shown at a time, and the bar has tabs for them. So it is where bodies are compared in two halves: then that
+// one is between them, so that the middle of either half is free.
 #pragma once
 
 #include <array>
@@ -28,6 +29,7 @@ struct PanelWish {
     std::array<glm::vec2, k_sides> whole{};
     SidePanel chosen = SidePanel::room;  // of the tabs
     bool is_glimpse = false;             // the card is of what is pointed at: it gives way
+    bool is_between = false;             // panels are between two halves
     glm::vec2 film{0}, note{0}, state{0}, map{0};
 };
 
@@ -58,6 +60,10 @@ struct PanelLayout {
 // Plans the next picture's panels; what has come newly is chosen of the tabs.
 void plan_picture(Viewer& viewer, glm::vec2 window, float scale, const std::array<bool, k_sides>& is_shown,
                   bool is_glimpse);
+
+// How wide what is in a side panel may be, pixels: so many at scale 1, or fewer where it has no room for
+// them.
+float width_in(const Viewer& viewer, SidePanel side, float pixels);
 
 // Before and after what is in a side panel, as ImGui::Begin and End, whose flags these are. Where there is no
 // room for it nothing is begun, nor is to be ended.

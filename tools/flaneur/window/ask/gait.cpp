@@ -79,7 +79,8 @@ void begin_anew(GaitWatch& watch) {
 
 uint32_t plot_colour(Side side) { return side == k_left ? k_left_colour : k_right_colour; }
 
-void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool is_last, float scale) {
+void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool is_last, float width,
+                   float scale) {
     const Cycle &norm = k_reference.*angle.norm, &sd = k_reference.*angle.sd;
     const std::vector<glm::vec2> low = points_of(norm, &sd, -1), high = points_of(norm, &sd, 1);
     std::array<std::vector<glm::vec2>, 2> own;
@@ -101,7 +102,7 @@ void lay_out_angle(const GaitWatch& watch, const Angle& angle, float mark, bool 
     plot.bands = bands;
     plot.curves = curves;
     plot.mark = mark;
-    lay_out_plot(plot, {fitted(k_wide, scale), (is_last ? 124.0f : 108.0f) * scale}, scale);
+    lay_out_plot(plot, {width, (is_last ? 124.0f : 108.0f) * scale}, scale);
 }
 
 }  // namespace
@@ -203,39 +204,53 @@ void lay_out_speed(const GaitWatch& watch, float width, float scale) {
     lay_out_plot(plot, {width, 104 * scale}, scale);
 }
 
-void lay_out_gait(Show& show, Viewer& v, float scale) {
-    const World& world = *show.loaded.world;
-    lay_out_techniques(show, v, scale);
-    ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
-    const std::optional<uint32_t> who = watched(v);
-    if (!who || world.roam || !is_there(world.crowd, *who)) {
-        ImGui::TextDisabled(world.roam ? "On the asteroid steps are not measured."
-                                       : "Click somebody, or follow them (3), to see how they walk.");
-        return;
-    }
+std::string told_of_curves(const Techniques& on) {
+    std::string told = "Curves: the walk, all techniques on";
+    const std::string off = told_off(on);
+    if (!off.empty()) told.append("; bodies are drawn ").append(off);
+    return told.append(".");
+}
+
+// Strides and curves of whoever is watched.
+static void lay_out_watched(const World& world, uint32_t who, Viewer& v, float width, float scale) {
     GaitWatch& watch = v.watch;
     measure_legs(watch);
     if (!watch.legs[k_left] && !watch.legs[k_right])
-        ImGui::TextDisabled("No. %u has not made a whole stride since you asked.", *who);
+        ImGui::TextDisabled("No. %u has not made a whole stride since you asked.", who);
     else
         ImGui::Text("stride %.2f m in %.2f s, %.0f steps a minute", watch.metres, watch.seconds,
                     watch.seconds > 0 ? 120 / watch.seconds : 0.0);
     for (const Side side : {k_left, k_right})
         if (watch.legs[side])
-            ImGui::TextDisabled("%s: mean of %d stride%s, stands for %.0f %% of it",
-                                side == k_left ? "left" : "right", watch.legs[side]->strides,
-                                watch.legs[side]->strides == 1 ? "" : "s", 100 * watch.legs[side]->stance);
-    const GaitBlock& gait = world.gait.blocks[*who / k_block];
-    const size_t lane = *who % k_block;
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(plot_colour(side)),
+                               "%s: mean of %d stride%s, stands for %.0f %% of it",
+                               side == k_left ? "left" : "right", watch.legs[side]->strides,
+                               watch.legs[side]->strides == 1 ? "" : "s", 100 * watch.legs[side]->stance);
+    ImGui::TextWrapped("%s", told_of_curves(v.techniques.on).c_str());
+    const GaitBlock& gait = world.gait.blocks[who / k_block];
+    const size_t lane = who % k_block;
     const float mark = gait.standing[lane] ? -1e9f : 100 * gait.feet[k_left].phase[lane];
     for (const Angle& angle : k_angles)
-        lay_out_angle(watch, angle, mark, &angle == std::end(k_angles) - 1, scale);
-    ImGui::PushTextWrapPos(fitted(k_wide, scale));
+        lay_out_angle(watch, angle, mark, &angle == std::end(k_angles) - 1, width, scale);
     ImGui::TextDisabled(
         "Band: grown people on level ground at 1.1 to 1.33 m/s, mean and standard deviation (Winter 1991; "
         "Fukuchi, Fukuchi & Duarte 2018). Upright line: where the left leg is now.");
+    lay_out_speed(watch, width, scale);
+}
+
+void lay_out_gait(Show& show, Viewer& v, float scale) {
+    const World& world = *show.loaded.world;
+    const float width = width_in(v, SidePanel::room, k_wide);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    lay_out_techniques(show, v, width, scale);
+    ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
+    const std::optional<uint32_t> who = watched(v);
+    if (who && !world.roam && is_there(world.crowd, *who))
+        lay_out_watched(world, *who, v, width, scale);
+    else
+        ImGui::TextDisabled(world.roam ? "On the asteroid steps are not measured."
+                                       : "Click somebody, or follow them (3), to see how they walk.");
     ImGui::PopTextWrapPos();
-    lay_out_speed(watch, fitted(k_wide, scale), scale);
 }
 
 }  // namespace flaneur

@@ -4,9 +4,11 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/scene.h"
+#include "sim/pose/techniques.h"
 #include "tools/flaneur/gait/measure/measure.h"
 
 namespace flaneur {
@@ -53,6 +55,8 @@ void measure_legs(GaitWatch& watch);
 void mark_gait(Show& show, Viewer& viewer, FrameInput& frame);
 // Its speed over the last ten seconds.
 void lay_out_speed(const GaitWatch& watch, float width, float scale);
+// Whether what is drawn is what the curves are of.
+std::string told_of_curves(const Techniques& on);
 void lay_out_gait(Show& show, Viewer& viewer, float scale);
 
 std::span<const Action> gait_actions();

@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -13,7 +14,8 @@
 namespace flaneur {
 namespace {
 
-constexpr int k_columns = 4;
+constexpr int k_columns = 4;    // at most,
+constexpr float k_column = 88;  // as wide as this at least, at scale 1
 
 template <bool Techniques::*Is>
 void turn(Show&, Viewer& v) {
@@ -67,15 +69,24 @@ void split_techniques(Show&, Viewer& v) {
         tell(v, "Switch something off in the room Gait to see a difference.");
 }
 
-void lay_out_techniques(Show& show, Viewer& v, float scale) {
+std::string told_off(const Techniques& on) {
+    std::string off;
+    for (const TechniqueInfo& technique : k_techniques)
+        if (!(on.*technique.is_on)) off.append(off.empty() ? "without " : ", ").append(technique.name);
+    return off;
+}
+
+void lay_out_techniques(Show& show, Viewer& v, float width, float scale) {
     if (!ImGui::CollapsingHeader("Techniques", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    if (ImGui::BeginTable("techniques", k_columns)) {
+    const int columns = std::clamp(static_cast<int>(width / (k_column * scale)), 1, k_columns);
+    if (ImGui::BeginTable("techniques", columns, 0, {width, 0})) {
         for (const TechniqueInfo& technique : k_techniques) {
             ImGui::TableNextColumn();
             ImGui::Checkbox(technique.name.data(), &(v.techniques.on.*technique.is_on));
             if (!ImGui::IsItemHovered()) continue;
-            ImGui::BeginTooltip();
-            ImGui::PushTextWrapPos(320 * scale);
+            constexpr float k_tip = 320;
+            begin_tip_beside(k_tip * scale);
+            ImGui::PushTextWrapPos(k_tip * scale);
             ImGui::Text("On: %s.", technique.what.data());
             ImGui::Text("Off: %s.", technique.without.data());
             ImGui::PopTextWrapPos();
@@ -93,12 +104,10 @@ void lay_out_techniques(Show& show, Viewer& v, float scale) {
 
 void lay_out_halves(const Viewer& v, Size size) {
     if (!v.techniques.is_split) return;
-    std::string off;
-    for (const TechniqueInfo& technique : k_techniques)
-        if (!(v.techniques.on.*technique.is_on))
-            off.append(off.empty() ? "without " : ", ").append(technique.name);
-    lay_out_half("left half", 0.25f, "all on", size, v.layout.plan.row_foot);
-    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, v.layout.plan.row_foot);
+    const std::string off = told_off(v.techniques.on);
+    const float foot = v.layout.plan.row_foot - v.layout.wish.state.y - v.layout.plan.edge / 2;
+    lay_out_half("left half", 0.25f, "all on", size, foot);
+    lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, foot);
 }
 
 }  // namespace flaneur

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "sim/pose/techniques.h"
 
@@ -24,7 +25,9 @@ void follow_switches(const TechniqueSwitches& switches, Show& show);
 void split_techniques(Show& show, Viewer& viewer);
 
 // In the room Gait.
-void lay_out_techniques(Show& show, Viewer& viewer, float scale);
+void lay_out_techniques(Show& show, Viewer& viewer, float width, float scale);
+// "without feet, look"; "" where nothing is off.
+std::string told_off(const Techniques& on);
 // What either half shows.
 void lay_out_halves(const Viewer& viewer, Size size);
 
