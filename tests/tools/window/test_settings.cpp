@@ -1,6 +1,8 @@
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "tests/folder.h"
+#include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/settings/panel_keys.h"
 #include "tools/flaneur/window/settings/settings.h"
 
@@ -51,6 +53,40 @@ TEST(PanelKeys, NoTapIsLostAndEachIsOnePictureLong) {
     EXPECT_EQ(told, (std::vector<int>{7, 0, 7, 0, 8, 0, 0, 0}));
     keys.taps = {9};
     EXPECT_EQ(next_tap(keys), 9) << "at once after a rest";
+}
+
+TEST(Settings, LettersGrowAndShrinkByUsualSizes) {
+    EXPECT_FLOAT_EQ(stepped_letters(1, 1), 1.1f);
+    EXPECT_FLOAT_EQ(stepped_letters(1.1f, 1), 1.25f);
+    EXPECT_FLOAT_EQ(stepped_letters(1.3f, 1), 1.5f);
+    EXPECT_FLOAT_EQ(stepped_letters(1.3f, -1), 1.25f);
+    EXPECT_FLOAT_EQ(stepped_letters(1.25f, -2), 1);
+    EXPECT_FLOAT_EQ(stepped_letters(1, -1), 1);
+    EXPECT_FLOAT_EQ(stepped_letters(2.5f, 3), 3);
+}
+
+TEST(Settings, LettersHaveKeysAndStopWhereThereIsNoRoom) {
+    Show show;
+    Viewer v;
+    v.layout.wish.window = {640, 480}, v.layout.wish.scale = 1;
+    auto press = [&](int key, int mods) {
+        v.presses = {{key, mods, false}};
+        act_on_presses(show, v);
+    };
+    press(GLFW_KEY_EQUAL, GLFW_MOD_CONTROL);
+    EXPECT_FLOAT_EQ(v.settings.letters, 1.1f) << "from what is shown on";
+    press(GLFW_KEY_KP_ADD, GLFW_MOD_CONTROL);
+    EXPECT_FLOAT_EQ(v.settings.letters, 1.25f);
+    press(GLFW_KEY_EQUAL, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    EXPECT_FLOAT_EQ(v.settings.letters, 1.5f) << "where + is above =";
+    for (int i = 0; i < 9; ++i) press(GLFW_KEY_EQUAL, GLFW_MOD_CONTROL);
+    EXPECT_FLOAT_EQ(v.settings.letters, 2) << "640 x 480 has no room for more";
+    EXPECT_NE(v.note.find("no room"), std::string::npos) << v.note;
+    press(GLFW_KEY_KP_SUBTRACT, GLFW_MOD_CONTROL);
+    EXPECT_FLOAT_EQ(v.settings.letters, 1.75f);
+    press(GLFW_KEY_KP_0, GLFW_MOD_CONTROL);
+    EXPECT_EQ(v.settings.letters, 0);
+    EXPECT_EQ(v.clock.rate, 1) << "of time these are other keys";
 }
 
 }  // namespace

@@ -122,6 +122,7 @@ constexpr std::array k_window = {
 int plain(int key) {
     if (key == GLFW_KEY_KP_ADD) return GLFW_KEY_EQUAL;
     if (key == GLFW_KEY_KP_SUBTRACT) return GLFW_KEY_MINUS;
+    if (key == GLFW_KEY_KP_0) return GLFW_KEY_0;
     if (key == GLFW_KEY_KP_ENTER) return GLFW_KEY_ENTER;
     return key;
 }
@@ -130,8 +131,9 @@ bool is_for(const Action& action, const KeyPress& press) {
     constexpr int k_mods = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
     // Shift makes one fast while flying, and is held where + is above =.
     const int held = press.mods & k_mods;
+    const bool ignores_shift = action.mods == 0 || action.key == GLFW_KEY_EQUAL;
     return action.key != 0 && action.key == plain(press.key) &&
-           (held == action.mods || (held == GLFW_MOD_SHIFT && action.mods == 0)) &&
+           (held == action.mods || (ignores_shift && (held & ~GLFW_MOD_SHIFT) == action.mods)) &&
            (action.repeats || !press.repeats);
 }
 

@@ -17,12 +17,14 @@ namespace {
 // Of letters: what is dragged takes hold once it is let go of, for the slider itself grows with them.
 void lay_out_letters(Settings& s, int& percent, float scale) {
     bool is_display = s.letters == 0;
-    if (ImGui::Checkbox("letters as the display asks for", &is_display)) s.letters = is_display ? 0 : scale;
-    if (is_display) return;
-    if (!ImGui::IsAnyItemActive()) percent = static_cast<int>(std::lround(s.letters * 100));
+    if (!ImGui::IsAnyItemActive())
+        percent = static_cast<int>(std::lround((is_display ? scale : s.letters) * 100));
     ImGui::SetNextItemWidth(170 * scale);
     ImGui::SliderInt("letters", &percent, 100, 300, "%d %%", ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemDeactivatedAfterEdit()) s.letters = static_cast<float>(percent) / 100;
+    tip("of letters and panels (Ctrl and +, Ctrl and -)");
+    if (ImGui::Checkbox("as large as the display asks for", &is_display)) s.letters = is_display ? 0 : scale;
+    tip("Ctrl+0");
 }
 
 void lay_out_fps(Settings& s, float scale) {
@@ -41,6 +43,21 @@ void lay_out_fps(Settings& s, float scale) {
 }  // namespace
 
 void open_settings(Show&, Viewer& v) { v.room = v.room == Room::settings ? Room::none : Room::settings; }
+
+void change_letters(Viewer& v, int steps) {
+    const glm::vec2 window = v.layout.wish.window;
+    const float most = std::min(most_scale(window), k_most_letters);
+    const float now = v.settings.letters > 0 ? std::min(v.settings.letters, most) : v.layout.wish.scale;
+    const float next = stepped_letters(now, steps);
+    if (next > most) return tell(v, "There is no room for larger letters in a window of this size.");
+    v.settings.letters = next;
+    tell(v, "Letters: " + std::to_string(std::lround(next * 100)) + " %. Ctrl+0: as the display asks for.");
+}
+
+void reset_letters(Viewer& v) {
+    v.settings.letters = 0;
+    tell(v, "Letters as large as the display asks for.");
+}
 
 void lay_out_settings(Show&, Viewer& v, float scale) {
     Settings& s = v.settings;

@@ -1,6 +1,7 @@
 #include "tools/flaneur/window/settings/settings.h"
 
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "assets/files/file.h"
@@ -42,6 +43,19 @@ Result<void> read_number(const Json& json, const char* key, Number least, Number
 }
 
 }  // namespace
+
+float stepped_letters(float letters, int steps) {
+    constexpr float k_sizes[] = {k_least_letters, 1.1f, 1.25f, 1.5f, 1.75f, 2, 2.5f, k_most_letters};
+    constexpr float k_same = 0.005f;
+    if (steps > 0) {
+        for (const float size : k_sizes)
+            if (size > letters + k_same && --steps == 0) return size;
+        return k_most_letters;
+    }
+    for (size_t i = std::size(k_sizes); i-- > 0;)
+        if (steps < 0 && k_sizes[i] < letters - k_same && ++steps == 0) return k_sizes[i];
+    return steps < 0 ? k_least_letters : letters;
+}
 
 std::string settings_file() {
     const std::string folder = user_folder("XDG_CONFIG_HOME", ".config");

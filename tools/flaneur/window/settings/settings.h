@@ -21,6 +21,10 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
+// The next of the usual sizes of letters (1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3), larger or smaller, or the one
+// that there is where that is the last.
+float stepped_letters(float letters, int steps);
+
 // Where they are kept; empty, for nowhere, where neither XDG_CONFIG_HOME nor HOME is an absolute path.
 std::string settings_file();
 
