@@ -38,8 +38,9 @@ constexpr Paint k_paints[] = {
     {ImGuiCol_ButtonHovered, 0x4b5763, 0xc6cfd2, 1},
     {ImGuiCol_ButtonActive, 0x2f7f8c, 0x7fc4cf, 1},
     {ImGuiCol_CheckMark, 0x58c4d2, 0x14707e, 1},
-    {ImGuiCol_SliderGrab, 0x58c4d2, 0x14707e, 1},
-    {ImGuiCol_SliderGrabActive, 0x7fdbe6, 0x0f5a66, 1},
+    // The number stands over the knob.
+    {ImGuiCol_SliderGrab, 0x2a7583, 0x8fcad3, 1},
+    {ImGuiCol_SliderGrabActive, 0x338a99, 0x7fc4cf, 1},
     {ImGuiCol_Header, 0x2f7f8c, 0x7fc4cf, 0.6f},
     {ImGuiCol_HeaderHovered, 0x2f7f8c, 0x7fc4cf, 0.8f},
     {ImGuiCol_HeaderActive, 0x2f7f8c, 0x7fc4cf, 1},

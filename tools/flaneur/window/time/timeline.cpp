@@ -165,8 +165,8 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     draw_marks(list, bar, time, scale);
     const float x = bar.x_of(now), middle = 0.5f * (bar.low.y + bar.high.y);
     list.AddLine({x, bar.low.y - 4 * scale}, {x, bar.high.y + 4 * scale},
-                 ImGui::GetColorU32(ImGuiCol_SliderGrabActive), 2 * scale);
-    list.AddCircleFilled({x, middle}, 5 * scale, ImGui::GetColorU32(ImGuiCol_SliderGrabActive));
+                 ImGui::GetColorU32(ImGuiCol_CheckMark), 2 * scale);
+    list.AddCircleFilled({x, middle}, 5 * scale, ImGui::GetColorU32(ImGuiCol_CheckMark));
     ImGui::SetCursorScreenPos({high.x + 10 * scale, from.y});
     ImGui::TextDisabled("%s", run_time(time.latest).c_str());
     tip("as far as the run has come (End)");
