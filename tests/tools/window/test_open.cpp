@@ -153,5 +153,44 @@ TEST(Complete, TabGoesAsFarAsTwoFilesAgree) {
     EXPECT_EQ(prompt.found, (Words{at + "town_north.osm", at + "town_south.osm"})) << "and they are listed";
 }
 
+TEST(Complete, KnowsTheFolderAbove) {
+    EXPECT_EQ(folder_above("/a/b/"), "/a/");
+    EXPECT_EQ(folder_above("/a/b/town"), "/a/") << "of the folder that is listed";
+    EXPECT_EQ(folder_above("/a/"), "/");
+    EXPECT_EQ(folder_above("/"), "");
+    EXPECT_EQ(folder_above("/town"), "");
+    EXPECT_EQ(folder_above(""), std::filesystem::current_path().parent_path().string() + "/");
+}
+
+TEST(Complete, TheFolderAboveIsChosenButNotTyped) {
+    TestFolder folder;
+    static_cast<void>(folder.write("town.osm", ""));
+    Show show;
+    Viewer v;
+    PathPrompt& prompt = v.opening.prompt;
+    prompt.is_open = true;
+    const std::string at = folder / "", above = folder.path.parent_path().string() + "/";
+    std::snprintf(prompt.typed, sizeof prompt.typed, "%s", at.c_str());
+    press_in_opening(GLFW_KEY_TAB, 0, show, v);
+    EXPECT_EQ(prompt.becomes, at + "town.osm") << "Tab completes among what is here";
+    press_in_opening(GLFW_KEY_DOWN, 0, show, v);
+    EXPECT_EQ(prompt.rows, (Words{above, at + "town.osm"}));
+    press_in_opening(GLFW_KEY_ENTER, 0, show, v);
+    EXPECT_EQ(prompt.becomes, above);
+    EXPECT_TRUE(prompt.is_open);
+}
+
+TEST(Complete, BeginsWhereTheLastFileWasOrHere) {
+    TestFolder folder;
+    Show show;
+    Viewer v;
+    v.opening.recent = {folder / "town.osm"};
+    ask_for_path(show, v);
+    EXPECT_EQ(v.opening.prompt.typed, folder / "");
+    v.opening.recent = {folder / "gone/town.osm"};
+    ask_for_path(show, v);
+    EXPECT_EQ(v.opening.prompt.typed, std::filesystem::current_path().string() + "/");
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -31,6 +31,15 @@ std::string full_path(const std::string& typed) {
     return error ? path.string() : full.lexically_normal().string();
 }
 
+std::string folder_above(const std::string& typed) {
+    const size_t slash = typed.rfind('/');
+    const fs::path folder = full_path(slash == std::string::npos ? "." : typed.substr(0, slash + 1));
+    const fs::path plain = folder.has_filename() ? folder : folder.parent_path();  // with no / behind it
+    if (!plain.has_relative_path()) return "";
+    const std::string above = plain.parent_path().string();
+    return above.ends_with('/') ? above : above + "/";
+}
+
 std::vector<std::string> completions(const std::string& typed, size_t most) {
     const size_t slash = typed.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : typed.substr(0, slash + 1);

@@ -9,6 +9,9 @@ namespace flaneur {
 // A leading ~ is the home folder; what is no full path starts at the folder that the program runs in.
 std::string full_path(const std::string& typed);
 
+// The folder above that in which `typed` is, ending in /; "" above the root.
+std::string folder_above(const std::string& typed);
+
 // What `typed` may become: folders, which end in /, and then files that can be opened, by name; without those
 // whose names begin with a dot, unless that is typed. At most `most`.
 std::vector<std::string> completions(const std::string& typed, size_t most = 200);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/load/load.h"
@@ -34,15 +35,19 @@ int replace_typed(ImGuiInputTextCallbackData* data) {
 }
 
 void look_for(PathPrompt& prompt) {
-    if (prompt.looked_for == prompt.typed && !prompt.found.empty()) return;
+    if (prompt.looked_for == prompt.typed && !prompt.rows.empty()) return;
     prompt.looked_for = prompt.typed;
     prompt.found = completions(prompt.typed);
+    prompt.rows = prompt.found;
+    const std::string above = folder_above(prompt.typed);
+    if (!above.empty()) prompt.rows.insert(prompt.rows.begin(), above);
     prompt.chosen = -1;
 }
 
 void become(PathPrompt& prompt, const std::string& text) {
     prompt.becomes = text;
     prompt.chosen = -1;
+    prompt.wants_focus = true;
 }
 
 // A folder is looked into; a file is opened.
@@ -60,9 +65,11 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
     const DialogPlace place = dialog_place(size.height, k_rows + 1, scale);
     ImGui::SetNextWindowPos({static_cast<float>(size.width) / 2, place.top}, ImGuiCond_Always, {0.5f, 0});
     ImGui::SetNextWindowSize({fitted(620, scale), 0});
+    ImGui::SetNextWindowBgAlpha(1);
     std::optional<std::string> clicked;
     if (ImGui::Begin("open", nullptr, k_plain & ~ImGuiWindowFlags_NoFocusOnAppearing)) {
-        if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+        if (ImGui::IsWindowAppearing() || std::exchange(prompt.wants_focus, false))
+            ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(-1);
         ImGui::InputTextWithHint("##path", "a map, a city, a character or a scene", prompt.typed,
                                  sizeof prompt.typed,
@@ -70,13 +77,16 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
                                      ImGuiInputTextFlags_CallbackCompletion,
                                  replace_typed, &prompt);
         if (ImGui::BeginChild("found", {0, place.list - ImGui::GetTextLineHeightWithSpacing()})) {
-            for (int i = 0; i < static_cast<int>(prompt.found.size()); ++i) {
-                const std::string& path = prompt.found[static_cast<size_t>(i)];
-                const size_t slash = path.rfind('/', path.size() - 2);
-                const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-                ImGui::PushID(i);
-                if (ImGui::Selectable(printable(name).c_str(), i == prompt.chosen)) clicked = path;
-                if (i == prompt.chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+            const size_t above = prompt.rows.size() - prompt.found.size();
+            for (size_t i = 0; i < prompt.rows.size(); ++i) {
+                const std::string& path = prompt.rows[i];
+                const size_t slash = path.size() < 2 ? std::string::npos : path.rfind('/', path.size() - 2);
+                const std::string own = slash == std::string::npos ? path : path.substr(slash + 1);
+                const std::string name = i < above ? "..  the folder above" : own;
+                const bool is_chosen = static_cast<int>(i) == prompt.chosen;
+                ImGui::PushID(static_cast<int>(i));
+                if (ImGui::Selectable(printable(name).c_str(), is_chosen)) clicked = path;
+                if (is_chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
                 ImGui::PopID();
             }
             if (prompt.found.empty()) ImGui::TextDisabled("nothing here that can be opened");
@@ -94,12 +104,12 @@ void lay_out_prompt(Viewer& v, Size size, float scale) {
 void press_in_prompt(int key, Viewer& v) {
     PathPrompt& prompt = v.opening.prompt;
     look_for(prompt);  // what was typed since the last picture too
-    const int last = static_cast<int>(prompt.found.size()) - 1;
+    const int last = static_cast<int>(prompt.rows.size()) - 1;
     if (key == GLFW_KEY_ESCAPE) prompt.is_open = false;
     if (key == GLFW_KEY_DOWN) prompt.chosen = std::min(prompt.chosen + 1, last);
     if (key == GLFW_KEY_UP) prompt.chosen = std::max(prompt.chosen - 1, -1);
     const bool is_chosen = prompt.chosen >= 0 && prompt.chosen <= last;
-    const std::string chosen = is_chosen ? prompt.found[static_cast<size_t>(prompt.chosen)] : prompt.typed;
+    const std::string chosen = is_chosen ? prompt.rows[static_cast<size_t>(prompt.chosen)] : prompt.typed;
     if (key == GLFW_KEY_TAB) become(prompt, is_chosen ? chosen : completed(prompt.typed, prompt.found));
     if ((key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) && !chosen.empty()) take(v, chosen);
 }
@@ -117,10 +127,10 @@ void ask_for_path(Show&, Viewer& v) {
     opening.prompt = PathPrompt();
     opening.prompt.is_open = true;
     std::error_code error;
-    const std::filesystem::path begin = opening.recent.empty()
-                                            ? std::filesystem::current_path(error)
-                                            : std::filesystem::path(opening.recent.front()).parent_path();
-    if (!error && begin != "/") copy_typed(opening.prompt, begin.string() + "/");
+    std::filesystem::path begin;
+    if (!opening.recent.empty()) begin = std::filesystem::path(opening.recent.front()).parent_path();
+    if (!std::filesystem::is_directory(begin, error)) begin = std::filesystem::current_path(error);
+    if (!begin.empty()) copy_typed(opening.prompt, begin == "/" ? "/" : begin.string() + "/");
     opening.prompt.becomes = opening.prompt.typed;  // with nothing selected, to go on from
 }
 

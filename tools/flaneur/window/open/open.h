@@ -22,9 +22,11 @@ struct Viewer;
 struct PathPrompt {
     bool is_open = false;
     char typed[1024] = {};
-    int chosen = -1;                     // of what is found; -1: what is typed
+    int chosen = -1;                     // of `rows`; -1: what is typed
     std::string looked_for;              // what `found` is of
     std::vector<std::string> found;      // completions()
+    std::vector<std::string> rows;       // to choose from: the folder above, and what is found
+    bool wants_focus = false;            // to type in, after something else was clicked
     std::optional<std::string> becomes;  // what is typed next, in place of it
 };
 
@@ -66,8 +68,8 @@ bool is_opening(const Opening& opening);
 // Gives up what is being loaded; whether anything was.
 bool give_up_opening(Opening& opening);
 
-// What keys ask for (window/actions.h): where a path is typed, at first that of the file opened last; and the
-// start screen.
+// What keys ask for (window/actions.h): where a path is typed, at first that of the file opened last or,
+// where that is no more, the working directory; and the start screen.
 void ask_for_path(Show& show, Viewer& viewer);
 void open_start_screen(Show& show, Viewer& viewer);
 
