@@ -104,5 +104,15 @@ TEST(Pictures, AreOfTheChosenSize) {
     }
 }
 
+TEST(Filming, TellsThatTimeWasStopped) {
+    Filming filming;
+    filming.step = 2, filming.pictures = 90;
+    EXPECT_EQ(told_standstill(filming), "");
+    filming.still = 45;
+    EXPECT_EQ(told_standstill(filming), "; time was stopped in 1.5 s of it");
+    filming.still = 90;
+    EXPECT_EQ(told_standstill(filming), "; time was stopped in all of it");
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -104,10 +104,8 @@ void lay_out_state(Viewer& v) {
     ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps, v.resolution < 1 ? coarser : "");
     if (const std::optional<float> reached = reached_rate(v.clock)) {
         ImGui::SameLine();
-        const bool is_light = ImGui::GetStyleColorVec4(ImGuiCol_Text).x < 0.5f;
-        ImGui::TextColored(is_light ? ImVec4(0.6f, 0.36f, 0, 1) : ImVec4(0.95f, 0.71f, 0.36f, 1),
-                           "%.2g x wanted, %.2g x reached", static_cast<double>(v.clock.rate),
-                           static_cast<double>(*reached));
+        ImGui::TextColored(warning_colour(), "%.2g x wanted, %.2g x reached",
+                           static_cast<double>(v.clock.rate), static_cast<double>(*reached));
     }
     v.layout.wish.state = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();

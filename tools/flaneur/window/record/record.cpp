@@ -143,6 +143,7 @@ void begin_film(Show& show, Viewer& v, Size window, bool turns) {
     filming.began = glfwGetTime();
     v.clock.due = 0;
     v.record.filming = std::move(filming);
+    if (v.clock.is_paused) tell(v, "Time is stopped, and so it is in the film: Space lets it go on.");
 }
 
 // One picture of the film that is being made.
@@ -160,6 +161,7 @@ Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     }
     v.resolution = std::min(v.resolution, k_filming_resolution);
     ++filming.pictures;
+    if (v.clock.is_paused) ++filming.still;
     if (filming.pictures != filming.all) return {};
     if (filming.turn) v.camera = filming.turn->from;
     end_film(v);
@@ -269,6 +271,15 @@ std::string told_progress(const Filming& filming, double now) {
     return std::string(text).append(", about ").append(told(left)).append(" to go");
 }
 
+std::string told_standstill(const Filming& filming) {
+    if (filming.still == 0) return "";
+    if (filming.still >= filming.pictures) return "; time was stopped in all of it";
+    char text[64];
+    std::snprintf(text, sizeof text, "; time was stopped in %.1f s of it",
+                  filming.still * filming.step / 60.0);
+    return text;
+}
+
 void end_film(Viewer& v) {
     if (!v.record.filming) return;
     Filming filming = std::move(*std::exchange(v.record.filming, std::nullopt));
@@ -276,7 +287,8 @@ void end_film(Viewer& v) {
     if (filming.pictures == 0) return report(v, "The film is not kept: it had no picture yet.");
     const Result<void> done = finish_film(std::move(filming.film));
     filming.all = 0;  // it is as long as it is
-    report(v, done ? "Wrote " + filming.path + ", " + told_progress(filming, glfwGetTime())
+    report(v, done ? "Wrote " + filming.path + ", " + told_progress(filming, glfwGetTime()) +
+                         told_standstill(filming)
                    : done.error().message);
 }
 

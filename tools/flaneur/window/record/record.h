@@ -50,7 +50,8 @@ struct Filming {
     std::string path;
     Size size;
     uint32_t step = 2;      // ticks to a picture, at the usual rate of time
-    uint32_t pictures = 0;  // so far
+    uint32_t pictures = 0;  // so far,
+    uint32_t still = 0;     // and those between which time was stopped
     uint32_t all = 0;       // when it ends by itself; 0: until it is ended
     std::optional<Turntable> turn;
     double began = 0;  // of the window's time
@@ -82,6 +83,8 @@ Result<void> take_picture_with_panels(Show& show, Viewer& viewer, const FrameInp
 // How long the film is by now, of how long, and how long that takes: "2.0 s, drawn in 31 s" or
 // "2.0 of 12 s, about 2 min to go". `now`: the window's time.
 std::string told_progress(const Filming& filming, double now);
+// That time was stopped in all of it, or in a part; "" where it was in none.
+std::string told_standstill(const Filming& filming);
 // A film that is being made becomes whole.
 void end_film(Viewer& viewer);
 

@@ -96,6 +96,7 @@ void lay_out_filming(Viewer& v, Size size) {
         ImGui::TextUnformatted(told_progress(filming, glfwGetTime()).c_str());
         ImGui::SameLine();
         ImGui::TextDisabled("a film of %d x %d, R ends it", filming.size.width, filming.size.height);
+        if (v.clock.is_paused) ImGui::TextColored(warning_colour(), "Time is stopped: Space lets it go on.");
     }
     v.layout.wish.film = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();
