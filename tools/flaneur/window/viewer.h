@@ -29,7 +29,19 @@
 namespace flaneur {
 
 // What the panel on the left is about: one thing at a time.
-enum class Room : uint8_t { none, layers, cameras, time, measure, find, gait, change, record, frame, settings };
+enum class Room : uint8_t {
+    none,
+    layers,
+    cameras,
+    time,
+    measure,
+    find,
+    gait,
+    change,
+    record,
+    frame,
+    settings
+};
 
 struct KeyPress {
     int key = 0, mods = 0;

@@ -83,8 +83,7 @@ void lay_out_frame(Show& show, Viewer& v, float scale) {
         lay_out_cost(k_cost_names[i], costs.parts[i], whole, 0, scale);
         if (static_cast<CostOf>(i) != CostOf::draw) continue;
         lay_out_cost("recording", costs.record, whole, 14, scale);
-        lay_out_cost("waiting for device", std::max(costs.parts[i] - costs.record, 0.0), whole, 14,
-                     scale);
+        lay_out_cost("waiting for device", std::max(costs.parts[i] - costs.record, 0.0), whole, 14, scale);
     }
     ImGui::Separator();
     ImGui::TextDisabled("%s", device_name(*show.renderer).c_str());

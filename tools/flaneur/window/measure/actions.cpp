@@ -51,7 +51,7 @@ uint32_t first_tick(const Viewer& v) {
     return kept.empty() ? v.time.latest : kept.front();
 }
 
-void go_to_peak(const std::optional<Peak>& peak, const char* none, const World& world, Viewer& v) {
+void go_to_peak(const std::optional<CountPeak>& peak, const char* none, const World& world, Viewer& v) {
     if (!peak) return tell(v, none);
     v.clock.is_paused = true;
     go_to(v, world, peak->tick);

@@ -58,7 +58,7 @@ std::optional<Height> fullest(const LineCount& line, uint32_t from, uint32_t lat
                   static_cast<float>(*most * 60 / k_step_seconds)};
 }
 
-std::optional<Peak> peak_of_zones(const MeasureRoom& room, uint32_t from) {
+std::optional<CountPeak> peak_of_zones(const MeasureRoom& room, uint32_t from) {
     const ZoneCount* zone = counted(
         room.counts.zones, [](const ZoneCount& z) { return z.zone.name; }, selected_name(room));
     const std::optional<Height> most = zone ? densest(*zone, from) : std::nullopt;
@@ -66,10 +66,10 @@ std::optional<Peak> peak_of_zones(const MeasureRoom& room, uint32_t from) {
     char text[96];
     std::snprintf(text, sizeof text, "%s was densest, %.3f people/m\u00b2", zone->zone.name.c_str(),
                   static_cast<double>(most->value));
-    return Peak{most->tick, text};
+    return CountPeak{most->tick, text};
 }
 
-std::optional<Peak> peak_of_lines(const MeasureRoom& room, uint32_t from) {
+std::optional<CountPeak> peak_of_lines(const MeasureRoom& room, uint32_t from) {
     const LineCount* line = counted(
         room.counts.lines, [](const LineCount& l) { return l.line.name; }, selected_name(room));
     const std::optional<Height> most = line ? fullest(*line, from, room.counts.tick) : std::nullopt;
@@ -77,7 +77,7 @@ std::optional<Peak> peak_of_lines(const MeasureRoom& room, uint32_t from) {
     char text[96];
     std::snprintf(text, sizeof text, "over %s went most, %.0f people a minute", line->line.name.c_str(),
                   static_cast<double>(most->value));
-    return Peak{most->tick, text};
+    return CountPeak{most->tick, text};
 }
 
 }  // namespace flaneur

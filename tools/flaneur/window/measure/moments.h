@@ -36,12 +36,12 @@ std::optional<Height> fullest(const LineCount& line, uint32_t from, uint32_t lat
 
 // Of what is selected and counts, or else of the first that does: that one's highest moment, and in words
 // what it is. None where nobody was counted.
-struct Peak {
+struct CountPeak {
     uint32_t tick = 0;
     std::string told;
 };
-std::optional<Peak> peak_of_zones(const MeasureRoom& room, uint32_t from);
-std::optional<Peak> peak_of_lines(const MeasureRoom& room, uint32_t from);
+std::optional<CountPeak> peak_of_zones(const MeasureRoom& room, uint32_t from);
+std::optional<CountPeak> peak_of_lines(const MeasureRoom& room, uint32_t from);
 
 // There, and stop; says so where there is none.
 void go_to_densest(const World& world, Viewer& viewer);

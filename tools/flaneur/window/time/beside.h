@@ -31,7 +31,7 @@ struct Beside {
     std::optional<uint32_t> moment;  // tick at which it stands still; none: it goes along with this one
     bool is_as_opened = false;
     bool shows_difference = false;  // of densities, over the right picture
-    PeopleFrame people;  // as it is drawn
+    PeopleFrame people;             // as it is drawn
     Without without;
     Overlay overlay;
     Counts counts;  // by the lines and zones of this run
