@@ -48,8 +48,8 @@ TEST(PanelKeys, NoTapIsLostAndEachIsOnePictureLong) {
     PanelKeys keys;
     EXPECT_EQ(next_tap(keys), 0);
     keys.taps = {7, 7, 8};
-    std::vector<int> told;
-    for (int picture = 0; picture < 8; ++picture) told.push_back(next_tap(keys));
+    std::vector<int> told(8);
+    for (int& tap : told) tap = next_tap(keys);
     EXPECT_EQ(told, (std::vector<int>{7, 0, 7, 0, 8, 0, 0, 0}));
     keys.taps = {9};
     EXPECT_EQ(next_tap(keys), 9) << "at once after a rest";

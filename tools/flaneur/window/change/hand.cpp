@@ -276,7 +276,9 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
     c.ghost.reset();
     if (now.is_held && !before.is_held) {
         const auto taken = place_at(now.held_x, now.held_y);
-        return taken && take_hold(*taken, v);
+        const bool is_drawing = c.tool && is_drawn_out(*c.tool);
+        if (!taken && is_drawing && !is_panels) tell(v, "There is no ground to begin on.");
+        return taken ? take_hold(*taken, v) : is_drawing && !is_panels;
     }
     if (!c.tool) {
         if (now.has_clicked) c.selected.reset();
@@ -289,7 +291,7 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
     if (place && !now.is_held && !is_drawn_out(*c.tool)) c.ghost = new_one(*world.ground, *c.tool, *place);
     if (place && !now.is_held && c.tool == AddedKind::barrier)
         c.ghost = closure_at(*world.ground, rounded(*place));
-    return now.has_clicked;
+    return now.has_clicked || (now.is_held && is_drawn_out(*c.tool));
 }
 
 bool is_putting(const Viewer& v) { return v.room == Room::change && v.change.tool.has_value(); }

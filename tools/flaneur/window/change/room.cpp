@@ -16,6 +16,7 @@
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/time/beside.h"
 #include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
@@ -186,6 +187,9 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
     ImGui::SameLine();
     if (ImGui::Button("Save...")) begin_naming(v);
     tip("as the file of a scene (Ctrl+S)");
+    go_beside("Compare", scale);
+    if (ImGui::Button("Compare")) set_beside_as_opened(show, v);
+    tip("before and after: the city as it was opened, side by side with this one");
     lay_out_name(show, v, scale);
     ImGui::Separator();
 }

@@ -14,19 +14,33 @@ void mix(double& average, double value) {
     average = average == 0 ? value : average + k_new * (value - average);
 }
 
-// What lessens a stage of the device, by its name.
-struct Advice {
-    const char *name, *what;
+// What a stage of the device does, and what lessens it.
+struct StageWords {
+    const char *name, *what, *less;
 };
-constexpr Advice k_advice[] = {
-    {"crowd", "people near the eye: the layers overdraw and levels of detail show where"},
-    {"city", "the city in view: the layer overdraw shows where; --quality low draws plainer"},
-    {"scene", "city and people in view: time them apart, above"},
-    {"sky", "the sky in view"},
-    {"light", "the picture's size: each pixel is lit once"},
-    {"crowd shadows", "people whose shadows are near: --quality low has fewer"},
-    {"city shadows", "the city's shadows, drawn anew when the sun or the eye moves"},
+constexpr StageWords k_stages[] = {
+    {"crowd", "people who are near enough for bodies",
+     "people near the eye: the layers overdraw and levels of detail show where"},
+    {"city", "houses, ground and what stands there",
+     "the city in view: the layer overdraw shows where, and --quality low at the start draws plainer"},
+    {"scene", "people, city and sky: what each pixel shows",
+     "city and people in view: time them apart, above"},
+    {"sky", "", "the sky in view"},
+    {"light", "sun, shadows, sky and lamps on each pixel, once", "the picture's size"},
+    {"crowd shadows", "people, seen from the sun",
+     "people whose shadows are near: --quality low at the start has fewer"},
+    {"city shadows", "the city, seen from the sun: when that or the eye moves",
+     "the sun, or an eye that moves: shadows are drawn anew"},
+    {"surfaces to host", "what each pixel shows, for the CPU to light", "the picture's size"},
+    {"paint", "a layer that shows its own surfaces", "the layer: L lists them"},
+    {"overlay", "lines and colours of layers", "the layers: L lists them"},
 };
+
+const StageWords* words_of(const std::string& stage) {
+    for (const StageWords& words : k_stages)
+        if (stage == words.name) return &words;
+    return nullptr;
+}
 
 }  // namespace
 
@@ -67,6 +81,11 @@ Spread spread_of(const Costs& c) {
     return {sorted[sorted.size() / 2], sorted.back()};
 }
 
+std::string what_is(const std::string& stage) {
+    const StageWords* words = words_of(stage);
+    return words ? words->what : "";
+}
+
 std::string costliest(const Costs& c) {
     double whole = 0, stages = 0;
     for (const double ms : c.parts) whole += ms;
@@ -94,11 +113,10 @@ std::string costliest(const Costs& c) {
     }
     text += "drawing";
     if (!stage || stages <= 0) return text + ".";
-    std::snprintf(share, sizeof share, ", where %s takes %.0f %%", stage->name.c_str(),
+    std::snprintf(share, sizeof share, "; %s takes %.0f %% of the device's time", stage->name.c_str(),
                   100 * stage->ms / stages);
     text += share;
-    for (const Advice& advice : k_advice)
-        if (stage->name == advice.name) return text.append(": ").append(advice.what).append(".");
+    if (const StageWords* words = words_of(stage->name)) text.append(": ").append(words->less);
     return text + ".";
 }
 

@@ -46,6 +46,9 @@ struct Spread {
 };
 Spread spread_of(const Costs& costs);
 
+// What a stage of the device does, in a few words; empty where its name says it.
+std::string what_is(const std::string& stage);
+
 // In words: which part takes most, and what would lessen it.
 std::string costliest(const Costs& costs);
 

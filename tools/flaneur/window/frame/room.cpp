@@ -44,13 +44,14 @@ std::string thousands(uint64_t count) {
     return text;
 }
 
-void lay_out_past_pictures(const Costs& costs, float scale) {
+void lay_out_past_pictures(const Costs& costs, double whole, float scale) {
     const Spread spread = spread_of(costs);
-    ImGui::Text("%.1f ms a picture, at worst %.0f ms", static_cast<double>(spread.median),
-                static_cast<double>(spread.worst));
+    ImGui::Text("%.1f ms a picture, of the last ten or so", whole);
     ImGui::PlotLines("##pictures", costs.wholes.data(), static_cast<int>(costs.wholes.size()), 0, nullptr, 0,
                      std::max(2 * spread.median, 1.0f), {fitted(k_width, scale), 46 * scale});
     tip("each of the last pictures; the middle of the height is the median");
+    ImGui::TextDisabled("of the last %zu: median %.1f ms, at worst %.0f ms", costs.wholes.size(),
+                        static_cast<double>(spread.median), static_cast<double>(spread.worst));
 }
 
 void lay_out_counts(const FrameStats& stats, const Viewer& v) {
@@ -76,9 +77,9 @@ void lay_out_counts(const FrameStats& stats, const Viewer& v) {
 
 void lay_out_frame(Show& show, Viewer& v, float scale) {
     Costs& costs = v.costs;
-    lay_out_past_pictures(costs, scale);
     double whole = 0, device = 0;
     for (const double ms : costs.parts) whole += ms;
+    lay_out_past_pictures(costs, whole, scale);
     for (size_t i = 0; i < k_costs; ++i) {
         lay_out_cost(k_cost_names[i], costs.parts[i], whole, 0, scale);
         if (static_cast<CostOf>(i) != CostOf::draw) continue;
@@ -89,9 +90,13 @@ void lay_out_frame(Show& show, Viewer& v, float scale) {
     ImGui::TextDisabled("%s", device_name(*show.renderer).c_str());
     for (const Costs::Stage& stage : costs.stages) device += stage.ms;
     for (const Costs::Stage& stage : costs.stages) {
-        const std::string name =
-            stage.fragments > 0 ? stage.name + "  " + thousands(stage.fragments) + " fragments" : stage.name;
-        lay_out_cost(name.c_str(), stage.ms, device, 0, scale);
+        lay_out_cost(stage.name.c_str(), stage.ms, device, 0, scale);
+        std::string what = what_is(stage.name);
+        if (stage.fragments > 0)
+            what.append(what.empty() ? "" : "; ")
+                .append(thousands(stage.fragments))
+                .append(" fragments shaded");
+        if (!what.empty()) tip(what.c_str());
     }
     ImGui::Checkbox("crowd, city and sky apart", &costs.is_apart);
     tip("with how many fragments are shaded; pictures take longer meanwhile");

@@ -38,7 +38,9 @@ std::string hint_of(const MeasureRoom& room) {
     if (room.tool) {
         if (room.draft.empty())
             return std::string("Now ").append(k_tips[static_cast<size_t>(*room.tool)]) + ".";
-        return "Enter or a double click ends it, Ctrl+Z takes a point back, Esc gives it up.";
+        return *room.tool == MarkingKind::line
+                   ? "Click its other end; Ctrl+Z takes the first one back, Esc gives it up."
+                   : "Enter or a double click ends it, Ctrl+Z takes a point back, Esc gives it up.";
     }
     if (room.drawn.empty()) return "Choose what to draw, then click on the ground.";
     if (room.selected) return "Drag its points; Delete removes it, Ctrl+Z goes back.";

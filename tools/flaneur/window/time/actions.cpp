@@ -67,16 +67,16 @@ constexpr std::array k_actions = {
            [](Show& show, Viewer& v) { restart(show, v, show.loaded.world->seed); }},
     Action{"Restart with another seed", "", 0, 0,
            [](Show& show, Viewer& v) { restart(show, v, show.loaded.world->seed + 1); }},
-    Action{"Compare with another seed", "", 0, 0,
+    Action{"Compare side by side with another seed", "", 0, 0,
            [](Show& show, Viewer& v) {
                set_beside(show, v, {static_cast<uint64_t>(v.time.beside_seed), people_of(show)});
            }},
-    Action{"Compare with twice as many people", "", 0, 0,
+    Action{"Compare side by side with twice as many people", "", 0, 0,
            [](Show& show, Viewer& v) {
                set_beside(show, v, {show.loaded.world->seed, 2 * people_of(show)});
            }},
-    Action{"Compare with this moment, kept", "", 0, 0, set_beside_this_moment},
-    Action{"Compare with the city as opened", "", 0, 0, set_beside_as_opened},
+    Action{"Compare side by side with this moment, kept", "", 0, 0, set_beside_this_moment},
+    Action{"Compare side by side, before and after: with the city as opened", "", 0, 0, set_beside_as_opened},
     Action{"End comparing", "", 0, 0, [](Show&, Viewer& v) { v.time.beside.reset(); }},
 };
 
