@@ -137,7 +137,7 @@ float width_in(const Viewer& v, SidePanel side, float pixels) {
     const float most = v.layout.plan.sides[static_cast<size_t>(side)].most.x;
     const ImGuiStyle& style = ImGui::GetStyle();
     return std::min(fitted(pixels, v.layout.wish.scale),
-                    most - 2 * style.WindowPadding.x - style.ScrollbarSize);
+                    most - 3 * style.WindowPadding.x - style.ScrollbarSize);
 }
 
 bool begin_side(Viewer& v, SidePanel side, const char* name, bool* is_open, int flags) {

@@ -42,18 +42,19 @@ inline void tip_below(const char* what) {
                              ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + style.ItemSpacing.y / 2});
     ImGui::SetTooltip("%s", what);
 }
-// And of more than a line, at most as wide: beside it, on the right if there is room.
+// And of more than a line: beside the panel, on the right or, where there is more room, on the left, as wide
+// as this at most. ImGui::PopTextWrapPos() and EndTooltip() end it.
 inline void begin_tip_beside(float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x / 2, left = ImGui::GetWindowPos().x,
-                right = left + ImGui::GetWindowWidth(), all = width + 2 * style.WindowPadding.x;
-    const bool fits = right + gap + all <= ImGui::GetIO().DisplaySize.x;
-    const float y = ImGui::GetItemRectMin().y;
-    if (fits)
-        ImGui::SetNextWindowPos({right + gap, y});
-    else if (left - gap >= all)
-        ImGui::SetNextWindowPos({left - gap, y}, ImGuiCond_Always, {1, 0});
+                right = left + ImGui::GetWindowWidth(), y = ImGui::GetItemRectMin().y;
+    const float on_left = left - gap, on_right = ImGui::GetIO().DisplaySize.x - right - gap;
+    const float all = width + 2 * style.WindowPadding.x;
+    const bool is_right = on_right >= std::min(all, on_left);
+    ImGui::SetNextWindowPos({is_right ? right + gap : on_left, y}, ImGuiCond_Always,
+                            {is_right ? 0.0f : 1.0f, 0});
     ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(std::min(width, (is_right ? on_right : on_left) - 2 * style.WindowPadding.x));
 }
 
 // A button that shows whether what it is for is on, also while the cursor is still on it.

@@ -243,7 +243,7 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
     const float width = width_in(v, SidePanel::room, k_wide);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     lay_out_techniques(show, v, width, scale);
-    ImGui::Checkbox("steps, contacts and targets in the city", &v.watch.shows_steps);
+    ImGui::Checkbox("steps, contacts and targets", &v.watch.shows_steps);
     const std::optional<uint32_t> who = watched(v);
     if (who && !world.roam && is_there(world.crowd, *who))
         lay_out_watched(world, *who, v, width, scale);

@@ -15,7 +15,7 @@ namespace flaneur {
 namespace {
 
 constexpr int k_columns = 4;    // at most,
-constexpr float k_column = 88;  // as wide as this at least, at scale 1
+constexpr float k_column = 80;  // as wide as this at least, at scale 1
 
 template <bool Techniques::*Is>
 void turn(Show&, Viewer& v) {
@@ -86,7 +86,6 @@ void lay_out_techniques(Show& show, Viewer& v, float width, float scale) {
             if (!ImGui::IsItemHovered()) continue;
             constexpr float k_tip = 320;
             begin_tip_beside(k_tip * scale);
-            ImGui::PushTextWrapPos(k_tip * scale);
             ImGui::Text("On: %s.", technique.what.data());
             ImGui::Text("Off: %s.", technique.without.data());
             ImGui::PopTextWrapPos();
