@@ -43,7 +43,8 @@ inline void tip_below(const char* what) {
     ImGui::SetTooltip("%s", what);
 }
 // And of more than a line: beside the panel, on the right or, where there is more room, on the left, as wide
-// as this at most. ImGui::PopTextWrapPos() and EndTooltip() end it.
+// as this at most; by the cursor where neither has room for a half of it. ImGui::PopTextWrapPos() and
+// EndTooltip() end it.
 inline void begin_tip_beside(float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x / 2, left = ImGui::GetWindowPos().x,
@@ -51,10 +52,13 @@ inline void begin_tip_beside(float width) {
     const float on_left = left - gap, on_right = ImGui::GetIO().DisplaySize.x - right - gap;
     const float all = width + 2 * style.WindowPadding.x;
     const bool is_right = on_right >= std::min(all, on_left);
-    ImGui::SetNextWindowPos({is_right ? right + gap : on_left, y}, ImGuiCond_Always,
-                            {is_right ? 0.0f : 1.0f, 0});
+    const float own = (is_right ? on_right : on_left) - 2 * style.WindowPadding.x;
+    const bool is_beside = own >= width / 2;
+    if (is_beside)
+        ImGui::SetNextWindowPos({is_right ? right + gap : on_left, y}, ImGuiCond_Always,
+                                {is_right ? 0.0f : 1.0f, 0});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(std::min(width, (is_right ? on_right : on_left) - 2 * style.WindowPadding.x));
+    ImGui::PushTextWrapPos(is_beside ? std::min(width, own) : width);
 }
 
 // A button that shows whether what it is for is on, also while the cursor is still on it.

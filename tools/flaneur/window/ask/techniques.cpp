@@ -103,8 +103,13 @@ void lay_out_techniques(Show& show, Viewer& v, float width, float scale) {
 
 void lay_out_halves(const Viewer& v, Size size) {
     if (!v.techniques.is_split) return;
+    const PanelLayout& layout = v.layout;
+    // With letters so large that no panel fits between the halves, one lies over where they are named.
+    const bool has_panel = std::any_of(layout.plan.sides.begin(), layout.plan.sides.end(),
+                                       [](const PanelPlace& place) { return place.is_there; });
+    if (has_panel && !layout.wish.is_between) return;
     const std::string off = told_off(v.techniques.on);
-    const float foot = v.layout.plan.row_foot - v.layout.wish.state.y - v.layout.plan.edge / 2;
+    const float foot = layout.plan.row_foot - layout.wish.state.y - layout.plan.edge / 2;
     lay_out_half("left half", 0.25f, "all on", size, foot);
     lay_out_half("right half", 0.75f, off.empty() ? "all on, too" : off, size, foot);
 }
