@@ -36,7 +36,8 @@ TEST(Costs, EachPartIsWhatItTook) {
     EXPECT_NEAR(costs.stages[1].ms, 11, 1e-9);
     EXPECT_EQ(costs.wholes.size(), 100u);
     EXPECT_NEAR(spread_of(costs).median, 40, 1e-3);
-    EXPECT_EQ(costliest(costs).rfind("50 % of a picture is drawing; scene takes 55 % of the device's time", 0), 0u)
+    EXPECT_EQ(
+        costliest(costs).rfind("50 % of a picture is drawing; scene takes 55 % of the device's time", 0), 0u)
         << costliest(costs);
     EXPECT_NE(costliest(hundred_pictures(stats, 0.2)).find("stepping people"), std::string::npos);
 }
