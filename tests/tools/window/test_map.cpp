@@ -4,6 +4,7 @@
 
 #include "assets/scene.h"
 #include "renderer/view.h"
+#include "tests/tools/loaded.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/cameras/map.h"
@@ -74,12 +75,8 @@ TEST(Map, ScaleIsRoundAndTrue) {
 }
 
 TEST(Map, CameraSeesThePlacesThatTheMapSays) {
-    Options options;
-    options.scene = load_scene("corner").value();
-    options.scene.walkers = 1;
-    Result<Loaded> loaded = load(options);
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    const World& world = *loaded->world;
+    const Loaded loaded = loaded_scene("corner", 1);
+    const World& world = *loaded.world;
     for (const float bearing : {0.0f, 90.0f, -133.0f})
         for (const float across : {20.0f, 200.0f, 4000.0f}) {
             const CameraChoice map = map_of({5, 7}, across, bearing);
@@ -104,12 +101,8 @@ TEST(Map, CameraSeesThePlacesThatTheMapSays) {
 }
 
 TEST(Map, OfAllLiesBetweenPanels) {
-    Options options;
-    options.scene = load_scene("corner").value();
-    options.scene.walkers = 1;
-    Result<Loaded> loaded = load(options);
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    const World& world = *loaded->world;
+    const Loaded loaded = loaded_scene("corner", 1);
+    const World& world = *loaded.world;
     const CameraChoice map = map_between(world, k_size, 100, 460);
     const Vec2 above = place_under(map, k_size, {499.5f, 99.5f}),
                below = place_under(map, k_size, {499.5f, 459.5f});

@@ -133,6 +133,10 @@ std::vector<float> shares_of(const std::vector<PeopleShare>& people, const Peopl
     return shares;
 }
 
+void set_shares(WorldOptions& options, const std::vector<float>& shares) {
+    for (size_t i = 0; i < shares.size(); ++i) options.kinds[i].share = shares[i];
+}
+
 void set_shares(World& world, const std::vector<float>& shares) {
     for (size_t i = 0; i < shares.size(); ++i) world.kinds[i].share = world.folk[i].share = shares[i];
 }
@@ -224,8 +228,7 @@ Result<Loaded> load(const Options& options) {
     world.destinations = loaded.city->destinations;
     Result<void> peopled = add_people(options, loaded, world.kinds);
     if (!peopled) return peopled.error();
-    const std::vector<float> shares = shares_of(scene.people, scene.mix, loaded.characters, loaded.parts);
-    for (size_t i = 0; i < shares.size(); ++i) world.kinds[i].share = shares[i];
+    set_shares(world, shares_of(scene.people, scene.mix, loaded.characters, loaded.parts));
 
     Result<std::vector<Clip>> idles = load_idles(scene);
     if (!idles) return idles.error();

@@ -40,6 +40,8 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
 // The part of all walkers that each character has by a scene's people and mix.
 std::vector<float> shares_of(const std::vector<PeopleShare>& people, const PeopleMix& mix,
                              const std::vector<Character>& characters, const std::vector<PeopleShare>& parts);
+// Of a world that is to be made.
+void set_shares(WorldOptions& options, const std::vector<float>& shares);
 // From now on those who come are drawn by these.
 void set_shares(World& world, const std::vector<float>& shares);
 

@@ -65,27 +65,26 @@ void put_down(const World& world, const Addition& a, Viewer& v) {
     want(v, std::move(next));
 }
 
-// Whether a row of barriers, or a wall that was drawn out, is put down. Else one end of it was clicked, and
-// `why` tells what to do.
-bool end_line(const World& world, Viewer& v, const char*& why) {
+// Puts down a wall or a row of barriers that was drawn out, or one from wall to wall. Where no more than one
+// end of it was clicked, what to do next; else null.
+const char* end_line(const World& world, Viewer& v) {
     const Addition a = *v.change.ghost;
-    const bool is_long = length(on_ground(a.to - a.at)) >= k_shortest_added;
-    if (is_long) return put_down(world, a, v), true;
-    why = "Click where it ends, half a metre away or farther.";
-    if (a.kind == AddedKind::wall || v.change.grip.is_clicked) return false;
-    const auto row = closure_at(*world.ground, a.at);
-    if (!row) {
-        why = "No walls are near on both sides: click where the barrier ends.";
-        return false;
+    if (length(on_ground(a.to - a.at)) >= k_shortest_added) {
+        put_down(world, a, v);
+        return nullptr;
     }
+    if (a.kind == AddedKind::wall || v.change.grip.is_clicked)
+        return "Click where it ends, half a metre away or farther.";
+    const auto row = closure_at(*world.ground, a.at);
+    if (!row) return "No walls are near on both sides: click where the barrier ends.";
     const size_t before = current(v.change.designs).added.size();
     put_down(world, *row, v);
-    if (current(v.change.designs).added.size() == before) return true;
+    if (current(v.change.designs).added.size() == before) return nullptr;
     char told[80];
     std::snprintf(told, sizeof told, "A %s is closed, %.1f m from wall to wall.",
                   crossed_by(*world.ground, *row), static_cast<double>(length(on_ground(row->to - row->at))));
     tell(v, told);
-    return true;
+    return nullptr;
 }
 
 void end_move(Viewer& v) {
@@ -99,9 +98,9 @@ void end_move(Viewer& v) {
 void let_go_of(const World& world, Viewer& v) {
     Change& c = v.change;
     if (c.ghost && c.grip.moved && *c.ghost != c.grip.was) end_move(v);
-    if (const char* why = nullptr; c.ghost && !c.grip.moved && !end_line(world, v, why)) {
+    if (const char* next = c.ghost && !c.grip.moved ? end_line(world, v) : nullptr) {
         c.grip.is_clicked = true;
-        return tell(v, why);
+        return tell(v, next);
     }
     c.grip = {};
     c.ghost.reset();

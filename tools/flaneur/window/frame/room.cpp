@@ -24,6 +24,7 @@ void lay_out_cost(const char* name, double ms, double whole, float indent, float
     ImGui::GetWindowDrawList()->AddRectFilled({left, at.y + 0.2f * line},
                                               {left + share * most, at.y + 0.85f * line},
                                               ImGui::GetColorU32(ImGuiCol_SliderGrab), 2 * scale);
+    ImGui::BeginGroup();  // what is told of it is told over all of it
     ImGui::SetCursorScreenPos({at.x + indent * scale, at.y});
     ImGui::TextUnformatted(name);
     char text[24];
@@ -31,6 +32,7 @@ void lay_out_cost(const char* name, double ms, double whole, float indent, float
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({left - 10 * scale - ImGui::CalcTextSize(text).x, at.y});
     ImGui::TextUnformatted(text);
+    ImGui::EndGroup();
 }
 
 std::string thousands(uint64_t count) {

@@ -249,6 +249,7 @@ Box free_place(ImVec2 at, ImVec2 size, float apart, const std::vector<Box>& take
 // Over a picture of that size, which begins at `left`.
 void write_labels(const std::vector<Label>& labels, const Camera& camera, Size size, float left,
                   float scale) {
+    if (labels.empty()) return;
     const auto width = static_cast<float>(std::max(size.width, 1)),
                height = static_cast<float>(std::max(size.height, 1));
     const glm::mat4 clip_from_world =

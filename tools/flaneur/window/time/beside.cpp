@@ -104,9 +104,7 @@ void set_beside_as_opened(Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     PeopleOrder people = order_people(show.loaded, world.seed, static_cast<uint32_t>(scene.walkers));
     people.options.hour = scene.hour;
-    const std::vector<float> shares =
-        shares_of(scene.people, scene.mix, show.loaded.characters, show.loaded.parts);
-    for (size_t i = 0; i < shares.size(); ++i) people.options.kinds[i].share = shares[i];
+    set_shares(people.options, shares_of(scene.people, scene.mix, show.loaded.characters, show.loaded.parts));
     std::optional<Order> city;
     const bool is_night = is_dark(scene_sun(scene, show.loaded.city->latitude), scene.is_overcast);
     if (!world.roam && (scene.added != c.carried.added || (is_night && !show.has_lamps))) {
