@@ -17,10 +17,10 @@ Result<Figures> bench_crowd(const Options& options) {
     World& world = *loaded->world;
     Figures figures;
     add_setting(figures, options, world);
-    for (uint32_t i = 0; i < k_warm_up + options.bench_frames; ++i) {
+    for (uint32_t i = 0; i < options.warm_up + options.bench_frames; ++i) {
         if (is_stopping()) return interrupted();
         step(world);
-        if (i >= k_warm_up) add_stages(figures, world);
+        if (i >= options.warm_up) add_stages(figures, world);
     }
     return figures;
 }

@@ -69,32 +69,60 @@ void show_title(GLFWwindow* window, const Show& show, double fps) {
 
 constexpr int k_most_lost = 5;  // devices, in the life of a window
 
-// After a device was lost, one made anew takes its place, with the letters of the panels.
-Result<void> remake_renderer(RendererPtr& renderer, GLFWwindow* window, Gui& gui, const Options& options,
-                             std::atomic<uint32_t>& messages) {
+// What a renderer of the window is made with.
+struct Canvas {
+    GLFWwindow* window;
+    Gui& gui;
+    Options options;  // as they hold for the renderer that there is
+    std::atomic<uint32_t>& messages;
+};
+
+// Another takes the renderer's place, with the letters of the panels.
+Result<void> remake_renderer(RendererPtr& renderer, const Canvas& canvas) {
     renderer.reset();
-    Result<RendererPtr> anew = make_window_renderer(renderer_options(options, messages), window);
+    Result<RendererPtr> anew =
+        make_window_renderer(renderer_options(canvas.options, canvas.messages), canvas.window);
     if (!anew) return anew.error();
     renderer = std::move(*anew);
-    return hand_letters(gui, *renderer);
+    return hand_letters(canvas.gui, *renderer);
 }
 
 // Does `act`; whenever that fails because a device was lost, says so and does act(true) with one made anew.
 template <class Act>
-Result<void> outlive_devices(RendererPtr& renderer, GLFWwindow* window, Gui& gui, const Options& options,
-                             std::atomic<uint32_t>& messages, Act act) {
+Result<void> outlive_devices(RendererPtr& renderer, const Canvas& canvas, Act act) {
     Result<void> done = act(false);
     for (int lost = 0; !done && lost < k_most_lost && renderer && has_lost_device(*renderer); ++lost) {
         say(done.error().message);
-        done = remake_renderer(renderer, window, gui, options, messages);
+        done = remake_renderer(renderer, canvas);
         if (done) done = act(true);
     }
     return done;
 }
 
+// Hands what is shown to a renderer that was made anew.
+Result<void> show_again(Show& show, Viewer& v) {
+    if (Result<void> uploaded = upload_again(show); !uploaded) return uploaded;
+    if (v.time.beside && v.time.beside->city) v.time.beside.reset();  // not held any more
+    return {};
+}
+
+// From now on pictures are of the quality that is wanted.
+Result<void> change_quality(Show& show, Canvas& canvas, Viewer& v) {
+    canvas.options.scene.quality = v.quality;
+    if (Result<void> done = remake_renderer(show.renderer, canvas); !done) return done;
+    if (Result<void> done = show_again(show, v); !done) return done;
+    const bool is_apart = v.costs.is_apart;
+    v.costs = {};
+    v.costs.is_apart = is_apart;
+    tell(v, "Drawn in " + quality_name(*show.renderer) + " quality.");
+    return {};
+}
+
 // Loads on a thread of its own, while the window says how far that is, and closes at once.
-Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const Options& options,
-                       const Viewer& viewer, std::atomic<uint32_t>& messages) {
+Result<Show> load_show(const Canvas& canvas, RendererPtr renderer, const Options& options,
+                       const Viewer& viewer) {
+    GLFWwindow* window = canvas.window;
+    Gui& gui = canvas.gui;
     say_device(*renderer);
     auto loading = std::async(std::launch::async, [&] { return prepare_show(options); });
     while (loading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
@@ -112,7 +140,7 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
         Result<void> drawn = draw_window(*renderer, frame);
         if (!drawn) {
             say(drawn.error().message);
-            if (has_lost_device(*renderer)) drawn = remake_renderer(renderer, window, gui, options, messages);
+            if (has_lost_device(*renderer)) drawn = remake_renderer(renderer, canvas);
             if (!drawn) end_now(1);
         }
     }
@@ -120,9 +148,8 @@ Result<Show> load_show(GLFWwindow* window, Gui& gui, RendererPtr renderer, const
     if (!prepared) return prepared.error();
     Show show;
     show.renderer = std::move(renderer);
-    Result<void> uploaded = outlive_devices(show.renderer, window, gui, options, messages, [&](bool) {
-        return upload_show(show, *prepared, options.scene.views);
-    });
+    Result<void> uploaded = outlive_devices(
+        show.renderer, canvas, [&](bool) { return upload_show(show, *prepared, options.scene.views); });
     if (!uploaded) return uploaded.error();
     return show;
 }
@@ -165,8 +192,9 @@ void rest_until(double then) {
 }
 
 // Until the window is closed, or `paces`, if there are some, are over.
-Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint32_t close_after,
-                      Paces* paces) {
+Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
+    GLFWwindow* window = canvas.window;
+    Gui& gui = canvas.gui;
     double last = glfwGetTime(), title_time = last, moved_at = last, picture_seconds = 0;
     uint32_t drawn = 0, title_frames = 0;
     Mouse mouse;
@@ -185,6 +213,8 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                                   : seconds_to_pass(v.record, std::min(now - last, k_longest_pause));
         if (v.record.filming) v.record.filming->began += std::max(now - last - k_longest_pause, 0.0);
         last = now;
+        if (v.quality != canvas.options.scene.quality)
+            if (Result<void> done = change_quality(show, canvas, v); !done) return done;
         begin_picture(v.costs, now);
         go_on_opening(show, v);
         take_people_anew(show, v);
@@ -269,7 +299,7 @@ Result<void> run_loop(Show& show, GLFWwindow* window, Gui& gui, Viewer& v, uint3
                 note_picture(*paces, glfwGetTime() - now, v.resolution);
                 if (are_over(*paces)) break;
             }
-            if (close_after > 0 && ++drawn >= close_after) break;
+            if (const uint32_t most = canvas.options.close_after; most > 0 && ++drawn >= most) break;
         }
         if (v.settings.fps > 0 && !v.record.filming) rest_until(now + 1.0 / v.settings.fps);
         if (now - title_time >= k_title_seconds) {
@@ -303,6 +333,7 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     begin_cameras(options.scene, viewer);
     begin_opening(options, viewer.opening);
     viewer.techniques.on = options.techniques;
+    viewer.quality = options.scene.quality;
     Result<Settings> settings = read_settings(settings_file());
     if (!settings) say(settings.error().message);
     if (settings) viewer.settings = viewer.kept_settings = *settings;
@@ -310,7 +341,8 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
     listen(window.get(), viewer);
     Result<GuiPtr> gui = make_gui(window.get(), **renderer, viewer.settings.letters, scene_pictures());
     if (!gui) return gui.error();
-    Result<Show> show = load_show(window.get(), **gui, std::move(*renderer), options, viewer, messages);
+    Canvas canvas{window.get(), **gui, options, messages};
+    Result<Show> show = load_show(canvas, std::move(*renderer), options, viewer);
     if (!show) return show.error();
     viewer.is_loading = false;
     if (!settings) tell(viewer, printable(settings.error().message));
@@ -320,16 +352,13 @@ Result<void> view(const Options& options, std::atomic<uint32_t>& messages, Paces
         add_setting(paces->figures, options, *show->loaded.world);
     else
         recall(*show, viewer);
-    Result<void> done = outlive_devices(
-        show->renderer, window.get(), **gui, options, messages, [&](bool is_anew) -> Result<void> {
-            if (is_anew) {
-                if (Result<void> uploaded = upload_again(*show); !uploaded) return uploaded;
-                if (viewer.time.beside && viewer.time.beside->city)
-                    viewer.time.beside.reset();  // not held any more
-                tell(viewer, "The graphics device was lost. A new one has taken over.");
-            }
-            return run_loop(*show, window.get(), **gui, viewer, options.close_after, paces);
-        });
+    Result<void> done = outlive_devices(show->renderer, canvas, [&](bool is_anew) -> Result<void> {
+        if (is_anew) {
+            if (Result<void> uploaded = show_again(*show, viewer); !uploaded) return uploaded;
+            tell(viewer, "The graphics device was lost. A new one has taken over.");
+        }
+        return run_loop(*show, canvas, viewer, paces);
+    });
     end_film(viewer);
     viewer.time.anew.reset();                            // they are made of the show
     if (done && is_opening(viewer.opening)) end_now(0);  // nobody waits for what is being loaded

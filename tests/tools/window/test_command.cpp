@@ -34,8 +34,8 @@ TEST(Command, ReplacesWhatIsSeenOtherwise) {
     EXPECT_EQ(command_of({"--camera", "overview", "--fov", "20", "--size=10x10", "--view", "lods",
                           "--close-after", "3", "--validate"},
                          s),
-              "flaneur render --validate --camera 1.5,1.7,-0.1/2,1.25,3 --fov 47.5 --view density,skeletons "
-              "--size 800x600 --frames 361 --out picture.png");
+              "flaneur render --validate --camera 1.5,1.7,-0.1/2,1.25,3 --fov 47.5 --size 800x600 "
+              "--view density,skeletons --frames 361 --out picture.png");
     EXPECT_EQ(command_of({"--camera"}, s), command_of({}, s));
 }
 
@@ -84,6 +84,25 @@ TEST(Command, NamesASceneThatHoldsWhatWasChanged) {
     s.is_overcast = true;
     EXPECT_EQ(command_of({"--weather", "clear", "--walkers", "9"}, s).substr(0, 51),
               "flaneur render --walkers 9 --weather overcast --cam");
+}
+
+TEST(Command, SaysTheQualityThatWasChosen) {
+    Shown s = shown();
+    s.quality = "low";
+    const std::string all = command_of({"--quality", "high", "--seed", "3"}, s);
+    EXPECT_NE(all.find(" --quality low "), std::string::npos) << all;
+    EXPECT_EQ(all.find("high"), std::string::npos) << all;
+    EXPECT_NE(command_of({"--quality", "high"}, shown()).find("--quality high"), std::string::npos);
+}
+
+TEST(Command, MeasuresWhatIsSeen) {
+    Shown s = shown();
+    s.views = toggled({}, WorkView::density);
+    s.techniques.feet = false;
+    s.is_transparent = true;
+    EXPECT_EQ(
+        bench_command_of({"--walkers", "2000", "--view", "lods", "--frames", "9"}, s),
+        "flaneur bench frame --walkers 2000 --camera 1.5,1.7,-0.1/2,1.25,3 --size 800x600 --warm-up 361");
 }
 
 TEST(Command, QuotesForAShell) {

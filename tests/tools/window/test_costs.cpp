@@ -42,6 +42,20 @@ TEST(Costs, EachPartIsWhatItTook) {
     EXPECT_NE(costliest(hundred_pictures(stats, 0.2)).find("stepping people"), std::string::npos);
 }
 
+TEST(Costs, RowsStayWhereTheyAre) {
+    FrameStats stats;
+    stats.stages = {{"scene", 11}, {"overlay", 2}, {"light", 7}};
+    Costs costs;
+    end_picture(costs, stats);
+    stats.stages = {{"scene", 11}, {"light", 7}, {"paint", 1}};
+    for (int i = 0; i < 100; ++i) end_picture(costs, stats);
+    std::vector<std::string> names;
+    for (const Costs::Stage& stage : costs.stages) names.push_back(stage.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"scene", "overlay", "light", "paint"}));
+    EXPECT_LT(costs.stages[1].ms, 0.01) << "what is no longer drawn costs nothing";
+    EXPECT_NEAR(costs.stages[2].ms, 7, 1e-9);
+}
+
 TEST(Costs, OnlyTheLastPicturesAreKept) {
     Costs costs;
     EXPECT_EQ(spread_of(costs).worst, 0);

@@ -156,6 +156,9 @@ TEST_F(Time, WhatIsChangedByHandIsGoneBackTo) {
     ASSERT_TRUE(remove_walker(world(), walkers(world())[3]));
     changed_by_hand(v.time, world());
     EXPECT_EQ(v.time.latest, 200u);
+    EXPECT_EQ(v.time.changes, std::vector<uint32_t>{200});
+    changed_by_hand(v.time, world());
+    EXPECT_EQ(v.time.changes.size(), 1u) << "a hand on a slider makes one change";
     EXPECT_EQ(v.time.watch.events.size(), 1u) << "what was to come";
     const uint64_t at_200 = hash_world(world());
     for (int i = 0; i < 100; ++i) make_tick(show, v);

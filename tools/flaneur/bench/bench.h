@@ -11,8 +11,6 @@ namespace flaneur {
 
 struct FrameStats;
 
-inline constexpr uint32_t k_warm_up = 60;  // ticks before measuring; people get under way
-
 void add_setting(Figures& figures, const Options& options, const World& world);
 // What each stage took in the last tick.
 void add_stages(Figures& figures, const World& world);

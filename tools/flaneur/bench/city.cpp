@@ -107,7 +107,7 @@ Result<std::string> bench_city(const Options& options) {
                                    *workers, static_cast<uint32_t>(options.scene.walkers), {&anyone, 1},
                                    options.scene.seed, options.scene.hour);
     if (!crowd) return crowd.error();
-    for (uint32_t tick = 0; tick < k_warm_up; ++tick)
+    for (uint32_t tick = 0; tick < options.warm_up; ++tick)
         step_crowd(*crowd, surroundings_of(city.ground), **mesh, *workers, tick, options.scene.seed);
 
     std::vector<Vec3> anywhere = random_points(city, **mesh), feet = foot_points(*crowd);

@@ -123,7 +123,7 @@ Result<Figures> bench_frame(const Options& options) {
     Result<Show> show = make_show(std::move(*renderer), options);
     if (!show) return show.error();
     World& world = *show->loaded.world;
-    for (uint32_t i = 0; i < k_warm_up; ++i) step(world);
+    for (uint32_t i = 0; i < options.warm_up; ++i) step(world);
     CameraChoice choice = options.scene.camera;
     if (options.move == BenchMove::orbit && choice.kind == CameraChoice::Kind::street)
         choice.kind = CameraChoice::Kind::overview;

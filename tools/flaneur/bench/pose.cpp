@@ -106,10 +106,10 @@ void reach(Gait& gait) {
     }
 }
 
-Work make_work(World& world) {
+Work make_work(World& world, uint32_t warm_up) {
     Work work;
     work.world = &world;
-    for (uint32_t i = 0; i < k_warm_up; ++i) step(world);
+    for (uint32_t i = 0; i < warm_up; ++i) step(world);
     work.before = world.gait;
     for (uint32_t i = 0; i < k_replayed; ++i) {
         step(world);
@@ -209,7 +209,7 @@ Result<std::string> bench_pose(const Options& options) {
     if (options.scene.walkers == 0) return Error{"bench pose needs someone to pose: --walkers 1 or more."};
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
-    Work work = make_work(*loaded->world);
+    Work work = make_work(*loaded->world, options.warm_up);
     std::vector<Kernel> kernels = kernels_of(work);
     std::vector<std::string_view> isas = isa_names();
     if (isas.size() > 1) std::erase(isas, "scalar");  // for tests

@@ -95,6 +95,9 @@ struct Flow {
     double per_minute = 0;        // both ways
     double per_metre_second = 0;  // of the line's length
 };
+// Over less than this a flow is the luck of a few people, and none is told.
+inline constexpr double k_settled_seconds = 10;
+inline bool is_settled(const Flow& flow) { return flow.seconds >= k_settled_seconds; }
 // Of the last `seconds` before a tick, or since counting began if that is less.
 Flow flow_of(const LineCount& line, uint32_t tick, double seconds);
 

@@ -58,6 +58,12 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(1, 1'000'000))
         ->capture_default_str();
+    bench
+        ->add_option("--warm-up", options.warm_up,
+                     "Ticks of the simulation before the first that frame, crowd, pose and city measure")
+        ->type_name("TICKS")
+        ->transform(whole_between(0, 1'000'000))
+        ->capture_default_str();
     add_parsed(
         *bench, "--move", parse_move, options.move,
         "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "

@@ -118,6 +118,7 @@ struct Options {
     // bench
     BenchLoad load = BenchLoad::frame;
     uint32_t bench_frames = 120;       // or ticks, or repetitions
+    uint32_t warm_up = 60;             // ticks before measuring; people get under way
     uint32_t bench_count = 100;        // characters of peers
     BenchMove move = BenchMove::none;  // how the camera of frame moves
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/quality.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/ask/techniques.h"
@@ -16,6 +17,7 @@
 #include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
+#include "tools/flaneur/window/frame/room.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
@@ -93,6 +95,11 @@ constexpr std::array k_layers = {
     Action{"Layer: skeletons", "F10", GLFW_KEY_F10, 0, turn<WorkView::skeletons>},
     Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
 };
+template <Quality To>
+void set_quality(Show&, Viewer& v) {
+    v.quality = quality_level(To).name;
+}
+
 // For who has no mouse: the cursor goes there first, so that one sees what a click would mean.
 void click_in_middle(Show&, Viewer& v) {
     const glm::dvec2 window(v.layout.wish.window);
@@ -107,6 +114,13 @@ void click_in_middle(Show&, Viewer& v) {
 constexpr std::array k_window = {
     Action{"Point at the middle of the picture; again: click there", "K", GLFW_KEY_K, 0, click_in_middle},
     Action{"What a picture costs, and what makes it slow", "I", GLFW_KEY_I, 0, open<Room::frame>},
+    Action{"Copy the command that measures this", "", 0, 0,
+           [](Show& show, Viewer& v) { copy_bench_command(show, v); }},
+    Action{"Quality: low", "", 0, 0, set_quality<Quality::low>},
+    Action{"Quality: medium", "", 0, 0, set_quality<Quality::medium>},
+    Action{"Quality: high", "", 0, 0, set_quality<Quality::high>},
+    Action{"Quality: ultra", "", 0, 0, set_quality<Quality::ultra>},
+    Action{"Quality: what suits the device", "", 0, 0, [](Show&, Viewer& v) { v.quality.clear(); }},
     Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
            [](Show&, Viewer& v) { v.wants_command = true; }},
     Action{"Hide the panels, or show them", "H", GLFW_KEY_H, 0,
@@ -148,7 +162,8 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"Layers", k_layers},
         ActionGroup{"People", find_actions()},
         ActionGroup{"Gait", gait_actions()},
-        ActionGroup{"Techniques of bodies", technique_actions(), "Before and after, side by side", "Shift+J"},
+        ActionGroup{"Techniques of bodies", technique_actions(), "Bodies before and after, side by side",
+                    "Shift+J"},
         ActionGroup{"Measure", measure_actions()},
         ActionGroup{"Change", change_actions()},
         ActionGroup{"Who comes", who_actions(), "More or fewer children, old people, prams", "T"},

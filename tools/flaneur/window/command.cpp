@@ -3,7 +3,9 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <utility>
 
+#include "renderer/renderer.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/options/shell_words.h"
 #include "tools/flaneur/view/camera.h"
@@ -27,6 +29,7 @@ std::vector<std::string_view> replaced_by(const Shown& shown) {
     std::vector<std::string_view> all(k_replaced.begin(), k_replaced.end());
     if (!shown.scene.empty()) all.insert(all.end(), k_of_scene.begin(), k_of_scene.end());
     if (shown.is_overcast) all.emplace_back("--weather");
+    if (!shown.quality.empty()) all.emplace_back("--quality");
     return all;
 }
 
@@ -43,39 +46,31 @@ std::string views_of(WorkViews views) {
     return text;
 }
 
-}  // namespace
+struct Line {
+    std::vector<std::string> words;
 
-std::string command_of(const std::vector<std::string>& words, const Shown& shown) {
-    std::vector<std::string> all = {"flaneur", "render"};
+    void add(const char* option, const std::string& value) {
+        if (!value.empty()) words.insert(words.end(), {option, value});
+    }
+};
+
+// A command of the words that opened the window, seen as it is shown.
+Line line_of(std::vector<std::string> command, const std::vector<std::string>& words, const Shown& shown) {
+    Line line{std::move(command)};
     for (std::string& word : without_options(words, replaced_by(shown), k_of_windows))
-        all.push_back(std::move(word));
-    auto add = [&](const char* option, const std::string& value) {
-        if (!value.empty()) all.insert(all.end(), {option, value});
-    };
-    add("--scene", shown.scene);
-    if (shown.is_overcast) add("--weather", *shown.is_overcast ? "overcast" : "clear");
-    add("--camera", told_camera(camera_of(shown)));
+        line.words.push_back(std::move(word));
+    line.add("--scene", shown.scene);
+    if (shown.is_overcast) line.add("--weather", *shown.is_overcast ? "overcast" : "clear");
+    line.add("--quality", shown.quality);
+    line.add("--camera", told_camera(camera_of(shown)));
     const bool has_lens = shown.choice.kind != CameraChoice::Kind::map &&
                           (shown.has_lens || shown.camera.vertical_fov != k_fov);
-    add("--fov", has_lens ? told_fov(shown.camera.vertical_fov) : "");
-    add("--view", views_of(shown.views));
-    add("--without", told_without(shown.techniques));
-    add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
-    add("--frames", std::to_string(shown.tick));
-    add("--out", "picture.png");
-    if (shown.is_transparent) all.emplace_back("--transparent");
-    return shell_line(all);
+    line.add("--fov", has_lens ? told_fov(shown.camera.vertical_fov) : "");
+    line.add("--size", std::to_string(shown.size.width) + "x" + std::to_string(shown.size.height));
+    return line;
 }
 
-std::string why_no_command(const Viewer& v, const World& world) {
-    if (v.time.beside) return "No command draws two runs side by side.";
-    if (v.techniques.is_split) return "No command draws before and after side by side; Shift+J ends that.";
-    if (world.seed == v.time.first_seed) return "";
-    return "No command draws this: its people are of another seed than the city's own, " +
-           std::to_string(*v.time.first_seed) + ".";
-}
-
-std::string command_now(const Show& show, const Viewer& v, Size size) {
+Shown shown_now(const Show& show, const Viewer& v, Size size) {
     Shown shown{v.choice,
                 v.camera,
                 show.work_views,
@@ -87,19 +82,60 @@ std::string command_now(const Show& show, const Viewer& v, Size size) {
                 {}};
     shown.techniques = show.without.on;
     if (v.change.scene.is_overcast != show.is_overcast) shown.is_overcast = show.is_overcast;
-    const std::vector<std::string>& words = v.opening.words;
-    if (is_as_opened(v.change)) return command_of(words, shown);
+    if (v.change.scene.quality != v.quality) shown.quality = quality_name(*show.renderer);
+    return shown;
+}
+
+// Where the city has been changed: names the scene that says all of it, once that is written.
+void write_changed(const Show& show, const Viewer& v, Shown& shown) {
+    if (is_as_opened(v.change)) return;
     const std::string path = "out/view-" + std::to_string(shown.tick) + ".json";
     const Result<std::string> saved = save_scene(show, v, path);
-    if (!saved) {
-        say(saved.error().message);
-        return command_of(words, shown);
-    }
+    if (!saved) return say(saved.error().message);
     shown.scene = path;
     // Who is gone along with is somewhere else there.
     if (shown.choice.kind != CameraChoice::Kind::map) shown.choice.kind = CameraChoice::Kind::fixed;
     shown.is_overcast.reset();
-    return command_of(words, shown) + (v.change.late > 0 ? "  # changed while people walked" : "");
+    shown.quality.clear();
+}
+
+}  // namespace
+
+std::string command_of(const std::vector<std::string>& words, const Shown& shown) {
+    Line line = line_of({"flaneur", "render"}, words, shown);
+    line.add("--view", views_of(shown.views));
+    line.add("--without", told_without(shown.techniques));
+    line.add("--frames", std::to_string(shown.tick));
+    line.add("--out", "picture.png");
+    if (shown.is_transparent) line.words.emplace_back("--transparent");
+    return shell_line(line.words);
+}
+
+std::string bench_command_of(const std::vector<std::string>& words, const Shown& shown) {
+    Line line = line_of({"flaneur", "bench", "frame"}, words, shown);
+    line.add("--warm-up", std::to_string(shown.tick));
+    return shell_line(line.words);
+}
+
+std::string why_no_command(const Viewer& v, const World& world) {
+    if (v.time.beside) return "No command draws two runs side by side.";
+    if (v.techniques.is_split) return "No command draws before and after side by side; Shift+J ends that.";
+    if (world.seed == v.time.first_seed) return "";
+    return "No command draws this: its people are of another seed than the city's own, " +
+           std::to_string(*v.time.first_seed) + ".";
+}
+
+std::string command_now(const Show& show, const Viewer& v, Size size) {
+    Shown shown = shown_now(show, v, size);
+    write_changed(show, v, shown);
+    const bool is_otherwise = !shown.scene.empty() && v.change.late > 0;
+    return command_of(v.opening.words, shown) + (is_otherwise ? "  # changed while people walked" : "");
+}
+
+std::string bench_command_now(const Show& show, const Viewer& v, Size size) {
+    Shown shown = shown_now(show, v, size);
+    write_changed(show, v, shown);
+    return bench_command_of(v.opening.words, shown);
 }
 
 }  // namespace flaneur

@@ -92,6 +92,7 @@ struct Viewer {
     int letters_percent = 100;         // while they are dragged
     PanelKeys panel_keys;
     float resolution = 1;  // share of the window's pixels that the picture is drawn in
+    std::string quality;   // that is wanted of pictures, as --quality; empty: what the device draws by itself
 };
 
 }  // namespace flaneur

@@ -27,12 +27,7 @@ inline constexpr ImGuiWindowFlags k_room = ImGuiWindowFlags_AlwaysAutoResize |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove;
 
-// What the last item is for, while one points at it.
-inline void tip(const char* what) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", what);
-}
-
-// The same, where it covers nothing of the panel that the item is in: below that one.
+// What the last item is for, while one points at it: below the panel that the item is in.
 inline void tip_below(const char* what) {
     if (!ImGui::IsItemHovered()) return;
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -42,8 +37,8 @@ inline void tip_below(const char* what) {
                              ImGui::GetWindowPos().y + ImGui::GetWindowHeight() + style.ItemSpacing.y / 2});
     ImGui::SetTooltip("%s", what);
 }
-// And of more than a line: beside the panel, on the right or, where there is more room, on the left, as wide
-// as this at most; by the cursor where neither has room for a half of it. ImGui::PopTextWrapPos() and
+// The same of more than a line: beside the panel, on the right or, where there is more room, on the left, as
+// wide as this at most; by the cursor where neither has room for a half of it. ImGui::PopTextWrapPos() and
 // EndTooltip() end it.
 inline void begin_tip_beside(float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -59,6 +54,14 @@ inline void begin_tip_beside(float width) {
                                 {is_right ? 0.0f : 1.0f, 0});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(is_beside ? std::min(width, own) : width);
+}
+// The same of a few words, as wide as they are.
+inline void tip(const char* what) {
+    if (!ImGui::IsItemHovered()) return;
+    begin_tip_beside(ImGui::CalcTextSize(what).x + 1);
+    ImGui::TextUnformatted(what);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
 // A button that shows whether what it is for is on, also while the cursor is still on it.

@@ -185,6 +185,28 @@ TEST(ChangedCity, PeopleGoAnotherWayWhereAStreetIsClosed) {
     EXPECT_FALSE(place) << "nobody walks through the row";
 }
 
+// A floor between two walls.
+Ground between_walls(Surface floor, float apart) {
+    Ground ground;
+    ground.vertices = {{-50, 0, -50}, {-50, 0, 50}, {50, 0, 50}, {50, 0, -50}};
+    ground.indices = {0, 1, 2, 0, 2, 3};
+    ground.kinds = {floor, floor};
+    for (const float x : {-apart / 2, apart / 2})
+        ground.faces.push_back({{x, 0, -50}, {x, 0, 50}, 5, 5, FaceKind::facade, ~0u});
+    index_ground(ground);
+    return ground;
+}
+
+TEST(ChangedCity, AClickClosesAStreetButNoSquare) {
+    for (const Surface floor : {Surface::road, Surface::plaza})
+        for (const float apart : {12.0f, 40.0f}) {
+            const auto row = closure_at(between_walls(floor, apart), {1, 0, 0});
+            ASSERT_EQ(row.has_value(), floor == Surface::road || apart < 20);
+            if (!row) continue;
+            EXPECT_NEAR(length(on_ground(row->to - row->at)), apart, 0.5f);
+        }
+}
+
 TEST(ChangedCity, HasAsManyPeopleAsAreWanted) {
     const auto world = people(100, 1);
     const auto home = find_neighbourhood(*world->ground, *world->navmesh, 300);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "sim/base/math.h"
 #include "sim/base/segment.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr float k_reach = 3000, k_beside = 0.35f;  // metres: how far is looked; next to something
 constexpr float k_above = 0.05f;                   // metres, of lines over the ground
+constexpr const char* k_square = "square";
 constexpr uint32_t k_new = ink(0x9dd977), k_chosen = ink(0x58c4d2), k_there = ink(0xffffff, 0.5f);
 
 // The ground under a way from the eye, or at the foot of the wall that it meets.
@@ -76,7 +78,7 @@ const char* end_line(const World& world, Viewer& v) {
     if (a.kind == AddedKind::wall || v.change.grip.is_clicked)
         return "Click where it ends, half a metre away or farther.";
     const auto row = closure_at(*world.ground, a.at);
-    if (!row) return "No walls are near on both sides: click where the barrier ends.";
+    if (!row) return "There is no street from wall to wall: click where the barrier ends.";
     const size_t before = current(v.change.designs).added.size();
     put_down(world, *row, v);
     if (current(v.change.designs).added.size() == before) return nullptr;
@@ -167,7 +169,7 @@ void add_outline(const World& world, const Addition& a, const Pen& pen, std::vec
 
 std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
     constexpr int k_ways = 36;
-    constexpr float k_broadest = 60, k_eye = 1;  // metres
+    constexpr float k_broadest = 60, k_broad_square = 20, k_eye = 1;  // metres
     // As near to the wall as there is ground.
     auto end_before = [&](Vec2 way, float distance) {
         Vec3 end = place;
@@ -189,7 +191,10 @@ std::optional<Addition> closure_at(const Ground& ground, Vec3 place) {
         best = Addition{AddedKind::barrier, end_before(way, one->distance),
                         end_before(way * -1, other->distance), 0};
     }
-    return best;
+    // Nobody means all of a square by a click in it.
+    const bool is_open =
+        best && least > k_broad_square && crossed_by(ground, *best) == std::string_view(k_square);
+    return is_open ? std::nullopt : best;
 }
 
 const char* crossed_by(const Ground& ground, const Addition& row) {
@@ -208,7 +213,7 @@ const char* crossed_by(const Ground& ground, const Addition& row) {
     }
     return has_road    ? "street"
            : has_steps ? "flight of steps"
-           : has_plaza ? "square"
+           : has_plaza ? k_square
            : has_path  ? "path"
                        : "yard";
 }

@@ -30,8 +30,8 @@ bool is_putting(const Viewer& viewer);
 // Adds to the frame the outline of what would be put down, and of what is moved or chosen.
 void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
 
-// A row of barriers from wall to wall over a place, the shortest way; none where the street is wider than 60
-// m.
+// A row of barriers from wall to wall over a place, the shortest way; none where a street is wider than 60 m,
+// or a square than 20 m.
 std::optional<Addition> closure_at(const Ground& ground, Vec3 place);
 
 // What a row of barriers lies across, in a word: "street" where there is a carriageway, "yard" where there is

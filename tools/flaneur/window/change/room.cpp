@@ -189,7 +189,7 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
     tip("as the file of a scene (Ctrl+S)");
     go_beside("Compare", scale);
     if (ImGui::Button("Compare")) set_beside_as_opened(show, v);
-    tip("before and after: the city as it was opened, side by side with this one");
+    tip("before and after: the city as it was opened, side by side with this one (Ctrl+B)");
     lay_out_name(show, v, scale);
     ImGui::Separator();
 }
@@ -258,7 +258,7 @@ std::string armed_tool(const Show& show, const Change& c) {
         std::snprintf(text, sizeof text, "Close this %s, %.1f m",
                       crossed_by(*show.loaded.world->ground, *c.ghost), static_cast<double>(across));
     else if (is_click)
-        std::snprintf(text, sizeof text, "No walls on both sides: click both ends");
+        std::snprintf(text, sizeof text, "No street from wall to wall: click both ends");
     else if (is_row)
         std::snprintf(text, sizeof text, "%s, %.1f m", k_tools[*c.tool == AddedKind::wall ? 1 : 0].name,
                       static_cast<double>(across));

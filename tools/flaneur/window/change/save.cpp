@@ -56,6 +56,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     s.is_overcast = d.is_overcast;
     s.walkers = static_cast<int>(d.people);
     s.views = show.work_views;
+    s.quality = v.quality;
     s.camera = camera_of(v);
     if (s.camera.kind == CameraChoice::Kind::follow && s.camera.walker >= d.people)
         s.camera = {CameraChoice::Kind::fixed,

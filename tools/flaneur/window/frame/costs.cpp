@@ -22,13 +22,13 @@ constexpr StageWords k_stages[] = {
     {"crowd", "people who are near enough for bodies",
      "people near the eye: the layers overdraw and levels of detail show where"},
     {"city", "houses, ground and what stands there",
-     "the city in view: the layer overdraw shows where, and --quality low at the start draws plainer"},
+     "the city in view: the layer overdraw shows where, and a lower quality draws plainer"},
     {"scene", "people, city and sky: what each pixel shows",
      "city and people in view: time them apart, above"},
     {"sky", "", "the sky in view"},
     {"light", "sun, shadows, sky and lamps on each pixel, once", "the picture's size"},
     {"crowd shadows", "people, seen from the sun",
-     "people whose shadows are near: --quality low at the start has fewer"},
+     "people whose shadows are near: a lower quality has fewer"},
     {"city shadows", "the city, seen from the sun: when that or the eye moves",
      "the sun, or an eye that moves: shadows are drawn anew"},
     {"surfaces to host", "what each pixel shows, for the CPU to light", "the picture's size"},
@@ -62,15 +62,21 @@ void end_part(Costs& c, CostOf part, double time) {
 
 void end_picture(Costs& c, const FrameStats& stats) {
     mix(c.record, stats.cpu_record_ms);
-    const bool is_same =
-        std::equal(c.stages.begin(), c.stages.end(), stats.stages.begin(), stats.stages.end(),
-                   [](const auto& a, const auto& b) { return a.name == b.name; });
-    if (!is_same) c.stages.clear();
-    c.stages.resize(stats.stages.size());
-    for (size_t i = 0; i < c.stages.size(); ++i) {
-        c.stages[i].name = stats.stages[i].name;
-        mix(c.stages[i].ms, stats.stages[i].gpu_ms);
-        c.stages[i].fragments = stats.stages[i].fragments;
+    size_t place = 0;  // behind the stage before
+    for (const FrameStats::Stage& now : stats.stages) {
+        auto is_it = [&](const Costs::Stage& stage) { return stage.name == now.name; };
+        auto there = std::find_if(c.stages.begin(), c.stages.end(), is_it);
+        if (there == c.stages.end())
+            there = c.stages.insert(c.stages.begin() + static_cast<std::ptrdiff_t>(place), {now.name});
+        mix(there->ms, now.gpu_ms);
+        there->fragments = now.fragments;
+        place = static_cast<size_t>(there - c.stages.begin()) + 1;
+    }
+    for (Costs::Stage& stage : c.stages) {
+        auto is_it = [&](const FrameStats::Stage& now) { return stage.name == now.name; };
+        if (std::any_of(stats.stages.begin(), stats.stages.end(), is_it)) continue;
+        mix(stage.ms, 0);
+        stage.fragments = 0;
     }
 }
 

@@ -21,7 +21,8 @@ struct Costs {
         wholes;  // milliseconds of each of the last pictures, oldest first, from beginning to beginning
     std::array<double, k_costs> parts{};  // milliseconds, of what about the last ten pictures took
     double record = 0;                    // of drawing
-    // By the device's own clock, of pictures just before; light that the host computes by its.
+    // By the device's own clock, of pictures just before; light that the host computes by its. Those that
+    // were not in the last picture stay, so that rows do.
     struct Stage {
         std::string name;
         double ms = 0;

@@ -6,7 +6,11 @@
 #include <cstdio>
 #include <string>
 
+#include "renderer/quality.h"
+#include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/command.h"
+#include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -56,6 +60,16 @@ void lay_out_past_pictures(const Costs& costs, double whole, float scale) {
                         static_cast<double>(spread.median), static_cast<double>(spread.worst));
 }
 
+// As high as three lines, so that what is below stays where it is.
+void lay_out_sentence(const Costs& costs, float scale) {
+    const float top = ImGui::GetCursorPosY();
+    ImGui::PushTextWrapPos(fitted(k_width, scale));
+    ImGui::TextUnformatted(costliest(costs).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(),
+                                  top + 3 * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y));
+}
+
 void lay_out_counts(const FrameStats& stats, const Viewer& v) {
     auto row = [](const char* name, const std::string& text) {
         ImGui::TableNextColumn();
@@ -75,18 +89,44 @@ void lay_out_counts(const FrameStats& stats, const Viewer& v) {
     ImGui::EndTable();
 }
 
+// Automatic, or one of them.
+void lay_out_quality(const Show& show, Viewer& v, float scale) {
+    const std::string now = quality_name(*show.renderer);
+    ImGui::SetNextItemWidth(150 * scale);
+    if (!ImGui::BeginCombo("quality", v.quality.empty() ? (now + ", by itself").c_str() : now.c_str()))
+        return;
+    if (ImGui::Selectable("what suits the device", v.quality.empty())) v.quality.clear();
+    for (size_t i = 0; i < k_qualities; ++i) {
+        const char* name = quality_level(static_cast<Quality>(i)).name;
+        if (ImGui::Selectable(name, v.quality == name)) v.quality = name;
+    }
+    ImGui::EndCombo();
+}
+
 }  // namespace
+
+void copy_bench_command(const Show& show, Viewer& v) {
+    const glm::vec2 window = v.layout.wish.window;
+    const std::string command =
+        bench_command_now(show, v, {static_cast<int>(window.x), static_cast<int>(window.y)});
+    ImGui::SetClipboardText(command.c_str());
+    say(command);
+    tell(v, "Copied: " + printable(command));
+}
 
 void lay_out_frame(Show& show, Viewer& v, float scale) {
     Costs& costs = v.costs;
     double whole = 0, device = 0;
     for (const double ms : costs.parts) whole += ms;
     lay_out_past_pictures(costs, whole, scale);
+    lay_out_sentence(costs, scale);
     for (size_t i = 0; i < k_costs; ++i) {
         lay_out_cost(k_cost_names[i], costs.parts[i], whole, 0, scale);
         if (static_cast<CostOf>(i) != CostOf::draw) continue;
         lay_out_cost("recording", costs.record, whole, 14, scale);
         lay_out_cost("waiting for device", std::max(costs.parts[i] - costs.record, 0.0), whole, 14, scale);
+        tip("until the device has done what is listed below, of which some goes on meanwhile,\n"
+            "and the display has taken the picture");
     }
     ImGui::Separator();
     ImGui::TextDisabled("%s", device_name(*show.renderer).c_str());
@@ -100,14 +140,13 @@ void lay_out_frame(Show& show, Viewer& v, float scale) {
                 .append(" fragments shaded");
         if (!what.empty()) tip(what.c_str());
     }
-    ImGui::Checkbox("crowd, city and sky apart", &costs.is_apart);
+    if (ImGui::Checkbox("crowd, city and sky apart", &costs.is_apart)) costs.stages.clear();
     tip("with how many fragments are shaded; pictures take longer meanwhile");
     ImGui::Separator();
     lay_out_counts(frame_stats(*show.renderer), v);
-    ImGui::PushTextWrapPos(fitted(k_width, scale));
-    ImGui::TextUnformatted(costliest(costs).c_str());
-    ImGui::TextDisabled("flaneur bench frame measures the same without a window.");
-    ImGui::PopTextWrapPos();
+    lay_out_quality(show, v, scale);
+    if (ImGui::Button("Copy as flaneur bench frame")) copy_bench_command(show, v);
+    tip("the command that measures this view without a window, from this moment on");
 }
 
 }  // namespace flaneur

@@ -78,6 +78,22 @@ std::vector<glm::vec3> fill(const World& world, const std::vector<glm::vec3>& po
     return all;
 }
 
+// How much of them is ground that people walk on, square metres.
+double walkable_of(const World& world, const std::vector<glm::vec3>& triangles) {
+    if (!world.navmesh) return 0;
+    constexpr Vec3 k_reach{0.3f, 1.5f, 0.3f};  // people's middles keep off walls
+    double all = 0;
+    for (size_t i = 0; i + 2 < triangles.size(); i += 3) {
+        const glm::vec3 a = triangles[i], b = triangles[i + 1], c = triangles[i + 2];
+        const glm::vec3 middle = (a + b + c) / 3.0f;
+        const Vec3 place{middle.x, middle.y, middle.z};
+        const auto there = nearest(*world.navmesh, 0, place, k_reach);
+        if (!there || length(on_ground(there->position - place)) > k_reach.x) continue;
+        all += 0.5 * std::fabs(static_cast<double>((b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x)));
+    }
+    return all;
+}
+
 // By its level of service.
 void add_fill(const Marking& drawn, const std::vector<glm::vec3>& triangles, const Counts& counts,
               std::vector<GizmoCorner>& fills) {
@@ -151,8 +167,10 @@ void add_line_labels(const Marking& drawn, const std::vector<glm::vec3>& outline
     if (line == counts.lines.end()) return;
     const Flow all = flow_of(*line, counts.shown, 1e9), lately = flow_of(*line, counts.shown, k_flow_seconds);
     const glm::vec3 middle = middle_of(outline), aside = right_of(drawn) * (reach_of(drawn) * 1.35f);
-    labels.push_back({outline.front(), text_of("%s  %.1f/min", drawn.name.c_str(), lately.per_minute),
-                      k_colours[static_cast<size_t>(MarkingKind::line)]});
+    labels.push_back(
+        {outline.front(),
+         is_settled(lately) ? text_of("%s  %.1f/min", drawn.name.c_str(), lately.per_minute) : drawn.name,
+         k_colours[static_cast<size_t>(MarkingKind::line)]});
     labels.push_back({middle + aside, std::to_string(all.right), 0xf2efe9});
     labels.push_back({middle - aside, std::to_string(all.left), 0xf2efe9});
 }
@@ -279,11 +297,12 @@ void mark_measures(Show& show, Viewer& v, FrameInput& frame) {
     if (!v.has_panels || (room.drawn.empty() && room.draft.empty() && !room.under)) return;
     const World& world = *show.loaded.world;
     if (room.outlines.size() != room.drawn.size()) {
-        room.outlines.clear(), room.fills.clear();
+        room.outlines.clear(), room.fills.clear(), room.walkable.clear();
         for (const Marking& drawn : room.drawn) {
             room.outlines.push_back(outline(world, drawn.points, is_closed(drawn.kind)));
             room.fills.push_back(drawn.kind == MarkingKind::zone ? fill(world, drawn.points)
                                                                  : std::vector<glm::vec3>());
+            room.walkable.push_back(walkable_of(world, room.fills.back()));
         }
     }
     draw_kept(room, room.counts, v.room == Room::measure, show.overlay);

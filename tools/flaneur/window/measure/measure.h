@@ -39,6 +39,7 @@ struct MeasureRoom {
     // On the ground, for drawing: of each that is drawn; made anew where they are fewer. Of zones, triangles
     // that fill them too.
     std::vector<std::vector<glm::vec3>> outlines, fills;
+    std::vector<double> walkable;  // of the fills, square metres
 };
 
 // Metres along the points, as the ground lies and as a map shows it.

@@ -24,13 +24,18 @@ constexpr const char* k_tips[] = {"click from point to point; Enter or a double 
                                   "counts who crosses it, each way: click its two ends",
                                   "counts who is in it: click its corners; Enter or a double click ends it"};
 
-void lay_out_tools(Viewer& v) {
+void lay_out_tools(const Show& show, Viewer& v, float scale) {
     for (size_t i = 0; i < std::size(k_drawn_names); ++i) {
         const auto kind = static_cast<MarkingKind>(i);
         if (i > 0) ImGui::SameLine();
         if (toggle_button(k_drawn_names[i], v.measure.tool == kind)) take_tool(kind, v);
         tip(k_tips[i]);
     }
+    go_beside("Count anew", scale);
+    ImGui::BeginDisabled(is_empty(plan_of(v.measure.counts)));
+    if (ImGui::Button("Count anew")) count_anew(show, v);
+    ImGui::EndDisabled();
+    tip("forgets what lines and zones have counted");
 }
 
 // What the next click does.
@@ -64,8 +69,11 @@ std::string told_row(const Marking& drawn, const Counts& counts) {
     if (const LineCount* line = line_called(counts, drawn.name); line && drawn.kind == MarkingKind::line) {
         const Flow all = flow_of(*line, counts.shown, 1e9),
                    lately = flow_of(*line, counts.shown, k_flow_seconds);
-        std::snprintf(text, sizeof text, "%u + %u people, now %.1f a minute", all.left, all.right,
-                      lately.per_minute);
+        if (is_settled(lately))
+            std::snprintf(text, sizeof text, "%u + %u people, %.1f a minute", all.left, all.right,
+                          lately.per_minute);
+        else
+            std::snprintf(text, sizeof text, "%u + %u people", all.left, all.right);
     }
     if (const ZoneCount* zone = zone_called(counts, drawn.name); zone && drawn.kind == MarkingKind::zone) {
         const ZoneSample now = zone_now(*zone, counts);
@@ -114,11 +122,20 @@ void go_where_held(std::optional<float> seconds, const World& world, Viewer& v) 
     if (to != going) go_to(v, world, to);
 }
 
-Plot over_time(const char* title, Stretch time, float most, const Counts& counts) {
+Plot over_time(const char* title, Stretch time, float most, const Viewer& v) {
     Plot plot{title, "minutes of the run", {time.from, 0}, {time.to, round_top(most)}};
-    plot.mark = static_cast<float>(counts.shown / 60.0);
+    plot.mark = static_cast<float>(v.measure.counts.shown / 60.0);
+    plot.changes = v.time.changes;
     plot.is_time = true;
     return plot;
+}
+
+// The last change of the city after one tick and before another.
+std::optional<uint32_t> change_since(const Timeline& time, uint32_t since, uint32_t now) {
+    std::optional<uint32_t> last;
+    for (const uint32_t tick : time.changes)
+        if (tick > since && tick < now) last = tick;
+    return last;
 }
 
 void lay_out_line(const LineCount& line, const World& world, Viewer& v, float scale) {
@@ -129,10 +146,17 @@ void lay_out_line(const LineCount& line, const World& world, Viewer& v, float sc
         auto row = [](const char* what, const Flow& flow, const char* form_left) {
             ImGui::TableNextColumn(), ImGui::TextDisabled("%s", what);
             ImGui::TableNextColumn(), ImGui::Text(form_left, flow.left, flow.right);
+            if (!is_settled(flow)) {
+                ImGui::TableNextColumn(), ImGui::TextDisabled("in %.0f s", k_settled_seconds - flow.seconds);
+                ImGui::TableNextColumn();
+                return;
+            }
             ImGui::TableNextColumn(), ImGui::Text("%.1f /min", flow.per_minute);
             ImGui::TableNextColumn(), ImGui::Text("%.3f /(m s)", flow.per_metre_second);
         };
         row("all", all, "%u + %u");
+        if (const auto change = change_since(v.time, line.since, counts.shown))
+            row("since change", flow_of(line, counts.shown, (counts.shown - *change) / 60.0), "%u + %u");
         row("last 60 s", lately, "%u + %u");
         ImGui::EndTable();
     }
@@ -157,17 +181,31 @@ void lay_out_line(const LineCount& line, const World& world, Viewer& v, float sc
             curves[side].push_back({end, value});
         }
     const PlotCurve all_curves[] = {{"to the left", k_left, curves[0]}, {"to the right", k_right, curves[1]}};
-    Plot plot = over_time("people/min", time, most, counts);
+    Plot plot = over_time("people/min", time, most, v);
     plot.curves = all_curves;
     go_where_held(lay_out_plot(plot, {fitted(k_wide, scale), 150 * scale}, scale), world, v);
     if (ImGui::Button("Fullest")) go_to_fullest(world, v);
     tip("goes to when most crossed it");
 }
 
+// Square metres.
+double walkable_in(const MeasureRoom& room, const ZoneCount& zone) {
+    for (size_t i = 0; i < room.drawn.size() && i < room.walkable.size(); ++i)
+        if (room.drawn[i].name == zone.zone.name) return room.walkable[i];
+    return zone.area;
+}
+
 void lay_out_zone(const ZoneCount& zone, const World& world, Viewer& v, float scale) {
     const Counts& counts = v.measure.counts;
     const ZoneSample now = zone_now(zone, counts);
-    ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, (counts.shown - zone.since) / 60.0);
+    const double counted = (counts.shown - zone.since) / 60.0, walkable = walkable_in(v.measure, zone);
+    if (walkable < 0.95 * zone.area) {
+        ImGui::Text("%.1f m\u00b2, %.0f m\u00b2 of it to walk on, counted for %.0f s", zone.area, walkable,
+                    counted);
+        tip("densities are people over all of it");
+    } else {
+        ImGui::Text("%.1f m\u00b2, counted for %.0f s", zone.area, counted);
+    }
     ImGui::Text("%u %s, %.3f/m\u00b2; by Voronoi cells %.3f/m\u00b2", now.people,
                 now.people == 1 ? "person" : "people", static_cast<double>(now.density),
                 static_cast<double>(now.voronoi));
@@ -194,12 +232,12 @@ void lay_out_zone(const ZoneCount& zone, const World& world, Viewer& v, float sc
         std::reverse(curve->begin(), curve->end());
     const PlotCurve densities[] = {{"count / area", k_right, density}, {"Voronoi", k_left, voronoi}};
     const PlotCurve speeds[] = {{"", k_grey, speed}};
-    Plot plot = over_time("people/m\u00b2", time, most, counts);
+    Plot plot = over_time("people/m\u00b2", time, most, v);
     plot.curves = densities;
     go_where_held(lay_out_plot(plot, {fitted(k_wide, scale), 140 * scale}, scale), world, v);
     if (ImGui::Button("Densest")) go_to_densest(world, v);
     tip("goes to when most people to a square metre were in it");
-    Plot below = over_time("mean speed, m/s", time, fastest, counts);
+    Plot below = over_time("mean speed, m/s", time, fastest, v);
     below.curves = speeds;
     go_where_held(lay_out_plot(below, {fitted(k_wide, scale), 120 * scale}, scale), world, v);
 }
@@ -233,9 +271,6 @@ void lay_out_files(Show& show, Viewer& v, float scale) {
     if (ImGui::Button("Save")) write_plan(v);
     ImGui::SameLine();
     if (ImGui::Button("Read")) read_plan(show, v);
-    if (ImGui::Button("Count anew")) count_anew(show, v);
-    tip("forgets what was counted");
-    go_beside("Copy as options of flaneur sim", scale);
     if (ImGui::Button("Copy as options of flaneur sim")) copy_options(v);
 }
 
@@ -246,7 +281,7 @@ void lay_out_measures(Show& show, Viewer& v, float scale) {
         ImGui::TextDisabled("On the asteroid there is no ground plane to measure on.");
         return;
     }
-    lay_out_tools(v);
+    lay_out_tools(show, v, scale);
     ImGui::PushTextWrapPos(fitted(k_wide, scale));
     ImGui::TextDisabled("%s", hint_of(v.measure).c_str());
     ImGui::PopTextWrapPos();

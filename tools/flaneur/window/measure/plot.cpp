@@ -116,6 +116,8 @@ void tell_values(ImDrawList& list, const Frame& frame, float x, float scale) {
             .append("at ")
             .append(run_time(static_cast<uint32_t>(std::lround(std::max(x, 0.0f) * 60))))
             .append(", a click goes there");
+    if (frame.plot.is_time && !frame.plot.changes.empty())
+        text.append("\ndashed: the city was changed");
     else
         add("%s: %.3g", *frame.plot.x_unit ? frame.plot.x_unit : "at", std::fabs(x));
     ImGui::SetTooltip("%s", text.c_str());
@@ -189,6 +191,11 @@ std::optional<float> lay_out_plot(const Plot& plot, glm::vec2 size, float scale)
     if (plot.mark >= plot.low.x && plot.mark <= plot.high.x)
         list.AddLine({frame.x(plot.mark), frame.low.y}, {frame.x(plot.mark), frame.high.y},
                      ImGui::GetColorU32(ImGuiCol_CheckMark), 1.5f * scale);
+    for (const uint32_t tick : plot.changes) {
+        const auto x = frame.x(static_cast<float>(tick) / 60);
+        for (float y = frame.low.y; y < frame.high.y; y += 6 * scale)
+            list.AddLine({x, y}, {x, y + 3 * scale}, words_colour(), scale);
+    }
     for (const PlotCurve& curve : plot.curves)
         if (curve.points.size() > 1) add_curve(list, frame, curve, 1.6f * scale);
     list.PopClipRect();

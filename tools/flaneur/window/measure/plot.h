@@ -25,8 +25,9 @@ struct Plot {
     glm::vec2 low, high;  // of both axes
     std::span<const PlotBand> bands = {};
     std::span<const PlotCurve> curves = {};
-    float mark = -1e9f;    // an abscissa that is marked by an upright line
-    bool is_time = false;  // the axis below is of seconds since the run began
+    float mark = -1e9f;                      // an abscissa that is marked by an upright line
+    std::span<const uint32_t> changes = {};  // ticks that are marked faintly, where the axis is of time
+    bool is_time = false;                    // the axis below is of seconds since the run began
 };
 
 // A round distance between grid lines: five of them at most.

@@ -107,6 +107,7 @@ void begin_run(Timeline& time, const World& world) {
     time.going.reset();
     time.scrubbed_to.reset();
     time.marks.clear();
+    time.changes.clear();
     time.seed = time.beside_seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
     time.beside_people = static_cast<int>(2 * world.crowd.slots.living.size());
     time.mark = state_mark(world);
@@ -126,6 +127,10 @@ void changed_by_hand(Timeline& time, const World& world) {
         time.watch.has_begun = false;
         watch(time.watch, world);
     }
+    constexpr uint32_t k_one = 60;  // a hand on a slider changes it again and again
+    std::vector<uint32_t>& changes = time.changes;
+    while (!changes.empty() && changes.back() + k_one > world.tick) changes.pop_back();
+    changes.push_back(world.tick);
     time.going.reset();
     time.latest = world.tick;
 }

@@ -72,7 +72,8 @@ struct Timeline {
     std::unique_ptr<Anew> anew;
     std::unique_ptr<Beside> beside;
 
-    std::vector<Mark> marks;  // by tick
+    std::vector<Mark> marks;        // by tick
+    std::vector<uint32_t> changes;  // ticks after which the world was changed by hand, in order
     EventFilter wants{true, true, true, true};
     // Typed, of the next run and of the one beside it.
     int seed = 0, beside_seed = 0, beside_people = 0;

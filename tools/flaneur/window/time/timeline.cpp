@@ -47,6 +47,7 @@ Pointed pointed_at(const Timeline& time, const Bar& bar, float x, float scale) {
         nearest = off;
         found = {tick, name()};
     };
+    for (const uint32_t tick : time.changes) look_at(tick, [] { return "changed by hand"; });
     for (const Mark& mark : time.marks) look_at(mark.tick, [&] { return mark.name; });
     for (const Event& event : time.watch.events)
         if (time.wants[static_cast<size_t>(event.kind)])
@@ -78,6 +79,16 @@ void draw_events(ImDrawList& list, const Bar& bar, const Timeline& time, float s
         if (!time.wants[kind] || x - last[kind] < 1) continue;
         last[kind] = x;
         list.AddRectFilled({x - scale, middle}, {x + scale, bar.high.y}, panel_colour(k_event_colours[kind]));
+    }
+}
+
+void draw_changes(ImDrawList& list, const Bar& bar, const Timeline& time, float scale) {
+    const float middle = 0.5f * (bar.low.y + bar.high.y), half = 4 * scale;
+    for (const uint32_t tick : time.changes) {
+        if (tick < bar.first) continue;
+        const float x = bar.x_of(tick);
+        list.AddQuadFilled({x, middle - half}, {x + half, middle}, {x, middle + half}, {x - half, middle},
+                           ImGui::GetColorU32(ImGuiCol_Text));
     }
 }
 
@@ -132,9 +143,13 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     float start = letters;
     if (first > 0) {
         ImGui::SetCursorScreenPos({from.x + letters, from.y});
-        ImGui::TextDisabled("%s", run_time(first).c_str());
-        tip("as far as the past goes back: the city was changed then, or memory is short");
-        start += letters;
+        const bool is_changed = !time.changes.empty() && time.changes.front() <= first + 1;
+        const std::string begin = (is_changed ? "changed at " : "kept from ") + run_time(first);
+        ImGui::TextDisabled("%s", begin.c_str());
+        tip(is_changed ? "as far as the past goes back: there the city was changed; Undo takes that back,\n"
+                         "and Compare puts the city as it was opened beside this one"
+                       : "as far as the past goes back: memory is short before; the room Time gives it more");
+        start += ImGui::CalcTextSize(begin.c_str()).x + 12 * scale;
     }
     const float bar_width = ImGui::GetContentRegionAvail().x - start - letters;
     ImGui::SetCursorScreenPos({from.x + start, from.y - 2 * scale});
@@ -162,6 +177,7 @@ void lay_out_timeline(Show& show, Viewer& v, Size size, float scale) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_kept(list, bar, kept, time.latest);
     draw_events(list, bar, time, scale);
+    draw_changes(list, bar, time, scale);
     draw_marks(list, bar, time, scale);
     const float x = bar.x_of(now), middle = 0.5f * (bar.low.y + bar.high.y);
     list.AddLine({x, bar.low.y - 4 * scale}, {x, bar.high.y + 4 * scale},
