@@ -9,4 +9,4 @@ layout(location = 1) in vec4 in_colour;
 
 layout(location = 0) out vec4 out_picture;
 
-void main() { out_picture = in_colour * texture(letters, in_uv); }
+void main() { out_picture = in_colour * textureLod(letters, in_uv, 0); }

@@ -113,6 +113,27 @@ TEST_F(BesideTest, WhatWasChangedStandsBesideTheCityAsOpened) {
     EXPECT_EQ(v.time.beside->world->crowd.demand.hour, v.change.scene.hour);
 }
 
+TEST_F(BesideTest, StreetsBeforeAndAfterWithAsManyPeople) {
+    put_wall();
+    Design more = current(v.change.designs);
+    more.people = 60;
+    want(v, more);
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(carry_on(show, v));
+    ASSERT_EQ(walkers(*show.loaded.world).size(), 60u);
+    set_beside_before(show, v);
+    take_beside();
+    EXPECT_EQ(walkers(*v.time.beside->world).size(), 60u) << "as many people";
+    EXPECT_NE(hash_ground(*v.time.beside->world->ground), hash_ground(*show.loaded.world->ground))
+        << "no wall";
+    v.time.beside.reset();
+    undo_last(show, v), undo_last(show, v);
+    carry();
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(carry_on(show, v));
+    set_beside_before(show, v);
+    take_beside();
+    EXPECT_EQ(v.time.beside->city_told, "as opened") << "nothing was put into the streets";
+}
+
 TEST_F(BesideTest, DensitiesAreSetAgainstEachOther) {
     set_beside(show, v, {1, 40});
     take_beside();

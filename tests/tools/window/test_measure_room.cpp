@@ -3,6 +3,7 @@
 
 #include "renderer/view.h"
 #include "tests/tools/loaded.h"
+#include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
@@ -58,6 +59,33 @@ TEST_F(MeasureRoomTest, TwoClicksMakeALineThatCounts) {
     take_tool(MarkingKind::line, v);
     click(300, 300), click(500, 300);
     EXPECT_EQ(room().drawn[1].name, "L2");
+}
+
+// From so high above that a map of a whole city is seen.
+TEST_F(MeasureRoomTest, LinesAreDrawnOnWideMapsToo) {
+    CameraChoice map{CameraChoice::Kind::map, 0, {}, {}};
+    map.across = 4000;
+    v.camera = map_camera(*show.loaded.world, map, k_size);
+    ASSERT_GT(v.camera.eye.y, 5000);
+    take_tool(MarkingKind::line, v);
+    click(395, 225), click(405, 225);
+    ASSERT_EQ(room().drawn.size(), 1u);
+    EXPECT_NEAR(length_of(room().drawn[0].points, false).flat, 10 * 4000.0 / k_size.width, 0.5);
+}
+
+TEST_F(MeasureRoomTest, AZoneEndsWhereItBegan) {
+    take_tool(MarkingKind::zone, v);
+    click(300, 200), click(500, 220), click(450, 320), click(302, 201);
+    ASSERT_EQ(room().drawn.size(), 1u) << v.note;
+    EXPECT_EQ(room().drawn[0].points.size(), 3u);
+}
+
+TEST_F(MeasureRoomTest, FlowsSayWhereToOnAMap) {
+    const CountLine line{"L1", {0, 0}, {10, 0}};  // to the east
+    EXPECT_STREQ(compass(line, 1), "S");
+    EXPECT_STREQ(compass(line, -1), "N");
+    EXPECT_STREQ(compass({"L1", {0, 0}, {-3, 3}}, 1), "NW");
+    EXPECT_STREQ(compass({"L1", {0, 0}, {0, -3}}, 1), "E");
 }
 
 TEST_F(MeasureRoomTest, ZonesTakeCornersUntilTheyAreFinished) {

@@ -106,12 +106,13 @@ static Camera close_camera(Camera camera) {
     return camera;
 }
 
-// On a map of so much that people would be specks they are dots; legends lie over them.
+// On a map of so much that people would be specks they are dots, but where density is shown, which they would
+// hide; legends lie over them.
 static void dot_people(Show& show, const View& view, const Camera& camera, FrameInput& frame) {
     constexpr float k_speck = 5, k_dot = 3.5f;  // pixels of a metre, and of a dot
     constexpr uint32_t k_person = ink(0xf7f4ee);
     const float metre = view.pixels_at_one_metre / glm::length(camera.target - camera.eye);
-    if (camera.clear_air == 0 || metre > k_speck) return;
+    if (camera.clear_air == 0 || metre > k_speck || show.work_views[WorkView::density]) return;
     std::vector<GizmoLine> dots;
     for (const WalkerId id : show.loaded.world->crowd.slots.living) {
         const WalkerDraw& walker = show.people.walkers[id.index];

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -208,6 +209,10 @@ void act_on_presses(Show& show, Viewer& v) {
 int match(std::string_view typed, std::string_view name) {
     auto low = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     int worth = 1;
+    // What is typed may stand there as it is, best of all where a word begins.
+    const auto same = std::search(name.begin(), name.end(), typed.begin(), typed.end(),
+                                  [&](char a, char b) { return low(a) == low(b); });
+    if (same != name.end()) worth += same == name.begin() || *(same - 1) == ' ' ? 40 : 20;
     size_t at = 0;
     bool is_next = false;
     for (const char c : typed) {

@@ -10,7 +10,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_nowhere = 30, k_reach = 3000;   // metres: where nothing is met; how far is looked
+constexpr float k_nowhere = 30;                   // metres: where nothing is met
 constexpr float k_notch = 0.85f;                  // of the distance is left after one
 constexpr float k_nearest = 0.6f;                 // metres before what is zoomed to
 constexpr float k_turn = 0.005f;                  // radians a pixel
@@ -28,7 +28,7 @@ glm::vec3 place_along(const World& world, const Camera& camera, glm::vec3 way) {
     float distance = k_nowhere;
     if (world.ground && !world.roam)
         if (const auto hit = raycast(*world.ground, {camera.eye.x, camera.eye.y, camera.eye.z},
-                                     {way.x, way.y, way.z}, k_reach))
+                                     {way.x, way.y, way.z}, k_far_sight))
             distance = hit->distance;
     return camera.eye + way * distance;
 }

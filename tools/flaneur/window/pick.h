@@ -10,6 +10,8 @@
 
 namespace flaneur {
 
+inline constexpr float k_far_sight = 200'000;  // metres that are looked: from above the largest map, too
+
 // The way from the eye through a point of a picture of this size, pixels from the upper left corner; a unit
 // vector.
 glm::vec3 ray_through(const Camera& camera, Size size, glm::vec2 pixel);

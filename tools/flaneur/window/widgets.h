@@ -53,7 +53,7 @@ inline void begin_tip_beside(float width) {
         ImGui::SetNextWindowPos({is_right ? right + gap : on_left, y}, ImGuiCond_Always,
                                 {is_right ? 0.0f : 1.0f, 0});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(is_beside ? std::min(width, own) : width);
+    ImGui::PushTextWrapPos(style.WindowPadding.x + (is_beside ? std::min(width, own) : width));
 }
 // The same of a few words, as wide as they are.
 inline void tip(const char* what) {

@@ -197,6 +197,24 @@ Ground between_walls(Surface floor, float apart) {
     return ground;
 }
 
+// Those who stay are spread as all were.
+TEST(ChangedCity, PeopleLeaveFromAllOverTheCity) {
+    const auto world = people(400, 1);
+    const auto home = find_neighbourhood(*world->ground, *world->navmesh, 100);
+    const Vec3 at = world->crowd.motion.position[0];
+    const Camera camera{.eye = {at.x, at.y + 40, at.z}, .target = {at.x + 1, at.y, at.z}};
+    auto near = [&] {
+        size_t count = 0;
+        for (const WalkerId id : walkers(*world))
+            count += length(world->crowd.motion.position[id.index] - at) < 120;
+        return static_cast<double>(count) / static_cast<double>(walkers(*world).size());
+    };
+    const double before = near();
+    ASSERT_TRUE(approach(*world, 100, 1000, home, camera, {}));
+    EXPECT_EQ(walkers(*world).size(), 100u);
+    EXPECT_NEAR(near(), before, 0.15) << before;
+}
+
 TEST(ChangedCity, AClickClosesAStreetButNoSquare) {
     for (const Surface floor : {Surface::road, Surface::plaza})
         for (const float apart : {12.0f, 40.0f}) {

@@ -7,6 +7,7 @@
 
 #include "sim/base/math.h"
 #include "tools/extract/convert.h"
+#include "tools/flaneur/window/pick.h"
 
 namespace flaneur {
 namespace {
@@ -136,10 +137,11 @@ ThingFacts facts_of_building(const CityIndex& index, const Thing& thing) {
     if (const char* finish = k_finishes[static_cast<size_t>(building.finish)]; *finish)
         facts.lines.emplace_back(finish);
     const float eaves = building.top - building.base, ridge = house.high.y - building.base;
-    if (const std::optional<int> storeys = storeys_of(building))
+    const bool has_eaves = eaves > 1;  // a flight of steps and what it leads to have none
+    if (const std::optional<int> storeys = has_eaves ? storeys_of(building) : std::nullopt)
         facts.lines.push_back(
             text_of("%d storey%s of %.1f m", *storeys, *storeys == 1 ? "" : "s", wide(building.storey)));
-    facts.lines.push_back(text_of("%.1f m to the eaves", wide(eaves)));
+    if (has_eaves) facts.lines.push_back(text_of("%.1f m to the eaves", wide(eaves)));
     if (ridge > eaves + 0.3f) facts.lines.push_back(text_of("%.1f m to the top", wide(ridge)));
     if (const std::optional<double> area = footprint_of(index, thing.index))
         facts.lines.push_back(text_of("%.0f m\u00b2 of ground", *area));
@@ -194,17 +196,16 @@ CityIndex index_things(std::shared_ptr<const City> city) {
 }
 
 std::optional<Thing> thing_along(const CityIndex& index, Vec3 eye, Vec3 way, bool meets_props) {
-    constexpr float reach = 3000;
     const City& city = *index.city;
     Thing first;
-    first.distance = reach;
+    first.distance = k_far_sight;
     bool is_met = false;
     auto take = [&](ThingKind kind, uint32_t at, float distance, Vec3 normal) {
         if (distance >= first.distance) return;
         is_met = true;
         first = {kind, at, distance, eye + way * distance, dot(normal, way) > 0 ? -normal : normal};
     };
-    if (const auto hit = raycast(city.ground, eye, way, reach)) {
+    if (const auto hit = raycast(city.ground, eye, way, k_far_sight)) {
         if (hit->what == RayHit::What::ground)
             take(ThingKind::ground, hit->index, hit->distance, hit->normal);
         if (hit->what == RayHit::What::solid) take(ThingKind::model, hit->index, hit->distance, hit->normal);

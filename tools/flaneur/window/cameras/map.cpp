@@ -134,7 +134,7 @@ void lay_out_map(Viewer& v, Size size, float scale) {
     const PanelPlan& plan = v.layout.plan;
     const float width = static_cast<float>(size.width);
     const float most = 150 * scale, north = 17 * scale, gap = 10 * scale;
-    const ScaleBar bar = scale_bar(v.choice.across / width, most);
+    const ScaleBar bar = scale_bar(v.choice.across / static_cast<float>(size_of_one(v, size).width), most);
     ImGui::SetNextWindowPos({width - plan.edge, plan.row_foot}, ImGuiCond_Always, {1, 1});
     if (ImGui::Begin("map", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) {
         ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -21,11 +21,7 @@ constexpr uint32_t k_portion = 100;  // people who come or go at one time
 
 // Where the sun stands at an hour; at that of the scene that was opened, where it has it.
 void set_daylight(Show& show, const Design& design, const Scene& opened) {
-    Scene scene;
-    scene.hour = design.hour;
-    if (design.hour == opened.hour)
-        scene.sun_height = opened.sun_height, scene.sun_heading = opened.sun_heading;
-    show.sun = scene_sun(scene, show.loaded.city->latitude);
+    show.sun = scene_sun(scene_with(opened, design), show.loaded.city->latitude);
     show.lit_windows = lit_windows(design.hour);
 }
 

@@ -37,6 +37,7 @@ struct Change {
     uint32_t home_people = 0;
     uint64_t next_gesture = 1, gesture = 0;  // of sliders
     int typed_people = 0;
+    char typed_hour[16] = {};
     char path[256] = "out/scene.json";
     bool is_naming = false, starts_naming = false;
 };

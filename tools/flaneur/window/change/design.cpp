@@ -38,6 +38,17 @@ void give_up(Designs& d) {
     --d.at;
 }
 
+Scene scene_with(Scene s, const Design& d) {
+    s.added = d.added;
+    s.people = d.who;
+    s.mix = d.mix;
+    if (s.hour != d.hour) s.sun_height = s.sun_heading = std::nullopt;
+    s.hour = d.hour;
+    s.is_overcast = d.is_overcast;
+    s.walkers = static_cast<int>(d.people);
+    return s;
+}
+
 std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b) {
     std::vector<Rectangle> areas;
     auto add_those_only_of = [&](const std::vector<Addition>& some, std::vector<Addition> others) {

@@ -36,6 +36,10 @@ bool redo(Designs& designs);
 // Takes back the last change as if it had not been: it turned out to be impossible.
 void give_up(Designs& designs);
 
+// The scene that was opened, with a design in place of its own. The sun stands where the hour has it, unless
+// that is the scene's.
+Scene scene_with(Scene opened, const Design& design);
+
 // What differs between the two, as areas of the ground plane.
 std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b);
 

@@ -17,15 +17,15 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_reach = 3000, k_beside = 0.35f;  // metres: how far is looked; next to something
-constexpr float k_above = 0.05f;                   // metres, of lines over the ground
+constexpr float k_beside = 0.35f;  // metres: next to something
+constexpr float k_above = 0.05f;   // metres, of lines over the ground
 constexpr const char* k_square = "square";
 constexpr uint32_t k_new = ink(0x9dd977), k_chosen = ink(0x58c4d2), k_there = ink(0xffffff, 0.5f);
 
 // The ground under a way from the eye, or at the foot of the wall that it meets.
 std::optional<Vec3> ground_along(const World& world, const Camera& camera, glm::vec3 way) {
     const Vec3 eye{camera.eye.x, camera.eye.y, camera.eye.z}, ahead{way.x, way.y, way.z};
-    const auto hit = raycast(*world.ground, eye, ahead, k_reach);
+    const auto hit = raycast(*world.ground, eye, ahead, k_far_sight);
     if (!hit) return std::nullopt;
     Vec3 place = eye + ahead * hit->distance;
     if (hit->what == RayHit::What::ground) return place;

@@ -40,25 +40,27 @@ bool add_one(World& w, const Neighbourhood& home, const Camera& camera) {
     return false;
 }
 
-// Those out of sight first, then those farthest away.
+// By chance all over the city, so that those who stay are spread as all were; but nobody close by vanishes
+// while others are left.
 void remove_some(World& w, uint32_t count, const Camera& camera, std::optional<uint32_t> kept) {
+    constexpr float k_close = 30;  // metres
     struct Candidate {
-        float worth;
+        float order;
         WalkerId id;
     };
     std::vector<Candidate> all;
     const Vec3 eye = from_glm(camera.eye);
     for (const WalkerId id : walkers(w)) {
         const Vec3 at = w.crowd.motion.position[id.index];
-        float worth = length(at - eye);
-        if (!may_see(*w.ground, camera, at)) worth += 1e6f;
-        if (kept == id.index) worth = -1;
-        all.push_back({worth, id});
+        float order = random_unit({w.seed ^ w.tick, id.index, 0, Purpose::spawn}, 4);
+        if (length(at - eye) < k_close && may_see(*w.ground, camera, at)) order += 1;
+        if (kept == id.index) order = 2;
+        all.push_back({order, id});
     }
     count = std::min(count, static_cast<uint32_t>(all.size()));
     std::partial_sort(all.begin(), all.begin() + count, all.end(),
                       [](const Candidate& a, const Candidate& b) {
-                          return a.worth != b.worth ? a.worth > b.worth : a.id.index < b.id.index;
+                          return a.order != b.order ? a.order < b.order : a.id.index < b.id.index;
                       });
     for (uint32_t i = 0; i < count; ++i) remove_walker(w, all[i].id);
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "tools/flaneur/view/show.h"
@@ -46,18 +47,46 @@ void set_people(Viewer& v, int people, uint64_t gesture) {
     want(v, std::move(next), gesture);
 }
 
+// "17:30", "1730", "17" and "7.30"; none of what is no time of day.
+std::optional<int> minute_of(const char* text) {
+    int hour = 0, minute = 0, end = 0;
+    const bool is_apart = std::sscanf(text, " %2d%*1[:.h]%2d %n", &hour, &minute, &end) == 2 && !text[end];
+    if (!is_apart) {
+        minute = 0;
+        const bool is_whole = std::sscanf(text, " %4d %n", &hour, &end) == 1 && !text[end];
+        if (!is_whole) return {};
+        if (hour > 24) minute = hour % 100, hour /= 100;
+    }
+    if (hour < 0 || hour > 24 || minute < 0 || minute > 59) return {};
+    return (hour * 60 + minute) % (24 * 60);
+}
+
 void lay_out_day(Show& show, Viewer& v, float scale) {
     Change& c = v.change;
-    auto minute = static_cast<int>(std::floor(hour_now(*show.loaded.world) * 60)) % (24 * 60);
+    constexpr int k_step = 10, k_last = 24 * 60 / k_step - 1;  // minutes that the slider goes by
+    const auto minute = static_cast<int>(std::floor(hour_now(*show.loaded.world) * 60)) % (24 * 60);
     char text[16];
     std::snprintf(text, sizeof text, "%02d:%02d", minute / 60, minute % 60);
     ImGui::TextUnformatted("Time of day");
-    ImGui::SetNextItemWidth(260 * scale);
-    const bool is_set =
-        ImGui::SliderInt("##hour", &minute, 0, 24 * 60 - 1, text, ImGuiSliderFlags_AlwaysClamp);
+    int step = minute / k_step;
+    ImGui::SetNextItemWidth(170 * scale);
+    const bool is_set = ImGui::SliderInt("##hour", &step, 0, k_last, text,
+                                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     const uint64_t gesture = gesture_of_item(c);
     tip("moves the sun, lights lamps and windows, and sends people elsewhere");
-    if (is_set) set_hour_wanted(v, static_cast<float>(minute) / 60, gesture);
+    if (is_set) set_hour_wanted(v, static_cast<float>(step * k_step) / 60, gesture);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(82 * scale);
+    ImGui::InputText("##typed hour", c.typed_hour, sizeof c.typed_hour, ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        if (const std::optional<int> typed = minute_of(c.typed_hour))
+            set_hour_wanted(v, static_cast<float>(*typed) / 60, 0);
+        else
+            tell(v, "A time of day is written as 17:30.");
+    } else if (!ImGui::IsItemActive()) {
+        std::snprintf(c.typed_hour, sizeof c.typed_hour, "%s", text);
+    }
+    tip("typed, and Enter");
     const bool is_overcast = current(c.designs).is_overcast;
     if (ImGui::RadioButton("clear", !is_overcast)) set_weather(v, false);
     ImGui::SameLine();
@@ -95,7 +124,8 @@ constexpr ToolButton k_tools[] = {
     {AddedKind::barrier, "Close a street",
      "Click a street, a path or a yard to close it from wall to wall; or drag from one end of the barrier to "
      "the other."},
-    {AddedKind::wall, "Wall", "Click one end of the wall and then the other, or drag."},
+    {AddedKind::wall, "Wall",
+     "Click one end of the wall and then the other, or drag. People find a way through gaps of 2 m."},
     {AddedKind::planter, "Planter", "Click the ground to put one down."},
     {AddedKind::car, "Car", "Click the ground to put one down."},
     {AddedKind::tree, "Tree", "Click the ground to plant one."},
@@ -188,8 +218,10 @@ void lay_out_history(Show& show, Viewer& v, float scale) {
     if (ImGui::Button("Save...")) begin_naming(v);
     tip("as the file of a scene (Ctrl+S)");
     go_beside("Compare", scale);
-    if (ImGui::Button("Compare")) set_beside_as_opened(show, v);
-    tip("before and after: the city as it was opened, side by side with this one (Ctrl+B)");
+    if (ImGui::Button("Compare")) set_beside_before(show, v);
+    tip("before and after: as many people in the streets as they were opened, from the start, beside this "
+        "run "
+        "(Ctrl+B)");
     lay_out_name(show, v, scale);
     ImGui::Separator();
 }

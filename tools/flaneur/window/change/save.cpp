@@ -46,15 +46,9 @@ CameraChoice camera_of(const Viewer& v) {
 }  // namespace
 
 Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder) {
-    Scene s = v.change.scene;
     const Design& d = current(v.change.designs);
-    s.added = d.added;
-    s.people = d.who;
-    s.mix = d.mix;
-    if (s.hour != d.hour) s.sun_height = s.sun_heading = std::nullopt;
-    s.hour = d.hour;
-    s.is_overcast = d.is_overcast;
-    s.walkers = static_cast<int>(d.people);
+    Scene s = scene_with(v.change.scene, d);
+    if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.views = show.work_views;
     s.quality = v.quality;
     s.camera = camera_of(v);
@@ -73,6 +67,8 @@ Result<std::string> save_scene(const Show& show, const Viewer& v, const std::str
     const Scene scene = changed_scene(show, v, fs::path(path).parent_path().string());
     if (Result<void> done = write_file(path, scene_text(scene)); !done) return done.error();
     std::string told = "Wrote " + path + "; flaneur view --scene " + path + " opens it.";
+    if (show.loaded.world->seed != scene.seed)
+        told += " Its people will be those of seed " + std::to_string(scene.seed) + ", which the city is of.";
     constexpr int k_a_block = 750;  // people for whom the built-in district is not made larger
     if (scene.city.empty() && !scene.asteroid && scene.walkers > scene.blocks * scene.blocks * k_a_block)
         told += " So many people will have a larger district then.";

@@ -136,8 +136,11 @@ void read_plan(const Show& show, Viewer& v) {
     }
     room.tool.reset(), room.draft.clear(), room.selected.reset();
     count_drawn(show, v);
-    tell(v, printable("Read " + std::to_string(plan->lines.size()) + " lines and " +
-                      std::to_string(plan->zones.size()) + " zones from " + room.json + "."));
+    auto many = [](size_t count, const char* what) {
+        return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    };
+    tell(v, printable("Read " + many(plan->lines.size(), "line") + " and " +
+                      many(plan->zones.size(), "zone") + " from " + room.json + "."));
 }
 
 }  // namespace flaneur

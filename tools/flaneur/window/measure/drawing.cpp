@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <utility>
 
 #include "renderer/view.h"
@@ -103,7 +104,7 @@ void go_to_last(std::vector<std::vector<Marking>>& from, std::vector<std::vector
     change_to(std::move(drawn), show, v);
 }
 
-void add_point(const Show& show, glm::vec3 place, glm::vec2 pixel, Viewer& v) {
+void add_point(const Show& show, const Projection& seen, glm::vec3 place, glm::vec2 pixel, Viewer& v) {
     MeasureRoom& room = v.measure;
     const double now = glfwGetTime();
     const bool is_again =
@@ -111,6 +112,10 @@ void add_point(const Show& show, glm::vec3 place, glm::vec2 pixel, Viewer& v) {
     room.clicked_at = now, room.clicked = pixel;
     if (is_again && room.draft.size() >= least_points(*room.tool)) return finish_draft(show, v);
     if (is_again && !room.draft.empty()) return;
+    if (is_closed(*room.tool) && room.draft.size() >= least_points(*room.tool))
+        if (const auto first = seen.pixel(room.draft[0]);
+            first && glm::length(*first - pixel) < k_grip_pixels)
+            return finish_draft(show, v);
     room.draft.push_back(place);
     if (*room.tool == MarkingKind::line && room.draft.size() == 2) finish_draft(show, v);
 }
@@ -162,6 +167,14 @@ MeasurePlan plan_of(const std::vector<Marking>& drawn) {
         if (one.kind == MarkingKind::zone) plan.zones.push_back({one.name, flat});
     }
     return plan;
+}
+
+const char* compass(const CountLine& line, int side) {
+    constexpr const char* k_ways[] = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+    // To the right of who looks to the east is the south, which is +z.
+    const Vec2 way = line.b - line.a, to = Vec2{-way.z, way.x} * static_cast<float>(side);
+    const float turn = std::atan2(to.x, -to.z) / glm::quarter_pi<float>();
+    return k_ways[(std::lround(turn) + 8) % 8];
 }
 
 void count_drawn(const Show& show, Viewer& v) {
@@ -255,7 +268,7 @@ bool draw_with_mouse(const Show& show, const Mouse& before, const Mouse& now, Si
         return true;
     }
     if (room.tool) {
-        if (now.has_clicked) add_point(show, *room.under, pixel, v);
+        if (now.has_clicked) add_point(show, Projection(v.camera, size), *room.under, pixel, v);
         return now.has_clicked;
     }
     const Projection seen(v.camera, size);

@@ -233,10 +233,11 @@ void draw_kept(const MeasureRoom& room, const Counts& counts, bool is_open, Over
         draw.stroke(room.outlines[i], colour, is_selected ? 3.5f : 2.5f);
         if (drawn.kind == MarkingKind::line) {
             const glm::vec3 middle = middle_of(room.outlines[i]), aside = right_of(drawn) * reach_of(drawn);
-            Pen pen{.pixels = 2};
-            pen.colour = ink(rgb);
-            for (const float side : {1.0f, -1.0f})
-                add_arrow(draw.lines, pen, middle, middle + side * aside, {0, 1, 0});
+            for (const bool is_right : {true, false}) {
+                Pen pen{.pixels = 2};
+                pen.colour = ink(is_right ? k_right_rgb : k_left_rgb);
+                add_arrow(draw.lines, pen, middle, is_right ? middle + aside : middle - aside, {0, 1, 0});
+            }
         }
         if (!is_selected && drawn.kind != MarkingKind::distance) continue;
         for (size_t k = 0; k < drawn.points.size(); ++k) {

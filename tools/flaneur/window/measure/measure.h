@@ -22,6 +22,11 @@ struct Marking {
 };
 inline bool is_closed(MarkingKind kind) { return kind == MarkingKind::area || kind == MarkingKind::zone; }
 
+// 0xrrggbb, of those who cross a line to its right and to its left.
+inline constexpr uint32_t k_right_rgb = 0xf2c14e, k_left_rgb = 0x7cc6d6;
+// Where to they go on a map: "N", "NE", "E", ..; `side` is 1 for the right and -1 for the left.
+const char* compass(const CountLine& line, int side);
+
 struct MeasureRoom {
     std::optional<MarkingKind> tool;  // is being drawn with; else what is there is chosen and dragged
     std::vector<glm::vec3> draft;     // what is not finished

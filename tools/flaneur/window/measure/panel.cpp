@@ -16,9 +16,11 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_wide = 380;  // of the room, at scale 1
-constexpr uint32_t k_right = IM_COL32(242, 193, 78, 255), k_left = IM_COL32(124, 198, 214, 255),
-                   k_grey = IM_COL32(200, 196, 188, 255);
+constexpr float k_wide = 380;       // of the room, at scale 1
+constexpr double k_a_moment = 0.1;  // seconds: a run counts from its first tick on
+constexpr uint32_t k_grey = IM_COL32(200, 196, 188, 255);
+constexpr uint32_t imgui(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
+constexpr uint32_t k_line_right = imgui(k_right_rgb), k_line_left = imgui(k_left_rgb);
 constexpr const char* k_tips[] = {"click from point to point; Enter or a double click ends it",
                                   "click its corners; Enter or a double click ends it",
                                   "counts who crosses it, each way: click its two ends",
@@ -147,7 +149,7 @@ void lay_out_line(const LineCount& line, const World& world, Viewer& v, float sc
             ImGui::TableNextColumn(), ImGui::TextDisabled("%s", what);
             ImGui::TableNextColumn(), ImGui::Text(form_left, flow.left, flow.right);
             if (!is_settled(flow)) {
-                ImGui::TableNextColumn(), ImGui::TextDisabled("in %.0f s", k_settled_seconds - flow.seconds);
+                ImGui::TableNextColumn(), ImGui::TextDisabled("after %.0f s", k_settled_seconds);
                 ImGui::TableNextColumn();
                 return;
             }
@@ -174,13 +176,16 @@ void lay_out_line(const LineCount& line, const World& world, Viewer& v, float sc
         for (size_t i = 0; i < steps; ++i) {
             const double begin = first + static_cast<double>(i) * k_step_seconds,
                          end = begin + k_step_seconds;
-            if (end > counts.tick / 60.0 || begin < line.since / 60.0) continue;
+            if (end > counts.tick / 60.0 || begin + k_a_moment < line.since / 60.0) continue;
             const float value = sums[side][i] * static_cast<float>(60 / k_step_seconds);
             most = std::max(most, value);
             curves[side].push_back({begin, value});
             curves[side].push_back({end, value});
         }
-    const PlotCurve all_curves[] = {{"to the left", k_left, curves[0]}, {"to the right", k_right, curves[1]}};
+    const std::string left = std::string("left, ") + compass(line.line, -1),
+                      right = std::string("right, ") + compass(line.line, 1);
+    const PlotCurve all_curves[] = {{left.c_str(), k_line_left, curves[0]},
+                                    {right.c_str(), k_line_right, curves[1]}};
     Plot plot = over_time("people/min", time, most, v);
     plot.curves = all_curves;
     go_where_held(lay_out_plot(plot, {fitted(k_wide, scale), 150 * scale}, scale), world, v);
@@ -230,7 +235,8 @@ void lay_out_zone(const ZoneCount& zone, const World& world, Viewer& v, float sc
     }
     for (std::vector<glm::vec2>* curve : {&density, &voronoi, &speed})
         std::reverse(curve->begin(), curve->end());
-    const PlotCurve densities[] = {{"count / area", k_right, density}, {"Voronoi", k_left, voronoi}};
+    const PlotCurve densities[] = {{"count / area", k_line_right, density},
+                                   {"Voronoi", k_line_left, voronoi}};
     const PlotCurve speeds[] = {{"", k_grey, speed}};
     Plot plot = over_time("people/m\u00b2", time, most, v);
     plot.curves = densities;

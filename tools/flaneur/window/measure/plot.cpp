@@ -79,8 +79,12 @@ void add_curve(ImDrawList& list, const Frame& frame, const PlotCurve& curve, flo
     std::vector<ImVec2> points;
     for (size_t i = 0; i < curve.points.size(); ++i) {
         const glm::vec2 p = curve.points[i];
-        if (curve.is_stepped && i > 0) points.push_back(frame.at({p.x, curve.points[i - 1].y}));
-        points.push_back(frame.at(p));
+        // A place that is there twice would make the line bulge.
+        auto add = [&](ImVec2 at) {
+            if (points.empty() || points.back().x != at.x || points.back().y != at.y) points.push_back(at);
+        };
+        if (curve.is_stepped && i > 0) add(frame.at({p.x, curve.points[i - 1].y}));
+        add(frame.at(p));
     }
     list.AddPolyline(points.data(), static_cast<int>(points.size()), curve.colour, ImDrawFlags_None, width);
 }
@@ -111,15 +115,14 @@ void tell_values(ImDrawList& list, const Frame& frame, float x, float scale) {
         add("%s: %.3g", *curve.name ? curve.name : frame.plot.title, *value);
     }
     if (text.empty() && !frame.plot.is_time) return;
-    if (frame.plot.is_time)
-        text.append(text.empty() ? "" : "\n")
-            .append("at ")
-            .append(run_time(static_cast<uint32_t>(std::lround(std::max(x, 0.0f) * 60))))
-            .append(", a click goes there");
-    if (frame.plot.is_time && !frame.plot.changes.empty())
-        text.append("\ndashed: the city was changed");
-    else
+    if (!frame.plot.is_time)
         add("%s: %.3g", *frame.plot.x_unit ? frame.plot.x_unit : "at", std::fabs(x));
+    else {
+        const uint32_t tick = static_cast<uint32_t>(std::lround(std::max(x, 0.0f) * 60));
+        text.append(text.empty() ? "" : "\n").append("at ").append(run_time(tick));
+        if (x <= last_of(frame.plot)) text.append(", a click goes there");
+        if (!frame.plot.changes.empty()) text.append("\ndashed: the city was changed");
+    }
     ImGui::SetTooltip("%s", text.c_str());
 }
 

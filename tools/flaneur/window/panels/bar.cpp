@@ -28,12 +28,16 @@ float rows_of(std::span<const RoomPanel> rooms, float begun, float scale) {
         if (x + gap + button_width(name) > most) ++count, x = -gap;
         x += gap + button_width(name);
     };
+    add("Open");
     for (const RoomPanel& room : rooms) add(room.name);
     add("Find"), add("Keys");
     return count;
 }
 
 void lay_out_rooms(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
+    go_beside("Open", scale);
+    if (toggle_button("Open", v.opening.start.is_open)) v.opening.start.is_open = !v.opening.start.is_open;
+    tip_below("cities, scenes and characters: built-in ones, files, and those of late (Ctrl+N, Ctrl+O)");
     for (const RoomPanel& room : rooms) {
         go_beside(room.name, scale);
         if (toggle_button(room.name, v.room == room.room)) open_room(v, room.room);
@@ -61,6 +65,7 @@ void lay_out_menu(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
         is_done |= is_pressed;
         return is_pressed;
     };
+    if (add("Open", v.opening.start.is_open)) v.opening.start.is_open = true;
     for (const RoomPanel& room : rooms)
         if (add(room.name, v.room == room.room)) open_room(v, room.room);
     if (add("Find", false)) v.palette = {.is_open = true};
@@ -73,6 +78,9 @@ void lay_out_menu(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
 // Which of the panels is shown, where there is room for one.
 void lay_out_tabs(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
     constexpr const char* k_names[k_sides] = {"", "Figures", "Card", "Colours"};
+    constexpr const char* k_tips[k_sides] = {"the room that is open", "how both halves differ",
+                                             "who or what was asked about",
+                                             "what the colours of layers mean"};
     PanelWish& wish = v.layout.wish;
     bool is_first = true;
     for (size_t i = 0; i < k_sides; ++i) {
@@ -85,12 +93,13 @@ void lay_out_tabs(Viewer& v, std::span<const RoomPanel> rooms, float scale) {
         ImGui::PushID(static_cast<int>(i));
         if (toggle_button(name, wish.chosen == static_cast<SidePanel>(i)))
             wish.chosen = static_cast<SidePanel>(i);
+        tip_below(k_tips[i]);
         ImGui::PopID();
     }
     if (v.room == Room::none) return;
-    go_beside("Close", scale);
-    if (ImGui::Button("Close")) v.room = Room::none;
-    tip_below("the room (Esc)");
+    go_beside("Close room", scale);
+    if (ImGui::Button("Close room")) v.room = Room::none;
+    tip_below("Esc");
 }
 
 }  // namespace

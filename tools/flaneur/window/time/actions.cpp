@@ -76,8 +76,9 @@ constexpr std::array k_actions = {
                set_beside(show, v, {show.loaded.world->seed, 2 * people_of(show)});
            }},
     Action{"Compare side by side with this moment, kept", "", 0, 0, set_beside_this_moment},
-    Action{"Compare the city before and after: as it was opened, beside this one", "Ctrl+B", GLFW_KEY_B,
-           GLFW_MOD_CONTROL, set_beside_as_opened},
+    Action{"Compare before and after: with the streets as opened", "Ctrl+B", GLFW_KEY_B, GLFW_MOD_CONTROL,
+           set_beside_before},
+    Action{"Compare side by side with all of the city as opened", "", 0, 0, set_beside_as_opened},
     Action{"End comparing", "", 0, 0, [](Show&, Viewer& v) { v.time.beside.reset(); }},
 };
 

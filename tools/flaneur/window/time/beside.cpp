@@ -29,6 +29,7 @@ namespace {
 constexpr size_t k_beside_bytes = k_history_bytes / 4;
 constexpr double k_piece_seconds = 0.1;  // of catching up, between two pictures
 constexpr float k_walks = 0.2f;          // m/s, from which one is on one's feet
+constexpr uint32_t k_behind = 60;        // ticks that the other run is behind and catches up with
 constexpr int k_divider = 2;             // pixels between both pictures
 
 // Of a show the other run takes the place, and gives it back.
@@ -68,8 +69,8 @@ Result<Image> draw_other_run(Show& show, Viewer& v, Size one, uint32_t width, ui
     show.work_views = views;
     mark_measures_beside(v, beside.counts, show.overlay, frame);
     if (beside.shows_difference) {
-        add_density_difference({*show.loaded.world, show.loaded.characters, v.camera}, *beside.world,
-                               show.overlay);
+        const World &left = *beside.world, &right = *show.loaded.world;
+        add_density_difference({left, show.loaded.characters, v.camera}, right, show.overlay);
         frame.fills = show.overlay.fills;
     }
     Result<Image> image = draw_image(*show.renderer, frame, width, height);
@@ -95,12 +96,9 @@ void set_beside(Show& show, Viewer& v, const BesideChoice& choice) {
     v.time.anew->beside = choice;
 }
 
-void set_beside_as_opened(Show& show, Viewer& v) {
-    if (v.time.anew) return tell(v, k_is_making);
+// The city of a scene, which has the same bare one, from the start.
+static void set_beside_scene(Show& show, Viewer& v, const Scene& scene, const char* told) {
     const Change& c = v.change;
-    const Scene& scene = c.scene;
-    if (is_as_opened(c) && c.carried.is_overcast == scene.is_overcast)
-        return tell(v, "Nothing has been changed yet, in the room Change: both would be the same.");
     const World& world = *show.loaded.world;
     PeopleOrder people = order_people(show.loaded, world.seed, static_cast<uint32_t>(scene.walkers));
     people.options.hour = scene.hour;
@@ -112,7 +110,24 @@ void set_beside_as_opened(Show& show, Viewer& v) {
         city->with_lamps = is_night;
     }
     make_anew(v, std::move(people), std::move(city));
-    v.time.anew->beside = BesideChoice{world.seed, static_cast<uint32_t>(scene.walkers), {}, true};
+    v.time.anew->beside = BesideChoice{world.seed, static_cast<uint32_t>(scene.walkers), {}, scene, told};
+}
+
+void set_beside_as_opened(Show& show, Viewer& v) {
+    if (v.time.anew) return tell(v, k_is_making);
+    const Change& c = v.change;
+    if (is_as_opened(c) && c.carried.is_overcast == c.scene.is_overcast)
+        return tell(v, "Nothing has been changed yet, in the room Change: both would be the same.");
+    set_beside_scene(show, v, c.scene, "as opened");
+}
+
+void set_beside_before(Show& show, Viewer& v) {
+    const Change& c = v.change;
+    if (c.carried.added == c.scene.added) return set_beside_as_opened(show, v);
+    if (v.time.anew) return tell(v, k_is_making);
+    Scene scene = scene_with(c.scene, c.carried);
+    scene.added = c.scene.added;
+    set_beside_scene(show, v, scene, "streets as opened");
 }
 
 // The city that was made for it, on the device.
@@ -130,12 +145,11 @@ void put_beside(Show& show, Viewer& v, std::unique_ptr<World> world, Anew& anew)
     const BesideChoice choice = anew.beside.value_or(BesideChoice{});
     auto beside = std::make_unique<Beside>();
     beside->sun = show.sun, beside->is_overcast = show.is_overcast, beside->lit_windows = show.lit_windows;
-    if (choice.is_as_opened) {
-        const Scene& scene = v.change.scene;
-        beside->is_as_opened = true;
-        beside->sun = scene_sun(scene, show.loaded.city->latitude);
-        beside->is_overcast = scene.is_overcast;
-        beside->lit_windows = lit_windows(scene.hour);
+    if (choice.scene) {
+        beside->city_told = choice.city_told;
+        beside->sun = scene_sun(*choice.scene, show.loaded.city->latitude);
+        beside->is_overcast = choice.scene->is_overcast;
+        beside->lit_windows = lit_windows(choice.scene->hour);
     }
     if (anew.made)
         if (Result<void> done = take_city(show, *anew.made, *beside); !done)
@@ -227,11 +241,10 @@ Result<Image> draw_side_by_side(Show& show, Viewer& v, const FrameInput& frame, 
 
 static void lay_out_difference(Beside& beside) {
     ImGui::Checkbox("where they differ", &beside.shows_difference);
-    tip("people to a square metre, in the right picture: where there are more than on the left, and where "
-        "fewer");
+    tip("over the right picture: where there are more people on the left, and where fewer");
     if (!beside.shows_difference) return;
     for (const auto& [text, colour] :
-         {std::pair{"more", k_more_people}, std::pair{"fewer", k_fewer_people}}) {
+         {std::pair{"more on the left", k_more_people}, std::pair{"fewer", k_fewer_people}}) {
         ImGui::SameLine();
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(panel_colour(colour)), "%s", text);
     }
@@ -257,12 +270,13 @@ void lay_out_beside(const Show& show, Viewer& v) {
                 return std::string(text);
             };
             row(what, written(format, left), written(format, right),
-                written((std::string("%+") + (format + 1)).c_str(), right - left));
+                written((std::string("%+") + (format + 1)).c_str(), left - right));
         };
-        row("", "left", "right", "right - left");
-        if (beside.is_as_opened) row("city", "as changed", "as opened", "");
+        row("", "left", "right", "left - right");
+        if (!beside.city_told.empty()) row("city", "as changed", beside.city_told, "");
         row("seed", std::to_string(here.seed), std::to_string(beside.world->seed), "");
-        row("time", run_time(here.tick), run_time(beside.world->tick), "");
+        const bool is_behind = !beside.moment && beside.world->tick + k_behind < here.tick;
+        row("time", run_time(here.tick), run_time(beside.world->tick), is_behind ? "catching up" : "");
         figure("people", "%.0f", static_cast<float>(a.people), static_cast<float>(b.people));
         figure("who walk", "%.0f", static_cast<float>(a.walking), static_cast<float>(b.walking));
         figure("at, m/s", "%.2f", a.speed, b.speed);
@@ -272,7 +286,7 @@ void lay_out_beside(const Show& show, Viewer& v) {
         auto flow = [&](const LineCount& left, const LineCount& right) {
             const Flow l = flow_of(left, here_counts.shown, k_flow_seconds),
                        r = flow_of(right, there.shown, k_flow_seconds);
-            const std::string what = left.line.name + ", people/min";
+            const std::string what = left.line.name + ", people/min of 60 s";
             if (l.seconds > 0 && r.seconds > 0)
                 return figure(what.c_str(), "%.1f", static_cast<float>(l.per_minute),
                               static_cast<float>(r.per_minute));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "assets/scene.h"
 #include "sim/without.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/history/history.h"
@@ -29,9 +30,9 @@ struct Beside {
     float lit_windows = 0;
     HistoryPtr history;
     std::optional<uint32_t> moment;  // tick at which it stands still; none: it goes along with this one
-    bool is_as_opened = false;
-    bool shows_difference = false;  // of densities, over the right picture
-    PeopleFrame people;             // as it is drawn
+    std::string city_told;           // which city it is, where that is not this run's
+    bool shows_difference = false;   // of densities, over the right picture
+    PeopleFrame people;              // as it is drawn
     Without without;
     Overlay overlay;
     Counts counts;  // by the lines and zones of this run
@@ -43,13 +44,17 @@ struct BesideChoice {
     uint64_t seed = 1;
     uint32_t walkers = 0;
     std::optional<uint32_t> moment{};
-    bool is_as_opened = false;  // the city, its hour, weather and people as they were before all changes
+    std::optional<Scene> scene{};  // in the city of which it walks; none: in this one
+    std::string city_told{};       // in two or three words, which that is
 };
 void set_beside(Show& show, Viewer& viewer, const BesideChoice& choice);
 // Takes what was made.
 void put_beside(Show& show, Viewer& viewer, std::unique_ptr<World> world, Anew& anew);
-// This run beside one in the city as it was opened, before and after what was changed.
+// This run beside one in the city as it was opened: its streets, hour, weather and people, from the start.
 void set_beside_as_opened(Show& show, Viewer& viewer);
+// The same with nothing but the streets as they were opened: what was put into them, before and after. Where
+// nothing was, as above.
+void set_beside_before(Show& show, Viewer& viewer);
 // This run, as it is now, beside what becomes of it.
 void set_beside_this_moment(Show& show, Viewer& viewer);
 

@@ -31,6 +31,7 @@ void lay_out_run(Show& show, Viewer& v, float scale) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(110 * scale);
     if (ImGui::InputInt("##seed", &v.time.seed)) v.time.seed = std::max(v.time.seed, 0);
+    ImGui::TextDisabled("the time of day is set in Change");
 }
 
 void lay_out_side_by_side(Show& show, Viewer& v, float scale) {
@@ -55,10 +56,11 @@ void lay_out_side_by_side(Show& show, Viewer& v, float scale) {
     number("##beside people", v.time.beside_people);
     if (ImGui::Button("With this moment", {150 * scale, 0})) set_beside_this_moment(show, v);
     tip("this run as it is now, at rest, beside what becomes of it");
-    if (ImGui::Button("With the city as opened", {fitted(290, scale), 0})) set_beside_as_opened(show, v);
-    tip("before and after all that was changed: streets, hour and people of the scene that was opened, from "
-        "its "
-        "start, beside this run");
+    if (ImGui::Button("With the streets as opened", {fitted(290, scale), 0})) set_beside_before(show, v);
+    tip("before and after what was put into the streets: as many people, from the start (Ctrl+B)");
+    if (ImGui::Button("With all of the city as opened", {fitted(290, scale), 0}))
+        set_beside_as_opened(show, v);
+    tip("streets, hour, weather and people of the scene that was opened, from its start");
 }
 
 void lay_out_past(Viewer& v, float scale) {

@@ -183,6 +183,7 @@ bool go_on(Show& show, Viewer& v, double now) {
     Timeline& time = v.time;
     if (time.scrubbed_to) {
         scrub(show, time);
+        v.cameras.rig = {};
         return true;
     }
     if (!time.going) return false;
@@ -190,11 +191,13 @@ bool go_on(Show& show, Viewer& v, double now) {
     World& world = *show.loaded.world;
     if (going.began == 0) {
         going.began = now;
+        const uint32_t was = world.tick;
         if (Result<void> near = approach(show, time, is_search(going) ? time.latest : going.to); !near) {
             time.going.reset();
             tell(v, near.error().message);
             return false;
         }
+        if (world.tick != was) v.cameras.rig = {};  // who is gone along with is elsewhere
         if (!is_search(going)) going.from = world.tick;
     }
     const auto start = std::chrono::steady_clock::now();
