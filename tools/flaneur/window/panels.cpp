@@ -98,14 +98,26 @@ void give_keys(Viewer& v) {
 void lay_out_state(Viewer& v) {
     const PanelPlan& plan = v.layout.plan;
     if (!plan.has_state) return;
-    ImGui::SetNextWindowPos({plan.edge, plan.row_foot}, ImGuiCond_Always, {0, 1});
-    if (!ImGui::Begin("state", nullptr, k_plain | ImGuiWindowFlags_NoInputs)) return ImGui::End();
     const char* coarser = v.record.filming ? "   coarser while a film is made" : "   coarser while you move";
-    ImGui::TextDisabled("%u people   %.0f fps%s", v.walkers, v.fps, v.resolution < 1 ? coarser : "");
-    if (const std::optional<float> reached = reached_rate(v.clock)) {
+    char figures[96], pace[64] = "";
+    std::snprintf(figures, sizeof figures, "%u people   %.0f fps%s", v.walkers, v.fps,
+                  v.resolution < 1 ? coarser : "");
+    if (const std::optional<float> reached = reached_rate(v.clock))
+        std::snprintf(pace, sizeof pace, "%.2g x wanted, %.2g x reached", static_cast<double>(v.clock.rate),
+                      static_cast<double>(*reached));
+    // As wide as it is now, not as it was in the last picture.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(figures).x + 2 * style.WindowPadding.x +
+                        (*pace ? style.ItemSpacing.x + ImGui::CalcTextSize(pace).x : 0);
+    ImGui::SetNextWindowPos({plan.edge, plan.row_foot}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({std::ceil(width), 0});
+    if (!ImGui::Begin("state", nullptr,
+                      (k_plain & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoInputs))
+        return ImGui::End();
+    ImGui::TextDisabled("%s", figures);
+    if (*pace) {
         ImGui::SameLine();
-        ImGui::TextColored(warning_colour(), "%.2g x wanted, %.2g x reached",
-                           static_cast<double>(v.clock.rate), static_cast<double>(*reached));
+        ImGui::TextColored(warning_colour(), "%s", pace);
     }
     v.layout.wish.state = {ImGui::GetWindowWidth(), ImGui::GetWindowHeight()};
     ImGui::End();
