@@ -316,6 +316,33 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     return image;
 }
 
+Result<Image> draw_over_image(Renderer& renderer, const Image& under, const Panels& panels) {
+    FLANEUR_TRY(check_size(renderer, under.width, under.height));
+    if (under.rgba.size() != size_t{4} * under.width * under.height)
+        return Error{"The picture's size does not agree with its pixels."};
+    for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
+    FrameSlot& slot = renderer.slots[0];
+    const size_t bytes = under.rgba.size();
+    PictureTarget target{.extent = {under.width, under.height},
+                         .image = &renderer.shown,
+                         .panels = renderer.pipelines.panels_image,
+                         .after = k_copied_from};
+    FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.shown));
+    FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload,
+                               slot.picture));
+    FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback,
+                               renderer.readback));
+    std::memcpy(slot.picture.mapped, under.rgba.data(), bytes);
+    target.staging = slot.picture.handle;
+    target.readback = renderer.readback.handle;
+    FLANEUR_TRY(draw_over_picture(renderer, slot, panels, target, {}, {}));
+    FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
+    Image image{under.width, under.height, {}, {}};
+    const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
+    image.rgba.assign(first, first + bytes);
+    return image;
+}
+
 namespace {
 
 // Gets an image of the window, calls draw(slot, image, signal), and presents the image; nothing where nobody

@@ -89,6 +89,9 @@ Result<RendererPtr> make_window_renderer(const RendererOptions& options, GLFWwin
 // area or nobody shows it; a resized or lost surface is made anew.
 Result<void> draw_window(Renderer& renderer, const FrameInput& frame);
 
+// A picture that is there with panels over it. Refuses before the first frame is drawn.
+Result<Image> draw_over_image(Renderer& renderer, const Image& image, const Panels& panels);
+
 // Shows a picture that is there in the window, stretched to it where it is of another size, with panels over
 // it; else as draw_window. Refuses before the first frame is drawn, and where the window takes no copies.
 Result<void> show_image(Renderer& renderer, const Image& image, const Panels& panels);

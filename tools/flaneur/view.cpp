@@ -207,24 +207,28 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
             glfwWaitEventsTimeout(k_idle_seconds);
         else
             glfwPollEvents();
+        if (v.quality != canvas.options.scene.quality) {
+            if (Result<void> done = change_quality(show, canvas, v); !done) return done;
+            last = glfwGetTime();
+        }
         const double now = glfwGetTime();
         const double passed = is_hidden && v.record.filming
                                   ? 0
                                   : seconds_to_pass(v.record, std::min(now - last, k_longest_pause));
         if (v.record.filming) v.record.filming->began += std::max(now - last - k_longest_pause, 0.0);
         last = now;
-        if (v.quality != canvas.options.scene.quality)
-            if (Result<void> done = change_quality(show, canvas, v); !done) return done;
         begin_picture(v.costs, now);
         go_on_opening(show, v);
         take_people_anew(show, v);
         act_on_presses(show, v);
         if (Result<void> done = carry_on(show, v); !done) return done;
+        end_part(v.costs, CostOf::asked, glfwGetTime());
         steer_driven(window, show, v);
         v.time.is_led = is_driving(show);
         const bool is_going = go_on(show, v, now);
         if (!is_going)
-            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks) make_tick(show, v);
+            for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks, ++v.costs.now.ticks)
+                make_tick(show, v);
         keep_up_beside(show, v);
         follow_switches(v.techniques, show);
         end_part(v.costs, CostOf::ticks, glfwGetTime());
@@ -292,7 +296,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
             end_part(v.costs, CostOf::panels, start);
             if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
             end_part(v.costs, CostOf::draw, glfwGetTime());
-            end_picture(v.costs, frame_stats(*show.renderer));
+            end_picture(v.costs, frame_stats(*show.renderer), frame.times_passes);
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;
             ++title_frames;
             if (paces) {
@@ -303,7 +307,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         }
         if (v.settings.fps > 0 && !v.record.filming) rest_until(now + 1.0 / v.settings.fps);
         if (now - title_time >= k_title_seconds) {
-            v.fps = title_frames / (now - title_time);
+            v.fps = static_cast<double>(title_frames) / (now - title_time);
             show_title(window, show, v.fps);
             title_time = now;
             title_frames = 0;

@@ -112,7 +112,8 @@ static void dot_people(Show& show, const View& view, const Camera& camera, Frame
     constexpr float k_speck = 5, k_dot = 3.5f;  // pixels of a metre, and of a dot
     constexpr uint32_t k_person = ink(0xf7f4ee);
     const float metre = view.pixels_at_one_metre / glm::length(camera.target - camera.eye);
-    if (camera.clear_air == 0 || metre > k_speck || show.work_views[WorkView::density]) return;
+    if (camera.clear_air == 0 || metre > k_speck || show.work_views[WorkView::density] || show.hides_dots)
+        return;
     std::vector<GizmoLine> dots;
     for (const WalkerId id : show.loaded.world->crowd.slots.living) {
         const WalkerDraw& walker = show.people.walkers[id.index];

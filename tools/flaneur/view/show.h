@@ -24,6 +24,7 @@ struct Show {
     bool draws_whole = false;  // or whole all the same
     WorkViews work_views;
     Overlay overlay;
+    bool hides_dots = false;  // of people on wide maps, for what else is coloured there
 };
 
 // Counts what the validation layer says, with --validate, until the renderer is gone.

@@ -71,9 +71,26 @@ constexpr std::array k_time = {
     Action{"Faster", "+", GLFW_KEY_EQUAL, 0, [](Show&, Viewer& v) { v.clock.rate = faster(v.clock.rate); }},
     Action{"As fast as it is", "", 0, 0, [](Show&, Viewer& v) { v.clock.rate = 1; }},
 };
-// What is undone, removed and done again is that of the room that is open; else the city.
-void undo(Show& show, Viewer& v) { v.room == Room::measure ? undo_drawing(show, v) : undo_last(show, v); }
-void redo(Show& show, Viewer& v) { v.room == Room::measure ? redo_drawing(show, v) : redo_last(show, v); }
+// What was done last, in the city or drawn in the room Measure; 0: nothing.
+struct Deeds {
+    uint64_t city = 0, drawn = 0;
+};
+void undo(Show& show, Viewer& v) {
+    const Designs& d = v.change.designs;
+    const MeasureRoom& room = v.measure;
+    const Deeds last{d.at > 0 ? d.deeds[d.at] : 0, room.before.empty() ? 0 : room.before.back().deed};
+    const bool is_drawing = v.room == Room::measure && !room.draft.empty();
+    is_drawing || last.drawn > last.city ? undo_drawing(show, v) : undo_last(show, v);
+}
+void redo(Show& show, Viewer& v) {
+    const Designs& d = v.change.designs;
+    const MeasureRoom& room = v.measure;
+    const Deeds next{d.at + 1 < d.all.size() ? d.deeds[d.at + 1] : 0,
+                     room.after.empty() ? 0 : room.after.back().deed};
+    const bool is_drawn = next.drawn > 0 && (next.city == 0 || next.drawn < next.city);
+    is_drawn ? redo_drawing(show, v) : redo_last(show, v);
+}
+// What is removed is of the room that is open.
 void remove(Show& show, Viewer& v) {
     v.room == Room::measure ? remove_selected(show, v) : remove_selected(v);
 }

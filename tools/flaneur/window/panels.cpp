@@ -100,7 +100,7 @@ void lay_out_state(Viewer& v) {
     if (!plan.has_state) return;
     const char* coarser = v.record.filming ? "   coarser while a film is made" : "   coarser while you move";
     char figures[96], pace[64] = "";
-    std::snprintf(figures, sizeof figures, "%u people   %.0f fps%s", v.walkers, v.fps,
+    std::snprintf(figures, sizeof figures, "%u people   %.*f fps%s", v.walkers, v.fps < 9.95 ? 1 : 0, v.fps,
                   v.resolution < 1 ? coarser : "");
     if (const std::optional<float> reached = reached_rate(v.clock))
         std::snprintf(pace, sizeof pace, "%.2g x wanted, %.2g x reached", static_cast<double>(v.clock.rate),

@@ -85,6 +85,7 @@ struct Viewer {
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
     Change change;
+    uint64_t deeds = 0;  // that were done so far and can be undone, here and in the room Measure
     Opening opening;
     Record record;
     Presentation presentation;

@@ -273,7 +273,7 @@ TEST(ChangedCity, SomebodyGoesAsTheHandSays) {
 }
 
 TEST(Design, IsUndoneAndDoneAgain) {
-    Designs d{{{{}, 8, false, 10}}, 0, 0};
+    Designs d{{{.hour = 8, .people = 10}}, 0, 0};
     const Design first = current(d);
     Design next = first;
     for (int minute = 1; minute <= 5; ++minute)

@@ -29,8 +29,8 @@ void carry_time_and_weather(Show& show, Viewer& v) {
     Change& c = v.change;
     const Design& wanted = current(c.designs);
     show.is_overcast = c.carried.is_overcast = wanted.is_overcast;
-    if (c.carried.hour == wanted.hour) return;
-    c.carried.hour = wanted.hour;
+    if (c.carried.hour == wanted.hour && c.carried.hour_set == wanted.hour_set) return;
+    c.carried.hour = wanted.hour, c.carried.hour_set = wanted.hour_set;
     set_hour(*show.loaded.world, wanted.hour);
     set_daylight(show, wanted, c.scene);
     c.late = std::max(c.late, show.loaded.world->tick);
@@ -120,10 +120,13 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
     if (!options.inputs.empty() && has_ending(options.inputs[0], ".json"))
         std::snprintf(c.path, sizeof c.path, "%s", options.inputs[0].c_str());
     v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
-    c.carried = {scene.added,       scene.hour,
-                 scene.is_overcast, static_cast<uint32_t>(walkers(*show.loaded.world).size()),
-                 scene.people,      scene.mix};
-    c.designs = {{c.carried}, 0, 0};
+    c.carried = {.added = scene.added,
+                 .hour = scene.hour,
+                 .is_overcast = scene.is_overcast,
+                 .people = static_cast<uint32_t>(walkers(*show.loaded.world).size()),
+                 .who = scene.people,
+                 .mix = scene.mix};
+    c.designs = {{c.carried}, 0, 0, {0}};
 }
 
 bool is_as_opened(const Change& c) {
@@ -133,7 +136,13 @@ bool is_as_opened(const Change& c) {
            now.mix == c.scene.mix;
 }
 
-void want(Viewer& v, Design next, uint64_t gesture) { change(v.change.designs, std::move(next), gesture); }
+void want(Viewer& v, Design next, uint64_t gesture) {
+    Designs& designs = v.change.designs;
+    if (next == current(designs)) return;
+    change(designs, std::move(next), gesture);
+    designs.deeds.resize(designs.all.size());
+    designs.deeds[designs.at] = ++v.deeds;
+}
 
 Result<void> carry_on(Show& show, Viewer& v) {
     carry_time_and_weather(show, v);

@@ -9,8 +9,9 @@
 namespace flaneur {
 
 struct Design {
-    std::vector<Addition> added;
-    float hour = 17.5f;  // of the day, that was set last
+    std::vector<Addition> added{};
+    float hour = 17.5f;     // of the day, that was set last,
+    uint32_t hour_set = 0;  // and at which tick
     bool is_overcast = false;
     uint32_t people = 0;
     std::vector<PeopleShare> who{};  // as Scene::people
@@ -20,9 +21,10 @@ struct Design {
 
 // One after the other; `at` is the one that holds.
 struct Designs {
-    std::vector<Design> all{1};
+    std::vector<Design> all = {Design()};
     size_t at = 0;
-    uint64_t gesture = 0;  // of the last change
+    uint64_t gesture = 0;               // of the last change
+    std::vector<uint64_t> deeds = {0};  // by design: the deed that led to it; see Viewer::deeds
 };
 
 inline const Design& current(const Designs& designs) { return designs.all[designs.at]; }

@@ -20,7 +20,8 @@ namespace {
 constexpr float k_beside = 0.35f;  // metres: next to something
 constexpr float k_above = 0.05f;   // metres, of lines over the ground
 constexpr const char* k_square = "square";
-constexpr uint32_t k_new = ink(0x9dd977), k_chosen = ink(0x58c4d2), k_there = ink(0xffffff, 0.5f);
+constexpr uint32_t k_new = ink(0x9dd977), k_chosen = ink(0x58c4d2), k_there = ink(0xffffff, 0.5f),
+                   k_closed = ink(0xe2604a);
 
 // The ground under a way from the eye, or at the foot of the wall that it meets.
 std::optional<Vec3> ground_along(const World& world, const Camera& camera, glm::vec3 way) {
@@ -133,6 +134,8 @@ bool take_hold(Vec3 place, Viewer& v) {
     c.ghost = Addition{*c.tool, rounded(place), rounded(place), 0};
     return true;
 }
+
+bool is_closing(const Addition& a) { return a.kind == AddedKind::barrier || a.kind == AddedKind::wall; }
 
 Pen pen_of(uint32_t colour, GizmoPlace place) {
     Pen pen{.place = place};
@@ -308,7 +311,8 @@ bool abandon_line(Viewer& v) {
 }
 
 void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
-    if (v.room != Room::change) return;
+    const bool is_open = v.room == Room::change, is_map = v.choice.kind == CameraChoice::Kind::map;
+    if ((!is_open && !is_map) || !v.has_panels) return;
     const Change& c = v.change;
     const World& world = *show.loaded.world;
     std::vector<GizmoLine>& lines = show.overlay.lines;
@@ -316,10 +320,11 @@ void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
     for (size_t i = 0; i < added.size(); ++i) {
         const bool is_moved = c.grip.is_held && c.grip.moved == i;
         if (is_moved) continue;
-        const bool is_chosen = c.selected == i;
-        add_outline(world, added[i], pen_of(is_chosen ? k_chosen : k_there, GizmoPlace::in_world), lines);
+        const bool is_chosen = is_open && c.selected == i;
+        const uint32_t colour = is_chosen ? k_chosen : is_closing(added[i]) ? k_closed : k_there;
+        add_outline(world, added[i], pen_of(colour, GizmoPlace::in_world), lines);
     }
-    if (c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
+    if (is_open && c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
     frame.lines = lines;
 }
 

@@ -27,7 +27,8 @@ bool abandon_line(Viewer& viewer);
 // Whether a click puts something down, whoever stands there.
 bool is_putting(const Viewer& viewer);
 
-// Adds to the frame the outline of what would be put down, and of what is moved or chosen.
+// Adds to the frame, in the room Change, the outlines of what was put down, is moved, or would be; on a map,
+// where it is hardly seen, always those of what was put down.
 void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
 
 // A row of barriers from wall to wall over a place, the shortest way; none where a street is wider than 60 m,

@@ -29,9 +29,10 @@ uint64_t gesture_of_item(Change& c) {
 
 namespace {
 
-void set_hour_wanted(Viewer& v, float hour, uint64_t gesture) {
+void set_hour_wanted(const Show& show, Viewer& v, float hour, uint64_t gesture) {
     Design next = current(v.change.designs);
     next.hour = hour;
+    next.hour_set = show.loaded.world->tick;
     want(v, std::move(next), gesture);
 }
 
@@ -74,13 +75,13 @@ void lay_out_day(Show& show, Viewer& v, float scale) {
                                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     const uint64_t gesture = gesture_of_item(c);
     tip("moves the sun, lights lamps and windows, and sends people elsewhere");
-    if (is_set) set_hour_wanted(v, static_cast<float>(step * k_step) / 60, gesture);
+    if (is_set) set_hour_wanted(show, v, static_cast<float>(step * k_step) / 60, gesture);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(82 * scale);
     ImGui::InputText("##typed hour", c.typed_hour, sizeof c.typed_hour, ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemDeactivatedAfterEdit()) {
         if (const std::optional<int> typed = minute_of(c.typed_hour))
-            set_hour_wanted(v, static_cast<float>(*typed) / 60, 0);
+            set_hour_wanted(show, v, static_cast<float>(*typed) / 60, 0);
         else
             tell(v, "A time of day is written as 17:30.");
     } else if (!ImGui::IsItemActive()) {
@@ -234,7 +235,7 @@ void take_tool(Show&, Viewer& v) {
 void later(Show& show, Viewer& v, float hours) {
     const float hour = hour_now(*show.loaded.world) + hours;
     const float minutes = std::round((hour - 24 * std::floor(hour / 24)) * 60);
-    set_hour_wanted(v, std::fmod(minutes, 24 * 60.0f) / 60, 0);
+    set_hour_wanted(show, v, std::fmod(minutes, 24 * 60.0f) / 60, 0);
 }
 
 void more_people(Viewer& v, float times) {
@@ -270,14 +271,29 @@ constexpr std::array k_actions = {
 
 }  // namespace
 
+// In a few words, the first thing by which two designs differ.
+static const char* told_difference(const Design& a, const Design& b) {
+    return a.added != b.added                             ? "what was put into the city"
+           : a.people != b.people                         ? "the number of people"
+           : a.is_overcast != b.is_overcast               ? "the weather"
+           : a.hour != b.hour || a.hour_set != b.hour_set ? "the time of day"
+                                                          : "who comes";
+}
+
 void undo_last(Show&, Viewer& v) {
-    if (!undo(v.change.designs)) tell(v, "Nothing has been changed that could be undone.");
+    Designs& designs = v.change.designs;
+    const Design was = current(designs);
+    if (!undo(designs)) return tell(v, "Nothing has been changed that could be undone.");
     v.change.selected.reset();
+    tell(v, std::string("Undone: ") + told_difference(was, current(designs)) + ". Ctrl+Y does it again.");
 }
 
 void redo_last(Show&, Viewer& v) {
-    if (!redo(v.change.designs)) tell(v, "Nothing has been undone.");
+    Designs& designs = v.change.designs;
+    const Design was = current(designs);
+    if (!redo(designs)) return tell(v, "Nothing has been undone.");
     v.change.selected.reset();
+    tell(v, std::string("Done again: ") + told_difference(was, current(designs)) + ".");
 }
 
 std::string armed_tool(const Show& show, const Change& c) {

@@ -8,33 +8,40 @@
 namespace flaneur {
 namespace {
 
-constexpr double k_new = 0.1;  // weight of the last picture
+constexpr double k_new = 0.3;  // weight of the last picture
 
 void mix(double& average, double value) {
     average = average == 0 ? value : average + k_new * (value - average);
 }
 
-// What a stage of the device does, and what lessens it.
+// What a stage of the device does, and what lessens it; also where a lower quality does.
 struct StageWords {
     const char *name, *what, *less;
+    bool has_quality = false;
 };
 constexpr StageWords k_stages[] = {
-    {"crowd", "people who are near enough for bodies",
-     "people near the eye: the layers overdraw and levels of detail show where"},
-    {"city", "houses, ground and what stands there",
-     "the city in view: the layer overdraw shows where, and a lower quality draws plainer"},
+    {"crowd", "people who are near enough for bodies", "fewer people near the eye", true},
+    {"city", "houses, ground and what stands there, pixel by pixel",
+     "a smaller window, or less of the city in view"},
     {"scene", "people, city and sky: what each pixel shows",
-     "city and people in view: time them apart, above"},
-    {"sky", "", "the sky in view"},
-    {"light", "sun, shadows, sky and lamps on each pixel, once", "the picture's size"},
-    {"crowd shadows", "people, seen from the sun",
-     "people whose shadows are near: a lower quality has fewer"},
+     "a smaller window, or less in view; the box below times city and people apart"},
+    {"sky", "", "a smaller window, or less sky in view"},
+    {"light", "sun, shadows, sky and lamps on each pixel, once", "a smaller window", true},
+    {"crowd shadows", "people, seen from the sun", "fewer people near the eye", true},
     {"city shadows", "the city, seen from the sun: when that or the eye moves",
-     "the sun, or an eye that moves: shadows are drawn anew"},
-    {"surfaces to host", "what each pixel shows, for the CPU to light", "the picture's size"},
-    {"paint", "a layer that shows its own surfaces", "the layer: L lists them"},
-    {"overlay", "lines and colours of layers", "the layers: L lists them"},
+     "an eye and a sun that rest: shadows are drawn anew", true},
+    {"surfaces to host", "what each pixel shows, for the CPU to light", "a smaller window"},
+    {"paint", "a layer that shows its own surfaces, in place of the city", "without that layer (L)"},
+    {"overlay", "lines, dots and colours over the city", "fewer layers (L)"},
 };
+
+constexpr const char* k_parts[k_costs] = {
+    "what keys, clicks and panels asked for: a city that is changed, people who come, another quality",
+    "the simulation: so many ticks of 1/60 s as time has gone by",
+    "getting people and layers ready to be drawn",
+    "laying panels out; the device draws them with the picture",
+    "handing over what is drawn, and waiting until the device has drawn it",
+    "waiting for the display, or for the pictures a second that the settings allow"};
 
 const StageWords* words_of(const std::string& stage) {
     for (const StageWords& words : k_stages)
@@ -42,26 +49,33 @@ const StageWords* words_of(const std::string& stage) {
     return nullptr;
 }
 
+size_t most_of(const PictureCost& picture) {
+    return static_cast<size_t>(std::max_element(picture.parts.begin(), picture.parts.end()) -
+                               picture.parts.begin());
+}
+
 }  // namespace
 
 void begin_picture(Costs& c, double time) {
     if (c.began > 0) {
-        c.wholes.push_back(static_cast<float>((time - c.began) * 1000));
-        if (c.wholes.size() > Costs::k_kept) c.wholes.erase(c.wholes.begin());
-        c.now[static_cast<size_t>(CostOf::rest)] += time - c.ended;
-        for (size_t i = 0; i < k_costs; ++i) mix(c.parts[i], c.now[i] * 1000);
+        c.now.parts[static_cast<size_t>(CostOf::rest)] += static_cast<float>((time - c.ended) * 1000);
+        c.now.whole = static_cast<float>((time - c.began) * 1000);
+        c.pictures.push_back(c.now);
+        if (c.pictures.size() > Costs::k_kept) c.pictures.erase(c.pictures.begin());
     }
     c.now = {};
     c.began = c.ended = time;
 }
 
 void end_part(Costs& c, CostOf part, double time) {
-    c.now[static_cast<size_t>(part)] += time - c.ended;
+    c.now.parts[static_cast<size_t>(part)] += static_cast<float>((time - c.ended) * 1000);
     c.ended = time;
 }
 
-void end_picture(Costs& c, const FrameStats& stats) {
+void end_picture(Costs& c, const FrameStats& stats, bool is_apart) {
     mix(c.record, stats.cpu_record_ms);
+    if (c.were_apart != is_apart) c.stages.clear();
+    c.were_apart = is_apart;
     size_t place = 0;  // behind the stage before
     for (const FrameStats::Stage& now : stats.stages) {
         auto is_it = [&](const Costs::Stage& stage) { return stage.name == now.name; };
@@ -80,11 +94,36 @@ void end_picture(Costs& c, const FrameStats& stats) {
     }
 }
 
+PictureCost mean_of(const Costs& c) {
+    PictureCost mean;
+    const size_t count = std::min(c.pictures.size(), Costs::k_meant);
+    for (size_t i = c.pictures.size() - count; i < c.pictures.size(); ++i) {
+        const PictureCost& picture = c.pictures[i];
+        const float share = 1 / static_cast<float>(count);
+        for (size_t part = 0; part < k_costs; ++part) mean.parts[part] += share * picture.parts[part];
+        mean.whole += share * picture.whole;
+        mean.ticks += share * picture.ticks;
+    }
+    return mean;
+}
+
 Spread spread_of(const Costs& c) {
-    if (c.wholes.empty()) return {};
-    std::vector<float> sorted = c.wholes;
+    if (c.pictures.empty()) return {};
+    std::vector<float> sorted;
+    for (const PictureCost& picture : c.pictures) sorted.push_back(picture.whole);
     std::sort(sorted.begin(), sorted.end());
-    return {sorted[sorted.size() / 2], sorted.back()};
+    const auto worst =
+        std::max_element(c.pictures.begin(), c.pictures.end(),
+                         [](const PictureCost& a, const PictureCost& b) { return a.whole < b.whole; });
+    return {sorted[sorted.size() / 2], *worst};
+}
+
+std::string told(const PictureCost& picture) {
+    char text[96];
+    const size_t most = most_of(picture);
+    std::snprintf(text, sizeof text, "%.0f ms, of it %s %.0f", static_cast<double>(picture.whole),
+                  k_cost_names[most], static_cast<double>(picture.parts[most]));
+    return text;
 }
 
 std::string what_is(const std::string& stage) {
@@ -92,20 +131,19 @@ std::string what_is(const std::string& stage) {
     return words ? words->what : "";
 }
 
-std::string costliest(const Costs& c) {
-    double whole = 0, stages = 0;
-    for (const double ms : c.parts) whole += ms;
-    const Costs::Stage* stage = nullptr;
-    for (const Costs::Stage& s : c.stages) {
-        stages += s.ms;
-        if (!stage || s.ms > stage->ms) stage = &s;
-    }
-    if (whole <= 0) return "";
-    const auto most = static_cast<size_t>(std::max_element(c.parts.begin(), c.parts.end()) - c.parts.begin());
+std::string what_is(CostOf part) { return k_parts[static_cast<size_t>(part)]; }
+
+std::string costliest(const Costs& c, bool is_plainest) {
+    const PictureCost mean = mean_of(c);
+    if (mean.whole <= 0) return "";
+    const size_t most = most_of(mean);
     char share[64];
-    std::snprintf(share, sizeof share, "%.0f %% of a picture is ", 100 * c.parts[most] / whole);
+    std::snprintf(share, sizeof share, "%.0f %% of a picture is ",
+                  static_cast<double>(100 * mean.parts[most] / mean.whole));
     std::string text = share;
     switch (static_cast<CostOf>(most)) {
+        case CostOf::asked:
+            return text + "making anew what was asked for: it passes.";
         case CostOf::ticks:
             return text + "stepping people: fewer of them, or slower time, would lessen it.";
         case CostOf::people:
@@ -118,11 +156,20 @@ std::string costliest(const Costs& c) {
             break;
     }
     text += "drawing";
+    double stages = 0;
+    const Costs::Stage* stage = nullptr;
+    for (const Costs::Stage& s : c.stages) {
+        stages += s.ms;
+        if (!stage || s.ms > stage->ms) stage = &s;
+    }
     if (!stage || stages <= 0) return text + ".";
     std::snprintf(share, sizeof share, "; %s takes %.0f %% of the device's time", stage->name.c_str(),
                   100 * stage->ms / stages);
     text += share;
-    if (const StageWords* words = words_of(stage->name)) text.append(": ").append(words->less);
+    if (const StageWords* words = words_of(stage->name)) {
+        text.append(": ").append(words->less);
+        if (words->has_quality && !is_plainest) text.append(", or a lower quality");
+    }
     return text + ".";
 }
 

@@ -50,42 +50,66 @@ std::string thousands(uint64_t count) {
     return text;
 }
 
-void lay_out_past_pictures(const Costs& costs, double whole, float scale) {
+// A bar for each of the last pictures, the newest on the right; those that are higher than there is room for
+// in the colour of what is not as one would expect.
+void lay_out_past_pictures(const Costs& costs, float scale) {
+    const PictureCost mean = mean_of(costs);
     const Spread spread = spread_of(costs);
-    ImGui::Text("%.1f ms a picture, of the last ten or so", whole);
-    ImGui::PlotLines("##pictures", costs.wholes.data(), static_cast<int>(costs.wholes.size()), 0, nullptr, 0,
-                     std::max(2 * spread.median, 1.0f), {fitted(k_width, scale), 46 * scale});
-    tip("each of the last pictures; the middle of the height is the median");
-    ImGui::TextDisabled("of the last %zu: median %.1f ms, at worst %.0f ms", costs.wholes.size(),
-                        static_cast<double>(spread.median), static_cast<double>(spread.worst));
+    ImGui::Text("%.1f ms a picture, mean of the last %zu", static_cast<double>(mean.whole),
+                std::min(costs.pictures.size(), Costs::k_meant));
+    const ImVec2 size{fitted(k_width, scale), 40 * scale}, at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("pictures", size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    const float top = std::max(2 * spread.median, 1.0f), wide = size.x / static_cast<float>(Costs::k_kept);
+    const auto gap = static_cast<float>(Costs::k_kept - costs.pictures.size());
+    for (size_t i = 0; i < costs.pictures.size(); ++i) {
+        const float share = costs.pictures[i].whole / top;
+        const float x = at.x + (gap + static_cast<float>(i)) * wide;
+        list.AddRectFilled(
+            {x, at.y + size.y * (1 - std::min(share, 1.0f))}, {x + wide, at.y + size.y},
+            share > 1 ? ImGui::GetColorU32(warning_colour()) : ImGui::GetColorU32(ImGuiCol_PlotLines));
+    }
+    if (ImGui::IsItemHovered()) {
+        const float place = (ImGui::GetIO().MousePos.x - at.x) / wide - gap;
+        const auto i = static_cast<size_t>(std::max(place, 0.0f));
+        if (place >= 0 && i < costs.pictures.size())
+            tip((std::to_string(costs.pictures.size() - i) + " pictures ago: " + told(costs.pictures[i]))
+                    .c_str());
+    }
+    ImGui::TextDisabled("of the last %zu: median %.1f ms; longest %s", costs.pictures.size(),
+                        static_cast<double>(spread.median), told(spread.worst).c_str());
 }
 
 // As high as three lines, so that what is below stays where it is.
-void lay_out_sentence(const Costs& costs, float scale) {
+void lay_out_sentence(const Show& show, const Costs& costs, float scale) {
+    const bool is_plainest = quality_name(*show.renderer) == quality_level(Quality::low).name;
     const float top = ImGui::GetCursorPosY();
     ImGui::PushTextWrapPos(fitted(k_width, scale));
-    ImGui::TextUnformatted(costliest(costs).c_str());
+    ImGui::TextUnformatted(costliest(costs, is_plainest).c_str());
     ImGui::PopTextWrapPos();
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(),
                                   top + 3 * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y));
 }
 
 void lay_out_counts(const FrameStats& stats, const Viewer& v) {
-    auto row = [](const char* name, const std::string& text) {
+    auto row = [](const char* name, const std::string& text, const char* what) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", name);
+        tip(what);
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(text.c_str());
     };
     if (!ImGui::BeginTable("counts", 4, ImGuiTableFlags_SizingFixedFit)) return;
-    row("people drawn", thousands(stats.walkers_drawn));
-    row("impostors", thousands(stats.impostors));
-    row("in shadows", thousands(stats.walkers_in_shadow));
-    row("triangles", thousands(stats.triangles));
-    row("draws", thousands(stats.sub_draws + stats.direct_draws));
+    row("people drawn", thousands(stats.walkers_drawn), "in the picture, as bodies or as impostors");
+    row("impostors", thousands(stats.impostors), "people so far off that a flat picture of them is drawn");
+    row("in shadows", thousands(stats.walkers_in_shadow), "people whose shadow may be seen");
+    row("triangles", thousands(stats.triangles), "of people and city");
+    row("draws", thousands(stats.sub_draws + stats.direct_draws),
+        "pieces that are handed to the device one by one");
     char size[24];
     std::snprintf(size, sizeof size, "%.0f %%", static_cast<double>(v.resolution) * 100);
-    row("resolution", size);
+    row("resolution", size, "of the window, each way; coarser while the eye moves where pictures take long");
     ImGui::EndTable();
 }
 
@@ -116,17 +140,24 @@ void copy_bench_command(const Show& show, Viewer& v) {
 
 void lay_out_frame(Show& show, Viewer& v, float scale) {
     Costs& costs = v.costs;
-    double whole = 0, device = 0;
-    for (const double ms : costs.parts) whole += ms;
-    lay_out_past_pictures(costs, whole, scale);
-    lay_out_sentence(costs, scale);
+    lay_out_past_pictures(costs, scale);
+    lay_out_sentence(show, costs, scale);
+    const PictureCost mean = mean_of(costs);
+    const auto whole = static_cast<double>(mean.whole);
+    double device = 0;
     for (size_t i = 0; i < k_costs; ++i) {
-        lay_out_cost(k_cost_names[i], costs.parts[i], whole, 0, scale);
-        if (static_cast<CostOf>(i) != CostOf::draw) continue;
+        const auto part = static_cast<CostOf>(i);
+        const auto ms = static_cast<double>(mean.parts[i]);
+        char name[48];
+        std::snprintf(name, sizeof name, part == CostOf::ticks ? "%s, %.1f of them" : "%s", k_cost_names[i],
+                      static_cast<double>(mean.ticks));
+        lay_out_cost(name, ms, whole, 0, scale);
+        tip(what_is(part).c_str());
+        if (part != CostOf::draw) continue;
         lay_out_cost("recording", costs.record, whole, 14, scale);
-        lay_out_cost("waiting for device", std::max(costs.parts[i] - costs.record, 0.0), whole, 14, scale);
+        lay_out_cost("waiting for device", std::max(ms - costs.record, 0.0), whole, 14, scale);
         tip("until the device has done what is listed below, of which some goes on meanwhile,\n"
-            "and the display has taken the picture");
+            "has laid panels over it, and the display has taken the picture");
     }
     ImGui::Separator();
     ImGui::TextDisabled("%s", device_name(*show.renderer).c_str());
@@ -140,8 +171,8 @@ void lay_out_frame(Show& show, Viewer& v, float scale) {
                 .append(" fragments shaded");
         if (!what.empty()) tip(what.c_str());
     }
-    if (ImGui::Checkbox("crowd, city and sky apart", &costs.is_apart)) costs.stages.clear();
-    tip("with how many fragments are shaded; pictures take longer meanwhile");
+    ImGui::Checkbox("crowd, city and sky apart", &costs.is_apart);
+    tip("drawn one after the other, which takes longer; point at a row for how many fragments it shades");
     ImGui::Separator();
     lay_out_counts(frame_stats(*show.renderer), v);
     lay_out_quality(show, v, scale);

@@ -122,8 +122,7 @@ void read_plan(const Show& show, Viewer& v) {
     if (!plan) return tell(v, printable(plan.error().message));
     MeasureRoom& room = v.measure;
     const Ground* ground = show.loaded.world->ground.get();
-    room.before.push_back(room.drawn);
-    room.after.clear();
+    remember(v);
     std::erase_if(room.drawn, [](const Marking& one) {
         return one.kind == MarkingKind::line || one.kind == MarkingKind::zone;
     });

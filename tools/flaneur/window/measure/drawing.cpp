@@ -81,12 +81,6 @@ std::string new_name(const std::vector<Marking>& drawn, MarkingKind kind) {
     }
 }
 
-void remember(MeasureRoom& room) {
-    room.before.push_back(room.drawn);
-    if (room.before.size() > k_most_steps) room.before.erase(room.before.begin());
-    room.after.clear();
-}
-
 void change_to(std::vector<Marking> drawn, const Show& show, Viewer& v) {
     MeasureRoom& room = v.measure;
     room.drawn = std::move(drawn);
@@ -96,10 +90,9 @@ void change_to(std::vector<Marking> drawn, const Show& show, Viewer& v) {
 }
 
 // What was drawn last in `from` is what is drawn now, and that goes to `to`.
-void go_to_last(std::vector<std::vector<Marking>>& from, std::vector<std::vector<Marking>>& to,
-                const Show& show, Viewer& v) {
-    to.push_back(v.measure.drawn);
-    std::vector<Marking> drawn = std::move(from.back());
+void go_to_last(std::vector<Drawing>& from, std::vector<Drawing>& to, const Show& show, Viewer& v) {
+    to.push_back({v.measure.drawn, from.back().deed});
+    std::vector<Marking> drawn = std::move(from.back().drawn);
     from.pop_back();
     change_to(std::move(drawn), show, v);
 }
@@ -132,7 +125,7 @@ void drag(const Show& show, const Mouse& now, glm::vec3 place, Viewer& v) {
     const Marking& drawn = room.drawn[*room.selected];
     if (is_closed(drawn.kind) && !is_simple(on_map(drawn.points))) {
         tell(v, drawn.name + " would cross itself: it is as it was.");
-        room.drawn = std::move(room.before.back());
+        room.drawn = std::move(room.before.back().drawn);
         room.before.pop_back();
         room.outlines.clear();
         return;
@@ -177,6 +170,13 @@ const char* compass(const CountLine& line, int side) {
     return k_ways[(std::lround(turn) + 8) % 8];
 }
 
+void remember(Viewer& v) {
+    MeasureRoom& room = v.measure;
+    room.before.push_back({room.drawn, ++v.deeds});
+    if (room.before.size() > k_most_steps) room.before.erase(room.before.begin());
+    room.after.clear();
+}
+
 void count_drawn(const Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     set_plan(v.measure.counts, plan_of(v.measure.drawn), world.tick);
@@ -211,7 +211,7 @@ void finish_draft(const Show& show, Viewer& v) {
         room.draft.pop_back();
         return tell(v, "A line of less than 5 cm counts nobody: click farther off.");
     }
-    remember(room);
+    remember(v);
     room.drawn.push_back({kind, new_name(room.drawn, kind), std::exchange(room.draft, {})});
     room.selected = room.drawn.size() - 1;
     room.tool.reset();
@@ -223,6 +223,7 @@ void undo_drawing(const Show& show, Viewer& v) {
     if (!room.draft.empty()) return room.draft.pop_back();
     if (room.before.empty()) return tell(v, "There is nothing drawn to go back to.");
     go_to_last(room.before, room.after, show, v);
+    tell(v, "What was drawn last is undone; Ctrl+Y does it again.");
 }
 
 void redo_drawing(const Show& show, Viewer& v) {
@@ -232,7 +233,7 @@ void redo_drawing(const Show& show, Viewer& v) {
 void remove_selected(const Show& show, Viewer& v) {
     MeasureRoom& room = v.measure;
     if (!room.selected) return;
-    remember(room);
+    remember(v);
     std::vector<Marking> drawn = room.drawn;
     drawn.erase(drawn.begin() + static_cast<std::ptrdiff_t>(*room.selected));
     room.selected.reset();
@@ -274,7 +275,7 @@ bool draw_with_mouse(const Show& show, const Mouse& before, const Mouse& now, Si
     const Projection seen(v.camera, size);
     if (room.selected) room.handle = handle_at(room.drawn[*room.selected], seen, pixel);
     if (room.handle && now.is_held && !before.is_held) {
-        remember(room);
+        remember(v);
         return room.is_dragging = true;
     }
     room.hovered = drawn_at(room, seen, pixel);

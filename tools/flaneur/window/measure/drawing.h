@@ -20,6 +20,8 @@ void take_tool(MarkingKind kind, Viewer& viewer);
 // Enough points: it is kept, and its counting begins. Else, or where its outline crosses itself, a note says
 // so.
 void finish_draft(const Show& show, Viewer& viewer);
+// Keeps what is drawn, for going back: it is about to be changed.
+void remember(Viewer& viewer);
 // The last point of what is not finished; else what was drawn, dragged or removed last.
 void undo_drawing(const Show& show, Viewer& viewer);
 void redo_drawing(const Show& show, Viewer& viewer);

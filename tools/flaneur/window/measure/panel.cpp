@@ -182,8 +182,8 @@ void lay_out_line(const LineCount& line, const World& world, Viewer& v, float sc
             curves[side].push_back({begin, value});
             curves[side].push_back({end, value});
         }
-    const std::string left = std::string("left, ") + compass(line.line, -1),
-                      right = std::string("right, ") + compass(line.line, 1);
+    const std::string left = std::string("to the ") + compass(line.line, -1),
+                      right = std::string("to the ") + compass(line.line, 1);
     const PlotCurve all_curves[] = {{left.c_str(), k_line_left, curves[0]},
                                     {right.c_str(), k_line_right, curves[1]}};
     Plot plot = over_time("people/min", time, most, v);

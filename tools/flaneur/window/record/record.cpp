@@ -16,7 +16,9 @@
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/ids.h"
+#include "tools/flaneur/window/change/hand.h"
 #include "tools/flaneur/window/command.h"
+#include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/navigate.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
@@ -152,6 +154,8 @@ Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
     FrameInput frame = extract_frame(show, v.camera, size_of_one(v, filming.size), between);
     frame.companion = companion_of(v.choice);
+    mark_measures(show, v, frame);
+    mark_changes(v, show, frame);
     const Result<Image> image = draw(show, v, frame, filming.size, between);
     if (!image) return image.error();
     if (Result<void> written = write_film(*filming.film, image->rgba); !written) {
@@ -243,7 +247,8 @@ Result<void> take_picture_with_panels(Show& show, Viewer& v, const FrameInput& f
     if (!std::exchange(v.record.wants_panels, false)) return {};
     FrameInput wanted = frame;
     ask_for_channels(v.record.picture, wanted);
-    const Result<Image> image = draw(show, v, wanted, window, 1);
+    Result<Image> image = draw(show, v, wanted, window, 1);
+    if (image && has_two(v)) image = draw_over_image(*show.renderer, *image, frame.panels);
     if (!image) return image.error();
     const Result<std::string> told = write_picture(show, v, *image, true);
     report(v, told ? *told : told.error().message);

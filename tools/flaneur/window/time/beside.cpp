@@ -65,7 +65,9 @@ Result<Image> draw_other_run(Show& show, Viewer& v, Size one, uint32_t width, ui
     const WorkViews views = show.work_views;
     if (beside.shows_difference && views[WorkView::density])
         show.work_views = toggled(views, WorkView::density);
+    show.hides_dots = beside.shows_difference;
     FrameInput frame = extract_frame(show, v.camera, one, is_level ? between : 1);
+    show.hides_dots = false;
     show.work_views = views;
     mark_measures_beside(v, beside.counts, show.overlay, frame);
     if (beside.shows_difference) {
@@ -166,6 +168,8 @@ void put_beside(Show& show, Viewer& v, std::unique_ptr<World> world, Anew& anew)
         follow(*beside->history, *beside->world);
         beside->counts = v.measure.counts;  // up to that moment
     }
+    if (beside->world->tick + k_behind < show.loaded.world->tick && !beside->moment)
+        tell(v, "The right run catches up from its start; Restart, in the room Time, begins both together.");
     v.time.beside = std::move(beside);
     v.techniques.is_split = false;
 }
@@ -250,11 +254,17 @@ static void lay_out_difference(Beside& beside) {
     }
 }
 
+// In a word, beside one that is otherwise.
+static std::string city_here(const Change& c) {
+    return c.carried.added == c.scene.added ? "streets as opened" : "as changed";
+}
+
 void lay_out_beside(const Show& show, Viewer& v) {
     if (!v.time.beside || !begin_side(v, SidePanel::figures, "beside", nullptr, k_plain)) return;
     const Beside& beside = *v.time.beside;
     const World& here = *show.loaded.world;
     const CrowdFigures a = figures_of(here), b = figures_of(*beside.world);
+    bool is_behind = false;
     if (ImGui::BeginTable("figures", 4, ImGuiTableFlags_SizingFixedFit)) {
         auto row = [](const char* what, const std::string& left, const std::string& right,
                       const std::string& apart) {
@@ -270,12 +280,12 @@ void lay_out_beside(const Show& show, Viewer& v) {
                 return std::string(text);
             };
             row(what, written(format, left), written(format, right),
-                written((std::string("%+") + (format + 1)).c_str(), left - right));
+                is_behind ? "" : written((std::string("%+") + (format + 1)).c_str(), left - right));
         };
         row("", "left", "right", "left - right");
-        if (!beside.city_told.empty()) row("city", "as changed", beside.city_told, "");
+        if (!beside.city_told.empty()) row("city", city_here(v.change), beside.city_told, "");
         row("seed", std::to_string(here.seed), std::to_string(beside.world->seed), "");
-        const bool is_behind = !beside.moment && beside.world->tick + k_behind < here.tick;
+        is_behind = !beside.moment && beside.world->tick + k_behind < here.tick;
         row("time", run_time(here.tick), run_time(beside.world->tick), is_behind ? "catching up" : "");
         figure("people", "%.0f", static_cast<float>(a.people), static_cast<float>(b.people));
         figure("who walk", "%.0f", static_cast<float>(a.walking), static_cast<float>(b.walking));
@@ -287,7 +297,7 @@ void lay_out_beside(const Show& show, Viewer& v) {
             const Flow l = flow_of(left, here_counts.shown, k_flow_seconds),
                        r = flow_of(right, there.shown, k_flow_seconds);
             const std::string what = left.line.name + ", people/min of 60 s";
-            if (l.seconds > 0 && r.seconds > 0)
+            if (is_settled(l) && is_settled(r))
                 return figure(what.c_str(), "%.1f", static_cast<float>(l.per_minute),
                               static_cast<float>(r.per_minute));
             row(what.c_str(), "-", "-", "");

@@ -49,7 +49,9 @@ uint32_t ticks_due(Clock& clock, double seconds) {
 }
 
 std::optional<float> reached_rate(const Clock& clock) {
-    return clock.pace.reached > 0 ? std::optional(clock.pace.reached) : std::nullopt;
+    constexpr float k_told = 0.97f;  // of the rate: more is told as the same number
+    const bool is_told = clock.pace.reached > 0 && clock.pace.reached < k_told * clock.rate;
+    return is_told ? std::optional(clock.pace.reached) : std::nullopt;
 }
 
 float between_ticks(const Clock& clock) {

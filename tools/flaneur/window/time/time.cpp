@@ -271,8 +271,11 @@ void make_anew(Viewer& v, PeopleOrder people, std::optional<Order> city) {
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
     if (v.time.anew) return tell(v, k_is_making);
-    make_anew(v, order_people(show.loaded, seed,
-                              static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size())));
+    const World& world = *show.loaded.world;
+    PeopleOrder people =
+        order_people(show.loaded, seed, static_cast<uint32_t>(world.crowd.slots.living.size()));
+    if (v.change.late > 0) people.options.hour = v.change.carried.hour;  // from which on it was set last
+    make_anew(v, std::move(people));
 }
 
 void take_people_anew(Show& show, Viewer& v) {
