@@ -90,7 +90,7 @@ void change_to(std::vector<Marking> drawn, const Show& show, Viewer& v) {
 }
 
 // What was drawn last in `from` is what is drawn now, and that goes to `to`.
-void go_to_last(std::vector<Drawing>& from, std::vector<Drawing>& to, const Show& show, Viewer& v) {
+void go_to_last(std::vector<DrawnBefore>& from, std::vector<DrawnBefore>& to, const Show& show, Viewer& v) {
     to.push_back({v.measure.drawn, from.back().deed});
     std::vector<Marking> drawn = std::move(from.back().drawn);
     from.pop_back();

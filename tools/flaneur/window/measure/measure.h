@@ -28,7 +28,7 @@ inline constexpr uint32_t k_right_rgb = 0xf2c14e, k_left_rgb = 0x7cc6d6;
 const char* compass(const CountLine& line, int side);
 
 // What was drawn before or after the deed of that number; see Viewer::deeds.
-struct Drawing {
+struct DrawnBefore {
     std::vector<Marking> drawn;
     uint64_t deed = 0;
 };
@@ -38,11 +38,11 @@ struct MeasureRoom {
     std::vector<glm::vec3> draft;     // what is not finished
     std::optional<glm::vec3> under;   // where the next click would be
     std::vector<Marking> drawn;
-    std::optional<size_t> selected;      // of `drawn`
-    std::optional<size_t> hovered;       // the same, under the cursor,
-    std::optional<size_t> handle;        // and the point of the selected one that is,
-    bool is_dragging = false;            // or is dragged
-    std::vector<Drawing> before, after;  // for going back, and on again
+    std::optional<size_t> selected;          // of `drawn`
+    std::optional<size_t> hovered;           // the same, under the cursor,
+    std::optional<size_t> handle;            // and the point of the selected one that is,
+    bool is_dragging = false;                // or is dragged
+    std::vector<DrawnBefore> before, after;  // for going back, and on again
     Counts counts;
     double clicked_at = -1e9;  // of the window's time: a second click soon after finishes
     glm::vec2 clicked{0};
