@@ -82,6 +82,7 @@ std::string case_of(const CheckReport& report, const CaseResult& result) {
     for (const PictureResult& picture : result.pictures)
         if (!picture.judgement.passes || !picture.has_reference || result.status == CaseStatus::flaky)
             out += pictures_of(picture);
+    if (result.reproduce.empty()) return out + "</section>\n";
     out += "<details><summary>Commands and output</summary><p>By hand</p><pre>" +
            html_text(result.reproduce) + "</pre><p>Again</p><pre>" +
            html_text(report.command + " --filter " + result.one->name) + "</pre>";
