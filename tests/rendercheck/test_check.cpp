@@ -179,6 +179,10 @@ TEST_F(SuiteTest, PartsSayWhichPassAndWhatIsThere) {
                                   {{"name", "ids"}, {"file", "ids.png"}, {"legend", "ids.json"}}};
     ASSERT_EQ(check({"--bless"}), 0) << out;
     EXPECT_TRUE(fs::exists(folder / "golden/test/one.parts/depth.hash"));
+    fs::remove(folder / "golden/test/one.parts/depth.hash");
+    ASSERT_EQ(check({"--bless"}), 0) << out;
+    EXPECT_TRUE(says("Blessed 0 pictures")) << out;
+    EXPECT_TRUE(fs::exists(folder / "golden/test/one.parts/depth.hash"));
     EXPECT_EQ(check(), 0) << out;
     suite["cases"][0]["command"] =
         "cp b.png {out}; cp a.png {dir}/depth.png; cp ids_b.png {dir}/ids.png; cp legend.json {dir}/ids.json";

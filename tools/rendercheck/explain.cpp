@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 #include "assets/files/words.h"
@@ -72,7 +73,9 @@ int run_device() {
     Result<std::vector<VulkanDriver>> drivers = list_drivers();
     if (!drivers) return fail_with(k_exit_device, drivers.error().message);
     std::fputs(told_drivers(*drivers).c_str(), stdout);
-    return k_exit_passed;
+    // What drivers do when a program ends is not asked.
+    if (std::fflush(stdout) != 0) return k_exit_failed;
+    std::_Exit(k_exit_passed);
 }
 
 }  // namespace flaneur

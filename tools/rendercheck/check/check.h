@@ -76,7 +76,8 @@ std::vector<std::string> told_judgement(const Judgement& judgement);
 
 const char* told_status(CaseStatus status);
 
-// Keeps what did not pass, or had no reference, as what is right from now on. How many pictures.
+// Keeps what did not pass, or had no reference, as what is right from now on; of what passes, parts without a
+// reference. How many pictures.
 Result<int> bless(const CaseResult& result);
 
 }  // namespace flaneur

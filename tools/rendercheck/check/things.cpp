@@ -101,7 +101,6 @@ std::vector<std::string> told_things(const Judgement& judgement, const IdPicture
         if (!added.empty()) out.push_back("New in the picture: " + told_counts(added, k_most_told) + ".");
         if (!moved.empty()) out.push_back("Elsewhere than before: " + told_counts(moved, k_most_told) + ".");
     }
-    const float limit = judgement.over > 0 ? 2.0f : 0.0f;
     for (size_t n = 0; n < std::min<size_t>(judgement.boxes.size(), 6); ++n) {
         const PixelBox& box = judgement.boxes[n].box;
         std::map<std::string, size_t> there;
@@ -109,7 +108,7 @@ std::vector<std::string> told_things(const Judgement& judgement, const IdPicture
             for (int x = box.left; x < box.left + box.width; ++x) {
                 const size_t i =
                     static_cast<size_t>(y) * static_cast<size_t>(now.width) + static_cast<size_t>(x);
-                if (!(judgement.differences[i] > limit)) continue;
+                if (!(judgement.differences[i] > judgement.limit)) continue;
                 ++there[name_in(now, now.ids[i])];
                 if (before && before->ids[i] != now.ids[i])
                     ++there[name_in(*before, before->ids[i]) + " before"];

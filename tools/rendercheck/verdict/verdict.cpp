@@ -134,10 +134,10 @@ Judgement judge(const CheckedPicture& picture, const CheckedPicture& reference, 
     const auto width = static_cast<size_t>(picture.width);
     out.worst_x = static_cast<int>(worst % width), out.worst_y = static_cast<int>(worst / width);
     out.worst_new = channels_at(picture, worst), out.worst_reference = channels_at(reference, worst);
-    const float limit = out.over > 0 ? static_cast<float>(tolerance.step) : 0.0f;
+    out.limit = out.over > 0 ? static_cast<float>(tolerance.step) : 0.0f;
     if (out.over > 0)
-        out.densest = densest_window(out.differences, picture.width, limit, k_window, out.densest_window);
-    out.boxes = changed_boxes(out.differences, picture.width, limit, out.more_boxes);
+        out.densest = densest_window(out.differences, picture.width, out.limit, k_window, out.densest_window);
+    out.boxes = changed_boxes(out.differences, picture.width, out.limit, out.more_boxes);
     out.flip = picture.precision == Precision::floats ? hdr_flip(reference.deep, picture.deep, picture.width)
                                                       : flip(reference.rgba, picture.rgba, picture.width);
     double sum = 0;

@@ -44,6 +44,7 @@ struct Judgement {
     std::vector<std::string> reasons;  // why not, a sentence each
     size_t pixels = 0;                 // that count: all but those that may differ
     size_t differing = 0, over = 0;
+    float limit = 0;  // boxes hold what differs by more: the step, or 0 where nothing does
     std::array<size_t, k_thresholds.size()> beyond{};
     double worst = 0;  // difference in 255ths, of the worst channel of the worst pixel
     int worst_x = 0, worst_y = 0;
