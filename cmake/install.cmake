@@ -81,6 +81,15 @@ if(FLANEUR_PROGRAM)
     endif()
 endif()
 
+# rendercheck
+if(FLANEUR_PROGRAM AND FLANEUR_VULKAN)
+    install(TARGETS rendercheck RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT rendercheck)
+    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rendercheck RENAME copyright COMPONENT rendercheck)
+    install(FILES THIRD_PARTY.md docs/render-checks.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/rendercheck
+        COMPONENT rendercheck)
+    install(FILES packaging/rendercheck.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT rendercheck)
+endif()
+
 if(PROJECT_IS_TOP_LEVEL)
     include(cmake/packages.cmake)
 endif()

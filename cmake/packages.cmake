@@ -1,4 +1,4 @@
-# `cpack` in a build folder makes the Debian packages flaneur and libflaneur-dev.
+# `cpack` in a build folder makes the Debian packages flaneur, rendercheck and libflaneur-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The flaneur authors")
 set(CPACK_PACKAGE_CONTACT "The flaneur authors")
@@ -25,6 +25,19 @@ if(FLANEUR_PROGRAM)
         set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
         set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ffmpeg)
     endif()
+endif()
+
+if(FLANEUR_PROGRAM AND FLANEUR_VULKAN)
+    list(APPEND CPACK_COMPONENTS_ALL rendercheck)
+    set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_NAME rendercheck)
+    set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_SECTION graphics)
+    set(CPACK_DEBIAN_RENDERCHECK_DESCRIPTION "renders by any program, held against references
+ Runs commands that write pictures and judges these by a verdict that neither
+ flickers nor sleeps: one far thing missing is seen, a CPU's rounding is not.
+ Tells what differs and where, as text, JUnit and a page to look at.")
+    set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_SHLIBDEPS ON)
+    # Vulkan is asked which device draws, where there is any.
+    set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
 endif()
 
 # Those who link static libraries link all that these are linked with.

@@ -16,7 +16,7 @@
 #include "tests/renderer/test_renderer.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/load/load.h"
-#include "tools/flaneur/output/flip.h"
+#include "tools/rendercheck/verdict/flip.h"
 
 namespace flaneur {
 namespace {

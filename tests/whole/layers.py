@@ -64,11 +64,21 @@ renderer/passes: renderer/frame
 renderer/picture: renderer, renderer/device, renderer/frame, renderer/passes
 renderer sources: renderer, renderer/device, renderer/picture, renderer/visible
 
+tools/rendercheck/files: sim/base
+tools/rendercheck/process: sim/base
+tools/rendercheck/picture: sim/base, tools/rendercheck/files
+tools/rendercheck/verdict: tools/rendercheck/picture
+
 tools/extract: assets, assets/props, renderer, sim, sim/base, sim/crowd, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/measure: assets/files, sim, sim/base, sim/crowd
 tools/flaneur/options: assets, assets/files, sim/base, sim/pose, tools/flaneur/measure
+tools/rendercheck/suite: assets/files, sim/base, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/verdict
+tools/rendercheck/references: assets/files, sim/base, tools/rendercheck/files, tools/rendercheck/process, tools/rendercheck/suite
+tools/rendercheck/check: assets/files, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/process, tools/rendercheck/references, tools/rendercheck/suite, tools/rendercheck/verdict
+tools/rendercheck/report: tools/rendercheck/check
+tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/references, tools/rendercheck/report, tools/rendercheck/suite
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
@@ -103,7 +113,7 @@ tools/flaneur/window/time sources: renderer, sim, sim/base, tools/flaneur/load, 
 tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
-tools/flaneur/bench: assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
+tools/flaneur/bench: tools/rendercheck/verdict, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
 """
 MOST_FILES = 25
@@ -163,7 +173,7 @@ def check_fullness(root):
         folder = os.path.dirname(os.path.normpath(path))
         count[folder] = count.get(folder, 0) + 1
     for folder, files in sorted(count.items()):
-        if files > MOST_FILES and folder != "docs/images":
+        if files > MOST_FILES and folder != "docs/images" and not folder.startswith("tests/golden/golden/"):
             faults.append(f"{folder} holds {files} files side by side, more than {MOST_FILES}")
 
 

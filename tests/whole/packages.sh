@@ -1,5 +1,5 @@
 #!/bin/bash
-# packages.sh ROOT BUILD: what `cpack` makes: two Debian packages whose files serve from where they are unpacked, and
+# packages.sh ROOT BUILD: what `cpack` makes: three Debian packages whose files serve from where they are unpacked, and
 # which depend on what these are linked with.
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -10,8 +10,8 @@ fail() { echo "FAILED: $*" && exit 1; }
 
 (cd "$build" && cpack -B "$folder/packages") > "$folder/log" 2>&1 || { cat "$folder/log" && exit 1; }
 cd "$folder/packages"
-program=$(ls flaneur_*.deb) dev=$(ls libflaneur-dev_*.deb)
-for package in "$program" "$dev"; do
+program=$(ls flaneur_*.deb) dev=$(ls libflaneur-dev_*.deb) check=$(ls rendercheck_*.deb)
+for package in "$program" "$dev" "$check"; do
     dpkg-deb --fsys-tarfile "$package" | tar -tv > "$folder/files"
     awk '$2 != "root/root" || $1 ~ /^-.*w.*w/ || $1 ~ /^d/ && $1 != "drwxr-xr-x" { print; bad = 1 } END { exit bad }' \
         "$folder/files" || fail "$package: owners or permissions"
@@ -21,18 +21,22 @@ for package in "$program" "$dev"; do
 done
 
 depends() { dpkg-deb --field "$1" Depends | tr ',' '\n' | sed -E 's/^ *//; s/ .*//' | sort; }
-for package in "$program" "$dev"; do
+for package in "$program" "$dev" "$check"; do
     for name in $(depends "$package"); do
         dpkg-query --show "$name" > /dev/null || fail "$package depends on $name, which is no package here"
     done
 done
-# The program: the packages of all libraries that it is linked with, directly or by those, are needed or are there anyway.
-needed=$(objdump -p "$folder/root/usr/bin/flaneur" | awk '$1 == "NEEDED" { print $2 }')
-for library in $needed; do
-    path=$(ldconfig -p | awk -v name="$library" '$1 == name && !n++ { print $NF }')
-    owner=$({ dpkg-query --search "$path" "$(realpath "$path")" 2> /dev/null || true; } | sed -n '1s/:.*//p')
-    depends "$program" | grep -x "$owner" > /dev/null || fail "flaneur is linked with $library, and does not depend on $owner"
-done
+# The programs: the packages of all libraries that they are linked with, directly or by those, are needed or are there anyway.
+check_links() {  # PROGRAM PACKAGE
+    local library path owner
+    for library in $(objdump -p "$folder/root/usr/bin/$1" | awk '$1 == "NEEDED" { print $2 }'); do
+        path=$(ldconfig -p | awk -v name="$library" '$1 == name && !n++ { print $NF }')
+        owner=$({ dpkg-query --search "$path" "$(realpath "$path")" 2> /dev/null || true; } | sed -n '1s/:.*//p')
+        depends "$2" | grep -x "$owner" > /dev/null || fail "$1 is linked with $library, and does not depend on $owner"
+    done
+}
+check_links flaneur "$program"
+check_links rendercheck "$check"
 depends "$program" | grep -x libvulkan1 > /dev/null || fail "flaneur draws, and does not depend on libvulkan1"
 depends "$program" | grep -x mesa-vulkan-drivers > /dev/null || fail "flaneur draws, and depends on no driver"
 [[ $(dpkg-deb --field "$program" Recommends) == ffmpeg ]] || fail "flaneur does not recommend ffmpeg"
@@ -45,6 +49,14 @@ while read -r library package; do
     dpkg-query --listfiles "$package" | grep -E "/lib$library\.(so|a)$" > /dev/null || fail "$package has no lib$library"
 done <<< "$links"
 
+# rendercheck serves without the rest of flaneur.
+dpkg-deb --extract "$check" "$folder/alone"
+"$folder/alone/usr/bin/rendercheck" --version
+[[ $(find "$folder/alone" -type f -path '*bin/*' | wc -l) == 1 ]] || fail "rendercheck brings other programs"
+for option in $("$folder/alone/usr/bin/rendercheck" run --help | grep -oE -- '--[a-z-]+' | sort -u); do
+    [[ $option == --help ]] || grep -qF -- "${option//-/\\-}" "$folder/alone/usr/share/man/man1/rendercheck.1" ||
+        fail "rendercheck's manual page does not tell of $option"
+done
 # What was unpacked serves.
 usr=$folder/root/usr
 "$usr/bin/flaneur" sim --scene corner --walkers 20 --seconds 1 --hash

@@ -17,9 +17,9 @@
 #include "tools/flaneur/bench/bench.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
-#include "tools/flaneur/output/flip.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/rendercheck/verdict/flip.h"
 
 namespace flaneur {
 

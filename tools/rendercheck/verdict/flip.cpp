@@ -1,4 +1,4 @@
-#include "tools/flaneur/output/flip.h"
+#include "tools/rendercheck/verdict/flip.h"
 
 #include <algorithm>
 #include <array>
@@ -161,38 +161,29 @@ struct Perceived {
     Features features;
 };
 
-Perceived see(const std::vector<uint8_t>& rgba, int width, float pixels_per_degree) {
-    std::array<float, 256> linear;
-    for (size_t i = 0; i < linear.size(); ++i) linear[i] = linear_from_srgb(static_cast<uint8_t>(i));
-    const size_t count = rgba.size() / 4;
+// `rgb`: linear, 0 .. 1.
+Perceived see(const Channels& rgb, int width, float pixels_per_degree) {
+    const size_t count = rgb.planes[0].size();
     Channels opponents;
     for (Plane& plane : opponents.planes) plane.resize(count);
-    for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 rgb(linear[rgba[4 * i]], linear[rgba[4 * i + 1]], linear[rgba[4 * i + 2]]);
-        opponents.set(i, ycxcz_from_xyz(k_xyz_from_rgb * rgb));
-    }
+    for (size_t i = 0; i < count; ++i) opponents.set(i, ycxcz_from_xyz(k_xyz_from_rgb * rgb.at(i)));
     Perceived seen{blurred(opponents, width, pixels_per_degree),
                    find_features(opponents, width, pixels_per_degree)};
     const glm::mat3 rgb_from_xyz = glm::inverse(k_xyz_from_rgb);
     for (size_t i = 0; i < count; ++i) {
-        const glm::vec3 rgb = rgb_from_xyz * xyz_from_ycxcz(seen.lab.at(i));
-        seen.lab.set(i, hunt_lab_from_xyz(k_xyz_from_rgb * glm::clamp(rgb, 0.0f, 1.0f)));
+        const glm::vec3 blurred_rgb = rgb_from_xyz * xyz_from_ycxcz(seen.lab.at(i));
+        seen.lab.set(i, hunt_lab_from_xyz(k_xyz_from_rgb * glm::clamp(blurred_rgb, 0.0f, 1.0f)));
     }
     return seen;
 }
 
-}  // namespace
-
-std::vector<float> flip(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width,
-                        float pixels_per_degree) {
-    assert(width > 0 && !a.empty() && a.size() == b.size() && a.size() / 4 % static_cast<size_t>(width) == 0);
+std::vector<float> compare(const Perceived& one, const Perceived& other) {
     constexpr float k_power = 0.7f, k_knee = 0.4f, k_at_knee = 0.95f;
-    const Perceived one = see(a, width, pixels_per_degree), other = see(b, width, pixels_per_degree);
     const float most = std::pow(hyab(hunt_lab_from_xyz(k_xyz_from_rgb * glm::vec3(0, 1, 0)),
                                      hunt_lab_from_xyz(k_xyz_from_rgb * glm::vec3(0, 0, 1))),
                                 k_power);
     const float knee = k_knee * most;
-    std::vector<float> errors(a.size() / 4);
+    std::vector<float> errors(one.features.edges.size());
     for (size_t i = 0; i < errors.size(); ++i) {
         const float raw = std::pow(hyab(one.lab.at(i), other.lab.at(i)), k_power);
         const float colour =
@@ -205,10 +196,92 @@ std::vector<float> flip(const std::vector<uint8_t>& a, const std::vector<uint8_t
     return errors;
 }
 
+Channels linear_of(const std::vector<uint8_t>& rgba) {
+    std::array<float, 256> linear;
+    for (size_t i = 0; i < linear.size(); ++i) linear[i] = linear_from_srgb(static_cast<uint8_t>(i));
+    Channels out;
+    for (Plane& plane : out.planes) plane.resize(rgba.size() / 4);
+    for (size_t i = 0; i < rgba.size() / 4; ++i)
+        out.set(i, {linear[rgba[4 * i]], linear[rgba[4 * i + 1]], linear[rgba[4 * i + 2]]});
+    return out;
+}
+
+// The tone curve of ACES as K. Narkowicz fitted it, (a x^2 + b x + c) / (d x^2 + e x + f), without the
+// exposure that it comes with.
+struct ToneCurve {
+    float a = 0.6f * 0.6f * 2.51f, b = 0.6f * 0.03f, c = 0, d = 0.6f * 0.6f * 2.43f, e = 0.6f * 0.59f,
+          f = 0.14f;
+    float operator()(float x) const { return (a * x * x + b * x + c) / (d * x * x + e * x + f); }
+    // Where it reaches y.
+    float inverse(float y) const {
+        const float p = (b - y * e) / (a - y * d), q = (c - y * f) / (a - y * d);
+        return -p / 2 + std::sqrt(p * p / 4 - q);
+    }
+};
+
+Channels exposed(const std::vector<float>& rgba, float exposure) {
+    const ToneCurve tone;
+    const float scale = std::exp2(exposure);
+    Channels out;
+    for (Plane& plane : out.planes) plane.resize(rgba.size() / 4);
+    for (size_t i = 0; i < rgba.size() / 4; ++i)
+        for (size_t c = 0; c < 3; ++c) {
+            // So bright that the curve is level, before its squares are too large to tell.
+            const float value = std::min(rgba[4 * i + c] * scale, 1e9f);
+            out.planes[c][i] = value > 0 ? std::clamp(tone(value), 0.0f, 1.0f) : 0;
+        }
+    return out;
+}
+
+}  // namespace
+
+std::vector<float> flip(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width,
+                        float pixels_per_degree) {
+    assert(width > 0 && !a.empty() && a.size() == b.size() && a.size() / 4 % static_cast<size_t>(width) == 0);
+    return compare(see(linear_of(a), width, pixels_per_degree), see(linear_of(b), width, pixels_per_degree));
+}
+
 double mean_flip(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, int width,
                  float pixels_per_degree) {
-    const std::vector<float> errors = flip(a, b, width, pixels_per_degree);
+    return mean_of(flip(a, b, width, pixels_per_degree));
+}
+
+double mean_of(const std::vector<float>& errors) {
     return std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
+}
+
+Exposures exposures_of(const std::vector<float>& reference) {
+    constexpr float k_bright = 0.85f;  // as bright as a screen should show what matters
+    std::vector<float> luminances;
+    for (size_t i = 0; i < reference.size(); i += 4) {
+        const float y = 0.2126f * reference[i] + 0.7152f * reference[i + 1] + 0.0722f * reference[i + 2];
+        luminances.push_back(std::isfinite(y) && y > 0 ? y : 0);
+    }
+    const auto median = luminances.begin() + static_cast<ptrdiff_t>(luminances.size() / 2);
+    std::nth_element(luminances.begin(), median, luminances.end());
+    const float most = *std::max_element(luminances.begin(), luminances.end());
+    if (most <= 0) return {0, 0, 2};
+    const float shown = ToneCurve().inverse(k_bright);
+    Exposures out{std::log2(shown / most), 0, 0};
+    // Where half of it is black there is no median to show.
+    out.stop = *median > 0 ? std::log2(shown / *median) : out.start;
+    out.count = std::min(std::max(2, static_cast<int>(std::ceil(out.stop - out.start))), 40);
+    return out;
+}
+
+std::vector<float> hdr_flip(const std::vector<float>& reference, const std::vector<float>& other, int width,
+                            float pixels_per_degree) {
+    assert(width > 0 && !reference.empty() && reference.size() == other.size());
+    const Exposures exposures = exposures_of(reference);
+    std::vector<float> worst(reference.size() / 4, 0.0f);
+    for (int n = 0; n < exposures.count; ++n) {
+        const float exposure = exposures.start + (exposures.stop - exposures.start) * static_cast<float>(n) /
+                                                     static_cast<float>(exposures.count - 1);
+        const std::vector<float> errors = compare(see(exposed(reference, exposure), width, pixels_per_degree),
+                                                  see(exposed(other, exposure), width, pixels_per_degree));
+        for (size_t i = 0; i < worst.size(); ++i) worst[i] = std::max(worst[i], errors[i]);
+    }
+    return worst;
 }
 
 }  // namespace flaneur
