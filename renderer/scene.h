@@ -145,6 +145,16 @@ struct Sun {
     glm::vec3 direction{0.4f, 0.42f, 0.8f};  // towards the sun, unit; at night below the horizon
 };
 
+// What a picture is drawn without, to see what that costs and what it does to the picture.
+struct Spared {
+    // Of sun or moon: nothing is drawn into their maps, and what looks there finds light.
+    bool shadows = false;
+    bool smoothing = false;  // of edges
+    bool impostors = false;  // all people are meshes
+    bool contacts = false;   // the ground below people is not darkened
+    bool lamps = false;      // and lit windows, to which eyes are used all the same
+};
+
 // Everything that may change from frame to frame.
 struct FrameInput {
     Camera camera;
@@ -159,6 +169,7 @@ struct FrameInput {
     // Index of a walker with whom the eye goes, and who so would stay between two levels of detail: drawn by
     // one of them. ~0: nobody.
     uint32_t companion = ~0u;
+    Spared without = {};
     bool skips_hidden = true;  // what walls hide is not drawn; the picture is the same either way
     // Crowd, city and sky are stages of their own rather than one, the scene, and what shaders were called
     // for is counted: slower, and the same picture.

@@ -182,7 +182,7 @@ struct FrameConstants {
     vec4 samples;  // of a pixel: along each edge, 1 over that; 1 over the width and height of surfaces
     vec4 way;      // 1 or 0: lamps are lit; plain light, of sun and sky, with neither shadows nor haze nor patterns;
                    //   surfaces are painted, and not lit; something is laid over the picture
-    vec4 backdrop;  // where nothing is, display-ready; w: 1 if there is one
+    vec4 backdrop;  // where nothing is, display-ready; w: 1 if there is one, -1 if edges stay as they are
 };
 
 #endif

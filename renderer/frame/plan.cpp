@@ -20,6 +20,15 @@ DrawRange append(std::vector<DrawCommand>& draws, std::span<const DrawCommand> m
     return range;
 }
 
+// Every place lies beyond both maps of shadows then, where it is light.
+void look_beyond_shadows(FrameConstants& out) {
+    constexpr float k_beyond = 2;  // maps reach from 0 to 1
+    out.shadow_from_world = mat4(0);
+    out.shadow_from_world[3] = vec4(k_beyond, k_beyond, k_beyond, 1);
+    out.far_scale = vec4(0);
+    out.far_offset = vec4(k_beyond, k_beyond, k_beyond, 0);
+}
+
 // What light does not know of: the view, its shadows, and how the picture is made.
 void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent, FrameConstants& out) {
     auto v4 = [](vec3 v, float w = 0) { return vec4(v, w); };
@@ -42,14 +51,17 @@ void set_view(const Renderer& renderer, const FramePlan& plan, VkExtent2D extent
     out.ray_forward = v4(plan.view.forward, 1 / plan.view.pixels_at_one_metre);
     out.ray_right = v4(plan.view.right);
     out.ray_down = v4(plan.view.down);
-    out.sun_direction = plan.has_shadows || plan.backdrop ? v4(plan.light.to_light) : vec4(0, -1, 0, 0);
+    const bool has_sun = plan.has_shadows || plan.backdrop || plan.without.shadows;
+    out.sun_direction = has_sun ? v4(plan.light.to_light) : vec4(0, -1, 0, 0);
+    if (plan.without.shadows) look_beyond_shadows(out);
     out.lamp_map = renderer.scene.lamp_map;
     const vec2 size(extent.width, extent.height);
     out.screen = {size.x, size.y, 1 / size.x, 1 / size.y};
     const auto samples = static_cast<float>(renderer.quality.samples);
     out.samples = {samples, 1 / samples, 1 / (size.x * samples), 1 / (size.y * samples)};
-    out.way = {plan.light.lamps > 0 && !plan.backdrop, plan.backdrop.has_value(),
+    out.way = {plan.light.lamps > 0 && !plan.backdrop && !plan.without.lamps, plan.backdrop.has_value(),
                plan.surfaces_view != Surfaces::lit, has_overlay(plan)};
+    if (plan.without.smoothing) out.backdrop = {0, 0, 0, -1};
     if (plan.backdrop) out.backdrop = v4(*plan.backdrop, 1);
 }
 
@@ -72,7 +84,10 @@ void colour_by_level(std::span<const PersonRanges> people, CrowdDraws& crowd) {
 // What lights the frame, and which maps of shadows are looked at and drawn.
 void plan_light(const Renderer& renderer, const FrameInput& input, FramePlan& plan) {
     plan.light = make_daylight(input.sun, input.is_overcast);
-    plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
+    plan.without.shadows = input.without.shadows && luminance(plan.light.sky.sun) > 0 && !plan.backdrop;
+    plan.without.smoothing = input.without.smoothing;
+    plan.without.lamps = input.without.lamps;
+    plan.has_shadows = luminance(plan.light.sky.sun) > 0 && !plan.backdrop && !plan.without.shadows;
     plan.lit_windows = input.lit_windows;
     plan.slice = fine_shadow_slice(plan.view, plan.view.eye.y - renderer.scene.ground_low);
     auto wanted_of = [&](Slice slice) {
@@ -87,8 +102,10 @@ void plan_light(const Renderer& renderer, const FrameInput& input, FramePlan& pl
 // Who is seen, whose shadows are, and what of their map changes.
 void plan_people(Renderer& renderer, const FrameInput& input, FramePlan& plan) {
     const GpuScene& scene = renderer.scene;
-    const CrowdInput crowd{input.walkers,   scene.people,    input.palette.size(), scene.impostors.pixels,
-                           input.is_finest, input.companion, &renderer.hidden,     renderer.workers.get()};
+    const CrowdInput crowd{input.walkers,        scene.people,
+                           input.palette.size(), input.without.impostors ? 0 : scene.impostors.pixels,
+                           input.is_finest,      input.companion,
+                           &renderer.hidden,     renderer.workers.get()};
     View finer = plan.view;
     finer.pixels_at_one_metre *= renderer.quality.detail;
     cull_crowd(crowd, finer, renderer.crowd);
@@ -100,7 +117,8 @@ void plan_people(Renderer& renderer, const FrameInput& input, FramePlan& plan) {
     if (plan.has_shadows) plan.near_changed = changed_texels(near.people, tiles, resolution);
     near.people = std::move(tiles);
     if (input.people_colours == PeopleColours::levels) colour_by_level(scene.people, renderer.crowd);
-    if (!plan.backdrop) find_contacts(crowd, input.palette, input.grounds, finer, plan.contacts);
+    if (!plan.backdrop && !input.without.contacts)
+        find_contacts(crowd, input.palette, input.grounds, finer, plan.contacts);
 }
 
 // Those whom the host skins come first.

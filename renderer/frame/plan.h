@@ -28,6 +28,7 @@ struct FramePlan {
     Daylight light;
     float lit_windows = 0;
     bool has_shadows = false;  // of sun or moon
+    Spared without;            // see FrameInput
     Slice slice;
     ShadowBox near, far;               // where shadows are thrown
     ShadowState shadows;               // once this frame is drawn

@@ -10,6 +10,8 @@ cd "$folder"
     "$flaneur" bench crowd --scene corner --frames 2 --json "bench crowd.json"
     "$flaneur" bench pose --scene corner --frames 1 --json "bench pose.json"
     "$flaneur" bench city --scene corner --frames 1 --json "bench city.json"
+    "$flaneur" bench sweep --scene corner --walkers 2:8 --frames 4 --warm-up 4 --json "bench sweep.json"
+    "$flaneur" bench scale --scene corner --walkers 20 --threads 2 --frames 4 --warm-up 4 --json "bench scale.json"
     "$flaneur" gait --json gait.json --csv gait.csv
     "$flaneur" gait --crowd 60 --seconds 12 --json "gait+crowd.json"
     # Not all bars of prams are met.
@@ -22,6 +24,7 @@ cd "$folder"
     "$flaneur" inspect "$map" --json "inspect of a map.json"
     if [[ $vulkan == ON ]]; then
         "$flaneur" bench frame --scene corner --size 64x36 --frames 1 --json "bench frame.json"
+        "$flaneur" bench ablate --scene corner --size 64x36 --frames 1 --warm-up 4 --walkers 20 --json "bench ablate.json"
         "$flaneur" render --scene corner --size 64x36 --out picture.png --ids "render and view.png"
         "$flaneur" city --check --city "$map" --walkers 2 --seconds 1 --json "city check.json" || true
     fi
@@ -33,7 +36,7 @@ python3 - "$manual" "$vulkan" << 'END'
 import json, os, re, sys
 
 manual, vulkan = sys.argv[1:]
-drawn = {"bench frame", "bench peers", "city check", "render and view"}
+drawn = {"bench ablate", "bench frame", "bench peers", "city check", "render and view"}
 
 # What the manual lists: by section, keys of the JSON and columns of the CSV.
 keys, columns, units, section, kind = {}, {}, {}, "", ""

@@ -192,6 +192,19 @@ TEST(Ticks, OneOrARange) {
         EXPECT_FALSE(parse_ticks(text)) << text;
 }
 
+TEST(Walkers, OneNumberOrARange) {
+    Result<WalkerRange> one = parse_walkers("1e3"), range = parse_walkers("100:1e6");
+    ASSERT_TRUE(one && range);
+    EXPECT_TRUE(is_single(*one));
+    EXPECT_EQ(one->first, 1000u);
+    EXPECT_FALSE(is_single(*range));
+    EXPECT_EQ(range->first, 100u);
+    EXPECT_EQ(range->last, 1'000'000u);
+    for (const char* text :
+         {"", ":", "1:", ":1", "5:5", "9:1", "0:9", "1:1000001", "100001", "1.5", "-1", "a", "1:2:3", "nan"})
+        EXPECT_FALSE(parse_walkers(text)) << text;
+}
+
 TEST(People, AFileOrTheBuiltInOnesAndTheirShare) {
     EXPECT_EQ(*parse_people("a.glb"), (PeopleShare{"a.glb", 1}));
     EXPECT_EQ(*parse_people("a.glb:2.5"), (PeopleShare{"a.glb", 2.5f}));

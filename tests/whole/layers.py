@@ -72,6 +72,7 @@ tools/rendercheck/verdict: tools/rendercheck/picture
 tools/extract: assets, assets/props, renderer, sim, sim/base, sim/crowd, sim/pose
 
 tools/flaneur/console: sim/base
+tools/flaneur/plot:
 tools/flaneur/measure: assets/files, sim, sim/base, sim/crowd
 tools/flaneur/options: assets, assets/files, sim/base, sim/pose, tools/flaneur/measure
 tools/rendercheck/suite: assets/files, sim/base, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/verdict
@@ -82,7 +83,7 @@ tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files,
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
-tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output
+tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/crowd, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/measure, tools/flaneur/options
@@ -114,7 +115,9 @@ tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/f
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: tools/rendercheck/verdict, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
+tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
+tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
 """
 MOST_FILES = 25
 CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")

@@ -1,7 +1,13 @@
 #include "tools/flaneur/bench/bench.h"
 
-#include <cstdio>
+#include <unistd.h>
 
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include "tools/flaneur/bench/gauntlet/gauntlet.h"
+#include "tools/flaneur/bench/study/study.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
@@ -10,6 +16,28 @@
 namespace flaneur {
 
 namespace {
+
+Result<std::string> measure(const Options& options) {
+    if (options.load == BenchLoad::pose) return bench_pose(options);
+    if (options.load == BenchLoad::city) return bench_city(options);
+    if (options.load == BenchLoad::sweep) return bench_sweep(options);
+    if (options.load == BenchLoad::scale) return bench_scale(options);
+    if (options.load == BenchLoad::gauntlet) return bench_gauntlet(options);
+#ifdef FLANEUR_VULKAN
+    if (options.load == BenchLoad::peers) return bench_peers(options);
+    if (options.load == BenchLoad::ablate) return bench_ablate(options);
+    Result<Figures> figures = options.load == BenchLoad::frame    ? bench_frame(options)
+                              : options.load == BenchLoad::window ? bench_window(options)
+                                                                  : bench_crowd(options);
+#else
+    Result<Figures> figures = bench_crowd(options);
+#endif
+    if (!figures) return figures.error();
+    print_figures(*figures);
+    return figures_json(*figures);
+}
+
+}  // namespace
 
 Result<Figures> bench_crowd(const Options& options) {
     Result<Loaded> loaded = load(options);
@@ -25,23 +53,14 @@ Result<Figures> bench_crowd(const Options& options) {
     return figures;
 }
 
-Result<std::string> measure(const Options& options) {
-    if (options.load == BenchLoad::pose) return bench_pose(options);
-    if (options.load == BenchLoad::city) return bench_city(options);
-#ifdef FLANEUR_VULKAN
-    if (options.load == BenchLoad::peers) return bench_peers(options);
-    Result<Figures> figures = options.load == BenchLoad::frame    ? bench_frame(options)
-                              : options.load == BenchLoad::window ? bench_window(options)
-                                                                  : bench_crowd(options);
-#else
-    Result<Figures> figures = bench_crowd(options);
-#endif
-    if (!figures) return figures.error();
-    print_figures(*figures);
-    return figures_json(*figures);
+double resident_mb() {
+    std::ifstream file("/proc/self/statm");
+    double whole = 0, resident = 0;
+    if (!(file >> whole >> resident)) return 0;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20);
 }
 
-}  // namespace
+int core_count() { return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u)); }
 
 void add_setting(Figures& figures, const Options& options, const World& world) {
     figures.setting = {{"city", city_name(options.scene)},
@@ -63,7 +82,10 @@ Result<void> run_bench(const Options& options) {
     }
     Result<std::string> figures = measure(options);
     if (!figures) return figures.error();
-    return json ? write_file(std::move(json), *figures) : Result<void>();
+    if (json) {
+        if (Result<void> kept = write_file(std::move(json), *figures); !kept) return kept;
+    }
+    return is_stopping() ? interrupted("what was measured before is kept") : Result<void>();
 }
 
 }  // namespace flaneur

@@ -23,13 +23,14 @@ Result<void> run(const Options& options) {
     bool draws = options.command == Command::view || options.command == Command::render ||
                  (options.command == Command::bench &&
                   (options.load == BenchLoad::frame || options.load == BenchLoad::window ||
-                   options.load == BenchLoad::peers)) ||
+                   options.load == BenchLoad::peers || options.load == BenchLoad::ablate)) ||
                  (options.command == Command::gait && !options.gait.strip.empty()) ||
                  (options.command == Command::people && !options.people.sheet.empty()) ||
                  options.command == Command::city;
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city, gait without --strip, "
+            "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city|sweep|scale|gauntlet, "
+            "gait without --strip, "
             "people without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
 #endif

@@ -9,12 +9,18 @@
 
 namespace flaneur {
 
+struct Camera;
 struct FrameStats;
+struct Show;
 
 void add_setting(Figures& figures, const Options& options, const World& world);
 // What each stage took in the last tick.
 void add_stages(Figures& figures, const World& world);
 
+// Ticks of the simulation alone.
+Result<Figures> bench_crowd(const Options& options);
+// One frame: a tick, the extraction, and a picture read back. Only in builds with Vulkan.
+Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures);
 // Frames with all that belongs to them. Only in builds with Vulkan.
 Result<Figures> bench_frame(const Options& options);
 // Pictures of a window that is at rest and moves, with panels and without. Only in builds with Vulkan.
@@ -23,11 +29,20 @@ Result<Figures> bench_window(const Options& options);
 // drawn with levels of detail and with every triangle. Prints both, and gives them as JSON:
 // {"modes": [figures_json's, ..], "flip"}. Only in builds with Vulkan.
 Result<std::string> bench_peers(const Options& options);
+// What it measures: with levels of detail and then with every triangle. Prints both.
+struct PeersTimes {
+    std::vector<Figures> modes;
+    double flip = 0;  // mean, between the two
+};
+Result<PeersTimes> measure_peers(const Options& options);
 void add_counts(Figures& figures, const FrameStats& stats);
 
 // What all threads have worked together: unlike the time that goes by, it is about the same on a busy
 // machine.
 double cpu_ms();
+// Megabytes that the process holds in memory now; 0 where the system does not tell.
+double resident_mb();
+int core_count();
 
 // Something that `bench pose` measures. `ns` runs it and says what it took for each walker, chain or tree.
 // Goals: on SSE4, AVX2 and AVX-512; 0 where there is none.
@@ -53,5 +68,11 @@ Result<std::string> bench_city(const Options& options);
 // beside the goals and gives it as JSON: {"setting": {..}, "kernels": [{"name", "isa", "median_ns",
 // "least_ns", "goal_ns"}]}.
 Result<std::string> bench_pose(const Options& options);
+// The same, and nothing is printed.
+struct KernelTime {
+    std::string name, isa;
+    double median_ns = 0;
+};
+Result<std::vector<KernelTime>> pose_times(const Options& options);
 
 }  // namespace flaneur

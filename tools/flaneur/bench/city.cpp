@@ -26,7 +26,7 @@ double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-double resident_mb() {
+double peak_mb() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024;
@@ -154,7 +154,7 @@ Result<std::string> bench_city(const Options& options) {
                       {"navmesh kept ms", restore_ms},
                       {"ground triangles", static_cast<double>(city.ground.kinds.size())},
                       {"faces", static_cast<double>(city.ground.faces.size())},
-                      {"peak MB", resident_mb()}};
+                      {"peak MB", peak_mb()}};
     print_setting(figures);
     put_setting(figures, json);
     for (const auto& [name, value] : figures.counts) {

@@ -20,31 +20,6 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// One frame of the load: a tick, the extraction, and a picture read back.
-Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures) {
-    World& world = *show.loaded.world;
-    auto start = Clock::now();
-    const double cpu_start = cpu_ms();
-    step(world);
-    add_sample(figures, "step", ms_since(start), "frame");
-    add_stages(figures, world);
-    auto extracting = Clock::now();
-    FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
-    add_sample(figures, "extract", ms_since(extracting), "frame");
-    auto drawing = Clock::now();
-    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
-                                     static_cast<uint32_t>(options.scene.size.height));
-    if (!image) return image.error();
-    add_sample(figures, "draw", ms_since(drawing), "frame");
-    const FrameStats& stats = frame_stats(*show.renderer);
-    add_sample(figures, "record", stats.cpu_record_ms, "draw");
-    for (const FrameStats::Stage& stage : stats.stages)
-        add_sample(figures, "gpu " + stage.name, stage.gpu_ms, "draw");
-    add_sample(figures, "frame", ms_since(start));
-    add_sample(figures, "all threads", cpu_ms() - cpu_start);
-    return {};
-}
-
 // What crowd, city and sky take of the scene's time, in a frame that draws one after the other.
 Result<void> measure_passes(Show& show, const Options& options, const Camera& camera, Figures& figures) {
     FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
@@ -97,6 +72,30 @@ std::string first_frame(const Figures& first) {
 }
 
 }  // namespace
+
+Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures) {
+    World& world = *show.loaded.world;
+    auto start = Clock::now();
+    const double cpu_start = cpu_ms();
+    step(world);
+    add_sample(figures, "step", ms_since(start), "frame");
+    add_stages(figures, world);
+    auto extracting = Clock::now();
+    FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
+    add_sample(figures, "extract", ms_since(extracting), "frame");
+    auto drawing = Clock::now();
+    Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
+                                     static_cast<uint32_t>(options.scene.size.height));
+    if (!image) return image.error();
+    add_sample(figures, "draw", ms_since(drawing), "frame");
+    const FrameStats& stats = frame_stats(*show.renderer);
+    add_sample(figures, "record", stats.cpu_record_ms, "draw");
+    for (const FrameStats::Stage& stage : stats.stages)
+        add_sample(figures, "gpu " + stage.name, stage.gpu_ms, "draw");
+    add_sample(figures, "frame", ms_since(start));
+    add_sample(figures, "all threads", cpu_ms() - cpu_start);
+    return {};
+}
 
 double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

@@ -230,7 +230,7 @@ Result<std::vector<PartFilePtr>> open_pictures(const Options& options) {
 
 }  // namespace
 
-Result<std::string> bench_peers(const Options& options) {
+Result<PeersTimes> measure_peers(const Options& options) {
     Result<std::vector<PartFilePtr>> files = open_pictures(options);
     if (!files) return files.error();
     Result<Dancers> dancers = make_dancers(options);
@@ -246,7 +246,7 @@ Result<std::string> bench_peers(const Options& options) {
         std::find(std::begin(k_counts), std::end(k_counts), static_cast<int>(options.bench_count));
     const size_t column = static_cast<size_t>(known - std::begin(k_counts));
     const bool is_known = known != std::end(k_counts);
-    nlohmann::ordered_json json;
+    PeersTimes times;
     std::vector<Image> images;
     for (const Mode& mode : k_modes) {
         Figures figures;
@@ -259,17 +259,26 @@ Result<std::string> bench_peers(const Options& options) {
         if (is_known) figures.counts.emplace_back("goal, ms", mode.goals[column]);
         print_figures(figures);
         std::printf("\n");
-        json["modes"].push_back(nlohmann::ordered_json::parse(figures_json(figures)));
+        times.modes.push_back(std::move(figures));
         images.push_back(std::move(*image));
         if (files->empty()) continue;
         Result<void> kept =
             write_png(std::move((*files)[images.size() - 1]), images.back().rgba, options.scene.size);
         if (!kept) return kept.error();
     }
-    const double difference = mean_flip(images[0].rgba, images[1].rgba, options.scene.size.width);
-    std::printf("%-36s %9.4f (goal 0.02)\n", "mean FLIP between the two", difference);
-    json["flip"] = difference;
+    times.flip = mean_flip(images[0].rgba, images[1].rgba, options.scene.size.width);
+    std::printf("%-36s %9.4f (goal 0.02)\n", "mean FLIP between the two", times.flip);
     if (Result<void> quiet = check_messages(messages); !quiet) return quiet.error();
+    return times;
+}
+
+Result<std::string> bench_peers(const Options& options) {
+    Result<PeersTimes> times = measure_peers(options);
+    if (!times) return times.error();
+    nlohmann::ordered_json json;
+    for (const Figures& figures : times->modes)
+        json["modes"].push_back(nlohmann::ordered_json::parse(figures_json(figures)));
+    json["flip"] = times->flip;
     return json.dump(2) + "\n";
 }
 

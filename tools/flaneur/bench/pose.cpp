@@ -145,6 +145,12 @@ Samples measure(const std::vector<Kernel>& kernels, const std::vector<std::strin
     return samples;
 }
 
+std::vector<std::string_view> measured_isas() {
+    std::vector<std::string_view> isas = isa_names();
+    if (isas.size() > 1) std::erase(isas, "scalar");  // for tests
+    return isas;
+}
+
 double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
@@ -205,14 +211,27 @@ double ns_each(size_t count, const std::function<void()>& work) {
     return ns / static_cast<double>(count);
 }
 
+Result<std::vector<KernelTime>> pose_times(const Options& options) {
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    Work work = make_work(*loaded->world, options.warm_up);
+    const std::vector<Kernel> kernels = kernels_of(work);
+    const std::vector<std::string_view> isas = measured_isas();
+    const Samples samples = measure(kernels, isas, options.bench_frames);
+    std::vector<KernelTime> times;
+    for (size_t k = 0; k < kernels.size(); ++k)
+        for (size_t i = 0; i < isas.size(); ++i)
+            times.push_back({kernels[k].name, std::string(isas[i]), median(samples[k][i])});
+    return times;
+}
+
 Result<std::string> bench_pose(const Options& options) {
     if (options.scene.walkers == 0) return Error{"bench pose needs someone to pose: --walkers 1 or more."};
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     Work work = make_work(*loaded->world, options.warm_up);
     std::vector<Kernel> kernels = kernels_of(work);
-    std::vector<std::string_view> isas = isa_names();
-    if (isas.size() > 1) std::erase(isas, "scalar");  // for tests
+    std::vector<std::string_view> isas = measured_isas();
     Samples samples = measure(kernels, isas, options.bench_frames);
 
     Figures figures;

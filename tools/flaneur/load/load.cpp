@@ -99,6 +99,10 @@ Result<std::vector<Clip>> load_idles(const Scene& scene) {
     return clips;
 }
 
+}  // namespace
+
+bool grows_with_walkers(const Scene& scene) { return scene.city.empty() && !scene.asteroid; }
+
 // A district as large as the scene says, or as its walkers need to walk rather than queue: some 750 to a
 // block.
 int district_blocks(const Scene& scene) {
@@ -106,8 +110,6 @@ int district_blocks(const Scene& scene) {
     while (blocks < k_most_blocks && blocks * blocks * 750 < scene.walkers) ++blocks;
     return blocks;
 }
-
-}  // namespace
 
 static float times_usual(const PeopleMix& mix, const PersonOptions& person) {
     float times = 1;

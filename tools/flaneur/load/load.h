@@ -57,6 +57,11 @@ Result<Loaded> load(const Options& options);
 // What its city is called: after its file or, built in, after the scene.
 std::string city_name(const Scene& scene);
 
+// Whether the scene's city is the built-in district, which grows with the walkers; and how many blocks of
+// houses it has along each side then.
+bool grows_with_walkers(const Scene& scene);
+int district_blocks(const Scene& scene);
+
 // What a scene says of its city; how far it is comes on the terminal.
 CityOptions city_options(const Scene& scene);
 

@@ -10,7 +10,11 @@ constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), window (the whole viewer, at rest and looking about, with panels and
 without; takes a display), crowd (the simulation), pose (the kernels that pose bodies, on one thread), city (how long it
 takes to read, and its queries on one thread), peers (a scene that other renderers were measured by: copies of one character
-that play its own clip, drawn with levels of detail and with every triangle). frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+that play its own clip, drawn with levels of detail and with every triangle), sweep (the stages of a tick and a picture over
+the number of walkers: how each grows, and where it stops being real time), scale (the stages of a tick over the number of
+threads: speed-up, and what stays on one thread), ablate (what a picture costs and how it looks without shadows, smoothed
+edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of ten minutes
+that every machine can play, for a page beside other machines'). frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
@@ -18,6 +22,10 @@ Examples:
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
   flaneur bench pose --walkers 1000
   flaneur bench city --city monaco.osm.pbf
+  flaneur bench sweep --walkers 100:1000000 --svg out/sweep.svg
+  flaneur bench ablate --walkers 500 --svg out/ablate.svg
+  flaneur bench gauntlet --json out/here.json --html out/gauntlet.html --others out/others
+  flaneur bench scale --walkers 20000 --svg out/scale.svg
   flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
@@ -27,8 +35,13 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "pose") return BenchLoad::pose;
     if (text == "city") return BenchLoad::city;
     if (text == "peers") return BenchLoad::peers;
+    if (text == "sweep") return BenchLoad::sweep;
+    if (text == "scale") return BenchLoad::scale;
+    if (text == "ablate") return BenchLoad::ablate;
+    if (text == "gauntlet") return BenchLoad::gauntlet;
     return Error{excerpt(text) +
-                 " is none of frame, window, crowd, pose, city and peers, which bench measures"};
+                 " is none of frame, window, crowd, pose, city, peers, sweep, scale, ablate and gauntlet, "
+                 "which bench measures"};
 }
 
 Result<BenchMove> parse_move(const std::string& text) {
@@ -38,15 +51,35 @@ Result<BenchMove> parse_move(const std::string& text) {
     return Error{excerpt(text) + " is none of follow, walk and orbit, the ways a camera moves"};
 }
 
+// One number as other commands have it, or a range for sweep.
+void add_walkers(CLI::App& bench, SceneWords& words, Options& options) {
+    bench.remove_option(bench.get_option("--walkers"));
+    auto take = [&](const std::string& text) {
+        Result<WalkerRange> range = parse_walkers(text);
+        if (!range)
+            throw CLI::ValidationError("--walkers " + range.error().message, CLI::ExitCodes::ValidationError);
+        options.study.walkers = *range;
+        if (is_single(*range)) words.walkers = static_cast<int>(range->first);
+    };
+    bench
+        .add_option_function<std::string>("--walkers", take,
+                                          "How many people, 0 to 100000; of sweep from and to how many, up "
+                                          "to 1000000; without it, 100:100000")
+        ->type_name("N|FIRST:LAST")
+        ->group("Scene");
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
     add_parsed(*bench, "load", parse_load, options.load,
-               "What to measure: frame, window, crowd, pose, city or peers", "LOAD", "")
+               "What to measure: frame, window, crowd, pose, city, peers, sweep, scale, ablate or gauntlet",
+               "LOAD", "")
         ->required();
     add_scene_options(*bench, words, options);
+    add_walkers(*bench, words, options);
     add_drawing_options(*bench, words, options);
     add_camera_option(*bench, words);
     bench
@@ -73,6 +106,24 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("N")
         ->transform(whole_between(1, 10'000))
         ->capture_default_str();
+    bench
+        ->add_option("--steps", options.study.steps,
+                     "At how many points sweep measures, in equal ratios; without it, at 1, 2, 5, 10 ..")
+        ->type_name("N")
+        ->transform(whole_between(2, 100));
+    bench->add_option("--svg", options.study.svg, "Where sweep, scale and ablate draw their chart")
+        ->type_name("FILE");
+    bench->add_flag("--quick", options.study.quick, "A gauntlet of a minute, with fewer people");
+    bench->add_option("--html", options.study.html, "Where gauntlet writes a page with charts")
+        ->type_name("FILE");
+    bench
+        ->add_option("--others", options.study.others,
+                     "A folder with what gauntlet --json wrote on other machines: they are on the page too")
+        ->type_name("FOLDER");
+    bench
+        ->add_option("--markdown", options.study.markdown,
+                     "Where gauntlet writes the project's goals beside what it measured")
+        ->type_name("FILE");
     bench->add_option("--out", options.out, "Where peers writes its two pictures")->type_name("FOLDER");
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }

@@ -16,7 +16,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache };
-enum class BenchLoad { frame, window, crowd, pose, city, peers };
+enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet };
 
 // Ticks first, first + step, ... not beyond last.
 struct TickRange {
@@ -77,6 +77,25 @@ struct PeopleOptions {
 
 enum class BenchMove { none, follow, walk, orbit };
 
+// Both ends belong to it.
+struct WalkerRange {
+    uint32_t first = 0, last = 0;
+};
+inline constexpr uint32_t k_most_swept = 1'000'000;
+inline bool is_single(const WalkerRange& range) { return range.first == range.last; }
+
+// Of bench loads that change one thing and look how all else follows. Empty words ask for nothing.
+struct StudyOptions {
+    WalkerRange walkers{100, 100'000};  // of a sweep,
+    int steps = 0;                      // at so many points; 0: 1, 2, 5, 10 ..
+    std::string svg;                    // a chart
+    // Of the gauntlet:
+    bool quick = false;
+    std::string html;      // a page with charts
+    std::string others;    // a folder with what other machines measured
+    std::string markdown;  // goals beside what was measured
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -121,6 +140,7 @@ struct Options {
     uint32_t warm_up = 60;             // ticks before measuring; people get under way
     uint32_t bench_count = 100;        // characters of peers
     BenchMove move = BenchMove::none;  // how the camera of frame moves
+    StudyOptions study;
 
     // city
     bool check = false;
@@ -151,6 +171,8 @@ std::string told_without(Techniques techniques);
 Result<uint64_t> parse_seed(const std::string& text);
 // "21.5:24"
 Result<Moments> parse_moments(const std::string& text);
+// "500", of which there may be as many as a scene has; or "100:1e6", up to k_most_swept.
+Result<WalkerRange> parse_walkers(const std::string& text);
 // "600", "0:600" or "0:600:2".
 Result<TickRange> parse_ticks(const std::string& text);
 

@@ -1,6 +1,7 @@
 // How values on the command line are read.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -72,6 +73,30 @@ Result<uint64_t> parse_seed(const std::string& text) {
     uint64_t seed = 0;
     if (parse_number(text, seed)) return seed;
     return Error{excerpt(text) + " is not a whole number from 0 to 18446744073709551615"};
+}
+
+Result<WalkerRange> parse_walkers(const std::string& text) {
+    const size_t colon = text.find(':');
+    auto whole = [](std::string_view number, double low, double high, uint32_t& to) {
+        double value = 0;
+        if (!is_number(number, value) || !(value >= low && value <= high) || value != std::floor(value))
+            return false;
+        to = static_cast<uint32_t>(value);
+        return true;
+    };
+    WalkerRange range;
+    if (colon == std::string::npos) {
+        if (!whole(text, 0, k_max_walkers, range.first))
+            return Error{excerpt(text) + " is not a whole number from 0 to " + std::to_string(k_max_walkers)};
+        range.last = range.first;
+        return range;
+    }
+    const std::string_view view = text;
+    if (!whole(view.substr(0, colon), 1, k_most_swept, range.first) ||
+        !whole(view.substr(colon + 1), 1, k_most_swept, range.last) || range.first >= range.last)
+        return Error{excerpt(text) + " is not FIRST:LAST, rising whole numbers from 1 to " +
+                     std::to_string(k_most_swept)};
+    return range;
 }
 
 Result<TickRange> parse_ticks(const std::string& text) {

@@ -1,0 +1,257 @@
+#include "tools/flaneur/bench/gauntlet/gauntlet.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "tools/flaneur/bench/bench.h"
+#include "tools/flaneur/console/console.h"
+#include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/gait/people/who.h"
+#include "tools/flaneur/gait/trials.h"
+#include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/output.h"
+#include "tools/flaneur/plot/plot.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr uint32_t k_turn = 4;  // ticks, in which everybody decides once
+
+// What is played, and how long: the counts are those of the goals, and fewer for a quick run.
+struct GauntletPlan {
+    std::vector<int> crowds, pictures, copies;
+    uint32_t turns, frames, repetitions;
+    bool has_throng;  // the camera before the densest throng too
+};
+GauntletPlan plan_of(bool is_quick) {
+    if (is_quick) return {{500, 1000, 2000}, {100, 500, 1000}, {100}, 5, 12, 8, false};
+    return {{1000, 10'000, 100'000}, {500, 2000, 10'000}, {100, 500, 1000}, 15, 100, 100, true};
+}
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void add_score(GauntletRun& run, const char* part, const std::string& name, double size, double value,
+               const char* unit) {
+    run.scores.push_back({part, name, size, value, unit});
+    std::printf("%-7s %-28s %9s %12s %s\n", part, name.c_str(), size > 0 ? short_number(size).c_str() : "",
+                short_number(value).c_str(), unit);
+    std::fflush(stdout);
+}
+
+double median_of(const Figures& figures, const std::string& stage) {
+    for (const Series& series : figures.series)
+        if (series.name == stage) return quantile(series.ms, 0.5);
+    return std::nan("");
+}
+
+std::string cpu_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return "a CPU without a name";
+}
+
+// Without what earlier runs kept.
+Result<void> play_load(const Options& options, GauntletRun& run) {
+    show_progress("load");
+    auto start = std::chrono::steady_clock::now();
+    Result<City> city = read_city(options.scene);
+    if (!city) return city.error();
+    add_score(run, "load", "city", 0, ms_since(start), "ms");
+    start = std::chrono::steady_clock::now();
+    Result<NavmeshPtr> mesh =
+        build_navmesh(city->ground, {}, core_count(), [](float) { return !is_stopping(); });
+    if (!mesh) return mesh.error();
+    add_score(run, "load", "navigation mesh", 0, ms_since(start), "ms");
+    start = std::chrono::steady_clock::now();
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    add_score(run, "load", "all, with what is kept", 0, ms_since(start), "ms");
+    return {};
+}
+
+// On all threads, and then decisions on one.
+Result<void> play_crowd(Options options, int walkers, uint32_t turns, GauntletRun& run) {
+    options.scene.walkers = walkers;
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    World& world = *loaded->world;
+    WorkersPtr one = make_workers(1);
+    std::vector<double> tick, decision;
+    for (uint32_t turn = 0; turn < 2 * turns; ++turn) {
+        if (turn == turns) world.workers.swap(one);
+        show_progress("sim of " + short_number(walkers) + ", turn " + std::to_string(turn + 1));
+        double whole = 0, deciding = 0;
+        for (uint32_t i = 0; i < k_turn; ++i) {
+            if (is_stopping()) return interrupted();
+            const auto start = std::chrono::steady_clock::now();
+            step(world);
+            whole += ms_since(start) / k_turn;
+            deciding += world.stage_ms[static_cast<int>(Stage::neighbours)] +
+                        world.stage_ms[static_cast<int>(Stage::steer)];
+        }
+        if (turn < turns && turn > 0) tick.push_back(whole);
+        if (turn > turns) decision.push_back(1e6 * deciding / walkers);
+    }
+    world.workers.swap(one);
+    clear_progress();
+    add_score(run, "sim", "tick", walkers, quantile(tick, 0.5), "ms");
+    add_score(run, "sim", "decision", walkers, quantile(decision, 0.5), "ns");
+    return {};
+}
+
+Result<void> play_pose(Options options, uint32_t repetitions, GauntletRun& run) {
+    options.scene.walkers = 1000;
+    options.bench_frames = repetitions;
+    show_progress("pose");
+    Result<std::vector<KernelTime>> times = pose_times(options);
+    clear_progress();
+    if (!times) return times.error();
+    for (const KernelTime& time : *times)
+        add_score(run, "pose", time.name + ", " + time.isa, 0, time.median_ns, "ns");
+    return {};
+}
+
+// How far from the middle of its bar each quantity of a walk is.
+void play_walk(GauntletRun& run) {
+    const Who who;
+    const Person person{standard_body(static_cast<float>(usual_height(who))), manner_of(who)};
+    const Report report =
+        try_level(person, liked_speed(who, static_cast<double>(leg_length(person.body))), 25);
+    for (const Verdict& verdict : report.verdicts) {
+        if (!verdict.measured) continue;
+        const Bar& bar = verdict.bar;
+        double share = 0;
+        if (bar.low <= -k_open || bar.high >= k_open) {
+            const double edge = bar.low <= -k_open ? bar.high : bar.low;
+            share = bar.low <= -k_open ? verdict.value / edge : edge / verdict.value;
+        } else {
+            share = std::fabs(2 * verdict.value - bar.low - bar.high) / (bar.high - bar.low);
+        }
+        add_score(run, "gait", bar.quantity, 0, share, "");
+    }
+}
+
+#ifdef FLANEUR_VULKAN
+Result<void> play_picture(Options options, int walkers, uint32_t frames, bool is_throng, GauntletRun& run) {
+    options.scene.walkers = walkers;
+    options.scene.size = {1280, 720};
+    options.scene.quality = "medium";
+    options.bench_frames = frames;
+    if (is_throng) options.scene.camera = {CameraChoice::Kind::crowd, 0, {}, {}};
+    show_progress("frames of " + short_number(walkers));
+    Result<Figures> figures = bench_frame(options);
+    clear_progress();
+    if (!figures) return figures.error();
+    add_score(run, "frame", is_throng ? "crowd" : "street", walkers, median_of(*figures, "frame"), "ms");
+    for (const auto& [name, value] : figures->setting)
+        if (name == "device") run.device = std::get<std::string>(value);
+    if (is_throng) return {};
+    for (const char* stage : {"step", "extract", "draw"})
+        add_score(run, "frame", stage, walkers, median_of(*figures, stage), "ms");
+    for (const auto& [name, value] : figures->counts)
+        if (name == "sub-draws" || name == "direct draws") add_score(run, "frame", name, walkers, value, "");
+    return {};
+}
+
+Result<void> play_peers(Options options, int copies, uint32_t frames, GauntletRun& run) {
+    options.bench_count = static_cast<uint32_t>(copies);
+    options.bench_frames = frames;
+    options.scene.size = {1280, 720};
+    show_progress("peers of " + short_number(copies));
+    Result<PeersTimes> times = measure_peers(options);
+    clear_progress();
+    if (!times) return times.error();
+    const char* const names[] = {"with LOD", "every triangle"};
+    for (size_t i = 0; i < times->modes.size(); ++i)
+        add_score(run, "peers", names[i], copies, median_of(times->modes[i], "frame"), "ms");
+    add_score(run, "peers", "FLIP", copies, times->flip, "");
+    return {};
+}
+
+Result<void> play_pictures(const Options& options, const GauntletPlan& plan, GauntletRun& run) {
+    Options everyday = options;
+    everyday.scene.people.clear();  // those of peers
+    for (const bool is_throng : {false, true}) {
+        if (is_throng && !plan.has_throng) continue;
+        for (const int walkers : plan.pictures)
+            if (Result<void> done = play_picture(everyday, walkers, plan.frames, is_throng, run); !done)
+                return done;
+    }
+    if (options.scene.people.empty()) {
+        run.notes.emplace_back(
+            "Peers was left out: it draws copies of a character with a clip of its own. --character FILE "
+            "gives one, Khronos' "
+            "CesiumMan.glb to compare with others.");
+        return {};
+    }
+    for (const int copies : plan.copies)
+        if (Result<void> done = play_peers(options, copies, plan.frames / 2, run); !done) return done;
+    return {};
+}
+#else
+Result<void> play_pictures(const Options&, const GauntletPlan&, GauntletRun& run) {
+    run.notes.emplace_back("Frames and peers were left out: this flaneur was built without Vulkan.");
+    return {};
+}
+#endif
+
+Result<void> play(const Options& options, GauntletRun& run) {
+    const GauntletPlan plan = plan_of(options.study.quick);
+    Options everyday = options;
+    everyday.scene.people.clear();
+    everyday.scene.walkers = 500;
+    if (Result<void> done = play_load(everyday, run); !done) return done;
+    for (const int walkers : plan.crowds)
+        if (Result<void> done = play_crowd(everyday, walkers, plan.turns, run); !done) return done;
+    if (Result<void> done = play_pose(everyday, plan.repetitions, run); !done) return done;
+    play_walk(run);
+    return play_pictures(options, plan, run);
+}
+
+Result<PartFilePtr> open_if(const std::string& path) {
+    return path.empty() ? PartFilePtr() : open_file(path);
+}
+
+}  // namespace
+
+Result<std::string> bench_gauntlet(const Options& options) {
+    GauntletRun run;
+    run.machine = cpu_name() + ", " + std::to_string(core_count()) + " cores";
+    run.version = FLANEUR_VERSION;
+    run.is_quick = options.study.quick;
+    std::vector<GauntletRun> others;
+    if (!options.study.others.empty()) {  // before ten minutes go by
+        std::vector<std::string> notes;
+        Result<std::vector<GauntletRun>> read = read_others(options.study.others, run.is_quick, notes);
+        if (!read) return read.error();
+        others = std::move(*read);
+        for (const std::string& note : notes) say(note);
+    }
+    Result<PartFilePtr> html = open_if(options.study.html);
+    if (!html) return html.error();
+    Result<PartFilePtr> markdown = open_if(options.study.markdown);
+    if (!markdown) return markdown.error();
+
+    const auto start = std::chrono::steady_clock::now();
+    if (Result<void> done = play(options, run); !done) return done.error();
+    run.seconds = ms_since(start) / 1000;
+    for (const std::string& note : run.notes) std::printf("%s\n", note.c_str());
+    std::printf("%s run of %.0f s\n", run.is_quick ? "A quick" : "A full", run.seconds);
+    if (*html) {
+        if (Result<void> kept = write_file(std::move(*html), gauntlet_html(run, others)); !kept)
+            return kept.error();
+    }
+    if (*markdown) {
+        if (Result<void> kept = write_file(std::move(*markdown), goals_markdown(run)); !kept)
+            return kept.error();
+    }
+    return run_json(run);
+}
+
+}  // namespace flaneur
