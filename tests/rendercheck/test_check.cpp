@@ -230,6 +230,10 @@ TEST_F(SuiteTest, UsageIsRefused) {
     EXPECT_EQ(check(), 5) << out;
     EXPECT_TRUE(says("Did you mean out?")) << out;
     suite["cases"][0]["command"] = "true";
+    suite["cases"][0]["picture"] = "{dirr}/a.png";
+    EXPECT_EQ(check(), 5) << out;
+    EXPECT_TRUE(says("Did you mean dir?")) << out;
+    suite["cases"][0].erase("picture");
     EXPECT_EQ(check({"--filter", "oen"}), 5) << out;
     EXPECT_TRUE(says("Did you mean one?")) << out;
     EXPECT_EQ(check({"--program", "x=y"}), 5) << out;
