@@ -2,6 +2,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The flaneur authors")
 set(CPACK_PACKAGE_CONTACT "The flaneur authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own first line
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -15,10 +16,10 @@ if(FLANEUR_PROGRAM)
     set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME flaneur)
     set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
     set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "viewer of crowds that walk about a city
- Fills a generated district or a place from OpenStreetMap with hundreds to a
- hundred thousand people, feet planted, and draws them with Vulkan on a GPU or
- on none: in a window, as pictures or as films. The same seed gives the same
- run to the last bit on every x86-64 machine.")
+Fills a generated district or a place from OpenStreetMap with hundreds to a
+hundred thousand people, feet planted, and draws them with Vulkan on a GPU or
+on none: in a window, as pictures or as films. The same seed gives the same
+run to the last bit on every x86-64 machine.")
     set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
     if(FLANEUR_VULKAN)
         # Loaded at run time: Vulkan's loader, and a driver, of which lavapipe needs no GPU.
@@ -32,9 +33,9 @@ if(FLANEUR_PROGRAM AND FLANEUR_VULKAN)
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_NAME rendercheck)
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_SECTION graphics)
     set(CPACK_DEBIAN_RENDERCHECK_DESCRIPTION "renders by any program, held against references
- Runs commands that write pictures and judges these by a verdict that neither
- flickers nor sleeps: one far thing missing is seen, a CPU's rounding is not.
- Tells what differs and where, as text, JUnit and a page to look at.")
+Runs commands that write pictures and judges these by a verdict that neither
+flickers nor sleeps: one far thing missing is seen, a CPU's rounding is not.
+Tells what differs and where, as text, JUnit and a page to look at.")
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_SHLIBDEPS ON)
     # Vulkan is asked which device draws, where there is any.
     set(CPACK_DEBIAN_RENDERCHECK_PACKAGE_RECOMMENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
@@ -44,10 +45,10 @@ endif()
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libflaneur-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_DESCRIPTION "crowds that walk about a city, as libraries
- Static libraries, headers and a CMake package: flaneur::sim lets people walk
- on your ground in your skeletons, bit for bit the same on every x86-64 machine;
- flaneur::assets makes and reads cities and people; flaneur::renderer draws them
- with Vulkan, of what flaneur::extract makes of both. With examples.")
+Static libraries, headers and a CMake package: flaneur::sim lets people walk
+on your ground in your skeletons, bit for bit the same on every x86-64 machine;
+flaneur::assets makes and reads cities and people; flaneur::renderer draws them
+with Vulkan, of what flaneur::extract makes of both. With examples.")
 set(needed "")
 foreach(library IN LISTS FLANEUR_LIBRARIES)
     foreach(row IN LISTS flaneur_${library}_links)

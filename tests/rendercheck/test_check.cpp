@@ -224,12 +224,18 @@ TEST_F(SuiteTest, UsageIsRefused) {
                                                {"compare", "a.png"},
                                                {"explain", "x.json"}})
         EXPECT_EQ(run(words), 5) << out;
+    run({"runn", "x.json"});
+    EXPECT_TRUE(says("There is no command runn. Did you mean run?")) << out;
     run({"run", "x.json", "--blss"});
     EXPECT_TRUE(says("Did you mean --bless?")) << out;
     add("one", "true {ouut}");
     EXPECT_EQ(check(), 5) << out;
     EXPECT_TRUE(says("Did you mean out?")) << out;
     suite["cases"][0]["command"] = "true";
+    suite["cases"][0]["picture"] = "{dirr}/a.png";
+    EXPECT_EQ(check(), 5) << out;
+    EXPECT_TRUE(says("Did you mean dir?")) << out;
+    suite["cases"][0].erase("picture");
     EXPECT_EQ(check({"--filter", "oen"}), 5) << out;
     EXPECT_TRUE(says("Did you mean one?")) << out;
     EXPECT_EQ(check({"--program", "x=y"}), 5) << out;
@@ -247,6 +253,17 @@ TEST_F(SuiteTest, InitWritesASuiteThatRuns) {
     EXPECT_EQ(run({"run", "first.json"}), 0) << out;
     EXPECT_EQ(run({"explain", "first.json", "first"}), 0) << out;
     EXPECT_TRUE(says("which is there")) << out;
+    EXPECT_EQ(run({"init", "odd.json", "--", "draw", "{x}", "a.png"}), 0) << out;
+    EXPECT_EQ(Json::parse(text("odd.json"))["cases"][0]["command"], Json({"draw", "{{x}", "{out}"}));
+    // Asked, it may print its picture.
+    suite["cases"].push_back(
+        {{"name", "asks"},
+         {"shell", true},
+         {"stdout", true},
+         {"command",
+          "printf 'cat a.png\\n-\\n' | " RENDERCHECK " init {dir}/asked.json >&2; "
+          "grep -q '\"a.png\"' {dir}/asked.json && grep -q stdout {dir}/asked.json && cat a.png"}});
+    EXPECT_EQ(check({"--bless"}), 0) << out;
 }
 
 TEST_F(SuiteTest, ComparesTwo) {

@@ -56,12 +56,16 @@ int run_init(const std::string& path, const std::vector<std::string>& command) {
     nlohmann::ordered_json one;
     one["name"] = "first";
     auto picture = picture_among(words);
-    if (picture == words.end() && command.empty()) {
-        const std::string file = ask("Which file does it write? Empty: it prints the picture.\n> ");
-        picture = std::find(words.begin() + 1, words.end(), file);
-        if (picture == words.end() && !file.empty())
+    if (command.empty()) {
+        const std::string guess = picture == words.end() ? "it prints the picture" : *picture;
+        const std::string file = ask(
+            ("Which file does it write? Enter: " + guess + "; - where it prints the picture.\n> ").c_str());
+        if (!file.empty()) picture = std::find(words.begin() + 1, words.end(), file);
+        if (picture == words.end() && !file.empty() && file != "-")
             one["picture"] = std::filesystem::absolute(file, failed).string();
     }
+    for (std::string& word : words)  // of which none is a placeholder yet
+        for (size_t at = 0; (at = word.find('{', at)) != std::string::npos; at += 2) word.insert(at, 1, '{');
     if (picture != words.end()) {
         // The ending says in which format.
         const bool is_exr = std::filesystem::path(*picture).extension() == ".exr";

@@ -118,6 +118,14 @@ int parse(int argc, char** argv) {
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
         const CLI::App* used = &app;
+        if (app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-') {
+            std::vector<std::string> commands;
+            for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+                commands.push_back(one->get_name());
+            return fail_with(k_exit_usage, std::string("There is no command ") + argv[1] + "." +
+                                               did_you_mean(argv[1], commands) +
+                                               " rendercheck --help says more.");
+        }
         for (const CLI::App* one : app.get_subcommands()) used = one;
         std::vector<std::string> known;
         for (const CLI::Option* option : used->get_options())

@@ -153,13 +153,8 @@ int run_suite(const CheckOptions& options) {
     for (const SuiteCase& one : suite->cases) {
         if (!is_chosen(one, options.filter)) continue;
         plan.cases.push_back(&one);
-        // What cannot be filled in is known before anything runs.
-        const Placeholders places = placeholders_of(*suite, "/");
-        Result<std::vector<std::string>> words = command_of(one, places);
-        Result<Environment> env = environment_of(*suite, one, places);
-        if (!words || !env)
-            return fail_with(k_exit_usage,
-                             options.suite + ": " + (words ? env.error() : words.error()).message);
+        if (Result<void> checked = check_filled(*suite, one); !checked)
+            return fail_with(k_exit_usage, options.suite + ": " + checked.error().message);
     }
     if (plan.cases.empty()) {
         std::vector<std::string> names;

@@ -78,6 +78,19 @@ Result<Environment> environment_of(const Suite& suite, const SuiteCase& one,
     return env;
 }
 
+Result<void> check_filled(const Suite& suite, const SuiteCase& one) {
+    const Placeholders places = placeholders_of(suite, "/");
+    if (Result<std::vector<std::string>> words = command_of(one, places); !words) return words.error();
+    if (Result<Environment> env = environment_of(suite, one, places); !env) return env.error();
+    std::vector<std::string> files = one.pictures;
+    files.push_back(one.folder);
+    for (const SuitePart& part : one.parts) files.insert(files.end(), {part.file, part.legend});
+    for (const std::string& file : files)
+        if (Result<std::string> whole = filled(file, places); !whole)
+            return Error{"case " + one.name + ": " + whole.error().message};
+    return {};
+}
+
 bool is_chosen(const SuiteCase& one, std::string_view filter) {
     bool is_asked_for = false, asks = false;
     for (std::string_view part : split(filter, ',')) {

@@ -74,6 +74,9 @@ Result<std::vector<std::string>> command_of(const SuiteCase& one, const Placehol
 Result<Environment> environment_of(const Suite& suite, const SuiteCase& one,
                                    const Placeholders& placeholders);
 
+// Refuses a case in which something stands for nothing, wherever it does.
+Result<void> check_filled(const Suite& suite, const SuiteCase& one);
+
 // Whether it is meant by a filter: words with * and ?, of names and tags, with commas between; "-word" leaves
 // out.
 bool is_chosen(const SuiteCase& one, std::string_view filter);
