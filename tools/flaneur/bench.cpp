@@ -20,7 +20,6 @@ namespace {
 Result<std::string> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
     if (options.load == BenchLoad::city) return bench_city(options);
-    if (options.load == BenchLoad::sweep) return bench_sweep(options);
     if (options.load == BenchLoad::scale) return bench_scale(options);
     if (options.load == BenchLoad::gauntlet) return bench_gauntlet(options);
 #ifdef FLANEUR_VULKAN
@@ -74,6 +73,7 @@ void add_stages(Figures& figures, const World& world) {
 }
 
 Result<void> run_bench(const Options& options) {
+    if (options.load == BenchLoad::sweep) return run_sweep(options);
     PartFilePtr json;
     if (!options.json.empty()) {
         Result<PartFilePtr> file = open_file(options.json);
@@ -82,10 +82,7 @@ Result<void> run_bench(const Options& options) {
     }
     Result<std::string> figures = measure(options);
     if (!figures) return figures.error();
-    if (json) {
-        if (Result<void> kept = write_file(std::move(json), *figures); !kept) return kept;
-    }
-    return is_stopping() ? interrupted("what was measured before is kept") : Result<void>();
+    return json ? write_file(std::move(json), *figures) : Result<void>();
 }
 
 }  // namespace flaneur

@@ -10,11 +10,10 @@ GauntletRun some_run(const std::string& machine, double faster) {
     GauntletRun run;
     run.machine = machine, run.device = "a <device>", run.version = "1.2", run.seconds = 61;
     run.notes = {"nothing & nobody was left out"};
-    run.scores = {{"sim", "tick", 1000, 2 / faster, "ms"},
-                  {"sim", "decision", 1000, 300 / faster, "ns"},
-                  {"frame", "street", 500, 40 / faster, "ms"},
-                  {"pose", "core, avx2", 0, 90 / faster, "ns"},
-                  {"gait", "knee.rmse", 0, 1.2 / faster, ""}};
+    run.scores = {
+        {"sim", "tick", 1000, 2 / faster, "ms"},           {"sim", "decision", 1000, 300 / faster, "ns"},
+        {"frame", "street", 500, 40 / faster, "ms"},       {"pose", "core, avx2", 0, 90 / faster, "ns"},
+        {"gait", "knee.rmse", 0, 6.5 / faster, "", {}, 5}, {"gait", "toe_out.deg", 0, 6, "", 2, 12}};
     return run;
 }
 
@@ -28,6 +27,9 @@ TEST(GauntletRun, ComesBackFromItsFile) {
     EXPECT_EQ(back->scores[2].size, 500);
     EXPECT_EQ(back->scores[2].value, 40);
     ASSERT_TRUE(find_score(*back, "pose", "core, avx2", 0));
+    EXPECT_EQ(back->scores.back().low, 2);
+    EXPECT_EQ(back->scores.back().high, 12);
+    EXPECT_EQ(back->scores[0].low, std::nullopt);
     EXPECT_FALSE(find_score(*back, "sim", "tick", 999));
 }
 
@@ -73,7 +75,8 @@ TEST(GoalsMarkdown, TellsMetMissedAndNotMeasured) {
     EXPECT_NE(text.find("| a street, 500 walkers in the city | 30 | 40 | missed by 33 % |"),
               std::string::npos);
     EXPECT_NE(text.find("| 10,000 walkers | 350 |  | not measured |"), std::string::npos);
-    EXPECT_NE(text.find("| knee.rmse | 1.2 | missed |"), std::string::npos);
+    EXPECT_NE(text.find("| knee.rmse | up to 5 | 6.5 | missed |"), std::string::npos);
+    EXPECT_NE(text.find("| toe_out.deg | 2 .. 12 | 6 | met |"), std::string::npos);
     EXPECT_NE(text.find("Shading of the city"), std::string::npos);            // why
     EXPECT_EQ(text.find("A draw is made for each level"), std::string::npos);  // is not asked
 }

@@ -2,6 +2,7 @@
 // as a file, as a page beside other machines', and beside what the project aims at.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,13 +13,14 @@
 
 namespace flaneur {
 
-// One measured value, smaller is better.
+// One measured value; smaller is better, but in gait, where people have bars.
 struct GauntletScore {
     std::string part;  // load, sim, frame, peers, pose or gait
     std::string name;  // of what: "tick", "core, avx2"
     double size = 0;   // walkers or copies; 0: none
     double value = 0;
-    std::string unit;  // "ms", "ns"; empty: a count or a share
+    std::string unit;                           // "ms", "ns"; empty: a count or a share
+    std::optional<double> low = {}, high = {};  // that a walk is to keep within
 };
 
 struct GauntletRun {
@@ -32,7 +34,7 @@ struct GauntletRun {
 };
 
 // {"gauntlet": 1, "machine", "device", "version", "kind": "full" or "quick", "seconds", "notes", "scores":
-// [{"part", "name", "size"?, "value", "unit"}]}
+// [{"part", "name", "size"?, "value", "unit", "low"?, "high"?}]}
 std::string run_json(const GauntletRun& run);
 // The same back. Refuses, in a sentence, what is none.
 Result<GauntletRun> read_run(std::string_view json);

@@ -27,6 +27,8 @@ std::string run_json(const GauntletRun& run) {
         if (score.size > 0) row["size"] = score.size;
         row["value"] = score.value;
         row["unit"] = score.unit;
+        if (score.low) row["low"] = *score.low;
+        if (score.high) row["high"] = *score.high;
         json["scores"].push_back(row);
     }
     return json.dump(2) + "\n";
@@ -47,10 +49,13 @@ Result<GauntletRun> read_run(std::string_view bytes) {
         run.version = json.at("version").get<std::string>();
         run.is_quick = json.at("kind").get<std::string>() == kind_name(true);
         run.seconds = json.at("seconds").get<double>();
+        auto bound = [](const nlohmann::json& row, const char* key) {
+            return row.contains(key) ? std::optional(row.at(key).get<double>()) : std::nullopt;
+        };
         for (const auto& row : json.at("scores"))
             run.scores.push_back({row.at("part").get<std::string>(), row.at("name").get<std::string>(),
                                   row.value("size", 0.0), row.at("value").get<double>(),
-                                  row.at("unit").get<std::string>()});
+                                  row.at("unit").get<std::string>(), bound(row, "low"), bound(row, "high")});
     } catch (const nlohmann::json::exception&) {
         return none;
     }

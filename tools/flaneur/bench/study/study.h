@@ -26,10 +26,11 @@ std::vector<uint32_t> sweep_points(uint32_t first, uint32_t last, int steps);
 std::vector<int> thread_points(int most);
 
 // The stages of a tick and, in builds with Vulkan, of a picture over the number of walkers; see
-// docs/profiling.md. What was measured before an interruption is kept. Prints a table and gives it as JSON:
+// docs/profiling.md. Prints a table, and writes after each point, so that
+// an interruption leaves the points before, a chart and JSON:
 // {"setting", "points": [{"walkers", "blocks"?, "load_s", "ticks", "resident_mb", "stages": {name: median
 // ms}}], "fits": [{"stage", "exponent", "factor", "from", "to"}], "real_time": [{"stage", "up_to"}]}.
-Result<std::string> bench_sweep(const Options& options);
+Result<void> run_sweep(const Options& options);
 
 // The stages of a tick over the number of threads. JSON: {"setting", "points": [{"threads", "stages"}],
 // "fits": [{"stage", "serial_ms", "shared_ms", "serial_share"}]}.

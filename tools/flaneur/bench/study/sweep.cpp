@@ -20,18 +20,24 @@ namespace {
 
 constexpr double k_warm_seconds = 6, k_measured_seconds = 8;  // a point, at most,
 constexpr uint32_t k_least_ticks = 4;                         // but so many: who decides takes turns of four
-constexpr double k_patience = 60;  // seconds, to end a point and keep what there is
 constexpr double k_real_ms = 1000.0 / 60;
+
+#ifdef FLANEUR_VULKAN
+constexpr bool k_is_drawn = true;
+#else
+constexpr bool k_is_drawn = false;
+#endif
 
 struct SweepStage {
     const char *series, *name;
+    bool is_of_picture = false;
 };
-constexpr SweepStage k_sweep_stages[] = {{"think", "think"}, {"neighbours", "neighbours"},
-                                         {"steer", "steer"}, {"move", "move"},
-                                         {"gait", "gait"},   {"pose", "pose"},
-                                         {"step", "tick"},   {"extract", "extract"},
-                                         {"record", "cull"}, {"draw", "draw"},
-                                         {"frame", "frame"}};
+constexpr SweepStage k_sweep_stages[] = {{"think", "think"},       {"neighbours", "neighbours"},
+                                         {"steer", "steer"},       {"move", "move"},
+                                         {"gait", "gait"},         {"pose", "pose"},
+                                         {"step", "tick"},         {"extract", "extract", true},
+                                         {"record", "cull", true}, {"draw", "draw", true},
+                                         {"frame", "frame", true}};
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -72,6 +78,13 @@ Result<void> measure(Subject& subject, const Options& options, Figures& figures)
 }
 
 Result<void> end(Subject& subject) { return check_messages(subject.messages); }
+
+void add_device(const Subject& subject, const Options& options, Figures& figures) {
+    figures.setting.emplace_back("device", device_name(*subject.show.renderer));
+    figures.setting.emplace_back("quality", quality_name(*subject.show.renderer));
+    figures.setting.emplace_back(
+        "size", std::to_string(options.scene.size.width) + "x" + std::to_string(options.scene.size.height));
+}
 #else
 struct Subject {
     Loaded loaded;
@@ -98,6 +111,8 @@ Result<void> measure(Subject& subject, const Options&, Figures& figures) {
 }
 
 Result<void> end(Subject&) { return {}; }
+
+void add_device(const Subject&, const Options&, Figures&) {}
 #endif
 
 // Loads the city with so many walkers, lets them get under way and measures them, each for a while at most.
@@ -165,17 +180,19 @@ std::string real_time_told(const std::string& name, const std::vector<PlotPoint>
     return "A " + name + " takes 1/60 s at about " + short_number(end) + " walkers, between two points.";
 }
 
-void print_sweep(const std::vector<StudyPoint>& points) {
+void print_head() {
     std::printf("\n%-11s %8s", "median, ms", "load, s");
     for (const SweepStage& stage : k_sweep_stages)
-        if (!medians(points, stage.series).empty()) std::printf(" %10s", stage.name);
-    std::printf(" %9s %6s\n", "memory, MB", "ticks");
-    for (const StudyPoint& point : points) {
-        std::printf("%-11s %8.1f", short_number(point.at).c_str(), count_of(point, "load_s"));
-        for (const SweepStage& stage : k_sweep_stages)
-            for (const PlotPoint& ms : medians({point}, stage.series)) std::printf(" %10.3f", ms.y);
-        std::printf(" %10.0f %6.0f\n", count_of(point, "resident_mb"), count_of(point, "ticks"));
-    }
+        if (k_is_drawn || !stage.is_of_picture) std::printf(" %10s", stage.name);
+    std::printf(" %10s %6s\n", "memory, MB", "ticks");
+}
+
+void print_point(const StudyPoint& point) {
+    std::printf("%-11s %8.1f", short_number(point.at).c_str(), count_of(point, "load_s"));
+    for (const SweepStage& stage : k_sweep_stages)
+        for (const PlotPoint& ms : medians({point}, stage.series)) std::printf(" %10.3f", ms.y);
+    std::printf(" %10.0f %6.0f\n", count_of(point, "resident_mb"), count_of(point, "ticks"));
+    std::fflush(stdout);
 }
 
 std::vector<PlotPoint> memory(const std::vector<StudyPoint>& points) {
@@ -197,28 +214,39 @@ nlohmann::ordered_json json_of(const std::vector<StudyPoint>& points, const Figu
     return json;
 }
 
-// Prints the exponents and where real time ends, and adds them to what is written.
-void tell_growth(const std::vector<StudyPoint>& points, nlohmann::ordered_json& json) {
+// The exponents and where real time ends: printed, and added to what is written.
+void tell_growth(const std::vector<StudyPoint>& points) {
     std::printf("\n");
     auto tell = [&](const char* name, const std::vector<PlotPoint>& over) {
-        const std::optional<PowerLaw> law = fit_power(over);
-        if (!law) return;
-        std::printf("%-11s grows as walkers^%.2f, fitted from %s to %s\n", name, law->exponent,
-                    short_number(law->from).c_str(), short_number(law->to).c_str());
-        json["fits"].push_back({{"stage", name},
-                                {"exponent", law->exponent},
-                                {"factor", law->factor},
-                                {"from", law->from},
-                                {"to", law->to}});
+        if (const std::optional<PowerLaw> law = fit_power(over))
+            std::printf("%-11s grows as walkers^%.2f, fitted from %s to %s\n", name, law->exponent,
+                        short_number(law->from).c_str(), short_number(law->to).c_str());
     };
     for (const SweepStage& stage : k_sweep_stages) tell(stage.name, medians(points, stage.series));
     tell("memory", memory(points));
     std::printf("\n");
-    for (const SweepStage& stage : {k_sweep_stages[6], k_sweep_stages[10]}) {
-        const std::vector<PlotPoint> ms = medians(points, stage.series);
-        if (ms.empty()) continue;
-        std::printf("%s\n", real_time_told(stage.name, ms).c_str());
-        json["real_time"].push_back({{"stage", stage.name}, {"up_to", real_time_end(ms)}});
+    for (const char* series : {"step", "frame"}) {
+        const std::vector<PlotPoint> ms = medians(points, series);
+        const std::string name = std::string_view(series) == "step" ? "tick" : series;
+        if (!ms.empty()) std::printf("%s\n", real_time_told(name, ms).c_str());
+    }
+}
+
+void add_growth(const std::vector<StudyPoint>& points, nlohmann::ordered_json& json) {
+    auto add = [&](const char* name, const std::vector<PlotPoint>& over) {
+        if (const std::optional<PowerLaw> law = fit_power(over))
+            json["fits"].push_back({{"stage", name},
+                                    {"exponent", law->exponent},
+                                    {"factor", law->factor},
+                                    {"from", law->from},
+                                    {"to", law->to}});
+    };
+    for (const SweepStage& stage : k_sweep_stages) add(stage.name, medians(points, stage.series));
+    add("memory", memory(points));
+    for (const char* series : {"step", "frame"}) {
+        const std::vector<PlotPoint> ms = medians(points, series);
+        const char* const name = std::string_view(series) == "step" ? "tick" : series;
+        if (!ms.empty()) json["real_time"].push_back({{"stage", name}, {"up_to", real_time_end(ms)}});
     }
 }
 
@@ -241,60 +269,80 @@ std::string sweep_svg(const std::vector<StudyPoint>& points, const std::string& 
     return stacked({plot_svg(times), plot_svg(held)});
 }
 
+// A file that is written anew after each point: whatever ends the program leaves the points before. What goes
+// to a pipe is written once, at the end.
+struct KeptFile {
+    std::string path;
+    PartFilePtr stream;
+};
+
+// Refuses, before anything is measured, what cannot be written to. An empty path is no file.
+Result<KeptFile> begin_kept(const std::string& path) {
+    KeptFile kept{path, nullptr};
+    if (path.empty()) return kept;
+    Result<PartFilePtr> file = open_file(path);
+    if (!file) return file.error();
+    kept.stream = std::move(*file);
+    return kept;
+}
+
+Result<void> write_kept(KeptFile& file, const std::string& bytes, bool is_last) {
+    if (file.path.empty() || (file.stream && !is_last)) return {};
+    return file.stream ? write_file(std::move(file.stream), bytes) : write_file(file.path, bytes);
+}
+
+Figures setting_of(const Subject& subject, const Options& options, const std::vector<StudyPoint>& points) {
+    Figures figures;
+    figures.setting = {
+        {"city", city_told(options, points)},
+        {"threads", options.threads == 0 ? static_cast<int64_t>(core_count()) : options.threads}};
+    add_device(subject, options, figures);
+    return figures;
+}
+
 }  // namespace
 
-Result<std::string> bench_sweep(const Options& options) {
-    PartFilePtr svg;
-    if (!options.study.svg.empty()) {
-        Result<PartFilePtr> file = open_file(options.study.svg);
-        if (!file) return file.error();
-        svg = std::move(*file);
-    }
-    be_patient(k_patience);
+Result<void> run_sweep(const Options& options) {
+    Result<KeptFile> json = begin_kept(options.json);
+    if (!json) return json.error();
+    Result<KeptFile> svg = begin_kept(options.study.svg);
+    if (!svg) return svg.error();
+    for (KeptFile* file : {&*json, &*svg})
+        if (!is_stream(file->path)) file->stream.reset();
     Subject subject;
     if (Result<void> begun = begin(subject, options); !begun) return begun.error();
+    const std::vector<uint32_t> counts =
+        sweep_points(options.study.walkers.first, options.study.walkers.last, options.study.steps);
     std::vector<StudyPoint> points;
-    std::string left;  // why the sweep ended before its last point
-    for (const uint32_t walkers :
-         sweep_points(options.study.walkers.first, options.study.walkers.last, options.study.steps)) {
+    auto write = [&](const std::string& left_out, bool is_last) -> Result<void> {
+        nlohmann::ordered_json figures = json_of(points, setting_of(subject, options, points));
+        add_growth(points, figures);
+        if (!left_out.empty()) figures["left_out"] = left_out;
+        Result<void> kept = write_kept(*json, figures.dump(2) + "\n", is_last);
+        const std::string note = city_told(options, points) + "; exponents of the upper half of the points.";
+        return kept ? write_kept(*svg, sweep_svg(points, note), is_last) : kept;
+    };
+    print_head();
+    std::string left_out;  // why the sweep ended before its last point
+    for (const uint32_t walkers : counts) {
         Result<StudyPoint> point = measure_point(subject, options, walkers);
         clear_progress();
         if (!point) {
-            left = short_number(walkers) + " walkers were not measured: " + point.error().message;
             if (points.empty()) return point.error();
+            left_out = short_number(walkers) + " walkers were not measured: " + point.error().message;
             break;
         }
         points.push_back(std::move(*point));
-        const std::vector<PlotPoint> tick = medians({points.back()}, "step");
-        say(short_number(walkers) + " walkers: a tick takes " + short_number(tick.front().y) +
-            " ms, loading took " + short_number(count_of(points.back(), "load_s")) + " s, " +
-            short_number(count_of(points.back(), "resident_mb")) + " MB");
+        print_point(points.back());
+        if (Result<void> kept = write({}, false); !kept) return kept;
     }
     if (Result<void> quiet = end(subject); !quiet) return quiet.error();
-    Figures setting;
-    setting.setting = {
-        {"city", city_told(options, points)},
-        {"threads", options.threads == 0 ? static_cast<int64_t>(core_count()) : options.threads}};
-#ifdef FLANEUR_VULKAN
-    setting.setting.emplace_back("device", device_name(*subject.show.renderer));
-    setting.setting.emplace_back(
-        "size", std::to_string(options.scene.size.width) + "x" + std::to_string(options.scene.size.height));
-#endif
-    print_setting(setting);
-    print_sweep(points);
-    nlohmann::ordered_json json = json_of(points, setting);
-    tell_growth(points, json);
-    if (!left.empty()) {
-        std::printf("%s\n", left.c_str());
-        json["left_out"] = left;
-    }
-    if (svg) {
-        Result<void> kept = write_file(
-            std::move(svg),
-            sweep_svg(points, city_told(options, points) + "; exponents of the upper half of the points."));
-        if (!kept) return kept.error();
-    }
-    return json.dump(2) + "\n";
+    tell_growth(points);
+    std::printf("\n");
+    print_setting(setting_of(subject, options, points));
+    if (!left_out.empty()) std::printf("%s\n", left_out.c_str());
+    if (Result<void> kept = write(left_out, true); !kept) return kept;
+    return is_stopping() ? interrupted("what was measured before is kept") : Result<void>();
 }
 
 }  // namespace flaneur
