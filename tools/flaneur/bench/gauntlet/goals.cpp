@@ -124,23 +124,26 @@ std::string goals_markdown(const GauntletRun& run) {
         "hour.\n";
     std::string topic, missed;
     auto end_topic = [&] {
-        if (!missed.empty()) text += "\n" + missed;
+        if (!missed.empty()) text += "\n" + missed + "\n";
         missed.clear();
     };
     for (const Goal& goal : k_goals) {
         const GauntletScore* score = find_score(run, goal.part, goal.name, goal.size);
+        const GauntletScore* work =
+            find_score(run, goal.part, std::string(goal.name) + ", all threads", goal.size);
         if (topic != goal.topic) {
             end_topic();
             topic = goal.topic;
-            text += "\n## " + topic + "\n\n| | goal | measured | |\n|---|---|---|---|\n";
+            text += "\n## " + topic +
+                    "\n\n| | goal | measured | work of all threads | |\n|---|---|---|---|---|\n";
         }
         text += std::string("| ") + goal.what + " | " + short_number(goal.most) + " | " +
-                (score ? short_number(score->value) : "") + " | " + verdict_of(goal, score) + " |\n";
+                (score ? short_number(score->value) : "") + " | " + (work ? short_number(work->value) : "") +
+                " | " + verdict_of(goal, score) + " |\n";
         const bool is_missed = score && score->value > goal.most;
         if (is_missed && missed.find(goal.why) == std::string::npos)
             missed += (missed.empty() ? "" : " ") + std::string(goal.why);
     }
-    if (!missed.empty()) missed += "\n";
     end_topic();
     return text + walk_markdown(run);
 }

@@ -48,6 +48,7 @@ Result<GauntletRun> read_run(std::string_view bytes) {
         run.device = json.at("device").get<std::string>();
         run.version = json.at("version").get<std::string>();
         run.is_quick = json.at("kind").get<std::string>() == kind_name(true);
+        run.notes = json.at("notes").get<std::vector<std::string>>();
         run.seconds = json.at("seconds").get<double>();
         auto bound = [](const nlohmann::json& row, const char* key) {
             return row.contains(key) ? std::optional(row.at(key).get<double>()) : std::nullopt;

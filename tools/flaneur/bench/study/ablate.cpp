@@ -42,6 +42,7 @@ struct AblationRow {
     std::string name, what;
     double cost = 0;           // how much longer the whole takes: ms a picture, or ns a walker
     double low = 0, high = 0;  // the quarter of the pairs below and above
+    double work = 0;           // how much more all threads do, ms; of techniques it is `cost`
     double flip = 0;
 };
 
@@ -51,14 +52,16 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 struct Taken {
     Image image;
-    double ms = 0;  // extraction and drawing
+    double ms = 0, work_ms = 0;  // extraction and drawing: time that goes by, and of all threads
 };
 
 // A picture of the show as it is. `ablation` may be null.
 Result<Taken> take(Show& show, const Options& options, const Camera& camera, const Ablation* ablation) {
     auto start = std::chrono::steady_clock::now();
+    double work_start = cpu_ms();
     FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
     if (ablation && ablation->poses_everybody) {
+        work_start = cpu_ms();
         start = std::chrono::steady_clock::now();  // in place of the extraction that it needs no more
         extract_people(*show.loaded.world, show.loaded.characters, show.people, 1);
         frame.walkers = show.people.walkers;
@@ -69,24 +72,21 @@ Result<Taken> take(Show& show, const Options& options, const Camera& camera, con
     Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                                      static_cast<uint32_t>(options.scene.size.height));
     if (!image) return image.error();
-    return Taken{std::move(*image), ms_since(start)};
+    return Taken{std::move(*image), ms_since(start), cpu_ms() - work_start};
 }
 
 // The second of two pictures, a tick apart: the first redraws what the picture before left in maps of
 // shadows.
-Result<double> timed(Show& show, const Options& options, const Camera& camera, const Ablation* ablation) {
-    double ms = 0;
-    for (int i = 0; i < 2; ++i) {
-        step(show);
-        Result<Taken> taken = take(show, options, camera, ablation);
-        if (!taken) return taken.error();
-        ms = taken->ms;
-    }
-    return ms;
+Result<Taken> timed(Show& show, const Options& options, const Camera& camera, const Ablation* ablation) {
+    step(show);
+    Result<Taken> first = take(show, options, camera, ablation);
+    if (!first) return first;
+    step(show);
+    return take(show, options, camera, ablation);
 }
 
 AblationRow row_of(const char* name, const char* what, const std::vector<double>& costs) {
-    return {name, what, quantile(costs, 0.5), quantile(costs, 0.25), quantile(costs, 0.75), 0};
+    return {name, what, quantile(costs, 0.5), quantile(costs, 0.25), quantile(costs, 0.75), 0, 0};
 }
 
 // Whole pictures and pictures without something take turns, each beside its own.
@@ -95,17 +95,18 @@ Result<std::vector<AblationRow>> ablate_pictures(Show& show, const Options& opti
     std::vector<const Ablation*> ablations;
     for (const Ablation& ablation : k_ablations)
         if (std::string_view(ablation.name) != "lamps" || show.has_lamps) ablations.push_back(&ablation);
-    std::vector<std::vector<double>> costs(ablations.size());
+    std::vector<std::vector<double>> costs(ablations.size()), work(ablations.size());
     for (uint32_t round = 0; round < options.bench_frames; ++round) {
         show_progress("round " + std::to_string(round + 1) + " of " + std::to_string(options.bench_frames));
         for (size_t i = 0; i < ablations.size(); ++i) {
             if (is_stopping()) return interrupted();
-            const Result<double> all = timed(show, options, camera, nullptr);
+            const Result<Taken> all = timed(show, options, camera, nullptr);
             if (!all) return all.error();
-            const Result<double> without = timed(show, options, camera, ablations[i]);
+            const Result<Taken> without = timed(show, options, camera, ablations[i]);
             if (!without) return without.error();
-            whole.push_back(*all);
-            costs[i].push_back(*all - *without);
+            whole.push_back(all->ms);
+            costs[i].push_back(all->ms - without->ms);
+            work[i].push_back(all->work_ms - without->work_ms);
         }
     }
     std::vector<AblationRow> rows;
@@ -113,6 +114,7 @@ Result<std::vector<AblationRow>> ablate_pictures(Show& show, const Options& opti
     if (!before) return before.error();
     for (size_t i = 0; i < ablations.size(); ++i) {
         rows.push_back(row_of(ablations[i]->name, ablations[i]->what, costs[i]));
+        rows.back().work = quantile(work[i], 0.5);
         Result<Taken> after = take(show, options, camera, ablations[i]);
         if (!after) return after.error();
         rows.back().flip = mean_flip(before->image.rgba, after->image.rgba, options.scene.size.width);
@@ -120,9 +122,9 @@ Result<std::vector<AblationRow>> ablate_pictures(Show& show, const Options& opti
     return rows;
 }
 
-// Everybody is posed by these techniques alone; what that takes, nanoseconds a walker, on one thread.
+// Everybody is posed by these techniques alone; what that takes of one thread's time, nanoseconds a walker.
 double posing_ns(const World& w, Techniques on, std::vector<PoseBlock>& poses) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = cpu_ms();
     for (int i = 0; i < k_posed_at_once; ++i) {
         pose_bare(w.gait, 0, poses.size(), on, w.poses, poses);
         if (on.limits) restrain_legs(w.gait, 0, poses.size(), k_tick, w.previous_poses, poses);
@@ -130,7 +132,7 @@ double posing_ns(const World& w, Techniques on, std::vector<PoseBlock>& poses) {
         if (on.canes) hold_canes(w.gait, 0, w.gait.canes.size(), poses);
         if (on.prams) hold_prams(w.gait, 0, w.gait.prams.size(), poses);
     }
-    return 1e6 * ms_since(start) / k_posed_at_once / w.crowd.count;
+    return 1e6 * (cpu_ms() - start) / k_posed_at_once / w.crowd.count;
 }
 
 Result<std::vector<AblationRow>> ablate_techniques(Show& show, const Options& options, const Camera& camera,
@@ -156,6 +158,7 @@ Result<std::vector<AblationRow>> ablate_techniques(Show& show, const Options& op
         if (is_stopping()) return interrupted();
         show_progress("without " + std::string(k_techniques[i].name));
         rows.push_back(row_of(k_techniques[i].name.data(), k_techniques[i].without.data(), costs[i]));
+        rows.back().work = rows.back().cost;
         show.without.on = {};
         show.without.on.*k_techniques[i].is_on = false;
         Result<Taken> after = take(show, options, camera, nullptr);
@@ -167,16 +170,17 @@ Result<std::vector<AblationRow>> ablate_techniques(Show& show, const Options& op
 }
 
 void tell_rows(const std::vector<AblationRow>& rows, const char* unit, nlohmann::ordered_json& json) {
-    std::printf("\n%-20s %9s %19s %9s\n", (std::string("without, ") + unit).c_str(), "costs",
-                "half of the pairs", "mean FLIP");
+    std::printf("\n%-22s %9s %19s %12s %9s\n", (std::string("without, ") + unit).c_str(), "costs",
+                "half of the pairs", "all threads", "mean FLIP");
     for (const AblationRow& row : rows) {
-        std::printf("%-20s %9.2f %8.2f .. %7.2f %9.4f\n", row.name.c_str(), row.cost, row.low, row.high,
-                    row.flip);
+        std::printf("%-22s %9.2f %8.2f .. %7.2f %12.2f %9.4f\n", row.name.c_str(), row.cost, row.low,
+                    row.high, row.work, row.flip);
         json.push_back({{"name", row.name},
                         {"unit", unit},
                         {"costs", row.cost},
                         {"from", row.low},
                         {"to", row.high},
+                        {"all_threads", row.work},
                         {"mean_flip", row.flip}});
     }
 }
@@ -184,8 +188,12 @@ void tell_rows(const std::vector<AblationRow>& rows, const char* unit, nlohmann:
 std::string rows_svg(const char* title, const std::string& note, const char* unit,
                      const std::vector<AblationRow>& rows) {
     BarPlot plot{.title = title, .note = note, .unit = unit};
+    const bool has_time = rows.front().cost != rows.front().work;
+    if (has_time) plot.columns = {"work of all threads", "time that goes by"};
     for (const AblationRow& row : rows)
-        plot.groups.push_back({row.name, {row.cost}, printed("FLIP %.4f", row.flip)});
+        plot.groups.push_back(
+            {row.name, has_time ? std::vector<double>{row.work, row.cost} : std::vector<double>{row.cost},
+             printed("FLIP %.4f", row.flip)});
     return bars_svg(plot);
 }
 

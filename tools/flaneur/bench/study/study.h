@@ -38,7 +38,8 @@ Result<std::string> bench_scale(const Options& options);
 
 // What a picture costs without shadows, edges smoothed, levels of detail and so on, and what each of them
 // changes in it; and the same of the techniques that pose bodies (sim/pose/techniques.h). JSON: {"setting",
-// "picture_ms", "posing_ns", "ablations": [{"name", "unit", "costs", "from", "to", "mean_flip"}]}. Only in
+// "picture_ms", "posing_ns", "ablations": [{"name", "unit", "costs", "from", "to", "all_threads",
+// "mean_flip"}]}. Only in
 // builds with Vulkan.
 Result<std::string> bench_ablate(const Options& options);
 

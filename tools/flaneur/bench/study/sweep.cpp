@@ -197,6 +197,7 @@ void print_point(const StudyPoint& point) {
 
 std::vector<PlotPoint> memory(const std::vector<StudyPoint>& points) {
     std::vector<PlotPoint> mb;
+    mb.reserve(points.size());
     for (const StudyPoint& point : points) mb.push_back({point.at, count_of(point, "resident_mb")});
     return mb;
 }
