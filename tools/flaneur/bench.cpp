@@ -2,6 +2,9 @@
 
 #include <cstdio>
 
+#include "sim/base/zone.h"
+#include "tools/flaneur/bench/compare.h"
+#include "tools/flaneur/bench/hardware.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
@@ -17,15 +20,23 @@ Result<Figures> bench_crowd(const Options& options) {
     World& world = *loaded->world;
     Figures figures;
     add_setting(figures, options, world);
-    for (uint32_t i = 0; i < options.warm_up + options.bench_frames; ++i) {
+    for (uint32_t i = 0; i < options.warm_up; ++i) {
         if (is_stopping()) return interrupted();
         step(world);
-        if (i >= options.warm_up) add_stages(figures, world);
     }
+    const MeterReading before = read_meters();
+    for (uint32_t i = 0; i < options.bench_frames; ++i) {
+        if (is_stopping()) return interrupted();
+        FLANEUR_ZONE("frame");
+        step(world);
+        add_stages(figures, world);
+    }
+    add_meters(figures, before, options.bench_frames, world.crowd.count);
     return figures;
 }
 
-Result<std::string> measure(const Options& options) {
+// Those that print a table of their own have printed it.
+Result<Figures> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
     if (options.load == BenchLoad::city) return bench_city(options);
 #ifdef FLANEUR_VULKAN
@@ -36,9 +47,15 @@ Result<std::string> measure(const Options& options) {
 #else
     Result<Figures> figures = bench_crowd(options);
 #endif
-    if (!figures) return figures.error();
-    print_figures(*figures);
-    return figures_json(*figures);
+    if (figures) print_figures(*figures);
+    return figures;
+}
+
+// "flaneur bench frame --walkers 500"
+std::string command_of(const Options& options) {
+    std::string command = "flaneur bench";
+    for (const std::string& word : options.words) command += " " + word;
+    return command;
 }
 
 }  // namespace
@@ -55,15 +72,21 @@ void add_stages(Figures& figures, const World& world) {
 }
 
 Result<void> run_bench(const Options& options) {
+    if (options.load == BenchLoad::compare) {
+        if (options.compared.size() != 2)
+            return Error{"bench compare takes two files: flaneur bench compare before.json after.json"};
+        return bench_compare(options.compared[0], options.compared[1], options.tolerance);
+    }
     PartFilePtr json;
     if (!options.json.empty()) {
         Result<PartFilePtr> file = open_file(options.json);
         if (!file) return file.error();
         json = std::move(*file);
     }
-    Result<std::string> figures = measure(options);
+    open_meters();
+    Result<Figures> figures = measure(options);
     if (!figures) return figures.error();
-    return json ? write_file(std::move(json), *figures) : Result<void>();
+    return json ? write_file(std::move(json), figures_json(*figures, command_of(options))) : Result<void>();
 }
 
 }  // namespace flaneur

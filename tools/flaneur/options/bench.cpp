@@ -10,7 +10,8 @@ constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), window (the whole viewer, at rest and looking about, with panels and
 without; takes a display), crowd (the simulation), pose (the kernels that pose bodies, on one thread), city (how long it
 takes to read, and its queries on one thread), peers (a scene that other renderers were measured by: copies of one character
-that play its own clip, drawn with levels of detail and with every triangle). frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+that play its own clip, drawn with levels of detail and with every triangle); compare measures nothing: it says which stages
+of the second file are slower than those of the first, and fails if any is. frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
@@ -18,7 +19,9 @@ Examples:
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
   flaneur bench pose --walkers 1000
   flaneur bench city --city monaco.osm.pbf
-  flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers)";
+  flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers
+  flaneur bench frame --trace out/frame.json                    zone by zone, for ui.perfetto.dev
+  flaneur bench compare before.json after.json --tolerance 3    files that --json wrote)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
@@ -27,8 +30,9 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "pose") return BenchLoad::pose;
     if (text == "city") return BenchLoad::city;
     if (text == "peers") return BenchLoad::peers;
+    if (text == "compare") return BenchLoad::compare;
     return Error{excerpt(text) +
-                 " is none of frame, window, crowd, pose, city and peers, which bench measures"};
+                 " is none of frame, window, crowd, pose, city and peers, which bench measures, and compare"};
 }
 
 Result<BenchMove> parse_move(const std::string& text) {
@@ -44,8 +48,12 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
     add_parsed(*bench, "load", parse_load, options.load,
-               "What to measure: frame, window, crowd, pose, city or peers", "LOAD", "")
+               "What to measure: frame, window, crowd, pose, city or peers; or compare", "LOAD", "")
         ->required();
+    bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
+        ->type_name("FILE")
+        ->expected(0, 2)
+        ->take_all();
     add_scene_options(*bench, words, options);
     add_drawing_options(*bench, words, options);
     add_camera_option(*bench, words);
@@ -69,11 +77,18 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "
         "without it, it stands",
         "HOW", "");
+    bench
+        ->add_option("--tolerance", options.tolerance,
+                     "Of compare: percent that a stage must have become slower by to count")
+        ->type_name("PERCENT")
+        ->check(number_between(0.0, 1000.0))
+        ->capture_default_str();
     bench->add_option("--count", options.bench_count, "How many characters peers draws")
         ->type_name("N")
         ->transform(whole_between(1, 10'000))
         ->capture_default_str();
     bench->add_option("--out", options.out, "Where peers writes its two pictures")->type_name("FOLDER");
+    add_trace_option(*bench, options);
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 

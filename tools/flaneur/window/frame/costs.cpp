@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "renderer/renderer.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
@@ -53,11 +54,16 @@ void begin_picture(Costs& c, double time) {
     }
     c.now = {};
     c.began = c.ended = time;
+    c.traced = is_tracing() ? trace_now() : 0;
 }
 
 void end_part(Costs& c, CostOf part, double time) {
     c.now[static_cast<size_t>(part)] += time - c.ended;
     c.ended = time;
+    if (!is_tracing() || c.traced == 0) return;
+    const int64_t now = trace_now();
+    record_trace({k_cost_names[static_cast<size_t>(part)], c.traced, now, 0, TraceKind::zone});
+    c.traced = now;
 }
 
 void end_picture(Costs& c, const FrameStats& stats) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,11 @@ struct Costs {
     // Of the picture in the making, seconds.
     std::array<double, k_costs> now{};
     double began = 0, ended = 0;
+    int64_t traced = 0;  // when the last part ended, by the clock of traces
 };
 
-// `time`: of the window, seconds. From one end_part to the next all belongs to that part.
+// `time`: of the window, seconds. From one end_part to the next all belongs to that part, which is a zone of
+// traces too.
 void begin_picture(Costs& costs, double time);
 void end_part(Costs& costs, CostOf part, double time);
 // Takes what the renderer says of it too.
