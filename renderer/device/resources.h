@@ -13,6 +13,7 @@
 namespace flaneur {
 
 struct Buffer {
+    const char* name = "buffer";  // that debuggers show; kept when it is made anew
     VkBuffer handle = {};
     VkDeviceMemory memory = {};
     VkDeviceSize size = 0;
@@ -49,6 +50,7 @@ inline constexpr Access k_copied_to = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 
 struct GpuImage {
+    const char* name = "image";  // as a buffer's
     VkImage handle = {};
     VkDeviceMemory memory = {};  // null: somebody else's
     VkImageView view = {};       // of all layers and levels
