@@ -56,10 +56,10 @@ struct GpuImage {
     VkImageView view = {};       // of all layers and levels
     VkFormat format = VK_FORMAT_UNDEFINED;
     uint32_t width = 0, height = 0, layers = 1, levels = 1;
-    const void* mapped = nullptr;  // what the host reads, where it does, once it was handed to it
-    size_t row_bytes = 0;          // there, from row to row
-    Buffer copy;                   // where that is, if it is not the image itself
-    std::vector<Access> last;      // what was done last to each layer, in the order of recording
+    const void* mapped = nullptr;   // what the host reads, where it does, once it was handed to it
+    size_t row_bytes = 0;           // there, from row to row
+    Buffer copy = {};               // where that is, if it is not the image itself
+    std::vector<Access> last = {};  // what was done last to each layer, in the order of recording
 };
 
 enum class MemoryKind {

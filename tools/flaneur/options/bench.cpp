@@ -85,7 +85,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->required();
     bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
         ->type_name("FILE")
-        ->expected(0, 2)
+        ->expected(-1)
         ->take_all();
     add_scene_options(*bench, words, options);
     add_walkers(*bench, words, options);
