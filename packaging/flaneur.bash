@@ -23,13 +23,13 @@ _flaneur() {
     local typed=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
     if [[ $typed == = ]]; then typed=; elif [[ $before == = ]]; then before=${COMP_WORDS[COMP_CWORD - 2]}; fi
     local command name value words endings
-    local commands='' options='' placed=''
+    local commands='' options='' placed=() place
     COMPREPLY=()
     while IFS='|' read -r command name value words endings; do
         if [[ $name == '' ]]; then
             commands+=" $command"
         elif ((COMP_CWORD > 1)) && [[ $command == "${COMP_WORDS[1]}" ]]; then
-            if [[ $name == -* ]]; then options+=" $name"; else placed="$value|$words|$endings"; fi
+            if [[ $name == -* ]]; then options+=" $name"; else placed+=("$value|$words|$endings"); fi
             if [[ $name == "$before" && $value != '' ]]; then
                 if [[ $value == *,... && $typed == *,* ]]; then
                     words=" $words"
@@ -44,8 +44,9 @@ _flaneur() {
     done < <(_flaneur_options)
     if ((COMP_CWORD == 1)); then
         _flaneur_words "$commands --help --version" "$typed"
-    elif [[ $placed != '' && $typed != -* ]]; then
-        IFS='|' read -r value words endings <<< "$placed"
+    elif ((${#placed[@]} > 0)) && [[ $typed != -* ]]; then
+        place=$((COMP_CWORD - 2 < ${#placed[@]} ? COMP_CWORD - 2 : ${#placed[@]} - 1))
+        IFS='|' read -r value words endings <<< "${placed[place]}"
         _flaneur_words "$words" "$typed"
         if [[ $value == *FILE* ]]; then _flaneur_files "$endings" "$typed"; fi
     else

@@ -2,7 +2,7 @@
 # What Tab offers for flaneur in zsh.
 setopt local_options extended_glob no_ksh_arrays
 local -a rows commands specs fields
-local row state line MATCH
+local row state line MATCH place=1
 rows=(${(f)"$(cat << 'END'
 @OPTIONS@
 END
@@ -25,7 +25,7 @@ for row in $rows; do
         if [[ $fields[4] != '' && $fields[5] != '' ]]; then
             action="{compadd -- $fields[4]; $action}"
         fi
-        if [[ $fields[2] != -* ]]; then specs+=("1:$value:$action")
+        if [[ $fields[2] != -* ]]; then specs+=("$place:$value:$action") place='*'
         elif [[ $fields[3] == '' ]]; then specs+=("$fields[2][$what]")
         else specs+=("*$fields[2]=[$what]:$value:$action")
         fi

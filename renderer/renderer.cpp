@@ -11,6 +11,7 @@
 #include "renderer/picture/draw.h"
 #include "renderer/picture/warm_up.h"
 #include "renderer/visible/contacts.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
@@ -249,7 +250,7 @@ Result<void> exchange_cities(Renderer& renderer) {
 Result<void> upload_letters(Renderer& renderer, const Letters& letters) {
     if (letters.texels.size() != size_t{4} * letters.width * letters.height || letters.texels.empty())
         return Error{"The letters' size does not agree with their texels."};
-    GpuImage image;
+    GpuImage image{"letters"};
     auto make = [&]() -> Result<void> {
         ImageShape shape{.width = letters.width, .height = letters.height};
         shape.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
@@ -286,6 +287,7 @@ PoseNeeds pose_needs(const Renderer& renderer, const Camera& camera, const Sun& 
 }
 
 Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t width, uint32_t height) {
+    FLANEUR_ZONE("draw");
     FLANEUR_TRY(check_size(renderer, width, height));
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     FrameSlot& slot = renderer.slots[0];
@@ -293,7 +295,10 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     const size_t bytes = size_t{4} * width * height;
     PictureTarget target{.extent = {width, height}};
     if (renderer.is_lit_on_host && frame.panels.draws.empty()) {
-        image.rgba.resize(bytes);
+        {
+            FLANEUR_ZONE("make room");
+            image.rgba.resize(bytes);
+        }
         target.pixels = reinterpret_cast<uint32_t*>(image.rgba.data());
         FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
         FLANEUR_TRY(add_channels(renderer, frame, image));
@@ -310,8 +315,11 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     target.readback = renderer.readback.handle;
     FLANEUR_TRY(draw_frame(renderer, slot, frame, target, {}, {}));
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
-    const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
-    image.rgba.assign(first, first + bytes);
+    {
+        FLANEUR_ZONE("read back");
+        const auto* first = static_cast<const uint8_t*>(renderer.readback.mapped);
+        image.rgba.assign(first, first + bytes);
+    }
     FLANEUR_TRY(add_channels(renderer, frame, image));
     return image;
 }
@@ -350,6 +358,7 @@ namespace {
 template <class Draw>
 Result<void> draw_and_present(Renderer& renderer, const Draw& draw) {
     assert(renderer.window);
+    FLANEUR_ZONE("draw");
     Swapchain& swapchain = renderer.swapchain;
     FrameSlot& slot = renderer.slots[renderer.next_slot];
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
@@ -362,8 +371,11 @@ Result<void> draw_and_present(Renderer& renderer, const Draw& draw) {
         if (width <= 0 || height <= 0) return {};
         if (renderer.is_swapchain_stale || !swapchain.handle) FLANEUR_TRY(remake_swapchain(renderer));
         if (!swapchain.handle) return {};
-        const VkResult result = vkAcquireNextImageKHR(renderer.device.handle, swapchain.handle, k_patience,
-                                                      slot.image_ready, VK_NULL_HANDLE, &index);
+        const VkResult result = [&] {
+            FLANEUR_ZONE("wait for the window");
+            return vkAcquireNextImageKHR(renderer.device.handle, swapchain.handle, k_patience,
+                                         slot.image_ready, VK_NULL_HANDLE, &index);
+        }();
         if (result == VK_TIMEOUT || result == VK_NOT_READY) return {};  // nobody looks
         if (result == VK_SUBOPTIMAL_KHR) renderer.is_swapchain_stale = true;
         if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR) break;
@@ -381,6 +393,7 @@ Result<void> draw_and_present(Renderer& renderer, const Draw& draw) {
     }
     renderer.next_slot = (renderer.next_slot + 1) % k_slots;
 
+    FLANEUR_ZONE("present");
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
     info.waitSemaphoreCount = 1;
     info.pWaitSemaphores = &swapchain.drawn[index];

@@ -121,8 +121,9 @@ struct FrameStats {
     double cpu_record_ms = 0;   // culling, uploading and recording
     uint32_t walkers_drawn = 0, walkers_in_shadow = 0, triangles = 0, sub_draws = 0, direct_draws = 0;
     uint32_t meshes[k_max_lods] =
-        {};                  // of the walkers drawn, by level of detail, the finer of two; finest first
-    uint32_t impostors = 0;  // and the others
+        {};                       // of the walkers drawn, by level of detail, the finer of two; finest first
+    uint32_t impostors = 0;       // and the others
+    uint64_t uploaded_bytes = 0;  // handed to the device for this frame
     uint32_t shadow_slices_drawn = 0;  // of the city's shadow maps; eight make a map
 };
 

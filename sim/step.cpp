@@ -1,5 +1,4 @@
-#include <chrono>
-
+#include "sim/base/zone.h"
 #include "sim/gait/hands.h"
 #include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
@@ -15,10 +14,24 @@ constexpr size_t k_blocks_a_chunk = 4;
 
 template <class Work>
 void timed(World& world, Stage stage, const Work& work) {
-    auto start = std::chrono::steady_clock::now();
+    const auto number = static_cast<size_t>(stage);
+    FLANEUR_ZONE(k_stage_names[number].data(), world.stage_ms[number]);
     work();
-    std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-    world.stage_ms[static_cast<int>(stage)] = spent.count();
+}
+
+constexpr uint32_t k_ticks_between_counts = 6;
+
+// For traces: whose path is due, and who does not get on.
+void count_journeys(const World& w) {
+    if (!is_tracing() || w.tick % k_ticks_between_counts != 0) return;
+    uint32_t due = 0, stuck = 0;
+    for (uint32_t i = 0; i < w.crowd.count; ++i) {
+        const Journey& journey = w.crowd.journeys[i];
+        due += journey.path_due != PathDue::no;
+        stuck += journey.stuck > 0;
+    }
+    trace_counter("paths due", due);
+    trace_counter("people who do not get on", stuck);
 }
 
 void add_idles(World& w) {
@@ -90,8 +103,10 @@ void drive_roam(World& w) {
 }
 
 void step(World& w) {
+    FLANEUR_ZONE("tick");
     w.drive(w);
     step_bodies(w);
+    count_journeys(w);
 }
 
 }  // namespace flaneur

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 #include "renderer/device/resources.h"
 
 namespace flaneur {
@@ -20,6 +21,7 @@ Result<void> make_sampler(const Device& device, SamplerKind kind, VkSampler& out
         sampler.addressModeU = sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     }
     FLANEUR_VK(vkCreateSampler(device.handle, &sampler, nullptr, &out), "make a sampler");
+    name_object(device, out, kind == SamplerKind::texels ? "texels" : "smooth");
     return {};
 }
 
@@ -34,6 +36,7 @@ Result<void> make_bindings(const Device& device, Bindings& bindings) {
     info.pBindings = all.data();
     FLANEUR_VK(vkCreateDescriptorSetLayout(device.handle, &info, nullptr, &bindings.layout),
                "make a descriptor set layout");
+    name_object(device, bindings.layout, "bindings");
     for (size_t i = 0; i < k_samplers; ++i)
         FLANEUR_TRY(make_sampler(device, static_cast<SamplerKind>(i), bindings.samplers[i]));
     return {};
@@ -62,12 +65,14 @@ Result<void> make_binding_sets(const Device& device, const Bindings& bindings, V
     info.poolSizeCount = static_cast<uint32_t>(sizes.size());
     info.pPoolSizes = sizes.data();
     FLANEUR_VK(vkCreateDescriptorPool(device.handle, &info, nullptr, &pool), "make a descriptor pool");
+    name_object(device, pool, "binding sets");
     const std::vector<VkDescriptorSetLayout> layouts(count, bindings.layout);
     VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     allocation.descriptorPool = pool;
     allocation.descriptorSetCount = count;
     allocation.pSetLayouts = layouts.data();
     FLANEUR_VK(vkAllocateDescriptorSets(device.handle, &allocation, sets.data()), "make descriptor sets");
+    for (VkDescriptorSet set : sets) name_object(device, set, "binding set");
     return {};
 }
 

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 
 namespace flaneur {
 namespace {
@@ -194,6 +195,18 @@ int speed_rank(VkPhysicalDeviceType type) {
     }
 }
 
+// Whether the device tells what its clock and CLOCK_MONOTONIC show at one moment.
+bool has_host_clock(VkPhysicalDevice physical) {
+    if (!has_device_extension(physical, VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME)) return false;
+    VkTimeDomainEXT domains[16];
+    uint32_t count = std::size(domains);
+    vkGetPhysicalDeviceCalibrateableTimeDomainsEXT(physical, &count, domains);
+    auto has = [&](VkTimeDomainEXT domain) {
+        return std::find(domains, domains + count, domain) != domains + count;
+    };
+    return has(VK_TIME_DOMAIN_DEVICE_EXT) && has(VK_TIME_DOMAIN_CLOCK_MONOTONIC_EXT);
+}
+
 Result<void> make_logical_device(Device& device) {
     const float priority = 1;
     std::vector<VkDeviceQueueCreateInfo> queues;
@@ -226,6 +239,8 @@ Result<void> make_logical_device(Device& device) {
     // A device that is not wholly Vulkan says so, and wants to hear that it was heard.
     constexpr const char* k_portability = "VK_KHR_portability_subset";
     if (has_device_extension(device.physical, k_portability)) extensions.push_back(k_portability);
+    device.has_clocks = has_host_clock(device.physical);
+    if (device.has_clocks) extensions.push_back(VK_EXT_CALIBRATED_TIMESTAMPS_EXTENSION_NAME);
     VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features};
     info.queueCreateInfoCount = static_cast<uint32_t>(queues.size());
     info.pQueueCreateInfos = queues.data();
@@ -235,6 +250,10 @@ Result<void> make_logical_device(Device& device) {
                std::string("open the device ") + device.properties.deviceName);
     vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
     vkGetDeviceQueue(device.handle, device.present_family, 0, &device.present_queue);
+    name_object(device, device.instance, "flaneur");
+    name_object(device, device.handle, device.properties.deviceName);
+    if (device.present_queue != device.queue) name_object(device, device.present_queue, "present");
+    name_object(device, device.queue, "draw");
     return {};
 }
 

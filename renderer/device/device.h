@@ -27,6 +27,7 @@ struct Device {
     VkPhysicalDeviceMemoryProperties memory = {};
     bool has_labels = false;      // VK_EXT_debug_utils
     uint64_t timestamp_mask = 0;  // bits of the queue's timestamps that count; 0: it has none
+    bool has_clocks = false;      // VK_EXT_calibrated_timestamps, with CLOCK_MONOTONIC
     bool clamps_depth = false;    // depthClamp
     bool draws_many = false;      // multiDrawIndirect
     bool has_wireframe = false;   // fillModeNonSolid

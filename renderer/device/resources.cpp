@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 
 namespace flaneur {
 namespace {
@@ -82,7 +83,7 @@ void ready_layers(VkCommandBuffer commands, GpuImage& image, const Access& next,
 // A host buffer filled with `bytes`, for `use` alone.
 Result<void> with_staging(const Device& device, std::span<const std::byte> bytes,
                           const std::function<Result<void>(VkBuffer)>& use) {
-    Buffer staging;
+    Buffer staging{"staging"};
     Result<void> result =
         make_buffer(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::staging, staging);
     if (result) {
@@ -104,7 +105,9 @@ Result<void> make_buffer(const Device& device, VkDeviceSize size, VkBufferUsageF
     buffer.size = info.size;
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle, buffer.handle, &needs);
+    name_object(device, buffer.handle, buffer.name);
     FLANEUR_TRY(allocate(device, needs, kind, buffer.memory));
+    name_object(device, buffer.memory, std::string("memory of ") + buffer.name);
     FLANEUR_VK(vkBindBufferMemory(device.handle, buffer.handle, buffer.memory, 0), "bind a buffer");
     if (kind != MemoryKind::device)
         FLANEUR_VK(vkMapMemory(device.handle, buffer.memory, 0, VK_WHOLE_SIZE, 0, &buffer.mapped),
@@ -115,7 +118,7 @@ Result<void> make_buffer(const Device& device, VkDeviceSize size, VkBufferUsageF
 void destroy_buffer(const Device& device, Buffer& buffer) {
     if (buffer.handle) vkDestroyBuffer(device.handle, buffer.handle, nullptr);
     if (buffer.memory) vkFreeMemory(device.handle, buffer.memory, nullptr);
-    buffer = {};
+    buffer = {buffer.name};
 }
 
 Result<void> reserve_buffer(const Device& device, VkDeviceSize size, VkBufferUsageFlags usage,
@@ -144,6 +147,7 @@ Result<void> run_once(const Device& device, const std::function<void(VkCommandBu
     pool_info.queueFamilyIndex = device.queue_family;
     VkCommandPool pool = {};
     FLANEUR_VK(vkCreateCommandPool(device.handle, &pool_info, nullptr, &pool), "make a command pool");
+    name_object(device, pool, "once");
     auto run = [&]() -> Result<void> {
         VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
         info.commandPool = pool;
@@ -151,6 +155,7 @@ Result<void> run_once(const Device& device, const std::function<void(VkCommandBu
         info.commandBufferCount = 1;
         VkCommandBuffer commands = {};
         FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &info, &commands), "make a command buffer");
+        name_object(device, commands, "once");
         VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
         begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
         FLANEUR_VK(vkBeginCommandBuffer(commands, &begin), "record commands");
@@ -225,7 +230,9 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
                "make an image of " + std::to_string(shape.width) + " x " + std::to_string(shape.height));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle, image.handle, &needs);
+    name_object(device, image.handle, image.name);
     FLANEUR_TRY(allocate(device, needs, is_shared ? MemoryKind::readback : MemoryKind::device, image.memory));
+    name_object(device, image.memory, std::string("memory of ") + image.name);
     FLANEUR_VK(vkBindImageMemory(device.handle, image.handle, image.memory, 0), "bind an image");
     if (is_shared) {
         void* mapped = nullptr;
@@ -238,6 +245,7 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     }
     if (is_copied) {
         image.row_bytes = size_t{texel_bytes(shape.format)} * shape.width;
+        image.copy.name = image.name;
         FLANEUR_TRY(make_buffer(device, VkDeviceSize{image.row_bytes} * shape.height,
                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback, image.copy));
         image.mapped = image.copy.mapped;
@@ -251,6 +259,7 @@ Result<void> make_image(const Device& device, const ImageShape& shape, GpuImage&
     view.format = shape.format;
     view.subresourceRange = {aspect_of(shape.format), 0, shape.levels, 0, shape.layers};
     FLANEUR_VK(vkCreateImageView(device.handle, &view, nullptr, &image.view), "make an image view");
+    name_object(device, image.view, image.name);
     return {};
 }
 
@@ -285,7 +294,7 @@ void destroy_image(const Device& device, GpuImage& image) {
     if (image.handle) vkDestroyImage(device.handle, image.handle, nullptr);
     if (image.memory) vkFreeMemory(device.handle, image.memory, nullptr);
     destroy_buffer(device, image.copy);
-    image = {};
+    image = {image.name};
 }
 
 void image_to(VkCommandBuffer commands, GpuImage& image, const Access& next, Layers layers) {

@@ -13,6 +13,7 @@
 namespace flaneur {
 
 struct Buffer {
+    const char* name = "buffer";  // that debuggers show; kept when it is made anew
     VkBuffer handle = {};
     VkDeviceMemory memory = {};
     VkDeviceSize size = 0;
@@ -49,15 +50,16 @@ inline constexpr Access k_copied_to = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
 
 struct GpuImage {
+    const char* name = "image";  // as a buffer's
     VkImage handle = {};
     VkDeviceMemory memory = {};  // null: somebody else's
     VkImageView view = {};       // of all layers and levels
     VkFormat format = VK_FORMAT_UNDEFINED;
     uint32_t width = 0, height = 0, layers = 1, levels = 1;
-    const void* mapped = nullptr;  // what the host reads, where it does, once it was handed to it
-    size_t row_bytes = 0;          // there, from row to row
-    Buffer copy;                   // where that is, if it is not the image itself
-    std::vector<Access> last;      // what was done last to each layer, in the order of recording
+    const void* mapped = nullptr;   // what the host reads, where it does, once it was handed to it
+    size_t row_bytes = 0;           // there, from row to row
+    Buffer copy = {};               // where that is, if it is not the image itself
+    std::vector<Access> last = {};  // what was done last to each layer, in the order of recording
 };
 
 enum class MemoryKind {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 
 namespace flaneur {
 namespace {
@@ -34,10 +35,13 @@ Result<void> make_images(const Device& device, Swapchain& swapchain) {
         info.format = swapchain.format;
         info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
         FLANEUR_VK(vkCreateImageView(device.handle, &info, nullptr, &image.view), "make an image view");
+        name_object(device, image.handle, image.name = "window image");
+        name_object(device, image.view, image.name);
         VkSemaphoreCreateInfo semaphore_info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
         VkSemaphore semaphore = {};
         FLANEUR_VK(vkCreateSemaphore(device.handle, &semaphore_info, nullptr, &semaphore),
                    "make a semaphore");
+        name_object(device, semaphore, "window image is drawn");
         swapchain.drawn.push_back(semaphore);
     }
     return {};
@@ -125,6 +129,7 @@ Result<void> make_swapchain(const Device& device, VkExtent2D wanted, Swapchain& 
         swapchain.handle = {};
         return vulkan_error(result, "make the window's images");
     }
+    name_object(device, handle, "window");
     swapchain.extent = extent;
     return make_images(device, swapchain);
 }

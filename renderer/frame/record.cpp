@@ -4,12 +4,6 @@
 
 namespace flaneur {
 
-void begin_stage(const FrameRecord& record, const char* name) {
-    begin_stage(record.commands, record.slot.stages, name);
-}
-
-void end_stage(const FrameRecord& record) { end_stage(record.commands, record.slot.stages); }
-
 VkExtent2D extent_of(const GpuImage& image) { return {image.width, image.height}; }
 
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/frame/plan.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 
@@ -32,8 +33,22 @@ inline GpuImage& final_image(const FrameRecord& record) {
     return record.target.scaled ? *record.target.scaled : *record.target.image;
 }
 
-void begin_stage(const FrameRecord& record, const char* name);
-void end_stage(const FrameRecord& record);
+// A zone that is a stage of the frame too: FLANEUR_ZONE("light", record) is labelled for debuggers, timed by
+// the device and, where that was asked for, counted (stages.h).
+class StageZone {
+  public:
+    StageZone(const char* name, const FrameRecord& record) : zone_(name), record_(record) {
+        begin_stage(record.commands, record.slot.stages, name);
+    }
+    ~StageZone() { end_stage(record_.commands, record_.slot.stages); }
+    StageZone(const StageZone&) = delete;
+    StageZone& operator=(const StageZone&) = delete;
+
+  private:
+    Zone zone_;  // of the host, which records it
+    const FrameRecord& record_;
+};
+inline StageZone open_zone(const char* name, const FrameRecord& record) { return {name, record}; }
 
 VkExtent2D extent_of(const GpuImage& image);
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent);

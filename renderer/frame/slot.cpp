@@ -1,12 +1,15 @@
 #include "renderer/frame/slot.h"
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 
 Result<void> make_image_ready(const Device& device, FrameSlot& slot) {
     const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     FLANEUR_VK(vkCreateSemaphore(device.handle, &info, nullptr, &slot.image_ready), "make a semaphore");
+    name_object(device, slot.image_ready, "window image is there");
     return {};
 }
 
@@ -14,13 +17,16 @@ Result<void> make_slot(const Device& device, FrameSlot& slot) {
     VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
     pool.queueFamilyIndex = device.queue_family;
     FLANEUR_VK(vkCreateCommandPool(device.handle, &pool, nullptr, &slot.pool), "make a command pool");
+    name_object(device, slot.pool, "frame");
     VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     commands.commandPool = slot.pool;
     commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     commands.commandBufferCount = 1;
     FLANEUR_VK(vkAllocateCommandBuffers(device.handle, &commands, &slot.commands), "make a command buffer");
+    name_object(device, slot.commands, "frame");
     const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
     FLANEUR_VK(vkCreateFence(device.handle, &fence, nullptr, &slot.done), "make a fence");
+    name_object(device, slot.done, "frame is done");
     FLANEUR_TRY(make_image_ready(device, slot));
     return make_stages(device, slot.stages);
 }
@@ -38,6 +44,7 @@ void destroy_slot(const Device& device, FrameSlot& slot) {
 }
 
 Result<void> submit_slot(const Device& device, FrameSlot& slot, Wait wait, VkSemaphore signal) {
+    FLANEUR_ZONE("submit");
     VkSemaphoreSubmitInfo waits{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
     waits.semaphore = wait.semaphore;
     waits.stageMask = wait.stage;
@@ -61,6 +68,7 @@ Result<void> submit_slot(const Device& device, FrameSlot& slot, Wait wait, VkSem
 
 Result<void> finish_slot(const Device& device, FrameSlot& slot, FrameStats& stats) {
     if (!slot.is_pending) return {};
+    FLANEUR_ZONE("wait for the device");
     FLANEUR_VK(vkWaitForFences(device.handle, 1, &slot.done, VK_TRUE, UINT64_MAX), "finish a frame");
     slot.is_pending = false;
     return read_stages(device, slot.stages, stats.stages);

@@ -9,7 +9,8 @@ namespace flaneur {
 inline constexpr uint32_t k_slots = 2;  // frames in flight in a window
 
 struct SkinBuffers {
-    Buffer vertices, indices;  // SkinnedVertex; uint32_t, counted from the vertices of each draw
+    // SkinnedVertex; uint32_t, counted from the vertices of each draw
+    Buffer vertices{"skinned vertices"}, indices{"skinned indices"};
 };
 
 struct FrameSlot {
@@ -19,11 +20,12 @@ struct FrameSlot {
     VkSemaphore image_ready = {};  // of a window
     VkDescriptorSet set = {};
     Stages stages;
-    Buffer constants, instances, palette, impostors, sky, draws, contacts, lines, fills, panel_vertices,
-        panel_indices;
-    SkinBuffers crowd, casters;  // skinned by the host
-    Buffer picture;              // lit by the host, on the way into a window
-    bool is_pending = false;     // submitted, and not yet waited for
+    Buffer constants{"frame constants"}, instances{"instances"}, palette{"palette"}, impostors{"impostors"},
+        sky{"sky"}, draws{"draws"}, contacts{"contacts"}, lines{"lines"}, fills{"fills"},
+        panel_vertices{"panel vertices"}, panel_indices{"panel indices"};
+    SkinBuffers crowd, casters;     // skinned by the host
+    Buffer picture{"lit picture"};  // lit by the host, on the way into a window
+    bool is_pending = false;        // submitted, and not yet waited for
 };
 Result<void> make_slot(const Device& device, FrameSlot& slot);
 Result<void> make_image_ready(const Device& device, FrameSlot& slot);

@@ -3,6 +3,9 @@
 #include <cassert>
 
 #include "renderer/device/check.h"
+#include "renderer/device/clock.h"
+#include "renderer/device/names.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
@@ -17,6 +20,14 @@ void write_timestamp(VkCommandBuffer commands, const Stages& stages, uint32_t nu
     vkCmdPipelineBarrier2(commands, &nothing);
 }
 
+void trace_stages(const Device& device, const Stages& stages, const uint64_t* times) {
+    const std::optional<ClockPair> clock = is_tracing() ? read_clocks(device) : std::nullopt;
+    if (!clock) return;
+    for (size_t i = 0; i < stages.names.size(); ++i)
+        record_trace({stages.names[i], host_time(device, *clock, times[i]),
+                      host_time(device, *clock, times[i + 1]), 0, TraceKind::device_zone});
+}
+
 }  // namespace
 
 Result<void> make_stages(const Device& device, Stages& stages) {
@@ -26,6 +37,7 @@ Result<void> make_stages(const Device& device, Stages& stages) {
         queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
         queries.queryCount = k_max_stages + 1;
         FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &stages.timestamps), "make timers");
+        name_object(device, stages.timestamps, "stage times");
     }
     if (device.has_counters) {
         queries.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
@@ -33,6 +45,7 @@ Result<void> make_stages(const Device& device, Stages& stages) {
         queries.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
                                      VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT;
         FLANEUR_VK(vkCreateQueryPool(device.handle, &queries, nullptr, &stages.counters), "make counters");
+        name_object(device, stages.counters, "stage counters");
     }
     return {};
 }
@@ -56,7 +69,7 @@ void begin_stage(VkCommandBuffer commands, Stages& stages, const char* name) {
     const auto number = static_cast<uint32_t>(stages.names.size());
     assert(number < k_max_stages);
     if (stages.is_counted) vkCmdBeginQuery(commands, stages.counters, number, 0);
-    stages.names.emplace_back(name);
+    stages.names.push_back(name);
     if (!stages.has_labels) return;
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = name;
@@ -73,7 +86,7 @@ void end_stage(VkCommandBuffer commands, const Stages& stages) {
 Result<void> read_stages(const Device& device, Stages& stages, std::vector<FrameStats::Stage>& read) {
     if (!stages.is_recorded) return {};
     read.clear();
-    for (const std::string& name : stages.names) read.push_back({name});
+    for (const char* name : stages.names) read.push_back({name});
     const auto count = static_cast<uint32_t>(read.size());
     if (stages.timestamps) {
         uint64_t times[k_max_stages + 1] = {};
@@ -83,6 +96,7 @@ Result<void> read_stages(const Device& device, Stages& stages, std::vector<Frame
         const double ms = static_cast<double>(device.properties.limits.timestampPeriod) * 1e-6;
         for (uint32_t i = 0; i < count; ++i)
             read[i].gpu_ms = static_cast<double>((times[i + 1] - times[i]) & device.timestamp_mask) * ms;
+        trace_stages(device, stages, times);
     }
     if (stages.is_counted) {
         uint64_t shaded[k_max_stages][2] = {};  // in the order of the counters' bits

@@ -24,11 +24,11 @@ struct Renderer {
     GpuScene held;  // another city, with its lamps
     ShadowMaps shadows;
     PictureTargets targets;
-    GpuImage picture;  // off-screen, where the device lights, or panels lie over it; in a window, where it is
-                       // scaled
-    GpuImage shown;    // that show_image stretches
-    GpuImage letters;  // of panels
-    Buffer readback;
+    GpuImage picture{"picture"};  // off-screen, where the device lights, or panels lie over it; in a window,
+                                  // where it is scaled
+    GpuImage shown{"shown picture"};  // that show_image stretches
+    GpuImage letters{"letters"};      // of panels
+    Buffer readback{"picture for the host"};
     LitPicture lit;  // where the host lights
     GLFWwindow* window = nullptr;
     Swapchain swapchain;

@@ -1,6 +1,7 @@
 #include "renderer/frame/targets.h"
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 
 namespace flaneur {
 
@@ -77,6 +78,7 @@ Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is
         info.subresourceRange = {VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, layer, 1};
         FLANEUR_VK(vkCreateImageView(device.handle, &info, nullptr, &maps.layer_views[layer]),
                    "make an image view");
+        name_object(device, maps.layer_views[layer], "shadow map " + std::to_string(layer));
     }
     return {};
 }

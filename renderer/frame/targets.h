@@ -11,11 +11,12 @@ namespace flaneur {
 // What a picture is made of: surfaces in as many samples as a pixel has, and what stands between them and the
 // picture. What a quality or a way of lighting has no use for is not made.
 struct PictureTargets {
-    GpuImage colour, surface, depth;     // see shaders/base/surface.glsl
-    GpuImage overlay;                    // in as many samples; made when it is first wanted
-    GpuImage occlusion, even_occlusion;  // half as wide and high as the picture; evened out
-    GpuImage picture;                    // lit, before anti-aliasing
-    VkExtent2D extent = {};              // of the picture, pixels
+    GpuImage colour{"colour"}, surface{"surface"}, depth{"depth"};  // see shaders/base/surface.glsl
+    GpuImage overlay{"overlay"};  // in as many samples; made when it is first wanted
+    GpuImage occlusion{"occlusion"},
+        even_occlusion{"even occlusion"};    // half as wide and high as the picture; evened out
+    GpuImage picture{"unsmoothed picture"};  // lit, before anti-aliasing
+    VkExtent2D extent = {};                  // of the picture, pixels
 };
 // `is_read_by_host`: the host lights what is drawn into them.
 Result<void> make_picture_targets(const Device& device, const QualityLevel& quality, bool is_read_by_host,
@@ -27,10 +28,10 @@ void destroy_picture_targets(const Device& device, PictureTargets& targets);
 // The city's shadows are drawn when their boxes move; each frame takes people's out of a copy of the near
 // ones and adds them anew. Far away only the city throws shadows.
 struct ShadowMaps {
-    GpuImage map;  // k_shadow_layers, as shaders read them
+    GpuImage map{"shadow maps"};  // k_shadow_layers, as shaders read them
     VkImageView layer_views[k_shadow_layers] = {};
-    Buffer copy;        // where the host reads them, if it lights
-    ShadowState state;  // what they hold
+    Buffer copy{"shadow maps for the host"};  // where the host reads them, if it lights
+    ShadowState state;                        // what they hold
 };
 Result<void> make_shadow_maps(const Device& device, uint32_t resolution, bool is_read_by_host,
                               ShadowMaps& maps);

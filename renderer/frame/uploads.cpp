@@ -3,13 +3,14 @@
 #include <cstring>
 
 #include "renderer/device/check.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
 
 template <class T>
 Result<void> upload(const Device& device, std::span<const T> first, std::span<const T> second,
-                    VkBufferUsageFlags usage, Buffer& buffer) {
+                    VkBufferUsageFlags usage, Buffer& buffer, uint64_t& sum) {
     const uint64_t bytes = first.size_bytes() + second.size_bytes(),
                    most = device.properties.limits.maxStorageBufferRange;
     if (usage == VK_BUFFER_USAGE_STORAGE_BUFFER_BIT && bytes > most)
@@ -19,10 +20,12 @@ Result<void> upload(const Device& device, std::span<const T> first, std::span<co
     auto* out = static_cast<std::byte*>(buffer.mapped);
     if (!first.empty()) std::memcpy(out, first.data(), first.size_bytes());
     if (!second.empty()) std::memcpy(out + first.size_bytes(), second.data(), second.size_bytes());
+    sum += bytes;
     return {};
 }
 
-Result<void> upload_panel_buffers(const Device& device, FrameSlot& slot, const Panels& panels) {
+Result<void> upload_panel_buffers(const Device& device, FrameSlot& slot, const Panels& panels,
+                                  uint64_t& sum) {
     if (panels.draws.empty()) return {};
     for (const PanelDraw& draw : panels.draws)
         if (uint64_t{draw.first_index} + draw.index_count > panels.indices.size())
@@ -30,8 +33,9 @@ Result<void> upload_panel_buffers(const Device& device, FrameSlot& slot, const P
                          std::to_string(uint64_t{draw.first_index} + draw.index_count - 1) +
                          " but there are only " + std::to_string(panels.indices.size()) + "."};
     FLANEUR_TRY(upload<PanelVertex>(device, panels.vertices, {}, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
-                                    slot.panel_vertices));
-    return upload<uint16_t>(device, panels.indices, {}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, slot.panel_indices);
+                                    slot.panel_vertices, sum));
+    return upload<uint16_t>(device, panels.indices, {}, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, slot.panel_indices,
+                            sum);
 }
 
 Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
@@ -39,23 +43,25 @@ Result<void> upload_buffers(Renderer& renderer, FrameSlot& slot, const FrameInpu
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                                  vertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
     const Device& device = renderer.device;
+    uint64_t& sum = renderer.stats.uploaded_bytes;
     FLANEUR_TRY(upload<FrameConstants>(device, std::span(&plan.constants, 1), {},
-                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants));
+                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, slot.constants, sum));
     // Of people whom the host has skinned the device need know nothing more.
     const bool is_anyone_left = plan.crowd.count + plan.casters.count > 0;
     auto if_left = [&](auto span) { return is_anyone_left ? span : decltype(span){}; };
     FLANEUR_TRY(upload(device, if_left(std::span<const WalkerInstance>(renderer.crowd.instances)),
                        if_left(std::span<const WalkerInstance>(renderer.casters.instances)), storage,
-                       slot.instances));
-    FLANEUR_TRY(upload(device, if_left(input.palette), {}, storage, slot.palette));
+                       slot.instances, sum));
+    FLANEUR_TRY(upload(device, if_left(input.palette), {}, storage, slot.palette, sum));
     FLANEUR_TRY(upload<ImpostorInstance>(device, renderer.crowd.impostors, renderer.casters.impostors,
-                                         storage, slot.impostors));
-    FLANEUR_TRY(upload<vec4>(device, plan.sky, {}, storage, slot.sky));
-    FLANEUR_TRY(upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws));
-    FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, vertices, slot.contacts));
-    if (plan.lines > 0) FLANEUR_TRY(upload<GizmoLine>(device, input.lines, {}, vertices, slot.lines));
-    FLANEUR_TRY(upload_panel_buffers(device, slot, input.panels));
-    if (plan.fills > 0) FLANEUR_TRY(upload<GizmoCorner>(device, input.fills, {}, vertices, slot.fills));
+                                         storage, slot.impostors, sum));
+    FLANEUR_TRY(upload<vec4>(device, plan.sky, {}, storage, slot.sky, sum));
+    FLANEUR_TRY(
+        upload<DrawCommand>(device, plan.draws, {}, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, slot.draws, sum));
+    FLANEUR_TRY(upload<Contact>(device, plan.contacts, {}, vertices, slot.contacts, sum));
+    if (plan.lines > 0) FLANEUR_TRY(upload<GizmoLine>(device, input.lines, {}, vertices, slot.lines, sum));
+    FLANEUR_TRY(upload_panel_buffers(device, slot, input.panels, sum));
+    if (plan.fills > 0) FLANEUR_TRY(upload<GizmoCorner>(device, input.fills, {}, vertices, slot.fills, sum));
     return {};
 }
 
@@ -96,6 +102,7 @@ Result<void> skin_into(Renderer& renderer, const SkinPlan& skin, std::span<const
                                VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, MemoryKind::upload, buffers.vertices));
     FLANEUR_TRY(reserve_buffer(device, sizeof(uint32_t) * skin.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                                MemoryKind::upload, buffers.indices));
+    renderer.stats.uploaded_bytes += sizeof(SkinnedVertex) * skin.vertices + sizeof(uint32_t) * skin.indices;
     renderer.skin_scratch.resize(static_cast<size_t>(thread_count(*renderer.workers)));
     parallel_for(*renderer.workers, skin.batches.size(), 1, [&](size_t begin, size_t end, int thread) {
         for (size_t i = begin; i < end; ++i)
@@ -124,14 +131,19 @@ Result<void> skin_people(Renderer& renderer, FrameSlot& slot, const FrameInput& 
 
 Result<void> upload_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input, VkExtent2D extent,
                           FramePlan& plan) {
-    FLANEUR_TRY(skin_people(renderer, slot, input, extent, plan));
+    renderer.stats.uploaded_bytes = 0;
+    {
+        FLANEUR_ZONE("skin");
+        FLANEUR_TRY(skin_people(renderer, slot, input, extent, plan));
+    }
+    FLANEUR_ZONE("upload");
     FLANEUR_TRY(upload_buffers(renderer, slot, input, plan));
     bind_frame(renderer, slot);
     return {};
 }
 
 Result<void> upload_panels(Renderer& renderer, FrameSlot& slot, const Panels& panels) {
-    FLANEUR_TRY(upload_panel_buffers(renderer.device, slot, panels));
+    FLANEUR_TRY(upload_panel_buffers(renderer.device, slot, panels, renderer.stats.uploaded_bytes));
     bind_frame(renderer, slot);
     return {};
 }

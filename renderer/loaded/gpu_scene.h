@@ -8,18 +8,20 @@
 namespace flaneur {
 
 struct GpuScene {
-    Buffer city_vertices, city_indices, person_vertices, person_indices;
-    GpuImage textures, scenery;  // arrays, of people and of the city; layer 0 is white
+    Buffer city_vertices{"city vertices"}, city_indices{"city indices"}, person_vertices{"person vertices"},
+        person_indices{"person indices"};
+    GpuImage textures{"textures of people"},
+        scenery{"pictures of scenery"};  // arrays, of people and of the city; layer 0 is white
     std::array<std::vector<CityChunk>, k_city_classes> chunks;
     std::vector<Wall> walls;
     std::vector<WallGroup> wall_groups;
     std::vector<PersonRanges> people;
     std::vector<SkinMesh> skin_meshes;  // every level of people's meshes
     Impostors impostors;
-    GpuImage lamps;                 // LampMap, in half floats
-    std::vector<vec4> lamp_texels;  // the same numbers, for the host
-    glm::vec4 lamp_map{0};          // FrameConstants::lamp_map
-    float ground_low = 0;           // metres
+    GpuImage lamps{"light of lamps"};  // LampMap, in half floats
+    std::vector<vec4> lamp_texels;     // the same numbers, for the host
+    glm::vec4 lamp_map{0};             // FrameConstants::lamp_map
+    float ground_low = 0;              // metres
     bool is_textured = false;
 };
 

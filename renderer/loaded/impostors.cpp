@@ -78,8 +78,8 @@ std::vector<glm::vec4> find_boxes(const PersonMesh& mesh, const CellGrid& grid) 
 
 // What a bake needs and leaves behind.
 struct Bake {
-    Buffer poses, draws;
-    GpuImage depth;
+    Buffer poses{"poses to bake"}, draws{"draws to bake"};
+    GpuImage depth{"depth of bakes"};
     VkDescriptorPool pool = {};
     VkDescriptorSet set = {};
     uint32_t people = 0;
@@ -219,7 +219,7 @@ Result<void> bake_impostors(const Device& device, const Pipelines& pipelines, co
 Result<std::vector<uint32_t>> read_impostors(const Device& device, Impostors& impostors) {
     GpuImage& atlas = impostors.atlas;
     std::vector<uint32_t> texels(size_t{atlas.width} * atlas.height);
-    Buffer buffer;
+    Buffer buffer{"impostors for the host"};
     auto read = [&]() -> Result<void> {
         FLANEUR_TRY(make_buffer(device, texels.size() * sizeof(uint32_t), VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                 MemoryKind::readback, buffer));

@@ -20,9 +20,9 @@ struct GpuScene;
 inline constexpr uint32_t k_atlas_width = 2048, k_atlas_height = 4096;  // texels
 
 struct Impostors {
-    GpuImage atlas;
-    Buffer cells;      // ImpostorCell
-    float pixels = 0;  // a body whose sphere is smaller is drawn as an impostor
+    GpuImage atlas{"impostor atlas"};
+    Buffer cells{"impostor cells"};  // ImpostorCell
+    float pixels = 0;                // a body whose sphere is smaller is drawn as an impostor
 };
 
 // The cells of `people` kinds of people side by side in an atlas.

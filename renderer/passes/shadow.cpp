@@ -85,7 +85,7 @@ void copy_to_host(const FrameRecord& record, uint32_t layer, uint32_t to, std::s
 }
 
 void draw_city_shadows(const FrameRecord& record) {
-    begin_stage(record, "city shadows");
+    FLANEUR_ZONE("city shadows", record);
     for (size_t i = 0; i < record.plan.slices.size(); ++i) {
         const ShadowSlices& slices = record.plan.slices[i];
         const TexelRect rows = rows_of(slices, record.renderer.quality.shadow_resolution);
@@ -98,7 +98,6 @@ void draw_city_shadows(const FrameRecord& record) {
         copy_layer(record, layer, near, std::span(&rows, 1), slices.first == 0);
         copy_to_host(record, layer, near, std::span(&rows, 1));
     }
-    end_stage(record);
 }
 
 void draw_crowd_shadows(const FrameRecord& record) {
@@ -106,7 +105,7 @@ void draw_crowd_shadows(const FrameRecord& record) {
     const CrowdDraws& casters = record.renderer.casters;
     const uint32_t near = seen_layer(record, k_near_layers),
                    resolution = record.renderer.quality.shadow_resolution;
-    begin_stage(record, "crowd shadows");
+    FLANEUR_ZONE("crowd shadows", record);
     copy_layer(record, seen_layer(record, k_still_layers), near, record.plan.near_changed, false);
     if (!casters.instances.empty() || !casters.impostors.empty()) {
         image_to(record.commands, maps.map, k_depth_target, {near, 1});
@@ -116,7 +115,6 @@ void draw_crowd_shadows(const FrameRecord& record) {
     }
     if (!record.plan.slices.empty()) wait_between(record.commands, k_copied_to, k_copied_to);
     copy_to_host(record, near, near, record.plan.near_changed);
-    end_stage(record);
 }
 
 }  // namespace

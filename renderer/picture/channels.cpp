@@ -98,7 +98,7 @@ Result<void> read_channels(const Renderer& renderer, PictureTargets& targets, co
 Result<void> add_channels(Renderer& renderer, const FrameInput& frame, Image& image) {
     if (!frame.wants_depths && !frame.wants_ids) return {};
     if (frame.wants_ids) FLANEUR_TRY(draw_ids(renderer, frame, {image.width, image.height}));
-    Buffer copies[2];
+    Buffer copies[2] = {{"depths for the host"}, {"ids for the host"}};
     Result<void> read = read_channels(renderer, renderer.targets, frame, copies, image);
     for (Buffer& copy : copies) destroy_buffer(renderer.device, copy);
     return read;

@@ -1,12 +1,12 @@
 #include "renderer/picture/draw.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "renderer/device/check.h"
 #include "renderer/frame/uploads.h"
 #include "renderer/passes/passes.h"
 #include "renderer/picture/picture.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
@@ -31,6 +31,7 @@ Result<void> fit_targets(Renderer& renderer, VkExtent2D extent, bool has_overlay
 }
 
 Result<void> record(const FrameRecord& record, void (*draw)(const FrameRecord&)) {
+    FLANEUR_ZONE("record");
     VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     FLANEUR_VK(vkResetCommandPool(record.renderer.device.handle, record.slot.pool, 0), "record a frame");
@@ -54,7 +55,6 @@ void forget_images(Renderer& renderer, const PictureTarget& target) {
 
 // Once the device has drawn what it is of.
 void light_on_host(Renderer& renderer, const FramePlan& plan, const PictureTarget& target) {
-    const auto begin = std::chrono::steady_clock::now();
     const PictureTargets& from = renderer.targets;
     Unlit unlit;
     unlit.frame = &plan.constants;
@@ -67,9 +67,10 @@ void light_on_host(Renderer& renderer, const FramePlan& plan, const PictureTarge
     unlit.lamps_width = static_cast<int>(renderer.scene.lamps.width);
     unlit.sky = plan.sky;
     unlit.smooths_edges = renderer.quality.smooths_edges;
+    FrameStats::Stage& light = renderer.stats.stages.emplace_back();
+    light.name = "light";
+    FLANEUR_ZONE("light", light.gpu_ms);
     light_picture(unlit, *renderer.workers, renderer.lit, target.is_blue_first, target.pixels);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    renderer.stats.stages.push_back({"light", took.count()});
 }
 
 void count_frame(const FramePlan& plan, Renderer& renderer) {
@@ -102,25 +103,42 @@ void count_frame(const FramePlan& plan, Renderer& renderer) {
     for (const CityCasters& casters : plan.slice_casters) count(casters.opaque), count(casters.scenery);
 }
 
+// Curves of a trace.
+void trace_counts(const FrameStats& stats) {
+    if (!is_tracing()) return;
+    constexpr const char* k_level_names[k_max_lods] = {
+        "people, level 0", "people, level 1", "people, level 2", "people, level 3", "people, level 4"};
+    for (size_t level = 0; level < k_max_lods; ++level)
+        trace_counter(k_level_names[level], stats.meshes[level]);
+    trace_counter("people as impostors", stats.impostors);
+    trace_counter("people in sight", stats.walkers_drawn);
+    trace_counter("people who throw shadows", stats.walkers_in_shadow);
+    trace_counter("draws", stats.sub_draws + stats.direct_draws);
+    trace_counter("triangles", stats.triangles);
+    trace_counter("bytes handed to the device", static_cast<double>(stats.uploaded_bytes));
+}
+
 }  // namespace
 
 Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& input,
                         const PictureTarget& target, Wait wait, VkSemaphore signal) {
-    const auto begin = std::chrono::steady_clock::now();
+    const int64_t begin = trace_now();
     if (input.surfaces == Surfaces::wireframe && !renderer.device.has_wireframe)
         return Error{
             "This device draws no wireframe (it lacks fillModeNonSolid): look at normals instead, or "
             "try another --device."};
     FramePlan plan;
-    plan_frame(renderer, input, target.extent, plan);
+    {
+        FLANEUR_ZONE("cull and plan");
+        plan_frame(renderer, input, target.extent, plan);
+    }
     FLANEUR_TRY(fit_targets(renderer, target.extent, has_overlay(plan)));
     FLANEUR_TRY(make_view_pipelines(renderer.device, view_pipelines_for(input), renderer.pipelines));
     FLANEUR_TRY(upload_frame(renderer, slot, input, target.extent, plan));
     const FrameRecord frame{renderer, slot, plan, target, slot.commands};
     auto draw = [&]() -> Result<void> {
         FLANEUR_TRY(record(frame, record_picture));
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-        renderer.stats.cpu_record_ms = took.count();
+        renderer.stats.cpu_record_ms = static_cast<double>(trace_now() - begin) * 1e-6;
         const bool is_last = !renderer.is_lit_on_host;
         return submit_slot(renderer.device, slot, is_last ? wait : Wait{}, is_last ? signal : VkSemaphore{});
     };
@@ -139,6 +157,7 @@ Result<void> draw_frame(Renderer& renderer, FrameSlot& slot, const FrameInput& i
     }
     renderer.shadows.state = std::move(plan.shadows);
     count_frame(plan, renderer);
+    trace_counts(renderer.stats);
     return {};
 }
 

@@ -11,9 +11,8 @@ struct Stage {
 };
 
 void draw_stage(const FrameRecord& record, const Stage& stage) {
-    begin_stage(record, stage.name);
+    FLANEUR_ZONE(stage.name, record);
     stage.draw(record);
-    end_stage(record);
 }
 
 // What is drawn with depth into the same samples, one after the other.
@@ -53,13 +52,12 @@ void draw_surfaces(const FrameRecord& record) {
     if (record.plan.surfaces_view == Surfaces::lit) images.push_back(&targets.surface);
     bool is_first = true;
     for (const Stage& pass : passes_of(record.plan)) {
-        begin_stage(record, pass.name);
+        FLANEUR_ZONE(pass.name, record);
         // Where depth stays 0 nobody looks at the others.
         begin_drawing(record, images, is_first ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_LOAD,
                       is_first);
         pass.draw(record);
         vkCmdEndRendering(record.commands);
-        end_stage(record);
         is_first = false;
     }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 #include "renderer/scene.h"
 
 namespace flaneur {
@@ -110,13 +111,16 @@ Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const 
 
 }  // namespace
 
-Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
-                           VkPipeline& pipeline) {
+Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const std::string& name,
+                           const PipelineShape& shape, VkPipeline& pipeline) {
     VkShaderModule shaders[2] = {};
     const size_t count = shape.fragment.empty() ? 1 : 2;
     Result<void> result = make_shader(device, shape.vertex, shaders[0]);
     if (result && count == 2) result = make_shader(device, shape.fragment, shaders[1]);
+    for (size_t i = 0; i < count; ++i)
+        if (shaders[i]) name_object(device, shaders[i], name + (i == 0 ? ", vertices" : ", fragments"));
     if (result) result = make_pipeline(device, layout, shape, std::span(shaders, count), pipeline);
+    if (result) name_object(device, pipeline, name);
     for (VkShaderModule shader : shaders)
         if (shader) vkDestroyShaderModule(device.handle, shader, nullptr);
     return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "renderer/device/device.h"
@@ -43,8 +44,9 @@ struct PipelineShape {
     VkPolygonMode fill = VK_POLYGON_MODE_FILL;
     int32_t constants[k_constants] = {0, 1, 0};  // by k_constant_*
 };
-Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const PipelineShape& shape,
-                           VkPipeline& pipeline);
+// `name`: that debuggers show.
+Result<void> make_pipeline(const Device& device, VkPipelineLayout layout, const std::string& name,
+                           const PipelineShape& shape, VkPipeline& pipeline);
 Attributes city_attributes();    // of CityVertex
 Attributes person_attributes();  // of PersonVertex
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/device/check.h"
+#include "renderer/device/names.h"
 #include "renderer/people/skin.h"
 #include "renderer/scene.h"
 #include "spirv/contact.frag.h"
@@ -56,16 +57,17 @@ Result<void> make_layout(const Device& device, Pipelines& pipelines) {
     info.pPushConstantRanges = &push;
     FLANEUR_VK(vkCreatePipelineLayout(device.handle, &info, nullptr, &pipelines.layout),
                "make a pipeline layout");
+    name_object(device, pipelines.layout, "pipelines");
     return {};
 }
 
 Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) {
     SurfacePipelines& surfaces = pipelines.surfaces;
-    auto make = [&](PipelineShape shape, VkPipeline& out) {
+    auto make = [&](const char* name, PipelineShape shape, VkPipeline& out) {
         shape.colour = k_colour_format;
         shape.surface = k_surface_format;
         shape.depth = k_depth_format;
-        return make_pipeline(device, pipelines.layout, shape, out);
+        return make_pipeline(device, pipelines.layout, name, shape, out);
     };
     const Attributes all = city_attributes();
     PipelineShape facade{.vertex = k_spirv_facade_vert,
@@ -73,21 +75,21 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
                          .attributes = {all[0], all[1], all[2], all[3], all[4], all[5]},
                          .stride = sizeof(CityVertex),
                          .cull = VK_CULL_MODE_BACK_BIT};
-    FLANEUR_TRY(make(facade, surfaces.city_facade));
+    FLANEUR_TRY(make("city facade", facade, surfaces.city_facade));
     PipelineShape city = facade;
     city.vertex = k_spirv_surface_vert;
     city.fragment = k_spirv_surface_frag;
     city.attributes = {all[0], all[1], all[2], all[3], all[4]};
-    FLANEUR_TRY(make(city, surfaces.city_surface));
+    FLANEUR_TRY(make("city surface", city, surfaces.city_surface));
     PipelineShape prop = city;
     prop.vertex = k_spirv_prop_vert;
     prop.fragment = k_spirv_prop_frag;
     prop.attributes = {all[0], all[1], all[3], all[4]};
-    FLANEUR_TRY(make(prop, surfaces.city_prop));
+    FLANEUR_TRY(make("city prop", prop, surfaces.city_prop));
     PipelineShape scenery = city;
     scenery.vertex = k_spirv_scenery_vert;
     scenery.fragment = k_spirv_scenery_frag;
-    FLANEUR_TRY(make(scenery, surfaces.city_scenery));
+    FLANEUR_TRY(make("city scenery", scenery, surfaces.city_scenery));
 
     PipelineShape shade = city;
     shade.vertex = k_spirv_shade_vert;
@@ -96,7 +98,7 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
     shade.cull = VK_CULL_MODE_NONE;
     shade.writes_depth = false;
     shade.blend = Blend::darkens;
-    FLANEUR_TRY(make(shade, surfaces.city_shade));
+    FLANEUR_TRY(make("city shade", shade, surfaces.city_shade));
 
     PipelineShape crowd = city;
     crowd.vertex = k_spirv_crowd_vert;
@@ -112,12 +114,13 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
     for (int textured = 0; textured < 2; ++textured) {
         crowd.constants[k_constant_textured] = textured;
         skinned.constants[k_constant_textured] = textured;
-        FLANEUR_TRY(make(crowd, surfaces.crowd[textured]));
-        FLANEUR_TRY(make(skinned, surfaces.crowd_skinned[textured]));
+        FLANEUR_TRY(make(textured ? "crowd, textured" : "crowd", crowd, surfaces.crowd[textured]));
+        FLANEUR_TRY(make(textured ? "crowd skinned, textured" : "crowd skinned", skinned,
+                         surfaces.crowd_skinned[textured]));
     }
     const PipelineShape impostor{
         .vertex = k_spirv_impostor_vert, .fragment = k_spirv_impostor_frag, .attributes = {}};
-    FLANEUR_TRY(make(impostor, surfaces.impostor));
+    FLANEUR_TRY(make("impostor", impostor, surfaces.impostor));
     const PipelineShape contact{
         .vertex = k_spirv_contact_vert,
         .fragment = k_spirv_contact_frag,
@@ -126,32 +129,32 @@ Result<void> make_surface_pipelines(const Device& device, Pipelines& pipelines) 
         .is_instanced = true,
         .writes_depth = false,
         .blend = Blend::darkens};
-    FLANEUR_TRY(make(contact, surfaces.contact));
+    FLANEUR_TRY(make("contact", contact, surfaces.contact));
     const PipelineShape stars{.vertex = k_spirv_fullscreen_vert,
                               .fragment = k_spirv_stars_frag,
                               .attributes = {},
                               .depth_test = VK_COMPARE_OP_GREATER_OR_EQUAL,
                               .writes_depth = false};
-    return make(stars, surfaces.stars);
+    return make("stars", stars, surfaces.stars);
 }
 
 // Over pixels.
 Result<void> make_picture_pipelines(const Device& device, const QualityLevel& quality, bool is_lit_on_host,
                                     VkFormat window_format, Pipelines& p) {
-    auto make = [&](const PipelineShape& shape, VkPipeline& out) {
-        return make_pipeline(device, p.layout, shape, out);
+    auto make = [&](const char* name, const PipelineShape& shape, VkPipeline& out) {
+        return make_pipeline(device, p.layout, name, shape, out);
     };
     PipelineShape shape{.vertex = k_spirv_fullscreen_vert, .attributes = {}, .writes_depth = false};
     if (quality.has_occlusion) {
         shape.fragment = k_spirv_occlusion_frag;
         shape.colour = k_occlusion_format;
-        FLANEUR_TRY(make(shape, p.occlusion));
+        FLANEUR_TRY(make("occlusion", shape, p.occlusion));
         shape.fragment = k_spirv_even_out_frag;
-        FLANEUR_TRY(make(shape, p.even_out));
+        FLANEUR_TRY(make("even out", shape, p.even_out));
         shape.fragment = k_spirv_occlude_frag;
         shape.colour = k_colour_format;
         shape.blend = Blend::darkens;
-        FLANEUR_TRY(make(shape, p.occlude));
+        FLANEUR_TRY(make("occlude", shape, p.occlude));
         shape.blend = Blend::none;
     }
     PipelineShape panels{.vertex = k_spirv_panel_vert,
@@ -163,19 +166,19 @@ Result<void> make_picture_pipelines(const Device& device, const QualityLevel& qu
                          .colour = k_picture_format,
                          .writes_depth = false,
                          .blend = Blend::covers};
-    FLANEUR_TRY(make(panels, p.panels_image));
+    FLANEUR_TRY(make("panels image", panels, p.panels_image));
     panels.colour = window_format;
-    if (window_format != VK_FORMAT_UNDEFINED) FLANEUR_TRY(make(panels, p.panels_window));
+    if (window_format != VK_FORMAT_UNDEFINED) FLANEUR_TRY(make("panels window", panels, p.panels_window));
     if (is_lit_on_host) return {};
     shape.colour = k_picture_format;
     shape.fragment = k_spirv_light_frag;
-    FLANEUR_TRY(make(shape, p.light));
+    FLANEUR_TRY(make("light", shape, p.light));
     shape.fragment = k_spirv_smooth_frag;
     shape.constants[k_constant_smooth] = quality.smooths_edges;
-    FLANEUR_TRY(make(shape, p.smooth_image));
+    FLANEUR_TRY(make("smooth image", shape, p.smooth_image));
     if (window_format == VK_FORMAT_UNDEFINED) return {};
     shape.colour = window_format;
-    return make(shape, p.smooth_window);
+    return make("smooth window", shape, p.smooth_window);
 }
 
 }  // namespace
@@ -183,8 +186,8 @@ Result<void> make_picture_pipelines(const Device& device, const QualityLevel& qu
 Result<void> make_pipelines(const Device& device, const QualityLevel& quality, bool is_lit_on_host,
                             VkFormat window_format, Pipelines& p) {
     FLANEUR_TRY(make_layout(device, p));
-    auto make = [&](const PipelineShape& shape, VkPipeline& out) {
-        return make_pipeline(device, p.layout, shape, out);
+    auto make = [&](const char* name, const PipelineShape& shape, VkPipeline& out) {
+        return make_pipeline(device, p.layout, name, shape, out);
     };
 
     PipelineShape shadow{
@@ -197,26 +200,26 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, b
         // Also of outlines drawn as hulls turned inside out, which are not to shade what they outline.
         .cull = VK_CULL_MODE_BACK_BIT};
     shadow.constants[k_constant_clamp] = !device.clamps_depth;
-    FLANEUR_TRY(make(shadow, p.shadow_city));
+    FLANEUR_TRY(make("shadow city", shadow, p.shadow_city));
     shadow.vertex = k_spirv_shadow_scenery_vert;
     shadow.fragment = k_spirv_shadow_scenery_frag;
     shadow.attributes = {city_attributes()[0], city_attributes()[2], city_attributes()[4]};
-    FLANEUR_TRY(make(shadow, p.shadow_scenery));
+    FLANEUR_TRY(make("shadow scenery", shadow, p.shadow_scenery));
     const Attributes person = person_attributes();
     shadow.fragment = {};
     shadow.vertex = k_spirv_shadow_crowd_vert;
     shadow.attributes = {person[0], person[4]};
     shadow.stride = sizeof(PersonVertex);
-    FLANEUR_TRY(make(shadow, p.shadow_crowd));
+    FLANEUR_TRY(make("shadow crowd", shadow, p.shadow_crowd));
     shadow.vertex = k_spirv_shadow_city_vert;
     shadow.attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(SkinnedVertex, place)}};
     shadow.stride = sizeof(SkinnedVertex);
-    FLANEUR_TRY(make(shadow, p.shadow_skinned));
+    FLANEUR_TRY(make("shadow skinned", shadow, p.shadow_skinned));
     shadow.cull = VK_CULL_MODE_NONE;
     shadow.vertex = k_spirv_shadow_impostor_vert;
     shadow.fragment = k_spirv_shadow_impostor_frag;
     shadow.attributes = {};
-    FLANEUR_TRY(make(shadow, p.shadow_impostor));
+    FLANEUR_TRY(make("shadow impostor", shadow, p.shadow_impostor));
 
     FLANEUR_TRY(make_surface_pipelines(device, p));
     const PipelineShape bake{.vertex = k_spirv_impostor_bake_vert,
@@ -226,7 +229,7 @@ Result<void> make_pipelines(const Device& device, const QualityLevel& quality, b
                              .colour = k_atlas_format,
                              .depth = k_shadow_format,
                              .cull = VK_CULL_MODE_BACK_BIT};
-    FLANEUR_TRY(make(bake, p.impostor_bake));
+    FLANEUR_TRY(make("impostor bake", bake, p.impostor_bake));
     return make_picture_pipelines(device, quality, is_lit_on_host, window_format, p);
 }
 

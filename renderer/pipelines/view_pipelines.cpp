@@ -105,6 +105,10 @@ PipelineShape overlay_line(VkCompareOp depth_test) {
             .blend = Blend::covers};
 }
 
+constexpr const char* k_view_pipeline_names[k_view_pipelines] = {
+    "paint city", "paint crowd", "paint impostor", "count city", "count crowd", "count impostor", "ink city",
+    "ink crowd",  "ghost crowd", "id scenery",     "fill",       "line",        "hidden line"};
+
 PipelineShape shape_of(ViewPipeline pipeline) {
     switch (pipeline) {
         case ViewPipeline::paint_city:
@@ -145,7 +149,8 @@ Result<void> make_view_pipelines(const Device& device, std::span<const ViewPipel
         VkPipeline& made = pipelines.views[static_cast<size_t>(pipeline)];
         if (made) continue;
         PipelineShape shape = shape_of(pipeline);
-        FLANEUR_TRY(make_pipeline(device, pipelines.layout, shape, made));
+        FLANEUR_TRY(make_pipeline(device, pipelines.layout,
+                                  k_view_pipeline_names[static_cast<size_t>(pipeline)], shape, made));
     }
     return {};
 }

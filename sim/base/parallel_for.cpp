@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "sim/base/zone.h"
+
 namespace flaneur {
 
 namespace {
@@ -15,6 +17,7 @@ namespace {
 struct Loop {
     LoopBody body;
     size_t count = 0, grain = 1;
+    const char* zone = nullptr;  // that it is run in
     std::atomic<size_t> next = 0;
 };
 
@@ -38,17 +41,26 @@ struct Workers {
     bool quit = false;
 };
 
+// Until a loop is open that the thread has not seen yet; false: the last one is over.
+static bool wait_for_loop(Workers& w, std::unique_lock<std::mutex>& lock, uint64_t seen) {
+    FLANEUR_ZONE("wait for work");
+    w.loop_opened.wait(lock, [&] { return w.quit || (w.loop && w.generation != seen); });
+    return !w.quit;
+}
+
 static void thread_main(Workers& w, int thread) {
+    name_trace_thread("worker", thread);
     uint64_t seen = 0;
     std::unique_lock lock(w.mutex);
-    while (true) {
-        w.loop_opened.wait(lock, [&] { return w.quit || (w.loop && w.generation != seen); });
-        if (w.quit) return;
+    while (wait_for_loop(w, lock, seen)) {
         seen = w.generation;
         Loop& loop = *w.loop;
         ++w.inside;
         lock.unlock();
-        run_chunks(loop, thread);
+        {
+            FLANEUR_ZONE(loop.zone ? loop.zone : "work");
+            run_chunks(loop, thread);
+        }
         lock.lock();
         if (--w.inside == 0) w.loop_left.notify_one();
     }
@@ -84,7 +96,7 @@ int thread_count(const Workers& w) {
 
 void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
     if (count == 0) return;
-    Loop loop{body, count, grain};
+    Loop loop{body, count, grain, innermost_zone()};
     if (thread_count(w) == 1 || count <= grain) return run_chunks(loop, 0);
     if (w.tasks.run) {
         size_t chunks = (count + grain - 1) / grain;
@@ -100,6 +112,7 @@ void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
     }
     w.loop_opened.notify_all();
     run_chunks(loop, 0);
+    FLANEUR_ZONE("wait for workers");
     // Only for those who took a chunk: who still sleeps finds the loop closed.
     std::unique_lock lock(w.mutex);
     w.loop = nullptr;

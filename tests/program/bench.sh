@@ -9,5 +9,6 @@ trap 'rm -rf "$folder"' EXIT
 "$flaneur" bench "$@" --json "$folder/figures.json" | tee "$folder/table"
 for name in $names; do
     grep --quiet -E "^ *$name +[0-9]+[.][0-9]" "$folder/table"
-    grep --quiet -E "\"name\": \"$name\"" "$folder/figures.json"
+    # "with LOD/frame", "core/avx2"
+    grep --quiet -E "\"name\": \"([^\"]*/)?$name[\"/]" "$folder/figures.json"
 done

@@ -163,7 +163,7 @@ done
 python3 - "$folder/paces.json" << 'END'
 import json, sys
 paces = json.load(open(sys.argv[1]))
-names = [stage["name"] for stage in paces["stages"] if stage["count"] == 2 and stage["median_ms"] > 0]
+names = [one["name"] for one in paces["benchmarks"] if one["iterations"] == 2 and one["real_time"] > 0]
 assert names == ["at rest", "at rest, panels", "moving", "moving, panels"], paces
 assert paces["counts"]["at rest, panels, percent of the window's pixels each way"] == 100, paces
 END

@@ -62,6 +62,7 @@ struct Hook<void(VKAPI_PTR*)(VkDevice, T, const VkAllocationCallbacks*)> {
                                            const VkAllocationCallbacks* allocator) {
         if (object)
             --state.live[name + std::strlen(std::strcmp(name, "vkFreeMemory") == 0 ? "vkFree" : "vkDestroy")];
+        state.names.erase(reinterpret_cast<uint64_t>(object));
         real(device, object, allocator);
     }
 };
@@ -71,6 +72,7 @@ struct Hook<void(VKAPI_PTR*)(T, const VkAllocationCallbacks*)> {
     static inline const char* name = nullptr;
     static VKAPI_ATTR void VKAPI_CALL call(T object, const VkAllocationCallbacks* allocator) {
         --state.live[name + std::strlen("vkDestroy")];
+        state.names.erase(reinterpret_cast<uint64_t>(object));
         real(object, allocator);
     }
 };
@@ -195,6 +197,17 @@ VKAPI_ATTR VkResult VKAPI_CALL tell_formats(VkPhysicalDevice device, VkFormat fo
     return real_formats(device, format, type, tiling, usage, flags, out);
 }
 
+// Of what is never destroyed by itself nothing is counted: queues, sets of bindings, command buffers.
+PFN_vkSetDebugUtilsObjectNameEXT real_name;
+VKAPI_ATTR VkResult VKAPI_CALL set_name(VkDevice device, const VkDebugUtilsObjectNameInfoEXT* info) {
+    const VkObjectType type = info->objectType;
+    EXPECT_TRUE(info->pObjectName && *info->pObjectName);
+    if (type != VK_OBJECT_TYPE_QUEUE && type != VK_OBJECT_TYPE_DESCRIPTOR_SET &&
+        type != VK_OBJECT_TYPE_COMMAND_BUFFER)
+        state.names[info->objectHandle] = info->pObjectName;
+    return real_name(device, info);
+}
+
 struct Teller {
     const char* name;
     PFN_vkVoidFunction told;
@@ -218,6 +231,7 @@ const Teller k_tellers[] = {
     teller("vkGetPhysicalDeviceProperties", tell_properties, real_properties),
     teller("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", tell_surface, real_surface),
     teller("vkCreateSwapchainKHR", create_swapchain, real_swapchain),
+    teller("vkSetDebugUtilsObjectNameEXT", set_name, real_name),
 };
 
 struct Entry {

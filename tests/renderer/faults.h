@@ -13,12 +13,13 @@
 namespace flaneur {
 
 struct Faults {
-    int calls = 0;                    // that can fail, so far
-    int fail_at = 0;                  // the number of the call that fails; 0: none
-    std::string only;                 // if not empty, the function whose calls alone count
-    VkResult code = VK_SUCCESS;       // what it returns
-    std::string failed;               // the function that has failed; empty: none has
-    std::map<std::string, int> live;  // how many there are of each kind: "Buffer", "Memory", ...
+    int calls = 0;                          // that can fail, so far
+    int fail_at = 0;                        // the number of the call that fails; 0: none
+    std::string only;                       // if not empty, the function whose calls alone count
+    VkResult code = VK_SUCCESS;             // what it returns
+    std::string failed;                     // the function that has failed; empty: none has
+    std::map<std::string, int> live;        // how many there are of each kind: "Buffer", "Memory", ...
+    std::map<uint64_t, std::string> names;  // that debuggers show, of what is alive, by its handle
 };
 
 // Of all renderers made after the first call of this.

@@ -1,4 +1,6 @@
 // What becomes of failures of the driver: for each call that can fail, in turn, that call fails.
+#include <set>
+
 #include "renderer/frame/state.h"
 #include "tests/renderer/faults.h"
 #include "tests/renderer/synthetic_scene.h"
@@ -162,6 +164,33 @@ TEST(Failure, APoorDeviceDrawsTheSamePicture) {
             poverty() = {};
         }
     }
+}
+
+// Off-screen, with all that a picture and its channels take, in every quality.
+TEST(Names, AreOfAllThatIsOnTheDevice) {
+    faults();
+    const SyntheticScene scene = synthetic_scene(12);
+    for (const Quality quality : {Quality::medium, Quality::ultra})
+        for (const bool on_host : {false, true}) {
+            RendererOptions options = on_lavapipe();
+            options.quality = quality;
+            options.lights_on_host = options.skins_on_host = on_host;
+            const RendererPtr renderer = std::move(*make_renderer(options));
+            ASSERT_TRUE(upload_scene(*renderer, scene.meshes));
+            FrameInput frame = scene.frame(street_camera());
+            frame.wants_depths = frame.wants_ids = true;
+            ASSERT_TRUE(draw_image(*renderer, frame, 64, 48));
+            size_t made = 0;
+            for (const auto& [kind, count] : alive()) made += static_cast<size_t>(count);
+            EXPECT_EQ(faults().names.size(), made);
+            std::set<std::string> names;
+            for (const auto& [handle, name] : faults().names) names.insert(name);
+            for (const char* name : {"palette", "memory of palette", "shadow maps", "depth", "crowd",
+                                     "stage times", "city vertices", "flaneur"})
+                EXPECT_TRUE(names.contains(name)) << name;
+            EXPECT_FALSE(names.contains("buffer"));
+            EXPECT_FALSE(names.contains("image"));
+        }
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ renderer/pipelines: renderer, renderer/device, renderer/people
 renderer/loaded: renderer, renderer/device, renderer/people, renderer/pipelines, renderer/visible, sim/base
 renderer/frame: renderer, renderer/device, renderer/light, renderer/loaded, renderer/people, renderer/pipelines, renderer/visible, sim/base
 renderer/passes: renderer/frame
-renderer/picture: renderer, renderer/device, renderer/frame, renderer/passes
-renderer sources: renderer, renderer/device, renderer/picture, renderer/visible
+renderer/picture: renderer, renderer/device, renderer/frame, renderer/passes, sim/base
+renderer sources: renderer, renderer/device, renderer/picture, renderer/visible, sim/base
 
 tools/rendercheck/files: sim/base
 tools/rendercheck/process: sim/base
@@ -104,7 +104,7 @@ tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/fla
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
-tools/flaneur/window/frame sources: renderer, tools/flaneur/console, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
+tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
 tools/flaneur/window/kept sources: assets/files, sim/base, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/kept, tools/flaneur/window/open
 tools/flaneur/window/measure sources: renderer, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/output, tools/flaneur/overlay, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure, tools/flaneur/window/time
 tools/flaneur/window/open sources: assets, assets/files, tools/flaneur/console, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/open
@@ -114,7 +114,7 @@ tools/flaneur/window/time sources: renderer, sim, sim/base, tools/flaneur/load, 
 tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, sim/navigation, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
-tools/flaneur/bench: tools/rendercheck/verdict, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
+tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
 tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings

@@ -2,11 +2,14 @@
 
 #include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <fstream>
 #include <thread>
 
+#include "sim/base/zone.h"
+#include "tools/flaneur/bench/compare.h"
 #include "tools/flaneur/bench/gauntlet/gauntlet.h"
+#include "tools/flaneur/bench/hardware.h"
 #include "tools/flaneur/bench/study/study.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/ending.h"
@@ -17,23 +20,39 @@ namespace flaneur {
 
 namespace {
 
-Result<std::string> measure(const Options& options) {
+// Those that print a table of their own have printed it.
+Result<Figures> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
     if (options.load == BenchLoad::city) return bench_city(options);
-    if (options.load == BenchLoad::scale) return bench_scale(options);
-    if (options.load == BenchLoad::gauntlet) return bench_gauntlet(options);
 #ifdef FLANEUR_VULKAN
     if (options.load == BenchLoad::peers) return bench_peers(options);
-    if (options.load == BenchLoad::ablate) return bench_ablate(options);
     Result<Figures> figures = options.load == BenchLoad::frame    ? bench_frame(options)
                               : options.load == BenchLoad::window ? bench_window(options)
                                                                   : bench_crowd(options);
 #else
     Result<Figures> figures = bench_crowd(options);
 #endif
+    if (figures) print_figures(*figures);
+    return figures;
+}
+
+// "flaneur bench frame --walkers 500"
+std::string command_of(const Options& options) {
+    std::string command = "flaneur bench";
+    for (const std::string& word : options.words) command += " " + word;
+    return command;
+}
+
+// Measures, and gives it as JSON: most loads have figures, some a JSON of their own.
+Result<std::string> measured_json(const Options& options) {
+    if (options.load == BenchLoad::scale) return bench_scale(options);
+    if (options.load == BenchLoad::gauntlet) return bench_gauntlet(options);
+#ifdef FLANEUR_VULKAN
+    if (options.load == BenchLoad::ablate) return bench_ablate(options);
+#endif
+    Result<Figures> figures = measure(options);
     if (!figures) return figures.error();
-    print_figures(*figures);
-    return figures_json(*figures);
+    return figures_json(*figures, command_of(options));
 }
 
 }  // namespace
@@ -44,11 +63,18 @@ Result<Figures> bench_crowd(const Options& options) {
     World& world = *loaded->world;
     Figures figures;
     add_setting(figures, options, world);
-    for (uint32_t i = 0; i < options.warm_up + options.bench_frames; ++i) {
+    for (uint32_t i = 0; i < options.warm_up; ++i) {
         if (is_stopping()) return interrupted();
         step(world);
-        if (i >= options.warm_up) add_stages(figures, world);
     }
+    const MeterReading before = read_meters();
+    for (uint32_t i = 0; i < options.bench_frames; ++i) {
+        if (is_stopping()) return interrupted();
+        FLANEUR_ZONE("frame");
+        step(world);
+        add_stages(figures, world);
+    }
+    add_meters(figures, before, options.bench_frames, world.crowd.count);
     return figures;
 }
 
@@ -73,6 +99,11 @@ void add_stages(Figures& figures, const World& world) {
 }
 
 Result<void> run_bench(const Options& options) {
+    if (options.load == BenchLoad::compare) {
+        if (options.compared.size() != 2)
+            return Error{"bench compare takes two files: flaneur bench compare before.json after.json"};
+        return bench_compare(options.compared[0], options.compared[1], options.tolerance);
+    }
     if (options.load == BenchLoad::sweep) return run_sweep(options);
     PartFilePtr json;
     if (!options.json.empty()) {
@@ -80,9 +111,10 @@ Result<void> run_bench(const Options& options) {
         if (!file) return file.error();
         json = std::move(*file);
     }
-    Result<std::string> figures = measure(options);
-    if (!figures) return figures.error();
-    return json ? write_file(std::move(json), *figures) : Result<void>();
+    open_meters();
+    Result<std::string> measured = measured_json(options);
+    if (!measured) return measured.error();
+    return json ? write_file(std::move(json), *measured) : Result<void>();
 }
 
 }  // namespace flaneur

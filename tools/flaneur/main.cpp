@@ -13,12 +13,13 @@
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/output/trace.h"
 
 namespace flaneur {
 
 namespace {
 
-Result<void> run(const Options& options) {
+Result<void> run_command(const Options& options) {
 #ifndef FLANEUR_VULKAN
     bool draws = options.command == Command::view || options.command == Command::render ||
                  (options.command == Command::bench &&
@@ -58,6 +59,19 @@ Result<void> run(const Options& options) {
         default:
             return run_bench(options);
     }
+}
+
+Result<void> run(const Options& options) {
+    if (Result<void> started = start_trace(options.trace); !started) return started;
+    Result<void> done = run_command(options);
+    Result<void> traced = finish_trace();
+    return done ? traced : done;
+}
+
+// Of what is half done only a trace is worth keeping.
+void clean_up() {
+    (void)finish_trace();
+    abandon_outputs();
 }
 
 int fail(const Error& error) {
@@ -112,7 +126,7 @@ int main(int argc, char** argv) {
     fill_standard_files();
     std::signal(SIGPIPE, SIG_IGN);  // a pipe that closes is an error like others
     return run_guarded([&] {
-        obey_signals(abandon_outputs);
+        obey_signals(clean_up);
         return run_program(argc, argv);
     });
 }

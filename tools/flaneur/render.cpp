@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "assets/files/file.h"
+#include "sim/base/zone.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -69,6 +70,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     advance(rig, world, choice);
     bool is_new = false;
     for (uint32_t i = 0; i < pictures; ++i) {
+        FLANEUR_ZONE("frame");
         uint32_t tick = ticks.first + i * ticks.step;
         while (world.tick < tick && !is_stopping()) {
             if (i == 0 && world.tick % 60 == 0)
@@ -77,12 +79,14 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
             advance(rig, world, choice);
         }
         if (is_stopping()) return stopped(options, output, i);
-        if (!path.keys.empty())
+        if (!path.keys.empty()) {
             camera = camera_at(path, static_cast<double>(tick - ticks.first) / k_ticks_a_second);
-        else if (goes_along(choice.kind))
+        } else if (goes_along(choice.kind)) {
             camera = camera_of(rig, options.scene.fov, 1);
-        else if (i == 0)
+        } else if (i == 0) {
+            FLANEUR_ZONE("choose a camera");
             camera = choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
+        }
         if (i == 0 && path.keys.empty()) say_camera(choice, camera);
         if (is_written(output, i, tick)) continue;
         is_new = true;
@@ -100,6 +104,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
             draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
                        static_cast<uint32_t>(options.scene.size.height));
         if (!image) return image.error();
+        FLANEUR_ZONE("write");
         // Before the picture, which tells --resume that it is done.
         Result<void> written = write_channels(std::exchange(channels, {}), *image, *show.loaded.city);
         if (written)

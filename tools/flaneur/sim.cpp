@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "sim/base/isa.h"
+#include "sim/base/zone.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -38,6 +39,7 @@ Result<void> run_sim(const Options& options) {
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
+        FLANEUR_ZONE("frame");
         step(world);
         count_people(counts, world);
         if (log && std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/base/math.h"
+#include "sim/base/zone.h"
 #include "tools/flaneur/bench/bench.h"
 #include "tools/flaneur/bench/paces.h"
 #include "tools/flaneur/commands.h"
@@ -187,6 +188,7 @@ Result<void> draw_runs(Show& show, Viewer& v, const FrameInput& frame, Size size
 
 // Of the window's time.
 void rest_until(double then) {
+    FLANEUR_ZONE("rest");
     const double left = then - glfwGetTime();
     if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
 }
@@ -202,12 +204,17 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
     double shift = 0;  // pixels that the run under the cursor lies to the right
     while (!v.wants_close && !glfwWindowShouldClose(window)) {
         if (is_stopping()) return interrupted("the window is closed");
+        FLANEUR_ZONE("frame");
         const bool is_hidden = glfwGetWindowAttrib(window, GLFW_ICONIFIED) == GLFW_TRUE;
-        if (is_hidden)
-            glfwWaitEventsTimeout(k_idle_seconds);
-        else
-            glfwPollEvents();
+        {
+            FLANEUR_ZONE("events");
+            if (is_hidden)
+                glfwWaitEventsTimeout(k_idle_seconds);
+            else
+                glfwPollEvents();
+        }
         if (v.quality != canvas.options.scene.quality) {
+            FLANEUR_ZONE("quality");
             if (Result<void> done = change_quality(show, canvas, v); !done) return done;
             last = glfwGetTime();
         }

@@ -26,15 +26,9 @@ Result<Figures> bench_frame(const Options& options);
 // Pictures of a window that is at rest and moves, with panels and without. Only in builds with Vulkan.
 Result<Figures> bench_window(const Options& options);
 // The scene of a renderers' comparison: options.bench_count copies of a character that play its own clip,
-// drawn with levels of detail and with every triangle. Prints both, and gives them as JSON:
-// {"modes": [figures_json's, ..], "flip"}. Only in builds with Vulkan.
-Result<std::string> bench_peers(const Options& options);
-// What it measures: with levels of detail and then with every triangle. Prints both.
-struct PeersTimes {
-    std::vector<Figures> modes;
-    double flip = 0;  // mean, between the two
-};
-Result<PeersTimes> measure_peers(const Options& options);
+// drawn with levels of detail and with every triangle. Prints both; of its figures the names begin with "with
+// LOD/" and "every triangle/". Only in builds with Vulkan.
+Result<Figures> bench_peers(const Options& options);
 void add_counts(Figures& figures, const FrameStats& stats);
 
 // What all threads have worked together: unlike the time that goes by, it is about the same on a busy
@@ -59,15 +53,16 @@ Kernel blend_kernel(size_t walkers);
 // FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);
 
-// How fast a city is read and made ready, and nanoseconds that queries for feet, hands and eyes take, on one
-// thread. Prints a table beside the goals and gives it as JSON: {"setting": {..}, "counts": {..}, "kernels":
-// [{"name", "median_ns", "least_ns", "goal_ns"}]}.
-Result<std::string> bench_city(const Options& options);
+// What a kernel took for each, nanoseconds, repetition by repetition.
+void add_kernel(Figures& figures, const std::string& name, const std::vector<double>& ns);
 
-// The kernels that pose people, on one thread and on each instruction set that the CPU has. Prints a table
-// beside the goals and gives it as JSON: {"setting": {..}, "kernels": [{"name", "isa", "median_ns",
-// "least_ns", "goal_ns"}]}.
-Result<std::string> bench_pose(const Options& options);
+// How fast a city is read and made ready, and nanoseconds that queries for feet, hands and eyes take, on one
+// thread. Prints a table beside the goals.
+Result<Figures> bench_city(const Options& options);
+
+// The kernels that pose people, on one thread and on each instruction set that the CPU has ("core/avx2").
+// Prints a table beside the goals.
+Result<Figures> bench_pose(const Options& options);
 // The same, and nothing is printed.
 struct KernelTime {
     std::string name, isa;

@@ -1,9 +1,6 @@
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
@@ -24,12 +21,6 @@ constexpr double k_ground_goal = 60, k_wall_goal = 150;
 
 double ms_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double peak_mb() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 // Anywhere that people like to walk, in no order.
@@ -78,8 +69,7 @@ Kernel kernel(const std::string& name, const std::vector<Vec3>& points, double g
 
 }  // namespace
 
-Result<std::string> bench_city(const Options& options) {
-    nlohmann::ordered_json json;
+Result<Figures> bench_city(const Options& options) {
     auto start = std::chrono::steady_clock::now();
     Result<City> read = read_city(options.scene);
     if (!read) return read.error();
@@ -153,26 +143,19 @@ Result<std::string> bench_city(const Options& options) {
                       {"navmesh ms", navmesh_ms},
                       {"navmesh kept ms", restore_ms},
                       {"ground triangles", static_cast<double>(city.ground.kinds.size())},
-                      {"faces", static_cast<double>(city.ground.faces.size())},
-                      {"peak MB", peak_mb()}};
+                      {"faces", static_cast<double>(city.ground.faces.size())}};
     print_setting(figures);
-    put_setting(figures, json);
-    for (const auto& [name, value] : figures.counts) {
-        std::printf("%-20s %9.0f\n", name.c_str(), value);
-        json["counts"][name] = value;
-    }
+    for (const auto& [name, value] : figures.counts) std::printf("%-20s %9.0f\n", name.c_str(), value);
     std::printf("\n%-20s %9s %9s %9s\n", "ns a query", "median", "least", "goal");
-    json["kernels"] = nlohmann::ordered_json::array();
     for (size_t k = 0; k < kernels.size(); ++k) {
-        double median = quantile(samples[k], 0.5),
-               least = *std::min_element(samples[k].begin(), samples[k].end()), goal = kernels[k].goals[0];
-        std::printf("%-20s %9.1f %9.1f", kernels[k].name.c_str(), median, least);
+        const double goal = kernels[k].goals[0];
+        std::printf("%-20s %9.1f %9.1f", kernels[k].name.c_str(), quantile(samples[k], 0.5),
+                    *std::min_element(samples[k].begin(), samples[k].end()));
         if (goal > 0) std::printf(" %9.0f", goal);
         std::printf("\n");
-        json["kernels"].push_back({{"name", kernels[k].name}, {"median_ns", median}, {"least_ns", least}});
-        if (goal > 0) json["kernels"].back()["goal_ns"] = goal;
+        add_kernel(figures, kernels[k].name, samples[k]);
     }
-    return json.dump(2) + "\n";
+    return figures;
 }
 
 }  // namespace flaneur

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <ctime>
 
+#include "sim/base/zone.h"
 #include "tools/flaneur/bench/bench.h"
+#include "tools/flaneur/bench/hardware.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
@@ -22,6 +24,7 @@ double ms_since(Clock::time_point start) {
 
 // What crowd, city and sky take of the scene's time, in a frame that draws one after the other.
 Result<void> measure_passes(Show& show, const Options& options, const Camera& camera, Figures& figures) {
+    FLANEUR_ZONE("frame");
     FrameInput frame = extract_frame(show, camera, options.scene.size, 1);
     frame.times_passes = true;
     Result<Image> image = draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
@@ -74,6 +77,7 @@ std::string first_frame(const Figures& first) {
 }  // namespace
 
 Result<void> measure_frame(Show& show, const Options& options, const Camera& camera, Figures& figures) {
+    FLANEUR_ZONE("frame");
     World& world = *show.loaded.world;
     auto start = Clock::now();
     const double cpu_start = cpu_ms();
@@ -105,7 +109,8 @@ void add_counts(Figures& figures, const FrameStats& stats) {
                       {"walkers in shadow", stats.walkers_in_shadow},
                       {"triangles", stats.triangles},
                       {"sub-draws", stats.sub_draws},
-                      {"direct draws", stats.direct_draws}};
+                      {"direct draws", stats.direct_draws},
+                      {"uploaded bytes", static_cast<double>(stats.uploaded_bytes)}};
     for (size_t level = 0; level < k_max_lods; ++level)
         figures.counts.emplace_back("meshes, level " + std::to_string(level), stats.meshes[level]);
     for (const FrameStats::Stage& stage : stats.stages) {
@@ -130,11 +135,14 @@ Result<Figures> bench_frame(const Options& options) {
 
     Figures first, figures;
     Result<void> done = measure_frame(*show, options, camera, first);
+    const MeterReading before = read_meters();
     for (uint32_t i = 0; i < options.bench_frames && done; ++i) {
         if (is_stopping()) return interrupted();
         camera = moved(camera, options, *show, i);
         done = measure_frame(*show, options, camera, figures);
     }
+    Figures counted;
+    add_meters(counted, before, options.bench_frames, world.crowd.count);
     for (uint32_t i = 0; i < std::min(options.bench_frames, k_timed_frames) && done; ++i)
         done = measure_passes(*show, options, camera, figures);
     if (done) done = check_messages(messages);
@@ -147,6 +155,8 @@ Result<Figures> bench_frame(const Options& options) {
         "size", std::to_string(options.scene.size.width) + "x" + std::to_string(options.scene.size.height));
     figures.setting.emplace_back("first frame", first_frame(first));
     add_counts(figures, frame_stats(*show->renderer));
+    figures.setting.insert(figures.setting.end(), counted.setting.begin(), counted.setting.end());
+    figures.counts.insert(figures.counts.end(), counted.counts.begin(), counted.counts.end());
     return figures;
 }
 

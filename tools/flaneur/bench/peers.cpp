@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "assets/gltf/character/clip.h"
 #include "sim/animation/blend.h"
@@ -230,7 +229,7 @@ Result<std::vector<PartFilePtr>> open_pictures(const Options& options) {
 
 }  // namespace
 
-Result<PeersTimes> measure_peers(const Options& options) {
+Result<Figures> bench_peers(const Options& options) {
     Result<std::vector<PartFilePtr>> files = open_pictures(options);
     if (!files) return files.error();
     Result<Dancers> dancers = make_dancers(options);
@@ -246,7 +245,7 @@ Result<PeersTimes> measure_peers(const Options& options) {
         std::find(std::begin(k_counts), std::end(k_counts), static_cast<int>(options.bench_count));
     const size_t column = static_cast<size_t>(known - std::begin(k_counts));
     const bool is_known = known != std::end(k_counts);
-    PeersTimes times;
+    Figures both;
     std::vector<Image> images;
     for (const Mode& mode : k_modes) {
         Figures figures;
@@ -259,27 +258,26 @@ Result<PeersTimes> measure_peers(const Options& options) {
         if (is_known) figures.counts.emplace_back("goal, ms", mode.goals[column]);
         print_figures(figures);
         std::printf("\n");
-        times.modes.push_back(std::move(figures));
+        both.setting = figures.setting;
+        std::erase_if(both.setting, [](const auto& one) { return one.first == "drawn"; });
+        const std::string prefix = std::string(mode.name) + "/";
+        for (Series& series : figures.series) {
+            series.name.insert(0, prefix);
+            if (!series.within.empty()) series.within.insert(0, prefix);
+            both.series.push_back(std::move(series));
+        }
+        for (auto& [name, value] : figures.counts) both.counts.emplace_back(prefix + name, value);
         images.push_back(std::move(*image));
         if (files->empty()) continue;
         Result<void> kept =
             write_png(std::move((*files)[images.size() - 1]), images.back().rgba, options.scene.size);
         if (!kept) return kept.error();
     }
-    times.flip = mean_flip(images[0].rgba, images[1].rgba, options.scene.size.width);
-    std::printf("%-36s %9.4f (goal 0.02)\n", "mean FLIP between the two", times.flip);
+    const double difference = mean_flip(images[0].rgba, images[1].rgba, options.scene.size.width);
+    std::printf("%-36s %9.4f (goal 0.02)\n", "mean FLIP between the two", difference);
+    both.counts.emplace_back("mean FLIP between the two", difference);
     if (Result<void> quiet = check_messages(messages); !quiet) return quiet.error();
-    return times;
-}
-
-Result<std::string> bench_peers(const Options& options) {
-    Result<PeersTimes> times = measure_peers(options);
-    if (!times) return times.error();
-    nlohmann::ordered_json json;
-    for (const Figures& figures : times->modes)
-        json["modes"].push_back(nlohmann::ordered_json::parse(figures_json(figures)));
-    json["flip"] = times->flip;
-    return json.dump(2) + "\n";
+    return both;
 }
 
 }  // namespace flaneur

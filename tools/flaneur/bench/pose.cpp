@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "sim/base/isa.h"
 #include "sim/base/math.h"
@@ -180,25 +179,6 @@ void print(const std::vector<Kernel>& kernels, const Samples& samples,
     std::printf("\n");
 }
 
-std::string as_json(const Figures& figures, const std::vector<Kernel>& kernels, const Samples& samples,
-                    const std::vector<std::string_view>& isas) {
-    nlohmann::ordered_json json;
-    put_setting(figures, json);
-    json["kernels"] = nlohmann::ordered_json::array();
-    for (size_t k = 0; k < samples.size(); ++k) {
-        for (size_t i = 0; i < isas.size(); ++i) {
-            nlohmann::ordered_json row = {{"name", kernels[k].name},
-                                          {"isa", isas[i]},
-                                          {"median_ns", median(samples[k][i])},
-                                          {"least_ns", least(samples[k][i])}};
-            double goal = goal_of(kernels[k], isas[i]);
-            if (goal > 0) row["goal_ns"] = goal;
-            json["kernels"].push_back(row);
-        }
-    }
-    return json.dump(2) + "\n";
-}
-
 }  // namespace
 
 double ns_each(size_t count, const std::function<void()>& work) {
@@ -225,7 +205,14 @@ Result<std::vector<KernelTime>> pose_times(const Options& options) {
     return times;
 }
 
-Result<std::string> bench_pose(const Options& options) {
+void add_kernel(Figures& figures, const std::string& name, const std::vector<double>& ns) {
+    Series& series = figures.series.emplace_back();
+    series.name = name;
+    series.unit = "ns";
+    for (double each : ns) series.ms.push_back(each * 1e-6);
+}
+
+Result<Figures> bench_pose(const Options& options) {
     if (options.scene.walkers == 0) return Error{"bench pose needs someone to pose: --walkers 1 or more."};
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
@@ -241,7 +228,10 @@ Result<std::string> bench_pose(const Options& options) {
                        {"measured", options.bench_frames}};
     print_figures(figures);
     print(kernels, samples, isas);
-    return as_json(figures, kernels, samples, isas);
+    for (size_t k = 0; k < samples.size(); ++k)
+        for (size_t i = 0; i < isas.size(); ++i)
+            add_kernel(figures, kernels[k].name + "/" + std::string(isas[i]), samples[k][i]);
+    return figures;
 }
 
 }  // namespace flaneur

@@ -14,6 +14,7 @@
 #include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
 #include "assets/population.h"
+#include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 
@@ -144,6 +145,7 @@ void set_shares(World& world, const std::vector<float>& shares) {
 }
 
 Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
+    FLANEUR_ZONE("navigation mesh");
     auto mesh = cached_navmesh(ground, {}, threads, cache_folder(), [](float share) {
         show_progress("building the navigation mesh " + std::to_string(static_cast<int>(share * 100)) + " %");
         return !is_stopping();
@@ -166,6 +168,7 @@ Result<City> read_city(const Scene& scene) {
 }
 
 Result<City> read_bare_city(const Scene& scene) {
+    FLANEUR_ZONE("read the city");
     if (Result<void> found = find_files(scene); !found) return found.error();
     show_progress("making the city");
     if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
@@ -184,6 +187,7 @@ Result<Character> read_character(const std::string& path, bool force) {
 }
 
 Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& options, int threads) {
+    FLANEUR_ZONE("make people");
     show_progress("making people");
     std::vector<Character> people(options.size());
     std::string folder = cache_folder();
@@ -215,6 +219,7 @@ Result<void> find_files(const Scene& scene) {
 }
 
 Result<Loaded> load(const Options& options) {
+    FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
     Loaded loaded;
     Result<City> bare = read_bare_city(scene);
@@ -246,6 +251,7 @@ Result<Loaded> load(const Options& options) {
     };
     Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, options.threads);
     if (!mesh) return mesh.error();
+    FLANEUR_ZONE("set people down");
     auto made = make_world(std::shared_ptr<const Ground>(loaded.city, &loaded.city->ground), std::move(*mesh),
                            world, progress);
     clear_progress();

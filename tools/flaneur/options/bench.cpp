@@ -14,7 +14,8 @@ that play its own clip, drawn with levels of detail and with every triangle), sw
 the number of walkers: how each grows, and where it stops being real time), scale (the stages of a tick over the number of
 threads: speed-up, and what stays on one thread), ablate (what a picture costs and how it looks without shadows, smoothed
 edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of ten minutes
-that every machine can play, for a page beside other machines'). frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+that every machine can play, for a page beside other machines'); compare measures nothing: it says which stages of the second
+file are slower than those of the first, and fails if any is. frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
@@ -26,7 +27,9 @@ Examples:
   flaneur bench ablate --walkers 500 --svg out/ablate.svg
   flaneur bench gauntlet --json out/here.json --html out/gauntlet.html --others out/others
   flaneur bench scale --walkers 20000 --svg out/scale.svg
-  flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers)";
+  flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers
+  flaneur bench frame --trace out/frame.json                    zone by zone, for ui.perfetto.dev
+  flaneur bench compare before.json after.json --tolerance 3    files that --json wrote)";
 
 Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
@@ -39,9 +42,10 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "scale") return BenchLoad::scale;
     if (text == "ablate") return BenchLoad::ablate;
     if (text == "gauntlet") return BenchLoad::gauntlet;
+    if (text == "compare") return BenchLoad::compare;
     return Error{excerpt(text) +
                  " is none of frame, window, crowd, pose, city, peers, sweep, scale, ablate and gauntlet, "
-                 "which bench measures"};
+                 "which bench measures, and compare"};
 }
 
 Result<BenchMove> parse_move(const std::string& text) {
@@ -75,9 +79,14 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
     add_parsed(*bench, "load", parse_load, options.load,
-               "What to measure: frame, window, crowd, pose, city, peers, sweep, scale, ablate or gauntlet",
+               "What to measure: frame, window, crowd, pose, city, peers, sweep, scale, ablate or gauntlet; "
+               "or compare",
                "LOAD", "")
         ->required();
+    bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
+        ->type_name("FILE")
+        ->expected(-1)
+        ->take_all();
     add_scene_options(*bench, words, options);
     add_walkers(*bench, words, options);
     add_drawing_options(*bench, words, options);
@@ -102,6 +111,12 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         "How the camera of frame moves: follow (a walker), walk (down the street) or orbit (about the city); "
         "without it, it stands",
         "HOW", "");
+    bench
+        ->add_option("--tolerance", options.tolerance,
+                     "Of compare: percent that a stage must have become slower by to count")
+        ->type_name("PERCENT")
+        ->check(number_between(0.0, 1000.0))
+        ->capture_default_str();
     bench->add_option("--count", options.bench_count, "How many characters peers draws")
         ->type_name("N")
         ->transform(whole_between(1, 10'000))
@@ -125,6 +140,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
                      "Where gauntlet writes the project's goals beside what it measured")
         ->type_name("FILE");
     bench->add_option("--out", options.out, "Where peers writes its two pictures")->type_name("FOLDER");
+    add_trace_option(*bench, options);
     bench->add_option("--json", options.json, "Write the figures to a file too")->type_name("FILE");
 }
 

@@ -21,6 +21,9 @@ void add_cache(CLI::App& app, Options& options);
 // What is drawn with: device, size, quality.
 void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
 
+// --trace
+void add_trace_option(CLI::App& app, Options& options);
+
 // Refuses lines and zones that cannot be counted by, and figures of none.
 Result<void> settle_measures(Options& options);
 

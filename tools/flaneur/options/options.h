@@ -16,7 +16,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache };
-enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet };
+enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
 
 // Ticks first, first + step, ... not beyond last.
 struct TickRange {
@@ -141,6 +141,8 @@ struct Options {
     uint32_t bench_count = 100;        // characters of peers
     BenchMove move = BenchMove::none;  // how the camera of frame moves
     StudyOptions study;
+    std::vector<std::string> compared;  // two files of figures, the earlier one first
+    double tolerance = 5;               // percent that a stage may take longer in the later one
 
     // city
     bool check = false;
@@ -158,6 +160,8 @@ struct Options {
     // scenes
     std::vector<std::string> scene_files;  // to check; empty: none
     bool schema = false;
+
+    std::string trace;  // where view, render, sim and bench write what their time went into; empty: nowhere
 
     std::vector<std::string> inputs;  // files that the command reads, if they are there, besides its scene's
 };

@@ -106,6 +106,7 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_camera_option(*view, words);
     add_work_views(*view, words);
     add_without(*view, options);
+    add_trace_option(*view, options);
     view->add_flag("--start", options.starts, "Begin with the built-in scenes, and the files opened of late");
     view->add_option("--frames", options.close_after, "Close when so many pictures were shown; 0: stay open")
         ->type_name("N")
@@ -124,6 +125,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_camera_option(*render, words);
     add_work_views(*render, words);
     add_without(*render, options);
+    add_trace_option(*render, options);
     add_parsed(*render, "--frames", parse_ticks, options.ticks,
                "Which ticks of the simulation, 60 to the second, to draw: N, A:B or A:B:STEP", "TICKS",
                "600");

@@ -68,6 +68,13 @@ void add_measures(CLI::App& sim, MeasurePlan& plan) {
 
 }  // namespace
 
+void add_trace_option(CLI::App& app, Options& options) {
+    app.add_option("--trace", options.trace,
+                   "Write where time goes, zone by zone, on each thread and on the device: a .json for "
+                   "ui.perfetto.dev or chrome://tracing; see docs/profiling.md")
+        ->type_name("FILE");
+}
+
 void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* sim = app.add_subcommand("sim", "Simulate without drawing")->footer(k_sim_footer);
     sim->callback([&] { options.command = Command::sim; });
@@ -76,6 +83,7 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("T")
         ->check(number_between(0.0, 1e6))
         ->capture_default_str();
+    add_trace_option(*sim, options);
     sim->add_flag("--hash", options.hash, "Print the hash of the last state");
     sim->add_option("--hash-log", options.hash_log, "Write a line with tick and hash for each tick")
         ->type_name("FILE");

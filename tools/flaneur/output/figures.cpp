@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/flaneur/console/console.h"
+#include "tools/flaneur/output/machine.h"
 
 namespace flaneur {
 
@@ -17,11 +18,11 @@ struct Column {
     const char* key;
     double share;
 };
-constexpr Column k_columns[] = {{"median", "median_ms", 0.5},
-                                {"5 %", "p5_ms", 0.05},
-                                {"95 %", "p95_ms", 0.95},
-                                {"99 %", "p99_ms", 0.99},
-                                {"worst", "worst_ms", 1}};
+constexpr Column k_columns[] = {{"median", "p50", 0.5},
+                                {"5 %", "p5", 0.05},
+                                {"95 %", "p95", 0.95},
+                                {"99 %", "p99", 0.99},
+                                {"worst", "worst", 1}};
 
 bool is_listed(const Figures& figures, const std::string& name) {
     return std::any_of(figures.series.begin(), figures.series.end(),
@@ -62,6 +63,34 @@ void print_longest(const Figures& figures) {
     if (!told.empty()) std::printf("\nMost of a frame is %s\n", told.c_str());
 }
 
+// What all threads worked while the whole of a frame went by; of all else the time is the caller's own.
+const std::vector<double>& worked(const Series& series, const Figures& figures) {
+    const size_t slash = series.name.rfind('/') + 1;  // npos + 1 is 0
+    if (series.name.substr(slash) != "frame") return series.ms;
+    const std::string name = series.name.substr(0, slash) + "all threads";
+    for (const Series& other : figures.series)
+        if (other.name == name) return other.ms;
+    return series.ms;
+}
+
+nlohmann::ordered_json benchmark_of(const Series& series, const Figures& figures) {
+    const double times = std::string_view(series.unit) == "ns" ? 1e6 : 1;
+    nlohmann::ordered_json json = {{"name", series.name},
+                                   {"run_name", series.name},
+                                   {"run_type", "iteration"},
+                                   {"repetitions", 1},
+                                   {"repetition_index", 0},
+                                   {"threads", 1},
+                                   {"iterations", series.ms.size()},
+                                   {"real_time", times * quantile(series.ms, 0.5)},
+                                   {"cpu_time", times * quantile(worked(series, figures), 0.5)},
+                                   {"time_unit", series.unit}};
+    for (const Column& column : k_columns) json[column.key] = times * quantile(series.ms, column.share);
+    json["within"] = series.within;
+    for (double ms : series.ms) json["samples"].push_back(times * ms);
+    return json;
+}
+
 }  // namespace
 
 void add_sample(Figures& figures, std::string_view stage, double ms, std::string_view within) {
@@ -90,9 +119,8 @@ void print_setting(const Figures& figures) {
 }
 
 void put_setting(const Figures& figures, nlohmann::ordered_json& json) {
-    json["setting"] = nlohmann::ordered_json::object();
     for (const auto& [name, value] : figures.setting)
-        std::visit([&, &key = name](const auto& of) { json["setting"][key] = of; }, value);
+        std::visit([&, &key = name](const auto& of) { json[key] = of; }, value);
 }
 
 void print_figures(const Figures& figures) {
@@ -107,18 +135,18 @@ void print_figures(const Figures& figures) {
     for (const auto& [name, value] : figures.counts) std::printf("%-20s %9.0f\n", name.c_str(), value);
 }
 
-std::string figures_json(const Figures& figures) {
+std::string figures_json(const Figures& figures, const std::string& command) {
     nlohmann::ordered_json json;
-    put_setting(figures, json);
-    json["stages"] = nlohmann::ordered_json::array();
-    for (const Series& series : figures.series) {
-        nlohmann::ordered_json stage = {{"name", series.name}, {"count", series.ms.size()}};
-        for (const Column& column : k_columns) stage[column.key] = quantile(series.ms, column.share);
-        json["stages"].push_back(stage);
-    }
+    nlohmann::ordered_json& context = json["context"] = machine_context();
+    context["command"] = command;
+    put_setting(figures, context);
+    json["benchmarks"] = nlohmann::ordered_json::array();
+    for (const Series& series : figures.series) json["benchmarks"].push_back(benchmark_of(series, figures));
     json["counts"] = nlohmann::ordered_json::object();
     for (const auto& [name, value] : figures.counts) json["counts"][name] = value;
-    return json.dump(2) + "\n";
+    json["counts"]["peak MB"] = peak_megabytes();
+    // A path on the command line need not be UTF-8.
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace flaneur

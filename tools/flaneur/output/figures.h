@@ -16,7 +16,8 @@ namespace flaneur {
 struct Series {
     std::string name;
     std::vector<double> ms;
-    std::string within;  // the stage that it is a part of; or empty
+    std::string within;       // the stage that it is a part of; or empty
+    const char* unit = "ms";  // that files have it in: "ms" or "ns"
 };
 
 struct Figures {
@@ -32,14 +33,16 @@ void add_sample(Figures& figures, std::string_view stage, double ms, std::string
 double quantile(std::vector<double> values, double share);
 
 void print_setting(const Figures& figures);
-// Sets json["setting"].
+// As keys of an object.
 void put_setting(const Figures& figures, nlohmann::ordered_json& json);
 
 // Parts are indented below what they are parts of. Where there is a "frame", a sentence says what takes most
 // of it.
 void print_figures(const Figures& figures);
-// {"setting": {..}, "stages": [{"name", "count", "median_ms", "p5_ms", "p95_ms", "p99_ms", "worst_ms"}],
-// "counts": {..}}
-std::string figures_json(const Figures& figures);
+// As Google Benchmark writes its results, so that what reads those reads these: {"context": {..},
+// "benchmarks":
+// [{"name", .., "real_time", ..}], "counts": {..}}; docs/files.md tells all of it. `command` is what was
+// measured, in the words of the command line.
+std::string figures_json(const Figures& figures, const std::string& command);
 
 }  // namespace flaneur

@@ -6,6 +6,7 @@
 #include "assets/cache/cache_file.h"
 #include "renderer/light/daylight.h"
 #include "renderer/view.h"
+#include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/sun.h"
 
@@ -61,6 +62,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
     show.without.on = options.techniques;
+    FLANEUR_ZONE("make meshes");
     prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     show.has_lamps = is_dark(show);
     if (show.has_lamps) prepared.meshes.lamps = extract_lamps(*show.loaded.city);
@@ -68,6 +70,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
 }
 
 Result<void> upload_show(Show& show, PreparedShow& prepared, WorkViews views) {
+    FLANEUR_ZONE("hand the scene to the device");
     Result<void> uploaded = upload_with_impostors(*show.renderer, prepared.meshes);
     clear_progress();
     if (!uploaded) return uploaded;
@@ -130,6 +133,7 @@ static void dot_people(Show& show, const View& view, const Camera& camera, Frame
 }
 
 FrameInput extract_frame(Show& show, const Camera& camera, Size size, float between) {
+    FLANEUR_ZONE("extract");
     const PoseNeeds needs = pose_needs(*show.renderer, camera, show.sun, static_cast<uint32_t>(size.width),
                                        static_cast<uint32_t>(size.height));
     if (!show.draws_whole) catch_up(show.without, *show.loaded.world);

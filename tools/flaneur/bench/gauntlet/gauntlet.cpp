@@ -177,16 +177,17 @@ Result<void> play_peers(Options options, int copies, uint32_t frames, GauntletRu
     options.bench_frames = frames;
     options.scene.size = {1280, 720};
     show_progress("peers of " + short_number(copies));
-    Result<PeersTimes> times = measure_peers(options);
+    Result<Figures> figures = bench_peers(options);
     clear_progress();
-    if (!times) return times.error();
-    const char* const names[] = {"with LOD", "every triangle"};
-    for (size_t i = 0; i < times->modes.size(); ++i)
-        add_score(run, "peers", names[i], copies, median_of(times->modes[i], "frame"), "ms");
-    for (size_t i = 0; i < times->modes.size(); ++i)
-        add_score(run, "peers", std::string(names[i]) + ", all threads", copies,
-                  median_of(times->modes[i], "all threads"), "ms");
-    add_score(run, "peers", "FLIP", copies, times->flip, "");
+    if (!figures) return figures.error();
+    const std::string modes[] = {"with LOD", "every triangle"};
+    for (const std::string& mode : modes)
+        add_score(run, "peers", mode, copies, median_of(*figures, mode + "/frame"), "ms");
+    for (const std::string& mode : modes)
+        add_score(run, "peers", mode + ", all threads", copies, median_of(*figures, mode + "/all threads"),
+                  "ms");
+    for (const auto& [name, value] : figures->counts)
+        if (name == "mean FLIP between the two") add_score(run, "peers", "FLIP", copies, value, "");
     return {};
 }
 

@@ -9,11 +9,11 @@
 #include "tools/flaneur/bench/study/study.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/rendercheck/verdict/flip.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/plot/svg_pieces.h"
 #include "tools/flaneur/view/camera.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/rendercheck/verdict/flip.h"
 
 namespace flaneur {
 
@@ -234,7 +234,7 @@ Result<std::string> bench_ablate(const Options& options) {
         {"measured", options.bench_frames}};
     nlohmann::ordered_json json;
     print_setting(figures);
-    put_setting(figures, json);
+    put_setting(figures, json["setting"]);
     json["picture_ms"] = quantile(whole, 0.5);
     json["posing_ns"] = whole_ns;
     std::printf(

@@ -41,7 +41,7 @@ double at_one(const std::vector<PlotPoint>& ms) { return ms.front().y; }
 nlohmann::ordered_json tell_scale(const std::vector<StudyPoint>& points, const Figures& setting) {
     nlohmann::ordered_json json;
     print_setting(setting);
-    put_setting(setting, json);
+    put_setting(setting, json["setting"]);
     for (const StudyPoint& point : points) {
         nlohmann::ordered_json row = {{"threads", static_cast<int>(point.at)}};
         for (const std::string& stage : scaled_stages())

@@ -204,7 +204,7 @@ std::vector<PlotPoint> memory(const std::vector<StudyPoint>& points) {
 
 nlohmann::ordered_json json_of(const std::vector<StudyPoint>& points, const Figures& setting) {
     nlohmann::ordered_json json;
-    put_setting(setting, json);
+    put_setting(setting, json["setting"]);
     for (const StudyPoint& point : points) {
         nlohmann::ordered_json row = {{"walkers", static_cast<int64_t>(point.at)}};
         for (const auto& [name, value] : point.figures.counts) row[name] = value;

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "renderer/renderer.h"
+#include "sim/base/zone.h"
 
 namespace flaneur {
 namespace {
@@ -65,11 +66,16 @@ void begin_picture(Costs& c, double time) {
     }
     c.now = {};
     c.began = c.ended = time;
+    c.traced = is_tracing() ? trace_now() : 0;
 }
 
 void end_part(Costs& c, CostOf part, double time) {
     c.now.parts[static_cast<size_t>(part)] += static_cast<float>((time - c.ended) * 1000);
     c.ended = time;
+    if (!is_tracing() || c.traced == 0) return;
+    const int64_t now = trace_now();
+    record_trace({k_cost_names[static_cast<size_t>(part)], c.traced, now, 0, TraceKind::zone});
+    c.traced = now;
 }
 
 void end_picture(Costs& c, const FrameStats& stats, bool is_apart) {

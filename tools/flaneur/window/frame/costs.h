@@ -39,9 +39,11 @@ struct Costs {
     bool were_apart = false;
     PictureCost now;              // in the making
     double began = 0, ended = 0;  // seconds
+    int64_t traced = 0;           // when the last part ended, by the clock of traces
 };
 
-// `time`: of the window, seconds. From one end_part to the next all belongs to that part.
+// `time`: of the window, seconds. From one end_part to the next all belongs to that part, which is a zone of
+// traces too.
 void begin_picture(Costs& costs, double time);
 void end_part(Costs& costs, CostOf part, double time);
 // Takes what the renderer says of it too; whether it timed crowd, city and sky apart.
