@@ -233,7 +233,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         steer_driven(window, show, v);
         v.time.is_led = is_driving(show);
         const bool is_going = go_on(show, v, now);
-        if (!is_going)
+        if (!is_going && !waits_for_beside(v, *show.loaded.world))
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks, ++v.costs.now.ticks)
                 make_tick(show, v);
         keep_up_beside(show, v);

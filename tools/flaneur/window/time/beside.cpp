@@ -190,6 +190,11 @@ void count_beside(const Counts& here, Beside& beside) {
     beside.counts.shown = std::min(beside.counts.tick, world.tick);
 }
 
+bool waits_for_beside(const Viewer& v, const World& world) {
+    const Beside* beside = v.time.beside.get();
+    return beside && !beside->moment && beside->world->tick + k_behind < world.tick;
+}
+
 void keep_up_beside(Show& show, Viewer& v) {
     if (!v.time.beside) return;
     Beside& beside = *v.time.beside;

@@ -58,6 +58,9 @@ void set_beside_before(Show& show, Viewer& viewer);
 // This run, as it is now, beside what becomes of it.
 void set_beside_this_moment(Show& show, Viewer& viewer);
 
+// Whether a run goes along beside this one and is more than a second behind: this one waits.
+bool waits_for_beside(const Viewer& viewer, const World& world);
+
 // Goes along, for a while that leaves the window alive. To be called once a picture, after this run's ticks.
 void keep_up_beside(Show& show, Viewer& viewer);
 
