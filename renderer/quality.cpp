@@ -5,10 +5,10 @@
 namespace flaneur {
 namespace {
 
-constexpr std::array<QualityLevel, k_qualities> k_levels = {{{"low", 1, 1024, 0.7f, false, false},
-                                                             {"medium", 1, 2048, 1, true, false},
-                                                             {"high", 2, 4096, 1.6f, true, false},
-                                                             {"ultra", 2, 4096, 2.2f, true, true}}};
+constexpr std::array<QualityLevel, 4> k_levels = {{{"low", 1, 1024, 0.7f, false, false},
+                                                   {"medium", 1, 2048, 1, true, false},
+                                                   {"high", 2, 4096, 1.6f, true, false},
+                                                   {"ultra", 2, 4096, 2.2f, true, true}}};
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // How finely pictures are drawn: what each level spends.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +8,6 @@
 namespace flaneur {
 
 enum class Quality : uint8_t { low, medium, high, ultra };
-inline constexpr size_t k_qualities = 4;
 
 struct QualityLevel {
     const char* name;

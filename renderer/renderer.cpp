@@ -324,10 +324,26 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     return image;
 }
 
-Result<Image> draw_over_image(Renderer& renderer, const Image& under, const Panels& panels) {
-    FLANEUR_TRY(check_size(renderer, under.width, under.height));
-    if (under.rgba.size() != size_t{4} * under.width * under.height)
+static Result<void> check_image(const Renderer& renderer, const Image& image) {
+    FLANEUR_TRY(check_size(renderer, image.width, image.height));
+    if (image.rgba.size() != size_t{4} * image.width * image.height)
         return Error{"The picture's size does not agree with its pixels."};
+    return {};
+}
+
+// A picture that is there, where `target` takes it from.
+static Result<void> stage_image(Renderer& renderer, FrameSlot& slot, const Image& image,
+                                PictureTarget& target) {
+    FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.shown));
+    FLANEUR_TRY(reserve_buffer(renderer.device, image.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                               MemoryKind::upload, slot.picture));
+    std::memcpy(slot.picture.mapped, image.rgba.data(), image.rgba.size());
+    target.staging = slot.picture.handle;
+    return {};
+}
+
+Result<Image> draw_over_image(Renderer& renderer, const Image& under, const Panels& panels) {
+    FLANEUR_TRY(check_image(renderer, under));
     for (FrameSlot& slot : renderer.slots) FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
     FrameSlot& slot = renderer.slots[0];
     const size_t bytes = under.rgba.size();
@@ -335,13 +351,9 @@ Result<Image> draw_over_image(Renderer& renderer, const Image& under, const Pane
                          .image = &renderer.shown,
                          .panels = renderer.pipelines.panels_image,
                          .after = k_copied_from};
-    FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.shown));
-    FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, MemoryKind::upload,
-                               slot.picture));
+    FLANEUR_TRY(stage_image(renderer, slot, under, target));
     FLANEUR_TRY(reserve_buffer(renderer.device, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::readback,
                                renderer.readback));
-    std::memcpy(slot.picture.mapped, under.rgba.data(), bytes);
-    target.staging = slot.picture.handle;
     target.readback = renderer.readback.handle;
     FLANEUR_TRY(draw_over_picture(renderer, slot, panels, target, {}, {}));
     FLANEUR_TRY(finish_slot(renderer.device, slot, renderer.stats));
@@ -446,9 +458,7 @@ Result<void> draw_window(Renderer& renderer, const FrameInput& frame) {
 }
 
 Result<void> show_image(Renderer& renderer, const Image& picture, const Panels& panels) {
-    FLANEUR_TRY(check_size(renderer, picture.width, picture.height));
-    if (picture.rgba.size() != size_t{4} * picture.width * picture.height)
-        return Error{"The picture's size does not agree with its pixels."};
+    FLANEUR_TRY(check_image(renderer, picture));
     return draw_and_present(
         renderer, [&](FrameSlot& slot, GpuImage& image, VkSemaphore drawn) -> Result<void> {
             if (!renderer.swapchain.takes_copies)
@@ -459,11 +469,7 @@ Result<void> show_image(Renderer& renderer, const Image& picture, const Panels& 
                 .scaled = &image,
                 .panels = renderer.pipelines.panels_window,
                 .after = {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR}};
-            FLANEUR_TRY(fit_picture(renderer, target.extent, renderer.shown));
-            FLANEUR_TRY(reserve_buffer(renderer.device, picture.rgba.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                       MemoryKind::upload, slot.picture));
-            std::memcpy(slot.picture.mapped, picture.rgba.data(), picture.rgba.size());
-            target.staging = slot.picture.handle;
+            FLANEUR_TRY(stage_image(renderer, slot, picture, target));
             image.last.assign(1, {k_copied_to.stage, VK_ACCESS_2_NONE, VK_IMAGE_LAYOUT_UNDEFINED});
             return draw_over_picture(renderer, slot, panels, target, {slot.image_ready, k_copied_to.stage},
                                      drawn);

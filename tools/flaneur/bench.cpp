@@ -105,16 +105,12 @@ Result<void> run_bench(const Options& options) {
         return bench_compare(options.compared[0], options.compared[1], options.tolerance);
     }
     if (options.load == BenchLoad::sweep) return run_sweep(options);
-    PartFilePtr json;
-    if (!options.json.empty()) {
-        Result<PartFilePtr> file = open_file(options.json);
-        if (!file) return file.error();
-        json = std::move(*file);
-    }
+    Result<PartFilePtr> json = open_if_asked(options.json);
+    if (!json) return json.error();
     open_meters();
     Result<std::string> measured = measured_json(options);
     if (!measured) return measured.error();
-    return json ? write_file(std::move(json), *measured) : Result<void>();
+    return *json ? write_file(std::move(*json), *measured) : Result<void>();
 }
 
 }  // namespace flaneur

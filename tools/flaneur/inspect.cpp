@@ -206,19 +206,15 @@ Result<Json> inspect(const Options& options) {
 }  // namespace
 
 Result<void> run_inspect(const Options& options) {
-    PartFilePtr file;
-    if (!options.json.empty()) {
-        Result<PartFilePtr> opened = open_file(options.json);
-        if (!opened) return opened.error();
-        file = std::move(*opened);
-    }
+    Result<PartFilePtr> file = open_if_asked(options.json);
+    if (!file) return file.error();
     Result<Json> facts = inspect(options);
     clear_progress();
     if (!facts) return facts.error();
     print_facts(*facts);
-    if (!file) return {};
+    if (!*file) return {};
     // A name in the file may be anything but UTF-8.
-    return write_file(std::move(file), facts->dump(4, ' ', false, Json::error_handler_t::replace) + "\n");
+    return write_file(std::move(*file), facts->dump(4, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace flaneur

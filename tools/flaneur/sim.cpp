@@ -19,12 +19,8 @@ namespace flaneur {
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
     if (!isa) return isa;
-    PartFilePtr log;
-    if (!options.hash_log.empty()) {
-        Result<PartFilePtr> file = open_file(options.hash_log);
-        if (!file) return file.error();
-        log = std::move(*file);
-    }
+    Result<PartFilePtr> log = open_if_asked(options.hash_log);
+    if (!log) return log.error();
     Result<std::vector<PartFilePtr>> counted = std::vector<PartFilePtr>();
     if (!options.measures.empty()) counted = open_counts(options.measures, options.plan);
     if (!counted) return counted.error();
@@ -42,8 +38,9 @@ Result<void> run_sim(const Options& options) {
         FLANEUR_ZONE("frame");
         step(world);
         count_people(counts, world);
-        if (log && std::fprintf(log->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
-            return keep_file(std::move(log));  // which says why
+        if (*log &&
+            std::fprintf((*log)->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
+            return keep_file(std::move(*log));  // which says why
         if (world.tick % 60 == 0) {
             show_progress("simulating, " + std::to_string(world.tick / 60) + " s of " +
                           std::to_string(ticks / 60) + " s");
@@ -62,7 +59,7 @@ Result<void> run_sim(const Options& options) {
         for (const PartFilePtr& file : *counted) say("Writing " + file->path);
         if (Result<void> written = write_counts(std::move(*counted), counts); !written) return written;
     }
-    return log ? keep_file(std::move(log)) : Result<void>();
+    return *log ? keep_file(std::move(*log)) : Result<void>();
 }
 
 }  // namespace flaneur

@@ -169,10 +169,12 @@ void choose_resolution(Viewer& v, double now, bool is_moving, double picture_sec
         v.resolution = k_coarse;
 }
 
-void copy_command(GLFWwindow* window, const Show& show, Viewer& v, Size size) {
+// That of what is shown, which `command_for` writes.
+void copy_command(GLFWwindow* window, const Show& show, Viewer& v, Size size,
+                  std::string command_for(const Show&, const Viewer&, Size)) {
     const std::string none = why_no_command(v, *show.loaded.world);
     if (!none.empty()) return tell(v, none);
-    const std::string command = command_now(show, v, size);
+    const std::string command = command_for(show, v, size);
     glfwSetClipboardString(window, command.c_str());
     say(command);
     tell(v, (v.change.late > 0 ? k_told_otherwise : "Copied: ") + printable(command));
@@ -277,7 +279,9 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
             show.overlay.letters_legends = !v.has_panels;
             FrameInput frame = extract_frame(show, v.camera, one, between);
             frame.companion = companion_of(v.choice);
-            if (std::exchange(v.wants_command, false)) copy_command(window, show, v, size);
+            if (std::exchange(v.wants_command, false)) copy_command(window, show, v, size, command_now);
+            if (std::exchange(v.wants_bench_command, false))
+                copy_command(window, show, v, size, bench_command_now);
             ask(show, free, one, is_elsewhere || is_taken || is_putting(v), v);
             find_people(show, v);
             mark_asked(v, show, frame);
@@ -314,7 +318,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         }
         if (v.settings.fps > 0 && !v.record.filming) rest_until(now + 1.0 / v.settings.fps);
         if (now - title_time >= k_title_seconds) {
-            v.fps = static_cast<double>(title_frames) / (now - title_time);
+            v.fps = title_frames / (now - title_time);
             show_title(window, show, v.fps);
             title_time = now;
             title_frames = 0;

@@ -73,26 +73,17 @@ int parse(int argc, char** argv) {
     compare->add_option("picture", pair.picture, "the new one, .png or .exr")->type_name("A.png")->required();
     compare->add_option("reference", pair.reference, "the one that is right")->type_name("B.png")->required();
     compare->add_option("--mask", pair.mask, "where they may differ: white")->type_name("FILE.png");
-    compare->add_option("--differing", pair.tolerance.differing, "share of pixels that may differ")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    compare->add_option("--over", pair.tolerance.over, "share that may differ by more than --step")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
-    compare->add_option("--step", pair.tolerance.step, "255ths of a channel")
-        ->type_name("N")
-        ->check(CLI::Range(0.0, 255.0))
-        ->capture_default_str();
-    compare->add_option("--in-window", pair.tolerance.in_window, "pixels over the step in 16x16")
-        ->type_name("N")
-        ->check(CLI::Range(0, 256))
-        ->capture_default_str();
-    compare->add_option("--flip", pair.tolerance.flip, "mean FLIP at most; 1 does not judge")
-        ->type_name("ERROR")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+    auto bar = [&](const char* option, auto& value, auto most, const char* unit, const char* what) {
+        compare->add_option(option, value, what)
+            ->type_name(unit)
+            ->check(CLI::Range(decltype(most){0}, most))
+            ->capture_default_str();
+    };
+    bar("--differing", pair.tolerance.differing, 1.0, "SHARE", "share of pixels that may differ");
+    bar("--over", pair.tolerance.over, 1.0, "SHARE", "share that may differ by more than --step");
+    bar("--step", pair.tolerance.step, 255.0, "N", "255ths of a channel");
+    bar("--in-window", pair.tolerance.in_window, 256, "N", "pixels over the step in 16x16");
+    bar("--flip", pair.tolerance.flip, 1.0, "ERROR", "mean FLIP at most; 1 does not judge");
     compare->add_flag("--json", pair.is_json, "say it as JSON");
     compare->add_option("--html", pair.html, "write a page to look at them")->type_name("FILE.html");
 

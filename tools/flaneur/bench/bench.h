@@ -1,6 +1,7 @@
 // What the loads of `flaneur bench` have in common.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "sim/world.h"
@@ -31,6 +32,9 @@ Result<Figures> bench_window(const Options& options);
 Result<Figures> bench_peers(const Options& options);
 void add_counts(Figures& figures, const FrameStats& stats);
 
+inline double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
 // What all threads have worked together: unlike the time that goes by, it is about the same on a busy
 // machine.
 double cpu_ms();

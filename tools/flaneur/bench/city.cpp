@@ -19,10 +19,6 @@ constexpr float k_hand_reach = 0.8f;                    // metres, as hands ask
 constexpr float k_hand_height = 1.1f, k_eye_height = 1.6f, k_sight = 30;
 constexpr double k_ground_goal = 60, k_wall_goal = 150;
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 // Anywhere that people like to walk, in no order.
 std::vector<Vec3> random_points(const City& city, const Navmesh& mesh) {
     std::vector<Vec3> points;

@@ -18,10 +18,6 @@ constexpr uint32_t k_timed_frames = 20;  // whose passes are timed
 
 using Clock = std::chrono::steady_clock;
 
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 // What crowd, city and sky take of the scene's time, in a frame that draws one after the other.
 Result<void> measure_passes(Show& show, const Options& options, const Camera& camera, Figures& figures) {
     FLANEUR_ZONE("frame");

@@ -309,12 +309,8 @@ Result<void> check_city(const Options& options) {
     if (options.scene.asteroid)
         return Error{"--check is for cities: an asteroid has neither houses nor streets to check."};
     if (options.scene.walkers == 0) return Error{"--check watches walkers: --walkers 0 leaves it nobody."};
-    PartFilePtr file;
-    if (!options.json.empty()) {
-        Result<PartFilePtr> opened = open_file(options.json);
-        if (!opened) return opened.error();
-        file = std::move(*opened);
-    }
+    Result<PartFilePtr> file = open_if_asked(options.json);
+    if (!file) return file.error();
     Result<City> city = read_city(options.scene);
     if (!city) return city.error();
     Result<NavmeshPtr> mesh = load_navmesh(city->ground, options.threads);
@@ -343,8 +339,8 @@ Result<void> check_city(const Options& options) {
         json["findings"].push_back(
             {{"name", f.name}, {"value", f.value}, {"bar", f.bar}, {"met", is_met(f)}, {"where", f.where}});
     }
-    if (file) {
-        if (Result<void> kept = write_file(std::move(file), json.dump(2) + "\n"); !kept) return kept;
+    if (*file) {
+        if (Result<void> kept = write_file(std::move(*file), json.dump(2) + "\n"); !kept) return kept;
     }
     if (missed > 0)
         return Error{name + " misses " + std::to_string(missed) + " of " + std::to_string(findings.size()) +

@@ -97,9 +97,11 @@ nlohmann::ordered_json machine_context() {
 #endif
     context["library_version"] = "flaneur " FLANEUR_VERSION;
     context["commit"] = FLANEUR_COMMIT;
-    context["cpu"] = cpu_says("model name");
+    context["cpu"] = cpu_name();
     return context;
 }
+
+std::string cpu_name() { return cpu_says("model name"); }
 
 double peak_megabytes() {
     rusage usage{};

@@ -263,6 +263,10 @@ Result<PartFilePtr> open_file(const std::string& path) {
     return f;
 }
 
+Result<PartFilePtr> open_if_asked(const std::string& path) {
+    return path.empty() ? PartFilePtr() : open_file(path);
+}
+
 Result<void> keep_file(PartFilePtr f) {
     if (f->part.empty()) std::fflush(stdout);  // which it may be
     bool whole = std::fflush(f->file) == 0 && std::ferror(f->file) == 0;

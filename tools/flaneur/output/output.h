@@ -39,6 +39,8 @@ void protect_inputs(std::function<std::vector<std::string>()> paths);
 // Makes missing folders. Refuses, at once, a place that cannot be written to, a name that is too long, a file
 // that is protected from writing, one that the command reads, and where another file under way goes.
 Result<PartFilePtr> open_file(const std::string& path);
+// The same of a file that may be asked for: null where the path is empty.
+Result<PartFilePtr> open_if_asked(const std::string& path);
 // Closes and renames. Fails by unread() (ending.h) where nobody reads the pipe any more.
 Result<void> keep_file(PartFilePtr file);
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/quality.h"
 #include "tools/flaneur/window/ask/find.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/ask/techniques.h"
@@ -18,7 +17,6 @@
 #include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
-#include "tools/flaneur/window/frame/room.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
@@ -113,9 +111,9 @@ constexpr std::array k_layers = {
     Action{"Layer: skeletons", "F10", GLFW_KEY_F10, 0, turn<WorkView::skeletons>},
     Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
 };
-template <Quality To>
+template <size_t Level>
 void set_quality(Show&, Viewer& v) {
-    v.quality = quality_level(To).name;
+    v.quality = k_quality_names[Level];
 }
 
 // For who has no mouse: the cursor goes there first, so that one sees what a click would mean.
@@ -133,11 +131,11 @@ constexpr std::array k_window = {
     Action{"Point at the middle of the picture; again: click there", "K", GLFW_KEY_K, 0, click_in_middle},
     Action{"What a picture costs, and what makes it slow", "I", GLFW_KEY_I, 0, open<Room::frame>},
     Action{"Copy the command that measures this", "", 0, 0,
-           [](Show& show, Viewer& v) { copy_bench_command(show, v); }},
-    Action{"Quality: low", "", 0, 0, set_quality<Quality::low>},
-    Action{"Quality: medium", "", 0, 0, set_quality<Quality::medium>},
-    Action{"Quality: high", "", 0, 0, set_quality<Quality::high>},
-    Action{"Quality: ultra", "", 0, 0, set_quality<Quality::ultra>},
+           [](Show&, Viewer& v) { v.wants_bench_command = true; }},
+    Action{"Quality: low", "", 0, 0, set_quality<0>},
+    Action{"Quality: medium", "", 0, 0, set_quality<1>},
+    Action{"Quality: high", "", 0, 0, set_quality<2>},
+    Action{"Quality: ultra", "", 0, 0, set_quality<3>},
     Action{"Quality: what suits the device", "", 0, 0, [](Show&, Viewer& v) { v.quality.clear(); }},
     Action{"Copy the command that draws this", "C", GLFW_KEY_C, 0,
            [](Show&, Viewer& v) { v.wants_command = true; }},

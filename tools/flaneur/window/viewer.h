@@ -66,8 +66,9 @@ struct Viewer {
     bool is_loading = true;
     Events events;
     Costs costs;
-    std::vector<KeyPress> presses;  // not acted upon yet
-    bool wants_command = false, wants_close = false;
+    std::vector<KeyPress> presses;                            // not acted upon yet
+    bool wants_command = false, wants_bench_command = false;  // copied
+    bool wants_close = false;
     bool lists_keys = false, has_panels = true;
     Room room = Room::none;
     Palette palette;

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 namespace flaneur {
@@ -11,6 +12,11 @@ namespace flaneur {
 inline constexpr float k_edge = 10;      // between panels and the window's edge, at scale 1
 inline constexpr float k_state = 34;     // of the line that says how fast it goes
 inline constexpr float k_timeline = 36;  // of the timeline's height
+
+// 0xrrggbb.
+constexpr ImU32 panel_colour(uint32_t rgb, float alpha = 1) {
+    return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, static_cast<int>(alpha * 255));
+}
 
 // Of what is not as one would expect.
 inline ImVec4 warning_colour() {

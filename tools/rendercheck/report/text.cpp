@@ -12,25 +12,6 @@ std::string seconds(double value) {
     return text;
 }
 
-// What XML takes: no control characters but line ends.
-std::string xml(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 32 && c != '\n' && c != '\t') continue;
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
 std::string told_details(const CaseResult& result) {
     std::string out;
     for (const std::string& detail : result.details)
@@ -102,12 +83,12 @@ std::string junit_report(const CheckReport& report) {
     char time[32];
     std::snprintf(time, sizeof time, "%.3f", report.seconds);
     std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n<testsuite name=\"" +
-                      xml(report.suite) + "\" tests=\"" + std::to_string(report.results->size()) +
+                      html_text(report.suite) + "\" tests=\"" + std::to_string(report.results->size()) +
                       "\" failures=\"" + std::to_string(failures) + "\" errors=\"" + std::to_string(errors) +
                       "\" time=\"" + time + "\">\n";
     for (const CaseResult& result : *report.results) {
         std::snprintf(time, sizeof time, "%.3f", result.seconds);
-        out += "<testcase classname=\"" + xml(report.key) + "\" name=\"" + xml(result.one->name) +
+        out += "<testcase classname=\"" + html_text(report.key) + "\" name=\"" + html_text(result.one->name) +
                "\" time=\"" + time + "\"";
         if (result.status == CaseStatus::passed) {
             out += "/>\n";
@@ -115,9 +96,9 @@ std::string junit_report(const CheckReport& report) {
         }
         const char* tag = result.status == CaseStatus::failed ? "error" : "failure";
         out += std::string(">\n<") + tag + " type=\"" + told_status(result.status) + "\" message=\"" +
-               xml(result.line) + "\">" + xml(told_details(result) + "By hand: " + result.reproduce) + "</" +
-               tag + ">\n";
-        if (!result.log.empty()) out += "<system-err>" + xml(result.log) + "</system-err>\n";
+               html_text(result.line) + "\">" +
+               html_text(told_details(result) + "By hand: " + result.reproduce) + "</" + tag + ">\n";
+        if (!result.log.empty()) out += "<system-err>" + html_text(result.log) + "</system-err>\n";
         out += "</testcase>\n";
     }
     return out + "</testsuite>\n</testsuites>\n";

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <cstdlib>
 
 #include "tools/flaneur/bench/bench.h"
 #include "tools/flaneur/console/console.h"
@@ -11,6 +11,7 @@
 #include "tools/flaneur/gait/people/who.h"
 #include "tools/flaneur/gait/trials.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/output/machine.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/plot/plot.h"
 
@@ -33,10 +34,6 @@ GauntletPlan plan_of(bool is_quick) {
     return {{1000, 10'000, 100'000}, {500, 2000, 10'000}, {100, 500, 1000}, 10, 60, 60, true};
 }
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 void add_score(GauntletRun& run, const char* part, const std::string& name, double size, double value,
                const char* unit) {
     run.scores.push_back({part, name, size, value, unit});
@@ -51,18 +48,10 @@ double median_of(const Figures& figures, const std::string& stage) {
     return std::nan("");
 }
 
-std::string cpu_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return "a CPU without a name";
-}
-
 // Whether others use the machine, which makes times longer: said before the first load.
 void note_others(GauntletRun& run) {
-    std::ifstream file("/proc/loadavg");
     double load = 0;
-    if (!(file >> load) || load < k_busy * core_count()) return;
+    if (getloadavg(&load, 1) != 1 || load < k_busy * core_count()) return;
     run.notes.push_back("Others used the machine: before it began, " + short_number(load) +
                         " programs on average wanted its " + std::to_string(core_count()) +
                         " cores (/proc/loadavg). Times are longer than they would be; the work of all "
@@ -231,15 +220,13 @@ Result<void> play(const Options& options, GauntletRun& run) {
     return play_pictures(options, plan, run);
 }
 
-Result<PartFilePtr> open_if(const std::string& path) {
-    return path.empty() ? PartFilePtr() : open_file(path);
-}
-
 }  // namespace
 
 Result<std::string> bench_gauntlet(const Options& options) {
     GauntletRun run;
-    run.machine = cpu_name() + ", " + std::to_string(core_count()) + " cores";
+    const std::string cpu = cpu_name();
+    run.machine =
+        (cpu.empty() ? "a CPU without a name" : cpu) + ", " + std::to_string(core_count()) + " cores";
     run.version = FLANEUR_VERSION;
     run.is_quick = options.study.quick;
     std::vector<GauntletRun> others;
@@ -250,9 +237,9 @@ Result<std::string> bench_gauntlet(const Options& options) {
         others = std::move(*read);
         for (const std::string& note : notes) say(note);
     }
-    Result<PartFilePtr> html = open_if(options.study.html);
+    Result<PartFilePtr> html = open_if_asked(options.study.html);
     if (!html) return html.error();
-    Result<PartFilePtr> markdown = open_if(options.study.markdown);
+    Result<PartFilePtr> markdown = open_if_asked(options.study.markdown);
     if (!markdown) return markdown.error();
 
     note_others(run);

@@ -46,10 +46,6 @@ struct AblationRow {
     double flip = 0;
 };
 
-double ms_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 struct Taken {
     Image image;
     double ms = 0, work_ms = 0;  // extraction and drawing: time that goes by, and of all threads
@@ -200,12 +196,8 @@ std::string rows_svg(const char* title, const std::string& note, const char* uni
 }  // namespace
 
 Result<std::string> bench_ablate(const Options& options) {
-    PartFilePtr svg;
-    if (!options.study.svg.empty()) {
-        Result<PartFilePtr> file = open_file(options.study.svg);
-        if (!file) return file.error();
-        svg = std::move(*file);
-    }
+    Result<PartFilePtr> svg = open_if_asked(options.study.svg);
+    if (!svg) return svg.error();
     if (options.scene.walkers == 0) return Error{"bench ablate needs someone to draw: --walkers 1 or more."};
     std::atomic<uint32_t> messages = 0;
     Result<RendererPtr> renderer = make_renderer(renderer_options(options, messages));
@@ -243,7 +235,7 @@ Result<std::string> bench_ablate(const Options& options) {
     tell_rows(*pictures, "ms a picture", json["ablations"]);
     if (!show->has_lamps) std::printf("%-20s %s\n", "lamps", "are not lit: --time 22:00");
     tell_rows(*techniques, "ns a walker", json["ablations"]);
-    if (svg) {
+    if (*svg) {
         const std::string note =
             city_name(options.scene) + ", " + short_number(show->loaded.world->crowd.count) + " walkers. ";
         const std::string chart =
@@ -253,7 +245,7 @@ Result<std::string> bench_ablate(const Options& options) {
                      rows_svg("What each technique costs when bodies are posed",
                               note + "All together take " + short_number(whole_ns) + " ns.",
                               "nanoseconds a walker, on one thread", *techniques)});
-        if (Result<void> kept = write_file(std::move(svg), chart); !kept) return kept.error();
+        if (Result<void> kept = write_file(std::move(*svg), chart); !kept) return kept.error();
     }
     return json.dump(2) + "\n";
 }

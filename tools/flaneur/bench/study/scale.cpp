@@ -94,12 +94,8 @@ std::string scale_svg(const std::vector<StudyPoint>& points, const std::string& 
 }  // namespace
 
 Result<std::string> bench_scale(const Options& options) {
-    PartFilePtr svg;
-    if (!options.study.svg.empty()) {
-        Result<PartFilePtr> file = open_file(options.study.svg);
-        if (!file) return file.error();
-        svg = std::move(*file);
-    }
+    Result<PartFilePtr> svg = open_if_asked(options.study.svg);
+    if (!svg) return svg.error();
     const int most = options.threads == 0 ? core_count() : options.threads;
     if (most < 2)
         return Error{
@@ -138,10 +134,10 @@ Result<std::string> bench_scale(const Options& options) {
                        {"cores", core_count()},
                        {"measured", turns * k_turn}};
     const nlohmann::ordered_json json = tell_scale(points, setting);
-    if (svg) {
+    if (*svg) {
         const std::string note = city_name(options.scene) + ", " + short_number(world.crowd.count) +
                                  " walkers; medians of " + std::to_string(turns) + " turns of four ticks.";
-        Result<void> kept = write_file(std::move(svg), scale_svg(points, note));
+        Result<void> kept = write_file(std::move(*svg), scale_svg(points, note));
         if (!kept) return kept.error();
     }
     return json.dump(2) + "\n";

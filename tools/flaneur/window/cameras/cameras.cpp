@@ -225,7 +225,7 @@ bool move_camera(const Show& show, Size size, float seconds, float between, View
                 ease_lens(wanted, lens, seconds);
     }
     if (is_new && c.has_shown) begin(c.glide, world, v.camera, wanted);
-    if (v.record.wants_picture || v.record.wants_panels || v.wants_command)
+    if (v.record.wants_picture || v.record.wants_panels || v.wants_command || v.wants_bench_command)
         end(c.glide);  // of what it comes to
     c.has_shown = true;
     c.glide.to = wanted;

@@ -135,14 +135,14 @@ bool take_hold(Vec3 place, Viewer& v) {
     return true;
 }
 
-bool is_closing(const Addition& a) { return a.kind == AddedKind::barrier || a.kind == AddedKind::wall; }
-
 Pen pen_of(uint32_t colour, GizmoPlace place) {
     Pen pen{.place = place};
     pen.pixels = 2.5f;
     pen.colour = colour;
     return pen;
 }
+
+uint32_t colour_of(const Addition& a) { return is_drawn_out(a.kind) ? k_closed : k_there; }
 
 void add_outline(const World& world, const Addition& a, const Pen& pen, std::vector<GizmoLine>& lines) {
     auto over = [](Vec3 p) { return glm::vec3(p.x, p.y + k_above, p.z); };
@@ -310,9 +310,15 @@ bool abandon_line(Viewer& v) {
     return true;
 }
 
+void mark_added(const Viewer& v, Show& show, FrameInput& frame) {
+    if (v.choice.kind != CameraChoice::Kind::map || !v.has_panels) return;
+    for (const Addition& a : current(v.change.designs).added)
+        add_outline(*show.loaded.world, a, pen_of(colour_of(a), GizmoPlace::in_world), show.overlay.lines);
+    frame.lines = show.overlay.lines;
+}
+
 void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
-    const bool is_open = v.room == Room::change, is_map = v.choice.kind == CameraChoice::Kind::map;
-    if ((!is_open && !is_map) || !v.has_panels) return;
+    if (v.room != Room::change || !v.has_panels) return mark_added(v, show, frame);
     const Change& c = v.change;
     const World& world = *show.loaded.world;
     std::vector<GizmoLine>& lines = show.overlay.lines;
@@ -320,11 +326,10 @@ void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
     for (size_t i = 0; i < added.size(); ++i) {
         const bool is_moved = c.grip.is_held && c.grip.moved == i;
         if (is_moved) continue;
-        const bool is_chosen = is_open && c.selected == i;
-        const uint32_t colour = is_chosen ? k_chosen : is_closing(added[i]) ? k_closed : k_there;
+        const uint32_t colour = c.selected == i ? k_chosen : colour_of(added[i]);
         add_outline(world, added[i], pen_of(colour, GizmoPlace::in_world), lines);
     }
-    if (is_open && c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
+    if (c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
     frame.lines = lines;
 }
 

@@ -27,8 +27,9 @@ bool abandon_line(Viewer& viewer);
 // Whether a click puts something down, whoever stands there.
 bool is_putting(const Viewer& viewer);
 
-// Adds to the frame, in the room Change, the outlines of what was put down, is moved, or would be; on a map,
-// where it is hardly seen, always those of what was put down.
+// Adds to the frame, on a map, where it is hardly seen, the outlines of what was put down.
+void mark_added(const Viewer& viewer, Show& show, FrameInput& frame);
+// The same; in the room Change anywhere, and of what is moved or chosen, or would be put down, too.
 void mark_changes(const Viewer& viewer, Show& show, FrameInput& frame);
 
 // A row of barriers from wall to wall over a place, the shortest way; none where a street is wider than 60 m,

@@ -6,11 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "renderer/quality.h"
-#include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/show.h"
-#include "tools/flaneur/window/command.h"
-#include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/viewer.h"
 #include "tools/flaneur/window/widgets.h"
 
@@ -83,7 +79,7 @@ void lay_out_past_pictures(const Costs& costs, float scale) {
 
 // As high as three lines, so that what is below stays where it is.
 void lay_out_sentence(const Show& show, const Costs& costs, float scale) {
-    const bool is_plainest = quality_name(*show.renderer) == quality_level(Quality::low).name;
+    const bool is_plainest = quality_name(*show.renderer) == k_quality_names[0];
     const float top = ImGui::GetCursorPosY();
     ImGui::PushTextWrapPos(fitted(k_width, scale));
     ImGui::TextUnformatted(costliest(costs, is_plainest).c_str());
@@ -120,23 +116,12 @@ void lay_out_quality(const Show& show, Viewer& v, float scale) {
     if (!ImGui::BeginCombo("quality", v.quality.empty() ? (now + ", by itself").c_str() : now.c_str()))
         return;
     if (ImGui::Selectable("what suits the device", v.quality.empty())) v.quality.clear();
-    for (size_t i = 0; i < k_qualities; ++i) {
-        const char* name = quality_level(static_cast<Quality>(i)).name;
+    for (const char* name : k_quality_names)
         if (ImGui::Selectable(name, v.quality == name)) v.quality = name;
-    }
     ImGui::EndCombo();
 }
 
 }  // namespace
-
-void copy_bench_command(const Show& show, Viewer& v) {
-    const glm::vec2 window = v.layout.wish.window;
-    const std::string command =
-        bench_command_now(show, v, {static_cast<int>(window.x), static_cast<int>(window.y)});
-    ImGui::SetClipboardText(command.c_str());
-    say(command);
-    tell(v, "Copied: " + printable(command));
-}
 
 void lay_out_frame(Show& show, Viewer& v, float scale) {
     Costs& costs = v.costs;
@@ -176,7 +161,7 @@ void lay_out_frame(Show& show, Viewer& v, float scale) {
     ImGui::Separator();
     lay_out_counts(frame_stats(*show.renderer), v);
     lay_out_quality(show, v, scale);
-    if (ImGui::Button("Copy as flaneur bench frame")) copy_bench_command(show, v);
+    if (ImGui::Button("Copy as flaneur bench frame")) v.wants_bench_command = true;
     tip("the command that measures this view without a window, from this moment on");
 }
 

@@ -46,7 +46,7 @@ std::span<const Action> measure_actions();
 
 // What is drawn, in the city; its names and numbers, over the picture.
 void mark_measures(Show& show, Viewer& viewer, FrameInput& frame);
-// The same over a picture beside it, by the counts of its run.
+// Only what is drawn, by these counts: over the picture of a run beside this one, and in films.
 void mark_measures_beside(const Viewer& viewer, const Counts& counts, Overlay& overlay, FrameInput& frame);
 void lay_out_labels(const Viewer& viewer, Size size, float scale);
 

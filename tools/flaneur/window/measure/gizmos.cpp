@@ -12,6 +12,7 @@
 #include "tools/flaneur/window/measure/drawing.h"
 #include "tools/flaneur/window/time/beside.h"
 #include "tools/flaneur/window/viewer.h"
+#include "tools/flaneur/window/widgets.h"
 
 namespace flaneur {
 namespace {
@@ -219,8 +220,6 @@ void add_draft_label(const MeasureRoom& room, std::vector<Label>& labels) {
     labels.push_back({points.back(), text, k_colours[static_cast<size_t>(*room.tool)]});
 }
 
-uint32_t imgui_colour(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
-
 // What has been drawn, with what `counts` say of it.
 void draw_kept(const MeasureRoom& room, const Counts& counts, bool is_open, Overlay& overlay) {
     Drawer draw{overlay.lines};
@@ -286,7 +285,7 @@ void write_labels(const std::vector<Label>& labels, const Camera& camera, Size s
         const Box box = free_place(corner, whole, 2 * scale, taken);
         taken.push_back(box);
         list.AddRectFilled(box.low, box.high, IM_COL32(27, 30, 34, 205), 4 * scale);
-        list.AddText({box.low.x + room.x, box.low.y + room.y}, imgui_colour(label.colour),
+        list.AddText({box.low.x + room.x, box.low.y + room.y}, panel_colour(label.colour),
                      label.text.c_str());
     }
 }

@@ -19,8 +19,7 @@ namespace {
 constexpr float k_wide = 380;       // of the room, at scale 1
 constexpr double k_a_moment = 0.1;  // seconds: a run counts from its first tick on
 constexpr uint32_t k_grey = IM_COL32(200, 196, 188, 255);
-constexpr uint32_t imgui(uint32_t rgb) { return IM_COL32(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255, 255); }
-constexpr uint32_t k_line_right = imgui(k_right_rgb), k_line_left = imgui(k_left_rgb);
+constexpr uint32_t k_line_right = panel_colour(k_right_rgb), k_line_left = panel_colour(k_left_rgb);
 constexpr const char* k_tips[] = {"click from point to point; Enter or a double click ends it",
                                   "click its corners; Enter or a double click ends it",
                                   "counts who crosses it, each way: click its two ends",

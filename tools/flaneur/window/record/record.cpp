@@ -154,8 +154,9 @@ Result<void> go_on_filming(Show& show, Viewer& v, float between) {
     if (filming.turn) v.camera = turned(*filming.turn, middle_of(show, *filming.turn), filming.pictures);
     FrameInput frame = extract_frame(show, v.camera, size_of_one(v, filming.size), between);
     frame.companion = companion_of(v.choice);
-    mark_measures(show, v, frame);
-    mark_changes(v, show, frame);
+    // What is there, and nothing of what a hand is about.
+    mark_measures_beside(v, v.measure.counts, show.overlay, frame);
+    mark_added(v, show, frame);
     const Result<Image> image = draw(show, v, frame, filming.size, between);
     if (!image) return image.error();
     if (Result<void> written = write_film(*filming.film, image->rgba); !written) {

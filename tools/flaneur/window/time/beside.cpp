@@ -93,9 +93,7 @@ Result<Image> draw_without(Show& show, Viewer& v, Size one, uint32_t width, uint
 }  // namespace
 
 void set_beside(Show& show, Viewer& v, const BesideChoice& choice) {
-    if (v.time.anew) return tell(v, k_is_making);
-    make_anew(v, order_people(show.loaded, choice.seed, choice.walkers));
-    v.time.anew->beside = choice;
+    make_anew(v, order_people(show.loaded, choice.seed, choice.walkers), choice);
 }
 
 // The city of a scene, which has the same bare one, from the start.
@@ -111,12 +109,12 @@ static void set_beside_scene(Show& show, Viewer& v, const Scene& scene, const ch
         city = order_of(show, c, scene.added);
         city->with_lamps = is_night;
     }
-    make_anew(v, std::move(people), std::move(city));
-    v.time.anew->beside = BesideChoice{world.seed, static_cast<uint32_t>(scene.walkers), {}, scene, told};
+    make_anew(v, std::move(people),
+              BesideChoice{world.seed, static_cast<uint32_t>(scene.walkers), {}, scene, told},
+              std::move(city));
 }
 
 void set_beside_as_opened(Show& show, Viewer& v) {
-    if (v.time.anew) return tell(v, k_is_making);
     const Change& c = v.change;
     if (is_as_opened(c) && c.carried.is_overcast == c.scene.is_overcast)
         return tell(v, "Nothing has been changed yet, in the room Change: both would be the same.");
@@ -126,7 +124,6 @@ void set_beside_as_opened(Show& show, Viewer& v) {
 void set_beside_before(Show& show, Viewer& v) {
     const Change& c = v.change;
     if (c.carried.added == c.scene.added) return set_beside_as_opened(show, v);
-    if (v.time.anew) return tell(v, k_is_making);
     Scene scene = scene_with(c.scene, c.carried);
     scene.added = c.scene.added;
     set_beside_scene(show, v, scene, "streets as opened");

@@ -260,9 +260,11 @@ static void make_run(Anew& anew, PeopleOrder people, const std::optional<Order>&
     });
 }
 
-void make_anew(Viewer& v, PeopleOrder people, std::optional<Order> city) {
+void make_anew(Viewer& v, PeopleOrder people, std::optional<BesideChoice> beside, std::optional<Order> city) {
+    if (v.time.anew) return tell(v, "People are being made already: Esc gives them up.");
     v.time.anew = std::make_unique<Anew>();
     Anew& anew = *v.time.anew;
+    anew.beside = std::move(beside);
     anew.seed = people.options.seed;
     anew.ready = std::async(std::launch::async, [&anew, people = std::move(people), city = std::move(city)] {
         make_run(anew, people, city);
@@ -270,7 +272,6 @@ void make_anew(Viewer& v, PeopleOrder people, std::optional<Order> city) {
 }
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
-    if (v.time.anew) return tell(v, k_is_making);
     const World& world = *show.loaded.world;
     PeopleOrder people =
         order_people(show.loaded, seed, static_cast<uint32_t>(world.crowd.slots.living.size()));

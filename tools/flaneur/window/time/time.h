@@ -110,9 +110,10 @@ std::optional<Progress> progress_of(const Timeline& time, const World& world, do
 // Stops where it is, or gives up the people who are made anew. False if there is neither.
 bool stop_going(Viewer& viewer);
 
-inline constexpr char k_is_making[] = "People are being made already: Esc gives them up.";
-// Makes people in the background, in another city first, if one is ordered. Not while some are being made.
-void make_anew(Viewer& viewer, PeopleOrder people, std::optional<Order> city = {});
+// Makes people in the background, in another city first, if one is ordered: in place of those who are there,
+// or beside them. Not while some are being made, which is told.
+void make_anew(Viewer& viewer, PeopleOrder people, std::optional<BesideChoice> beside = {},
+               std::optional<Order> city = {});
 // Other people, or the same, begin a run in place of this one.
 void restart(Show& show, Viewer& viewer, uint64_t seed);
 // Takes those who are made. To be called once a picture.
