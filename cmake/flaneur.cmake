@@ -64,7 +64,10 @@ if(FLANEUR_PROGRAM)
     flaneur_need(HEADER CLI11_INCLUDE CLI/CLI.hpp libcli11-dev)
 endif()
 if(FLANEUR_PROGRAM AND FLANEUR_VULKAN)
-    set(flaneur_program_links "imgui imgui imgui.h libimgui-dev" "tinyexr tinyexr tinyexr.h libtinyexr-dev")
+    set(flaneur_program_links
+        "imgui imgui imgui.h libimgui-dev"
+        "OpenEXR OpenEXR ImfInputFile.h libopenexr-dev"
+        "Imath Imath ImathBox.h libimath-dev")
     flaneur_find(FLANEUR_MISSING program)
     find_path(FLANEUR_LETTERS DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu)
     mark_as_advanced(FLANEUR_LETTERS)

@@ -78,7 +78,7 @@ int run_init(const std::string& path, const std::vector<std::string>& command) {
     nlohmann::ordered_json suite;
     suite["golden"] = "golden";
     suite["defaults"] = {{"time_limit", 60}};
-    suite["cases"] = {one};
+    suite["cases"] = nlohmann::ordered_json::array({one});
     if (Result<void> written =
             write_whole(path, suite.dump(4, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
         !written)

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "sim/base/zone.h"
 #include "tools/flaneur/bench/bench.h"
@@ -96,8 +95,6 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     add_sample(figures, "all threads", cpu_ms() - cpu_start);
     return {};
 }
-
-double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 void add_counts(Figures& figures, const FrameStats& stats) {
     figures.counts = {{"walkers drawn", stats.walkers_drawn},

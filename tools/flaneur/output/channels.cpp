@@ -1,13 +1,15 @@
 #include "tools/flaneur/output/channels.h"
 
-#include <tinyexr.h>
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <ImfStdIO.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
 #include "assets/files/file.h"
 #include "assets/files/picture.h"
@@ -15,30 +17,23 @@
 namespace flaneur {
 namespace {
 
-// One channel of 32 bits; `type` is one of tinyexr's.
+// One channel of 32 bits.
 template <class Value>
-Result<void> write_exr(PartFilePtr f, const char* name, int type, std::vector<Value> values, Size size) {
+Result<void> write_exr(PartFilePtr f, const char* name, Imf::PixelType type, const std::vector<Value>& values,
+                       Size size) {
     static_assert(sizeof(Value) == 4);
-    EXRHeader header;
-    EXRImage image;
-    InitEXRHeader(&header);
-    InitEXRImage(&image);
-    EXRChannelInfo channel{};
-    std::snprintf(channel.name, sizeof channel.name, "%s", name);
-    header.num_channels = image.num_channels = 1;
-    header.channels = &channel;
-    header.pixel_types = header.requested_pixel_types = &type;
-    header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
-    auto* pixels = reinterpret_cast<unsigned char*>(values.data());
-    image.images = &pixels;
-    image.width = size.width, image.height = size.height;
-    unsigned char* bytes = nullptr;
-    const char* why = nullptr;
-    const size_t count = SaveEXRImageToMemory(&image, &header, &bytes, &why);
-    if (why) FreeEXRErrorMessage(why);
-    Result<void> written = write_compressed(std::move(f), {reinterpret_cast<const char*>(bytes), count});
-    std::free(bytes);
-    return written;
+    Imf::StdOSStream bytes;
+    {
+        Imf::Header header(size.width, size.height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        header.channels().insert(name, Imf::Channel(type));
+        Imf::FrameBuffer pixels;
+        pixels.insert(name, Imf::Slice::Make(type, values.data(), header.dataWindow()));
+        Imf::OutputFile file(bytes, header, 0);
+        file.setFrameBuffer(pixels);
+        file.writePixels(size.height);
+    }
+    return write_compressed(std::move(f), bytes.str());
 }
 
 }  // namespace
@@ -59,8 +54,7 @@ Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size 
     std::vector<float> metres = depths;
     for (float& far : metres)
         if (std::isinf(far)) far = 0;
-    if (has_ending(f->path, ".exr"))
-        return write_exr(std::move(f), "Z", TINYEXR_PIXELTYPE_FLOAT, std::move(metres), size);
+    if (has_ending(f->path, ".exr")) return write_exr(std::move(f), "Z", Imf::FLOAT, metres, size);
     std::fprintf(f->file, "Pf\n%d %d\n-1.0\n", size.width, size.height);
     for (size_t y = height; y-- > 0;) std::fwrite(&metres[y * width], sizeof(float), width, f->file);
     return keep_file(std::move(f));
@@ -68,7 +62,7 @@ Result<void> write_depths(PartFilePtr f, const std::vector<float>& depths, Size 
 
 Result<void> write_ids(PartFilePtr f, const std::vector<uint32_t>& ids, Size size) {
     assert(ids.size() == static_cast<size_t>(size.width) * static_cast<size_t>(size.height));
-    if (has_ending(f->path, ".exr")) return write_exr(std::move(f), "id", TINYEXR_PIXELTYPE_UINT, ids, size);
+    if (has_ending(f->path, ".exr")) return write_exr(std::move(f), "id", Imf::UINT, ids, size);
     std::vector<uint8_t> rgb;
     rgb.reserve(ids.size() * 3);
     for (const uint32_t id : ids)

@@ -1,4 +1,4 @@
-// Pictures that renderers write: PNG of 8 or 16 bits by libpng, OpenEXR by TinyEXR.
+// Pictures that renderers write: PNG of 8 or 16 bits by libpng, OpenEXR by its own library.
 #pragma once
 
 #include <cstdint>

@@ -73,8 +73,10 @@ void lay_out_past_pictures(const Costs& costs, float scale) {
             tip((std::to_string(costs.pictures.size() - i) + " pictures ago: " + told(costs.pictures[i]))
                     .c_str());
     }
+    ImGui::PushTextWrapPos(size.x);
     ImGui::TextDisabled("of the last %zu: median %.1f ms; longest %s", costs.pictures.size(),
                         static_cast<double>(spread.median), told(spread.worst).c_str());
+    ImGui::PopTextWrapPos();
 }
 
 // As high as three lines, so that what is below stays where it is.

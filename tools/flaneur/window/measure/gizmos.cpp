@@ -172,8 +172,9 @@ void add_line_labels(const Marking& drawn, const std::vector<glm::vec3>& outline
         {outline.front(),
          is_settled(lately) ? text_of("%s  %.1f/min", drawn.name.c_str(), lately.per_minute) : drawn.name,
          k_colours[static_cast<size_t>(MarkingKind::line)]});
-    labels.push_back({middle + aside, std::to_string(all.right), 0xf2efe9});
-    labels.push_back({middle - aside, std::to_string(all.left), 0xf2efe9});
+    auto told = [&](int side, uint32_t count) { return text_of("%u %s", count, compass(line->line, side)); };
+    labels.push_back({middle + aside, told(1, all.right), k_right_rgb});
+    labels.push_back({middle - aside, told(-1, all.left), k_left_rgb});
 }
 
 void add_labels(const MeasureRoom& room, const Counts& counts, std::vector<Label>& labels) {
