@@ -41,10 +41,10 @@ grep --quiet -E 'slower.json is slower than one.json: gait [23][0-9][.][0-9] %' 
 # What this machine says of two real runs of the same depends on who else is at work on it: told, not judged.
 "$flaneur" bench compare before.json real.json || echo "These two runs of the same differ: the machine was busy."
 tool=${COMPARE_PY-/usr/share/benchmark/compare.py}
-if [[ -f $tool ]]; then
+if [[ -f $tool ]] && python3 "$tool" --help > asked; then
     # It reads the medians.
     python3 "$tool" --no-color benchmarks one.json slower.json | tee theirs.txt
     grep --quiet -E '^gait +[+]0[.]3000 +' theirs.txt
 else
-    echo "LEFT OUT: libbenchmark-tools is not installed."
+    echo "LEFT OUT: libbenchmark-tools or python3-scipy is not installed."
 fi
