@@ -126,11 +126,14 @@ void for_each_lane_word(const FieldName& name, const Row (&row)[rows], size_t la
     }
 }
 
-// The item of a walker; null: it has none.
+// The item of a walker; null: it has none. Canes and prams lie by walker.
 template <class Item>
-const Item* item_of(const std::vector<Item>& items, uint32_t walker) {
-    const auto found = std::ranges::find(items, walker, &Item::walker);
-    return found == items.end() ? nullptr : &*found;
+const Item* item_of(const World&, const std::vector<Item>& items, uint32_t walker) {
+    const auto found = std::ranges::lower_bound(items, walker, {}, &Item::walker);
+    return found == items.end() || found->walker != walker ? nullptr : &*found;
+}
+const ClipPlay* item_of(const World& w, const std::vector<ClipPlay>& plays, uint32_t walker) {
+    return w.idles.playing[walker] ? &*std::ranges::find(plays, walker, &ClipPlay::walker) : nullptr;
 }
 
 // All numbers of one walker: each(name, kind, word), by the same names for everybody.
@@ -146,7 +149,7 @@ void for_each_word(const World& w, uint32_t walker, const Each& each) {
                 for_each_lane_word(n, row, lane, each);
             });
         } else if constexpr (has_walker<Item>) {
-            for_each_word(name, item_of(items, walker), each);
+            for_each_word(name, item_of(w, items, walker), each);
         } else {
             for_each_word(name, items[walker], each);
         }
