@@ -69,6 +69,7 @@ TEST(Parting, TheFirstFieldIsWhatATickMakesFirst) {
         if (w.tick != 5) return;
         w.poses[0].rising[3] += 1;
         w.gait.blocks[0].load[9] += 1;
+        w.crowd.motion.feet[9].lands += 1;
         w.crowd.decision.wanted[9].x += 1;
         w.crowd.decision.wanted[11].x += 1;
     });
@@ -76,7 +77,8 @@ TEST(Parting, TheFirstFieldIsWhatATickMakesFirst) {
     EXPECT_EQ(by_words.walkers, (std::vector<uint32_t>{3, 9, 11}));
     EXPECT_EQ(by_words.fields[0].walkers, 2U);
     EXPECT_EQ(by_words.fields[1].field.name, "gait.load");
-    EXPECT_EQ(by_words.fields[2].field.name, "pose.rising");
+    EXPECT_EQ(by_words.fields[2].field.name, "motion.feet.lands");
+    EXPECT_EQ(by_words.fields[3].field.name, "pose.rising");
     EXPECT_EQ(told_first(by_digests), "decision.wanted.x, among walkers 3 9 11");
     const std::string told = told_parting(by_words, k_people, {});
     EXPECT_NE(told.find("after tick 5, at 0.083 s: walker 9, decision.wanted.x"), std::string::npos) << told;

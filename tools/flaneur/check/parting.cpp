@@ -35,14 +35,18 @@ IndexPairs pairs_of(const std::vector<StateField>& here, const std::vector<State
 }
 
 // By the order in which a tick makes them, what is constant first: who differs from the start differs in all
-// that follows.
+// that follows. Bodies turn before they move, feet carry what rides on them, and what the crowd is told of
+// feet comes last. The longest beginning counts.
 size_t stage_of(std::string_view name) {
-    constexpr std::string_view k_stages[] = {"person.",   "who.",    "generation", "journey.", "crowd.",
-                                             "decision.", "motion.", "surface.",   "gait.",    "cane.",
-                                             "pram.",     "pose.",   "idle."};
+    constexpr std::string_view k_stages[] = {
+        "person.",        "who.",    "generation",   "journey.", "crowd.", "decision.",    "motion.turn_rate",
+        "motion.heading", "motion.", "surface.",     "gait.x",   "gait.z", "gait.heading", "gait.left.",
+        "gait.right.",    "gait.",   "motion.feet.", "cane.",    "pram.",  "pose.",        "idle."};
+    size_t stage = std::size(k_stages), longest = 0;
     for (size_t i = 0; i < std::size(k_stages); ++i)
-        if (name.starts_with(k_stages[i])) return i;
-    return std::size(k_stages);
+        if (k_stages[i].size() > longest && name.starts_with(k_stages[i]))
+            stage = i, longest = k_stages[i].size();
+    return stage;
 }
 
 void sort_by_stage(Parting& parting) {
