@@ -31,7 +31,8 @@ Result<void> run_command(const Options& options) {
                  options.command == Command::city;
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city|sweep|scale|gauntlet, "
+            "This flaneur was built without Vulkan: it has sim, check, bench "
+            "crowd|pose|city|sweep|scale|gauntlet, "
             "gait without --strip, "
             "people without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
