@@ -1,12 +1,9 @@
 #include "sim/world.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 
-#include "sim/base/hash.h"
 #include "sim/base/spans.h"
 #include "sim/crowd/pace.h"
 #include "sim/gait/hands.h"
@@ -170,29 +167,6 @@ std::optional<PramPlace> pram_between(const World& w, size_t walker, float betwe
 
 Trail trail_between(const World& w, size_t walker, float between) {
     return mixed_trail(trail_of(w.previous_trails, walker), trail_of(w.trails, walker), between);
-}
-
-uint64_t hash_world(const World& world) {
-    uint64_t hash = mix(world.seed) ^ world.tick;
-    hash = mix(hash ^ hash_crowd(world.crowd));
-    auto add = [&](const auto&... arrays) {
-        ((hash = hash_bytes(hash, arrays.data(), arrays.size() * sizeof(arrays[0]))), ...);
-    };
-    if (world.roam) {
-        const SurfaceWalkers& w = world.roam->walkers;
-        add(world.roam->frames, w.position, w.up, w.ahead, w.speed, w.pace, w.turn_rate, w.moved);
-    }
-    static_assert(std::is_trivially_copyable_v<GaitBlock> && std::is_trivially_copyable_v<PoseBlock>);
-    add(world.gait.blocks, world.gait.people, world.poses);
-    if (!world.gait.canes.empty()) add(world.gait.canes);
-    if (!world.gait.prams.empty()) add(world.gait.prams);
-    add(world.idles.wanted, world.idles.playing, world.idles.stood);
-    for (const ClipPlay& play : world.idles.plays) {
-        for (uint32_t word : {play.walker, uint32_t{play.clip}, std::bit_cast<uint32_t>(play.phase),
-                              std::bit_cast<uint32_t>(play.fade)})
-            hash = mix(hash ^ word);
-    }
-    return hash;
 }
 
 }  // namespace flaneur

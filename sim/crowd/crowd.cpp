@@ -6,6 +6,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/crowd/places.h"
+#include "sim/crowd/values-inl.h"
 
 namespace flaneur {
 
@@ -147,12 +148,18 @@ void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, W
     move(crowd, around, mesh, workers);
 }
 
-static uint64_t hash_journey(uint64_t h, const Journey& j, const Vec3* corners) {
-    auto add = [&](const auto&... values) { ((h = hash_bytes(h, &values, sizeof values)), ...); };
-    add(j.goal, j.facing, j.stay, j.trip, j.pause_until, j.path_start, j.stretch_start, j.closest,
-        j.closest_tick, j.insists_since, j.insists_from, j.errand, j.path_due, j.corner, j.corner_count,
-        j.stuck, j.arrived);
-    return hash_bytes(h, corners + j.corner, (j.corner_count - j.corner) * sizeof(Vec3));
+// Of a value, of one that may not be there, and of a list.
+template <class T>
+static uint64_t hash_value(uint64_t h, const T& value) {
+    return hash_bytes(h, &value, sizeof value);
+}
+template <class T>
+static uint64_t hash_value(uint64_t h, const T* value) {
+    return value ? hash_value(h, *value) : h;
+}
+template <class T>
+static uint64_t hash_value(uint64_t h, std::span<const T> list) {
+    return hash_bytes(h, list.data(), list.size_bytes());
 }
 
 uint64_t hash_crowd(const Crowd& c) {
@@ -161,21 +168,10 @@ uint64_t hash_crowd(const Crowd& c) {
     h = hash_bytes(h, slots.generation.data(), c.count * sizeof(uint32_t));
     h = hash_bytes(h, slots.left.data(), slots.left.size() * sizeof(uint32_t));
     h = hash_bytes(h, slots.living.data(), slots.living.size() * sizeof(WalkerId));
-    const CrowdIdentity& who = c.identity;
-    const CrowdMotion& m = c.motion;
-    const CrowdDecision& d = c.decision;
-    auto add = [&](const auto&... values) { ((h = hash_bytes(h, &values, sizeof values)), ...); };
-    for (uint32_t i = 0; i < c.count; ++i) {
-        if (!is_there(c, i)) continue;
-        const GroundHit& under = m.under[i];
-        add(who.preferred_speed[i], who.radius[i], who.lateral[i], who.body[i], who.scale[i]);
-        add(m.position[i], m.velocity[i], m.heading[i], m.turn_rate[i], m.feet[i], m.brakes[i], m.polygon[i]);
-        add(under.height, under.normal, under.kind);
-        add(d.wanted[i], d.looks[i], d.chosen[i], d.claim[i]);
-        h = hash_journey(h, c.journeys[i], &c.corners[size_t{i} * k_corners]);
-        if (c.way_back[i].polygon) add(c.way_back[i]);
-    }
-    if (c.driven.walker != k_nobody) add(c.driven);
+    for (uint32_t i = 0; i < c.count; ++i)
+        if (is_there(c, i))
+            for_each_value(c, i, [&](const FieldName&, const auto& value) { h = hash_value(h, value); });
+    if (c.driven.walker != k_nobody) h = hash_value(h, c.driven);
     return h;
 }
 

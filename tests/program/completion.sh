@@ -53,7 +53,7 @@ expect() {
         done
     done
 }
-expect '' -- view render sim bench gait people inspect city
+expect '' -- view render sim check bench gait people inspect city
 expect ren -- render -- people
 expect render --qual -- --quality
 expect render --quality '' -- low medium high ultra
@@ -64,6 +64,7 @@ expect view --view skeletons,tr -- skeletons,trails
 expect gait --view s -- side
 expect gait --st -- --stairs -- --scene
 expect sim --hash-log '' -- notes.txt sub
+expect check --against '' -- notes.txt sub
 expect people --out '' -- sub -- notes.txt
 expect bench cr -- crowd
 expect inspect '' -- me.glb berlin.osm -- notes.txt

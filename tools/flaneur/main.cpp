@@ -8,6 +8,7 @@
 #include "assets/cache/cache_file.h"
 #include "assets/files/file.h"
 #include "assets/gltf/file.h"
+#include "tools/flaneur/check/other.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -30,7 +31,8 @@ Result<void> run_command(const Options& options) {
                  options.command == Command::city;
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, bench crowd|pose|city|sweep|scale|gauntlet, "
+            "This flaneur was built without Vulkan: it has sim, check, bench "
+            "crowd|pose|city|sweep|scale|gauntlet, "
             "gait without --strip, "
             "people without --sheet and inspect. One that draws is made by ./tools/build release."};
     }
@@ -46,6 +48,8 @@ Result<void> run_command(const Options& options) {
 #endif
         case Command::sim:
             return run_sim(options);
+        case Command::check:
+            return run_check(options);
         case Command::gait:
             return run_gait(options);
         case Command::inspect:
@@ -72,6 +76,7 @@ Result<void> run(const Options& options) {
 void clean_up() {
     (void)finish_trace();
     abandon_outputs();
+    abandon_other();
 }
 
 int fail(const Error& error) {

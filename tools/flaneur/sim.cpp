@@ -5,6 +5,7 @@
 
 #include "sim/base/isa.h"
 #include "sim/base/zone.h"
+#include "tools/flaneur/check/state_log.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -16,11 +17,41 @@
 
 namespace flaneur {
 
+namespace {
+
+// A log of states under way; of no file it is none.
+struct StateLog {
+    PartFilePtr file;
+    StateDigest digest;
+};
+
+Result<void> begin(StateLog& log, const World& world, const Options& options, uint32_t ticks) {
+    if (!log.file) return {};
+    StateLogHead head{world_words(options.words), world.crowd.count, ticks, state_fields(world)};
+    return write_state_log_head(log.file->file, head);
+}
+
+bool add_state(StateLog& log, const World& world) {
+    if (!log.file) return true;
+    digest_state(world, log.digest);
+    return write_digest(log.file->file, log.digest);
+}
+
+Result<void> finish(StateLog log, const World& world) {
+    if (!log.file) return {};
+    (void)write_state_words(log.file->file, state_words(world));  // what fails is told by keep_file
+    return keep_file(std::move(log.file));
+}
+
+}  // namespace
+
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
     if (!isa) return isa;
     Result<PartFilePtr> log = open_if_asked(options.hash_log);
     if (!log) return log.error();
+    Result<PartFilePtr> states = open_if_asked(options.state_log);
+    if (!states) return states.error();
     Result<std::vector<PartFilePtr>> counted = std::vector<PartFilePtr>();
     if (!options.measures.empty()) counted = open_counts(options.measures, options.plan);
     if (!counted) return counted.error();
@@ -33,6 +64,9 @@ Result<void> run_sim(const Options& options) {
 
     auto start = std::chrono::steady_clock::now();
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
+    StateLog state_log{std::move(*states), {}};
+    if (Result<void> begun = begin(state_log, world, options, ticks); !begun) return begun;
+    if (!add_state(state_log, world)) return keep_file(std::move(state_log.file));  // which says why
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         FLANEUR_ZONE("frame");
@@ -41,6 +75,7 @@ Result<void> run_sim(const Options& options) {
         if (*log &&
             std::fprintf((*log)->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
             return keep_file(std::move(*log));  // which says why
+        if (!add_state(state_log, world)) return keep_file(std::move(state_log.file));
         if (world.tick % 60 == 0) {
             show_progress("simulating, " + std::to_string(world.tick / 60) + " s of " +
                           std::to_string(ticks / 60) + " s");
@@ -59,6 +94,7 @@ Result<void> run_sim(const Options& options) {
         for (const PartFilePtr& file : *counted) say("Writing " + file->path);
         if (Result<void> written = write_counts(std::move(*counted), counts); !written) return written;
     }
+    if (Result<void> finished = finish(std::move(state_log), world); !finished) return finished;
     return *log ? keep_file(std::move(*log)) : Result<void>();
 }
 

@@ -9,6 +9,7 @@ namespace flaneur {
 void add_view(CLI::App& app, SceneWords& words, Options& options);
 void add_render(CLI::App& app, SceneWords& words, Options& options);
 void add_sim(CLI::App& app, SceneWords& words, Options& options);
+void add_check(CLI::App& app, SceneWords& words, Options& options);
 void add_bench(CLI::App& app, SceneWords& words, Options& options);
 void add_gait(CLI::App& app, SceneWords& words, Options& options);
 void add_people(CLI::App& app, SceneWords& words, Options& options);
@@ -24,6 +25,11 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
 // --trace
 void add_trace_option(CLI::App& app, Options& options);
 
+// --isa
+void add_isa_option(CLI::App& app, Options& options);
+
+// Refuses a check of nothing.
+Result<void> settle_check(const CLI::App& command, const Options& options);
 // Refuses lines and zones that cannot be counted by, and figures of none.
 Result<void> settle_measures(Options& options);
 

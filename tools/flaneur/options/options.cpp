@@ -16,6 +16,7 @@ constexpr const char* k_footer = R"(Examples:
   flaneur render --out out/city.png                        a picture of it
   flaneur render --city berlin.osm --walkers 2000 --frames 600:1200 --out out/berlin.mp4
   flaneur sim --seconds 60 --hash                          the same number on every x86-64 machine
+  flaneur check --sim --with OTHER_FLANEUR                 the first tick, walker and field in which two builds differ
   flaneur bench frame --walkers 2000                       where the time of a frame goes
   flaneur people --count 24 --sheet out/people.png         who lives there
   flaneur inspect me.glb                                   what is found in a character
@@ -47,6 +48,7 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     add_view(app, words, options);
     add_render(app, words, options);
     add_sim(app, words, options);
+    add_check(app, words, options);
     add_bench(app, words, options);
     add_gait(app, words, options);
     add_people(app, words, options);
@@ -74,6 +76,7 @@ Result<std::variant<std::monostate, Options>> parse_words(int argc, char** argv)
     Result<void> settled = settle_scene(words, options);
     if (!settled) return settled.error();
     if (Result<void> used = check_used(command, options); !used) return used.error();
+    if (Result<void> compared = settle_check(command, options); !compared) return compared.error();
     if (Result<void> measured = settle_measures(options); !measured) return measured.error();
     return Parsed(std::move(options));
 }

@@ -15,7 +15,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache };
+enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check };
 enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
 
 // Ticks first, first + step, ... not beyond last.
@@ -96,6 +96,13 @@ struct StudyOptions {
     std::string markdown;  // goals beside what was measured
 };
 
+// What a run is held against: one of them. Empty words ask for nothing.
+struct SimCheckOptions {
+    std::string with;                       // another flaneur, by its path; empty: this one,
+    std::vector<std::string> with_options;  // with these options
+    std::string against;                    // a file that --state-log wrote
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -129,10 +136,12 @@ struct Options {
     // sim
     double seconds = 10;
     bool hash = false;
-    std::string hash_log;
+    std::string hash_log, state_log;
     std::string isa = "best";
     MeasurePlan plan;      // what is counted
     std::string measures;  // where to: see csv_path()
+
+    SimCheckOptions sim_check;  // check
 
     // bench
     BenchLoad load = BenchLoad::frame;

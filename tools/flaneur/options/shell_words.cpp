@@ -79,6 +79,21 @@ std::vector<std::string> without_options(const std::vector<std::string>& words,
     return left;
 }
 
+std::vector<std::string> only_options(const std::vector<std::string>& words,
+                                      std::span<const std::string_view> options,
+                                      std::span<const std::string_view> flags) {
+    std::vector<std::string> kept;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string_view name = name_of(words[i]);
+        const bool is_option = is_among(name, options);
+        if (!is_option && !is_among(name, flags)) continue;
+        kept.push_back(words[i]);
+        const bool has_value_after = is_option && name.size() == words[i].size() && i + 1 < words.size();
+        if (has_value_after) kept.push_back(words[++i]);
+    }
+    return kept;
+}
+
 bool has_option(const std::vector<std::string>& words, std::string_view option) {
     return std::any_of(words.begin(), words.end(),
                        [&](const std::string& word) { return name_of(word) == option; });

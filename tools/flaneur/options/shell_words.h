@@ -22,6 +22,11 @@ std::vector<std::string> without_options(const std::vector<std::string>& words,
                                          std::span<const std::string_view> options,
                                          std::span<const std::string_view> flags = {});
 
+// What of `words` are these options, with their values, and these flags.
+std::vector<std::string> only_options(const std::vector<std::string>& words,
+                                      std::span<const std::string_view> options,
+                                      std::span<const std::string_view> flags = {});
+
 // Whether an option is among them, as --name or --name=value.
 bool has_option(const std::vector<std::string>& words, std::string_view option);
 

@@ -16,6 +16,7 @@ who looks from the line's first end to its last, how fast, where), and FILE-Z1.c
 Examples:
   flaneur sim --walkers 500 --seconds 60 --hash
   flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff
+  flaneur sim --seconds 10 --state-log out/a.log                for flaneur check --sim --against, on another machine
   flaneur sim --seconds 300 --line -4,12/4,12 --measures out/flow.csv
   flaneur sim --seconds 300 --line door:2,8/5,8 --zone 0,0/8,0/8,6/0,6 --measures out/square.csv
   flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv)";
@@ -75,6 +76,12 @@ void add_trace_option(CLI::App& app, Options& options) {
         ->type_name("FILE");
 }
 
+void add_isa_option(CLI::App& app, Options& options) {
+    app.add_option("--isa", options.isa, "Instruction set to run on: sse4, avx2, avx512, neon or best")
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
 void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* sim = app.add_subcommand("sim", "Simulate without drawing")->footer(k_sim_footer);
     sim->callback([&] { options.command = Command::sim; });
@@ -87,9 +94,12 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     sim->add_flag("--hash", options.hash, "Print the hash of the last state");
     sim->add_option("--hash-log", options.hash_log, "Write a line with tick and hash for each tick")
         ->type_name("FILE");
-    sim->add_option("--isa", options.isa, "Instruction set to run on: sse4, avx2, avx512, neon or best")
-        ->type_name("NAME")
-        ->capture_default_str();
+    sim->add_option(
+           "--state-log", options.state_log,
+           "Write what `flaneur check --sim --against FILE` compares with: some bytes of each walker and "
+           "field for each tick, and all values of the last")
+        ->type_name("FILE");
+    add_isa_option(*sim, options);
     add_measures(*sim, options.plan);
     sim->add_option("--measures", options.measures,
                     "Write what lines and zones counted: FILE-L1.csv, FILE-Z1.csv and so on")

@@ -1,0 +1,82 @@
+#!/bin/bash
+# sim_check.sh FLANEUR: `flaneur check --sim` finds runs equal that are, and of others the tick, the walker and the field.
+set -euo pipefail
+export FLANEUR=$1
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$TMPDIR"
+corner=(--scene corner --walkers 24 --seconds 2)
+fail() { echo "FAILED: $*" && cat out err && exit 1; }
+# parts WORDS...: it ends with 1, and says what differs.
+parts() {
+    local status=0
+    "$FLANEUR" check --sim "$@" > out 2> err || status=$?
+    ((status == 1)) || fail "ended with $status: $*"
+}
+says() { grep --quiet -E -- "$1" out err || fail "not said: $1"; }
+
+# What is equal: other threads, other instruction sets, another program, a log.
+sentence=$("$FLANEUR" sim --isa none 2>&1) || true
+sets=$(sed -E 's/.* it has ([a-z0-9, ]+) and best.*/\1/; s/,//g' <<< "$sentence")
+others=("--threads 1" "--threads 3")
+for isa in $sets; do others+=("--isa $isa --threads 2"); done
+for options in "${others[@]}"; do
+    "$FLANEUR" check --sim --with-options "$options" "${corner[@]}" > out 2> err || fail "$options"
+    says "All 121 states are equal, from tick 0 to 120: 24 walkers"
+done
+"$FLANEUR" check --sim --with "$FLANEUR" "${corner[@]}" > out 2> err || fail "two of the same"
+"$FLANEUR" check --sim --with "$FLANEUR" --scene asteroid --walkers 10 --seconds 1 > out 2> err || fail "asteroid"
+"$FLANEUR" sim "${corner[@]}" --seed 5 --threads 3 --state-log a.log --hash > hash
+"$FLANEUR" check --sim --against a.log > out 2> err || fail "its own log"
+says "All 121 states"
+"$FLANEUR" check --sim --against a.log --threads 1 --seconds 1 > out 2> err || fail "half of a log"
+says "All 61 states"
+"$FLANEUR" sim "${corner[@]}" --seed 5 --state-log - 2> err | cmp - a.log
+head -c -4 a.log > cut.log
+[[ $("$FLANEUR" sim "${corner[@]}" --seed 5 --hash 2> err) == $(cat hash) ]] || fail "a log changes the run"
+
+# Another seed: from the beginning.
+parts --with-options "--seed 2" "${corner[@]}"
+says "^flaneur: The two part at tick 0: walker [0-9]+, (person|who)\."
+says "^There [0-9]+ of 24 walkers differ"
+# One walker's one field from some tick on, of another program and of a log.
+export TICK=77 DISTURB=13:gait.left.phase
+parts --with "$here/disturbed" "${corner[@]}"
+says "^flaneur: The two part at tick 77: walker 13, gait.left.phase\.$"
+says "^The first difference is after tick 77, at 1.283 s: walker 13, gait.left.phase\.$"
+says "^There 1 of 24 walkers differ, and 1 of [0-9]+ fields:$"
+says "^  gait.left.phase +1 +13 +[-0-9.e]+ +0.25$"
+says "^Walker 13 here is a (wo)?man of [0-9]+, "
+says "flaneur render --scene corner --walkers 24 --camera follow:13 --frames 77 --out tick77.png"
+"$here/disturbed" sim "${corner[@]}" --state-log - > far.log 2> err
+parts --against far.log
+says "at tick 77: walker 13, gait.left.phase"
+says "^  gait.left.phase +1 +13 +\? +\?$"
+says "flaneur sim --scene corner --walkers 24 --seconds 1.2833 --state-log tick.log"
+"$here/disturbed" sim "${corner[@]}" --seconds 1.2833 --state-log - > near.log 2> err
+parts --against near.log
+says "^  gait.left.phase +1 +13 +[-0-9.e]+ +0.25$"
+
+# What is no other side.
+parts --against cut.log && says "is cut short"
+parts --against "$here/disturbed" && says "is no state log that can be read, for it begins otherwise"
+parts --with /bin/true "${corner[@]}" && says "/bin/true is no state log"
+parts --with-options "--state-log b.log --bad" "${corner[@]}" && says "It said: flaneur: .*--bad"
+parts --with-options "--walkers 23" "${corner[@]}" && says "24 walkers here and 23 there"
+sed '0,/^word --walkers$/s//word --trace/' a.log > bad.log
+parts --against bad.log && says "no world's" && [[ ! -e 24 ]]
+
+# Ended, it ends the other one too.
+cat > sleeps << 'END'
+#!/bin/bash
+echo $$ > id
+sleep 1000
+END
+chmod +x sleeps
+env --default-signal=INT "$FLANEUR" check --sim --with ./sleeps "${corner[@]}" > out 2> err &
+check=$!
+for _ in $(seq 200); do if [[ -s id ]]; then break; fi; sleep 0.05; done
+kill -INT $check
+status=0
+wait $check || status=$?
+((status == 130)) || fail "ended with $status by SIGINT"
+if kill -0 "$(cat id)" 2> /dev/null; then fail "the other one goes on"; fi
