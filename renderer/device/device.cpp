@@ -250,7 +250,6 @@ Result<void> make_logical_device(Device& device) {
                std::string("open the device ") + device.properties.deviceName);
     vkGetDeviceQueue(device.handle, device.queue_family, 0, &device.queue);
     vkGetDeviceQueue(device.handle, device.present_family, 0, &device.present_queue);
-    name_object(device, device.instance, "flaneur");
     name_object(device, device.handle, device.properties.deviceName);
     if (device.present_queue != device.queue) name_object(device, device.present_queue, "present");
     name_object(device, device.queue, "draw");

@@ -9,10 +9,10 @@ namespace flaneur {
 
 void name_object(const Device& device, VkObjectType type, uint64_t handle, const std::string& name);
 
-// Which type a handle is of.
+// Which type a handle is of. An instance has no name: loaders hand on their own handle of it, which NVIDIA's
+// driver follows to nowhere.
 #define FLANEUR_VK_TYPE(Handle, TYPE) \
     inline constexpr VkObjectType object_type(Handle) { return VK_OBJECT_TYPE_##TYPE; }
-FLANEUR_VK_TYPE(VkInstance, INSTANCE)
 FLANEUR_VK_TYPE(VkDevice, DEVICE)
 FLANEUR_VK_TYPE(VkQueue, QUEUE)
 FLANEUR_VK_TYPE(VkBuffer, BUFFER)

@@ -224,6 +224,8 @@ struct CorpusMap {
     const char *file, *terrain;
 };
 
+void PrintTo(const CorpusMap& map, std::ostream* out) { *out << map.file << " " << map.terrain; }
+
 class RealMaps : public testing::TestWithParam<CorpusMap> {};
 
 TEST_P(RealMaps, HaveNoFights) {

@@ -27,10 +27,10 @@ GTEST_TOTAL_SHARDS=$(nproc)
 export GTEST_TOTAL_SHARDS GTEST_BRIEF=1
 failed=()
 for program in $(sed -n 's/^[0-9]* \([a-z_]*_tests\)[.].*/\1/p' <<< "$chosen" | sort -u); do
-    cases=$(sed -n "s/^[0-9]* ${program}[.]//p" <<< "$chosen" | paste --serial --delimiters=:)
+    without=$(sed -n "s/^${program}[.]\(.*\)/\1*/p" "$leaves_out" | paste --serial --delimiters=:)
     running=()
     for ((shard = 0; shard < GTEST_TOTAL_SHARDS; ++shard)); do
-        GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="$cases" &
+        GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="-$without" &
         running+=($!)
     done
     for pid in "${running[@]}"; do wait "$pid" || failed+=("$program"); done
