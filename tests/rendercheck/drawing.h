@@ -1,6 +1,7 @@
 // Pictures drawn by tests: a street with far walkers, a few pixels each.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -15,9 +16,10 @@ inline uint8_t* pixel(CheckedPicture& picture, int x, int y) {
                               static_cast<size_t>(x))];
 }
 
+// As much of it as lies in the picture.
 inline void paint(CheckedPicture& picture, const PixelBox& box, uint8_t r, uint8_t g, uint8_t b) {
-    for (int y = box.top; y < box.top + box.height; ++y)
-        for (int x = box.left; x < box.left + box.width; ++x) {
+    for (int y = box.top; y < std::min(box.top + box.height, picture.height); ++y)
+        for (int x = box.left; x < std::min(box.left + box.width, picture.width); ++x) {
             uint8_t* p = pixel(picture, x, y);
             p[0] = r, p[1] = g, p[2] = b, p[3] = 255;
         }

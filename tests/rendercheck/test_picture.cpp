@@ -69,8 +69,8 @@ std::vector<uint8_t> exr_of(const std::vector<ExrChannel>& channels, Imf::Compre
         const ExrChannel& channel = channels[c];
         header.channels().insert(channel.name,
                                  Imf::Channel(channel.type, channel.sampling, channel.sampling));
-        whole[c].assign(channel.values.begin(), channel.values.end());
         const bool is_whole = channel.type == Imf::UINT;
+        if (is_whole) whole[c].assign(channel.values.begin(), channel.values.end());
         const void* from = is_whole ? static_cast<const void*>(whole[c].data()) : channel.values.data();
         halves[c].assign(channel.values.begin(), channel.values.end());
         if (channel.type == Imf::HALF) from = halves[c].data();

@@ -23,14 +23,14 @@ export FLANEUR_WARM_CACHE=$XDG_CACHE_HOME
 "$flaneur" sim --scene corner --seconds 0 --hash
 export ASAN_OPTIONS=detect_stack_use_after_return=1
 export TSAN_OPTIONS=halt_on_error=1
-GTEST_TOTAL_SHARDS=$(nproc)
-export GTEST_TOTAL_SHARDS GTEST_BRIEF=1
+shards=$(nproc)
+export GTEST_BRIEF=1
 failed=()
 for program in $(sed -n 's/^[0-9]* \([a-z_]*_tests\)[.].*/\1/p' <<< "$chosen" | sort -u); do
     without=$(sed -n "s/^${program}[.]\(.*\)/\1*/p" "$leaves_out" | paste --serial --delimiters=:)
     running=()
-    for ((shard = 0; shard < GTEST_TOTAL_SHARDS; ++shard)); do
-        GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="-$without" &
+    for ((shard = 0; shard < shards; ++shard)); do
+        GTEST_TOTAL_SHARDS=$shards GTEST_SHARD_INDEX=$shard "$fresh" "$build/$program" --gtest_filter="-$without" &
         running+=($!)
     done
     for pid in "${running[@]}"; do wait "$pid" || failed+=("$program"); done
