@@ -46,6 +46,8 @@ Error no_capture(const std::string& path, const std::string& why) {
 
 bool has_renderdoc() { return find_api() != nullptr; }
 
+bool has_renderdoc_started_us() { return has_renderdoc() && !is_ours; }
+
 Error no_renderdoc() {
     return Error{
         "RenderDoc, which captures frames, is not installed: install librenderdoc, and qrenderdoc or "
@@ -98,6 +100,8 @@ Result<std::string> end_capture(VkInstance instance, const std::string& path) {
 namespace flaneur {
 
 bool has_renderdoc() { return false; }
+
+bool has_renderdoc_started_us() { return false; }
 
 Error no_renderdoc() {
     return Error{

@@ -15,6 +15,10 @@ inline constexpr const char* k_capture_layer = "VK_LAYER_RENDERDOC_Capture";
 // Whether RenderDoc is in this process.
 bool has_renderdoc();
 
+// Whether it started this program: then each instance has its layer. Else it stays after an instance that had
+// it is gone, and the next one must ask for the layer again.
+bool has_renderdoc_started_us();
+
 // What to say, and to do, where it is not installed.
 Error no_renderdoc();
 

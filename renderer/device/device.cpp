@@ -93,7 +93,7 @@ Result<void> make_instance(Device& device, const RendererOptions& options, GLFWw
     if (validation && (options.captures || has_renderdoc()))
         return Error{
             "RenderDoc and the validation layer are not loaded together: capture without --validate."};
-    const bool loads_renderdoc = options.captures && !has_renderdoc();
+    const bool loads_renderdoc = options.captures && !has_renderdoc_started_us();
     if (loads_renderdoc) {
         if (!has_layer(k_capture_layer)) return no_renderdoc();
         layers.push_back(k_capture_layer);

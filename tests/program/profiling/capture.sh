@@ -56,7 +56,10 @@ press() {
     local viewer=$! window
     children+=($viewer)
     window=$(timeout 120 xdotool search --sync --onlyvisible --name '^flaneur - ' | head -1)
-    xdotool windowfocus "$window" sleep 0.5 key --clearmodifiers ctrl+F12
+    xdotool windowfocus "$window" sleep 0.5
+    # With a renderer that was made anew.
+    xdotool key ctrl+p sleep 0.5 type --delay 60 "quality: low" && xdotool sleep 0.5 key Return sleep 2
+    xdotool key --clearmodifiers ctrl+F12
     for _ in {1..200}; do if grep --quiet -E '^(Captured|RenderDoc)' told; then break; fi; sleep 0.1; done
     cat told
     xdotool key ctrl+q
