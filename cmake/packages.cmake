@@ -25,6 +25,7 @@ run to the last bit on every x86-64 machine.")
         # Loaded at run time: Vulkan's loader, and a driver, of which lavapipe needs no GPU.
         set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libvulkan1, mesa-vulkan-drivers | vulkan-icd")
         set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ffmpeg)
+        set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS librenderdoc)
     endif()
 endif()
 

@@ -17,6 +17,8 @@ struct RendererOptions {
     bool validation =
         false;  // Khronos validation with synchronisation validation; messages go to `on_message`
     std::function<void(const std::string&)> on_message;  // default: to stderr
+    bool captures = false;  // loads RenderDoc, for begin_capture(); refuses where it is not installed, and
+                            // beside validation, which would take RenderDoc's word for ours
     // Has the driver compile meanwhile what it puts off until something is drawn.
     bool warms_up = false;
     std::optional<bool> skins_on_host =

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "renderer/device/capture.h"
 #include "renderer/device/check.h"
 #include "renderer/picture/channels.h"
 #include "renderer/picture/draw.h"
@@ -294,7 +295,7 @@ Result<Image> draw_image(Renderer& renderer, const FrameInput& frame, uint32_t w
     Image image{width, height, {}, {}};
     const size_t bytes = size_t{4} * width * height;
     PictureTarget target{.extent = {width, height}};
-    if (renderer.is_lit_on_host && frame.panels.draws.empty()) {
+    if (renderer.is_lit_on_host && frame.panels.draws.empty() && !renderer.is_captured) {
         {
             FLANEUR_ZONE("make room");
             image.rgba.resize(bytes);
@@ -474,6 +475,21 @@ Result<void> show_image(Renderer& renderer, const Image& picture, const Panels& 
             return draw_over_picture(renderer, slot, panels, target, {slot.image_ready, k_copied_to.stage},
                                      drawn);
         });
+}
+
+bool can_capture(const Renderer&) { return has_renderdoc(); }
+
+Result<void> begin_capture(Renderer& renderer) {
+    // What was asked for before is none of it.
+    FLANEUR_VK(vkDeviceWaitIdle(renderer.device.handle), "finish earlier frames");
+    FLANEUR_TRY(begin_capture(renderer.device.instance));
+    renderer.is_captured = true;
+    return {};
+}
+
+Result<std::string> end_capture(Renderer& renderer, const std::string& path) {
+    renderer.is_captured = false;
+    return end_capture(renderer.device.instance, path);
 }
 
 const FrameStats& frame_stats(const Renderer& renderer) { return renderer.stats; }

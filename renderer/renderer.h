@@ -110,6 +110,17 @@ std::string quality_name(const Renderer& renderer);
 // Whether the device draws edges of triangles alone, which FrameInput::surfaces may ask for.
 bool can_draw_wireframe(const Renderer& renderer);
 
+// What draw_image() or draw_window() does from begin to end becomes a capture that RenderDoc opens: a file
+// with each call and all that it needs, under the names that passes and objects have here. Of one picture,
+// begin right before it and end right after, whether it could be drawn or not; it is the picture that it
+// would have been. begin_capture() refuses where RenderDoc is neither loaded (RendererOptions::captures) nor
+// has started this program; can_capture() tells that before.
+bool can_capture(const Renderer& renderer);
+Result<void> begin_capture(Renderer& renderer);
+// Where it went: `path`, a name that ends in .rdc, in place of what was there; but where RenderDoc has
+// started this program, to where that keeps its captures and lists them. Refuses what could not be written.
+Result<std::string> end_capture(Renderer& renderer, const std::string& path);
+
 struct FrameStats {
     struct Stage {
         std::string name;

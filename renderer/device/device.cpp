@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "renderer/device/capture.h"
 #include "renderer/device/check.h"
 #include "renderer/device/names.h"
 
@@ -58,7 +59,8 @@ bool has_device_extension(VkPhysicalDevice physical, const char* name) {
     });
 }
 
-Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) {
+Result<void> make_instance(Device& device, const RendererOptions& options, GLFWwindow* window) {
+    const bool validation = options.validation;
     // Where somebody has found Vulkan already (volkInitializeCustom), theirs is taken.
     if (volkGetInstanceVersion() == 0 && volkInitialize() != VK_SUCCESS)
         return Error{
@@ -88,8 +90,17 @@ Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) 
         layers.push_back(k_validation_layer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
+    if (validation && (options.captures || has_renderdoc()))
+        return Error{
+            "RenderDoc and the validation layer are not loaded together: capture without --validate."};
+    const bool loads_renderdoc = options.captures && !has_renderdoc_started_us();
+    if (loads_renderdoc) {
+        if (!has_layer(k_capture_layer)) return no_renderdoc();
+        layers.push_back(k_capture_layer);
+    }
+    // Which RenderDoc refuses.
     const bool has_portability =
-        has_instance_extension(nullptr, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+        !loads_renderdoc && has_instance_extension(nullptr, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     if (has_portability) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     device.has_labels = has_instance_extension(nullptr, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (device.has_labels || validation) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
@@ -120,6 +131,8 @@ Result<void> make_instance(Device& device, bool validation, GLFWwindow* window) 
     info.ppEnabledExtensionNames = extensions.data();
     FLANEUR_VK(vkCreateInstance(&info, nullptr, &device.instance), "start");
     volkLoadInstance(device.instance);
+    if (options.captures && !has_renderdoc()) return no_renderdoc();
+    if (loads_renderdoc) quieten_renderdoc();
     if (validation)
         FLANEUR_VK(vkCreateDebugUtilsMessengerEXT(device.instance, &messenger, nullptr, &device.messenger),
                    "listen to the validation layer");
@@ -156,7 +169,10 @@ Families find_families(VkPhysicalDevice physical, VkSurfaceKHR surface) {
 std::string missing_from(VkPhysicalDevice physical, VkSurfaceKHR surface) {
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(physical, &properties);
-    if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
+    // RenderDoc says 1.2 of drivers that cannot replay addresses of buffers, such as lavapipe, and
+    // captures 1.3.
+    const bool tells_version = !has_renderdoc() || properties.apiVersion < VK_API_VERSION_1_2;
+    if (tells_version && properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
     VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13};
     vkGetPhysicalDeviceFeatures2(physical, &features);
@@ -297,7 +313,7 @@ Result<void> make_surface(Device& device, GLFWwindow* window) {
 
 Result<void> make_device(Device& device, const RendererOptions& options, GLFWwindow* window) {
     device.on_message = options.on_message;
-    FLANEUR_TRY(make_instance(device, options.validation, window));
+    FLANEUR_TRY(make_instance(device, options, window));
     uint32_t count = 0;
     if (VkResult result = vkEnumeratePhysicalDevices(device.instance, &count, nullptr);
         result != VK_SUCCESS && result != VK_ERROR_INITIALIZATION_FAILED)

@@ -35,7 +35,8 @@ struct Renderer {
     bool is_swapchain_stale = true;
     CrowdDraws crowd, casters;
     bool is_lit_on_host = false, are_people_skinned_on_host = false;
-    WorkersPtr workers;                     // of the host
+    bool is_captured = false;  // what is drawn now: also what the host lights goes to an image then
+    WorkersPtr workers;        // of the host
     std::vector<SkinScratch> skin_scratch;  // one a thread
     OcclusionMap hidden;
     View last_view{};  // of the frame before

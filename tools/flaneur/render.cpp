@@ -58,6 +58,50 @@ Result<void> check_channels(const Options& options) {
     return {};
 }
 
+// Where RenderDoc's capture goes: beside the picture; a film has none for each tick, so that a number is
+// added.
+std::string capture_path(const std::string& out, uint32_t tick) {
+    const std::string picture = picture_path(out, tick);
+    std::string path = picture.substr(0, picture.size() - 4);
+    if (has_ending(out, ".mp4")) path.append("-").append(std::to_string(tick));
+    return path + ".rdc";
+}
+
+// As --frames says it.
+std::string told_ticks(const TickRange& ticks) {
+    std::string told = std::to_string(ticks.first);
+    if (ticks.last != ticks.first) told.append(":").append(std::to_string(ticks.last));
+    if (ticks.step != 1) told.append(":").append(std::to_string(ticks.step));
+    return told;
+}
+
+Result<void> check_capture(const Options& options) {
+    if (!options.captures) return {};
+    const TickRange& ticks = options.ticks;
+    const uint32_t tick = options.captured;
+    if (tick < ticks.first || tick > ticks.last || (tick - ticks.first) % ticks.step != 0)
+        return Error{"--capture " + std::to_string(tick) + " is of no picture that is drawn: --frames has " +
+                     told_ticks(ticks) + "."};
+    if (is_stream(options.out))
+        return Error{"--capture goes beside the picture, and --out " + options.out +
+                     " is no file: give a FILE.png."};
+    return {};
+}
+
+// With RenderDoc's capture of it, unless there is no place for that.
+Result<Image> draw_picture(Renderer& renderer, const FrameInput& frame, Size size,
+                           const std::string& capture) {
+    const auto width = static_cast<uint32_t>(size.width), height = static_cast<uint32_t>(size.height);
+    if (capture.empty()) return draw_image(renderer, frame, width, height);
+    if (Result<void> begun = begin_capture(renderer); !begun) return begun.error();
+    Result<Image> image = draw_image(renderer, frame, width, height);
+    const Result<std::string> written = end_capture(renderer, capture);
+    if (!image) return image;
+    if (!written) return written.error();
+    say("Captured " + *written + ", which qrenderdoc opens");
+    return image;
+}
+
 // `channels`: those of the first tick.
 Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, Output& output,
                       ChannelFiles channels) {
@@ -100,9 +144,9 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
         }
         frame.wants_depths = options.is_transparent || channels.depths;
         frame.wants_ids = channels.ids != nullptr;
-        Result<Image> image =
-            draw_image(*show.renderer, frame, static_cast<uint32_t>(options.scene.size.width),
-                       static_cast<uint32_t>(options.scene.size.height));
+        const bool is_captured = options.captures && tick == options.captured;
+        Result<Image> image = draw_picture(*show.renderer, frame, options.scene.size,
+                                           is_captured ? capture_path(options.out, tick) : "");
         if (!image) return image.error();
         FLANEUR_ZONE("write");
         // Before the picture, which tells --resume that it is done.
@@ -139,6 +183,7 @@ Result<void> render(const Options& asked, std::atomic<uint32_t>& messages) {
         options.ticks = ticks_of(options, path);
     }
     if (Result<void> checked = check_channels(options); !checked) return checked;
+    if (Result<void> checked = check_capture(options); !checked) return checked;
     Result<OutputPtr> output =
         open_output(options.out, options.scene.size, options.ticks, record_of(options), options.resume);
     if (!output) return output.error();

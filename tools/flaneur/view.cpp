@@ -36,6 +36,7 @@
 #include "tools/flaneur/window/open/open.h"
 #include "tools/flaneur/window/open/pictures.h"
 #include "tools/flaneur/window/panels.h"
+#include "tools/flaneur/window/record/capture.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/settings/settings.h"
@@ -305,7 +306,10 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
             frame.times_passes = v.room == Room::frame && v.costs.is_apart;
             const double start = glfwGetTime();
             end_part(v.costs, CostOf::panels, start);
-            if (Result<void> done = draw_runs(show, v, frame, size, between); !done) return done;
+            const bool is_captured = begin_asked_capture(show, v);
+            const Result<void> drawn_now = draw_runs(show, v, frame, size, between);
+            if (is_captured) end_asked_capture(show, v);
+            if (!drawn_now) return drawn_now;
             end_part(v.costs, CostOf::draw, glfwGetTime());
             end_picture(v.costs, frame_stats(*show.renderer), frame.times_passes);
             if (v.resolution == 1) picture_seconds = glfwGetTime() - start;

@@ -22,6 +22,7 @@ enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ab
 struct TickRange {
     uint32_t first = 600, last = 600, step = 1;
 };
+inline constexpr uint32_t k_last_tick = 10'000'000;
 constexpr uint32_t count(const TickRange& t) { return (t.last - t.first) / t.step + 1; }
 
 enum class Sex { woman, man };
@@ -116,6 +117,8 @@ struct Options {
     Techniques techniques;               // of those who are drawn; not of bench
     std::optional<bool> lights_on_host;  // rather than on the device; default: where that is a CPU
 
+    bool captures = false;  // view, render: RenderDoc is loaded
+
     // view
     uint32_t close_after = 0;        // frames; 0: stays open
     std::vector<std::string> words;  // that followed the command's name
@@ -128,6 +131,7 @@ struct Options {
     bool resume = false;
     std::string like;             // a picture whose options these are, where no others are given
     bool is_transparent = false;  // where there is sky
+    uint32_t captured = 0;        // the tick whose picture RenderDoc captures, if it is loaded
     std::string depth;            // a file for depths, or a pattern as `out`; empty: none
     std::string ids;              // the same, for ids
 

@@ -40,6 +40,7 @@ Examples:
   flaneur render --camera-path way.json --out out/way.mp4                 a camera that moves
   flaneur render --like out/view-361.png --size 3840x2160 --out out/large.png
   flaneur render --transparent --depth out/depth.png --out out/cut_out.png
+  flaneur render --frames 0:60 --out out/%05d.png --capture 30            and out/00030.rdc, for RenderDoc
   flaneur render --frames 600:1200:60 --ids out/%05d-ids.png --out out/%05d.png
 A camera path is JSON: { "keys": [ { "time": 0, "eye": [0, 1.7, -20], "target": [0, 1.5, 0], "fov": 32 }, ... ] } in
 seconds, metres and degrees; the window's Cameras room records one, plays it and writes it.)";
@@ -107,6 +108,8 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_work_views(*view, words);
     add_without(*view, options);
     add_trace_option(*view, options);
+    view->add_flag("--capture", options.captures,
+                   "Load RenderDoc, so that Ctrl+F12 captures a picture, with all that draws it, into out/");
     view->add_flag("--start", options.starts, "Begin with the built-in scenes, and the files opened of late");
     view->add_option("--frames", options.close_after, "Close when so many pictures were shown; 0: stay open")
         ->type_name("N")
@@ -119,6 +122,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     render->callback([&, render] {
         options.command = Command::render;
         options.has_ticks = render->count("--frames") > 0;
+        options.captures = render->count("--capture") > 0;
     });
     add_scene_options(*render, words, options);
     add_drawing_options(*render, words, options);
@@ -163,8 +167,15 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
             "in a FILE.exr, or in the three bytes of a FILE.png, and FILE.json, which says what they "
             "are. DIR/%05d.exr for one a tick")
         ->type_name("FILE");
-    render->add_flag("--resume", options.resume,
-                     "Go on with a film, or numbered pictures, that the same command began");
+    CLI::Option* resume = render->add_flag(
+        "--resume", options.resume, "Go on with a film, or numbered pictures, that the same command began");
+    render
+        ->add_option("--capture", options.captured,
+                     "Have RenderDoc capture the picture of this tick, with all that draws it, into an .rdc "
+                     "beside it; takes librenderdoc")
+        ->type_name("TICK")
+        ->transform(whole_between(0, k_last_tick))
+        ->excludes(resume);
 }
 
 }  // namespace flaneur

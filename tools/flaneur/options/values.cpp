@@ -100,7 +100,6 @@ Result<WalkerRange> parse_walkers(const std::string& text) {
 }
 
 Result<TickRange> parse_ticks(const std::string& text) {
-    constexpr uint64_t k_most = 10'000'000;
     auto parts = split(text, ':');
     uint64_t first = 0, last = 0, step = 1;
     bool good = parts.size() <= 3 && parse_number(parts[0], first);
@@ -109,7 +108,7 @@ Result<TickRange> parse_ticks(const std::string& text) {
     if (good && parts.size() > 2) good = parse_number(parts[2], step) && step > 0;
     if (!good) return Error{excerpt(text) + " is not a tick (600) or a range of ticks (0:600 or 0:600:2)"};
     if (first > last) return Error{excerpt(text) + " ends before it begins"};
-    if (last > k_most || step > k_most)
+    if (last > k_last_tick || step > k_last_tick)
         return Error{excerpt(text) + " goes beyond tick 10000000, 46 hours of simulated time"};
     TickRange ticks{static_cast<uint32_t>(first), static_cast<uint32_t>(last), static_cast<uint32_t>(step)};
     return ticks;

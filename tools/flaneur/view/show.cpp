@@ -20,6 +20,7 @@ RendererOptions renderer_options(const Options& options, std::atomic<uint32_t>& 
     };
     RendererOptions out{options.device, quality_named(options.scene.quality), options.validate, count};
     out.warms_up = true;
+    out.captures = options.captures;
     out.lights_on_host = options.lights_on_host;
     return out;
 }

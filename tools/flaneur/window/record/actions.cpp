@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "tools/flaneur/window/record/capture.h"
 #include "tools/flaneur/window/record/present.h"
 #include "tools/flaneur/window/record/record.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 constexpr std::array k_record_actions = {
     Action{"Write a picture, into out/", "F12", GLFW_KEY_F12, 0, ask_for_picture},
+    Action{"Capture the picture for RenderDoc, into out/", "Ctrl+F12", GLFW_KEY_F12, GLFW_MOD_CONTROL,
+           ask_for_capture},
     Action{"Record a film into out/, or end it", "R", GLFW_KEY_R, 0, ask_for_film},
     Action{"Film once round what is in the middle", "Shift+R", GLFW_KEY_R, GLFW_MOD_SHIFT, ask_for_turn},
     Action{"Presentation; any key ends it", "Ctrl+Shift+P", GLFW_KEY_P, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT,

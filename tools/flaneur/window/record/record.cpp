@@ -30,22 +30,6 @@ constexpr double k_film_patience = 30;        // seconds that ffmpeg may take to
 constexpr uint32_t k_film_ticks = 60;         // a second
 constexpr float k_filming_resolution = 0.5f;  // of the window, which is drawn besides
 
-// out/view-361.png, or another number where that is there.
-std::string free_path(const char* what, uint32_t tick, const char* ending) {
-    std::string stem = "out/";
-    stem.append(what).append("-").append(std::to_string(tick));
-    std::string path = stem + ending;
-    std::error_code ignored;
-    for (int number = 2; std::filesystem::exists(path, ignored); ++number)
-        path = stem + "-" + std::to_string(number) + ending;
-    return path;
-}
-
-void report(Viewer& v, const std::string& what) {
-    say(what);
-    tell(v, printable(what));
-}
-
 // What a picture shows besides its light, as far as it has it: beside it. Which files these are.
 Result<std::vector<std::string>> write_beside(const City& city, const PictureChoice& choice,
                                               const Image& image, const std::string& picture) {
@@ -296,6 +280,21 @@ void end_film(Viewer& v) {
     report(v, done ? "Wrote " + filming.path + ", " + told_progress(filming, glfwGetTime()) +
                          told_standstill(filming)
                    : done.error().message);
+}
+
+std::string free_path(const char* what, uint32_t tick, const char* ending) {
+    std::string stem = "out/";
+    stem.append(what).append("-").append(std::to_string(tick));
+    std::string path = stem + ending;
+    std::error_code ignored;
+    for (int number = 2; std::filesystem::exists(path, ignored); ++number)
+        path = stem + "-" + std::to_string(number) + ending;
+    return path;
+}
+
+void report(Viewer& v, const std::string& what) {
+    say(what);
+    tell(v, printable(what));
 }
 
 void ask_for_picture(Show&, Viewer& v) { v.record.wants_picture = true; }

@@ -60,6 +60,7 @@ struct Filming {
 struct Record {
     PictureChoice picture;
     bool wants_picture = false, wants_panels = false;  // one now; one once panels are laid out
+    bool wants_capture = false;                        // of the next one (capture.h)
     Extent film_extent = Extent::hd;
     bool is_smooth = false;  // 60 pictures a second rather than 30
     int turn_seconds = 12;
@@ -87,6 +88,11 @@ std::string told_progress(const Filming& filming, double now);
 std::string told_standstill(const Filming& filming);
 // A film that is being made becomes whole.
 void end_film(Viewer& viewer);
+
+// out/view-361.png, or another number where that is there.
+std::string free_path(const char* what, uint32_t tick, const char* ending);
+// On the terminal and in the window.
+void report(Viewer& viewer, const std::string& what);
 
 // What keys ask for (window/actions.h).
 void ask_for_picture(Show& show, Viewer& viewer);
