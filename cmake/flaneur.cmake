@@ -98,6 +98,13 @@ function(flaneur_precompile target)
     endif()
 endfunction()
 
+# flaneur_hardly_runs(target): what takes longer to compile than it runs is, for sanitizers, compiled as it stands.
+function(flaneur_hardly_runs target)
+    if(FLANEUR_SANITIZE)
+        target_compile_options(${target} PRIVATE -O0)
+    endif()
+endfunction()
+
 # flaneur_library(name SOURCES file... LINK target... [PUBLIC target...] [HEADERS file...]): flaneur::name, in which
 # HEADERS are what users include, and what these include.
 function(flaneur_library name)
