@@ -13,7 +13,7 @@ takes to read, and its queries on one thread), peers (a scene that other rendere
 that play its own clip, drawn with levels of detail and with every triangle), sweep (the stages of a tick and a picture over
 the number of walkers: how each grows, and where it stops being real time), scale (the stages of a tick over the number of
 threads: speed-up, and what stays on one thread), ablate (what a picture costs and how it looks without shadows, smoothed
-edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of ten minutes
+edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of some minutes
 that every machine can play, for a page beside other machines'); compare measures nothing: it says which stages of the second
 file are slower than those of the first, and fails if any is. frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.

@@ -230,7 +230,7 @@ Result<std::string> bench_gauntlet(const Options& options) {
     run.version = FLANEUR_VERSION;
     run.is_quick = options.study.quick;
     std::vector<GauntletRun> others;
-    if (!options.study.others.empty()) {  // before ten minutes go by
+    if (!options.study.others.empty()) {  // before minutes go by
         std::vector<std::string> notes;
         Result<std::vector<GauntletRun>> read = read_others(options.study.others, run.is_quick, notes);
         if (!read) return read.error();
