@@ -116,6 +116,30 @@ TEST(Judgement, MasksAndBoxesMayDiffer) {
     EXPECT_FALSE(judge(street(0), street(0), {}, mask).passes);
 }
 
+// One pixel that is no number spreads in whatever comes after.
+TEST(Judgement, NoToleranceCoversWhatIsNoNumber) {
+    CheckedPicture right;
+    right.width = 64, right.height = 64, right.precision = Precision::floats;
+    right.deep.assign(64 * 64 * 4, 0.4f), right.rgba.assign(64 * 64 * 4, 100);
+    Tolerance all{.differing = 1, .over = 1, .step = 255, .in_window = 256};
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        CheckedPicture odd = right;
+        odd.deep[400] = value;
+        for (const auto& [a, b] : {std::pair(odd, right), std::pair(right, odd)}) {
+            const Judgement judgement = judge(a, b, all);
+            EXPECT_FALSE(judgement.passes);
+            ASSERT_EQ(judgement.reasons.size(), 1u);
+            EXPECT_NE(judgement.reasons[0].find("1 pixels are no numbers"), std::string::npos)
+                << judgement.reasons[0];
+        }
+        EXPECT_TRUE(judge(odd, odd, all).passes);
+    }
+    CheckedPicture other = right;
+    other.deep[400] = 3;
+    EXPECT_TRUE(judge(other, right, all).passes);
+}
+
 TEST(Judgement, FlipMayJudge) {
     CheckedPicture faint = street(0);
     for (size_t i = 0; i < faint.rgba.size(); i += 4) faint.rgba[i] = static_cast<uint8_t>(faint.rgba[i] + 2);

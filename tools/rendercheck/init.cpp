@@ -30,6 +30,13 @@ std::vector<std::string>::iterator picture_among(std::vector<std::string>& words
     return found;
 }
 
+// Whether only a shell understands a line: pipes, variables, several commands.
+bool is_for_a_shell(const std::string& line) {
+    const size_t sets = line.find('=');
+    return line.find_first_of("|&;<>$`*?~") != std::string::npos ||
+           (sets != std::string::npos && sets < line.find(' '));
+}
+
 std::string ask(const char* question) {
     std::fputs(question, stdout);
     std::fflush(stdout);
@@ -47,6 +54,13 @@ int run_init(const std::string& path, const std::vector<std::string>& command) {
     std::vector<std::string> words = command;
     if (words.empty()) {
         const std::string line = ask("Which command draws one picture, as you would type it?\n> ");
+        if (is_for_a_shell(line))
+            return fail_with(
+                k_exit_usage,
+                "That takes a shell, which is asked only where a suite says so. Write "
+                "{\"cases\": [{\"name\": \"first\", \"shell\": true, \"command\": \"... {out}\"}]} "
+                "into " +
+                    path + " (rendercheck run --help), or give a script of its own here.");
         Result<std::vector<std::string>> read = shell_words(line);
         if (!read) return fail_with(k_exit_usage, read.error().message);
         words = std::move(*read);
@@ -73,6 +87,10 @@ int run_init(const std::string& path, const std::vector<std::string>& command) {
         if (is_exr) one["picture"] = "out.exr";
     } else if (!one.contains("picture")) {
         one["stdout"] = true;
+        if (!command.empty())
+            std::printf(
+                "No word of it is a picture, so it is taken to print one. Where it writes a file, say which: "
+                "\"picture\": \"/where/it/is.png\" instead of \"stdout\".\n");
     }
     one["command"] = words;
     nlohmann::ordered_json suite;

@@ -23,6 +23,17 @@ Examples:
   rendercheck compare new.png old.png                   two pictures
 )";
 
+constexpr const char* k_suites = R"(
+A suite is JSON, which `rendercheck init` begins:
+  {"programs": {"draw": "build/draw"}, "defaults": {"size": "640x360"},
+   "cases": [{"name": "teapot", "command": ["{draw}", "teapot.obj", "-o", "{out}"], "tags": ["quick"]}]}
+Of the suite: golden (the folder of references), key (what they are called, where no Vulkan device decides), device, programs,
+env, defaults (of all cases), cases. Of a case: name, command (words; with "shell": true one string), picture (the file that it
+writes, where that is not {out}), pictures, stdout, size, tolerance {differing, over, step, in_window, flip}, mask, ignore, tags,
+env, time_limit, disk_limit, folder, runs, parts. {out} is a picture's path, {dir} its folder, {suite} the suite's.
+docs/render-checks.md, in /usr/share/doc/rendercheck where it is installed, tells all of it.
+)";
+
 int parse(int argc, char** argv) {
     CLI::App app("rendercheck: renders by any program, held against references\n", "rendercheck");
     app.set_version_flag("--version", "rendercheck " FLANEUR_VERSION);
@@ -43,6 +54,7 @@ int parse(int argc, char** argv) {
     run->add_option("--filter", check.filter,
                     "only cases of these names or tags, * and ? stand for letters, - leaves out")
         ->type_name("WORDS");
+    run->footer(k_suites);
     takes_programs(*run);
     run->add_option("--jobs", check.jobs, "how many at once")
         ->type_name("N")

@@ -125,9 +125,16 @@ Result<void> finish_trace() {
     }
     if (!file) return {};
     be_patient(k_trace_patience);
-    const std::string path = file->path, json = trace_json(end_trace());
-    Result<void> written = write_file(std::move(file), json);
-    if (written) say("Wrote " + path + ": open it in ui.perfetto.dev or chrome://tracing");
+    const auto threads = end_trace();
+    uint64_t lost = 0;
+    for (const TraceThread& thread : threads) lost += thread.lost;
+    const std::string path = file->path;
+    Result<void> written = write_file(std::move(file), trace_json(threads));
+    if (written) {
+        say("Wrote " + path + ": open it in ui.perfetto.dev or chrome://tracing" +
+            (lost > 0 ? "; it has the end of the run, and not the " + std::to_string(lost) + " events before"
+                      : ""));
+    }
     return written;
 }
 

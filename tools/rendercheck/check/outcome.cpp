@@ -1,6 +1,7 @@
 #include "tools/rendercheck/check/outcome.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "assets/files/words.h"
 #include "tools/flaneur/options/shell_words.h"
@@ -81,11 +82,17 @@ Result<PlannedRun> plan_run(const Suite& suite, const SuiteCase& one, const std:
     return run;
 }
 
+// A command may print any bytes, and may be cut within a letter: reports are UTF-8.
+std::string valid_text(const std::string& text) {
+    using Json = nlohmann::json;
+    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
 std::string validation_message(const std::string& log) {
     for (const std::string_view line : split(log, '\n'))
         if (line.find("VUID-") != std::string_view::npos ||
             line.find("Validation Error") != std::string_view::npos)
-            return std::string(line.substr(0, 400));
+            return valid_text(std::string(line.substr(0, 400)));
     return "";
 }
 
@@ -95,7 +102,7 @@ RunOutcome outcome_of(const SuiteCase& one, const PlannedRun& run, const Process
     out.left_over = end.left_over;
     std::string log = one.is_stdout ? "" : tail_of(run.process.stdout_file, k_most_log);
     log += tail_of(run.process.stderr_file, k_most_log);
-    out.log = log.size() > k_told_log ? log.substr(log.size() - k_told_log) : log;
+    out.log = valid_text(log.size() > k_told_log ? log.substr(log.size() - k_told_log) : log);
     const std::string complaint = validation_message(log);
     if (end.how != HowEnded::exited || end.code != 0) {
         const std::string program = one.is_shell ? "The command" : run.process.words.front();

@@ -115,7 +115,11 @@ ProcessEnd wait_for(const ProcessPlan& plan, pid_t child) {
             if (asked >= 0) return end;
             end.how = WIFEXITED(status) ? HowEnded::exited : HowEnded::signalled;
             end.code = WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status);
-            if (end.how == HowEnded::signalled && end.code == SIGXFSZ) end.how = HowEnded::wrote_too_much;
+            // It, a shell's child, or somebody who went on with a file that was cut short.
+            const int shell_told = 128 + SIGXFSZ;
+            if (end.code == (end.how == HowEnded::signalled ? SIGXFSZ : shell_told) ||
+                (!plan.watched.empty() && bytes_in(plan.watched) >= plan.disk_limit))
+                end.how = HowEnded::wrote_too_much;
             return end;
         }
         if (one > 0) continue;
@@ -223,8 +227,8 @@ std::string told_end(const ProcessEnd& end, const ProcessPlan& plan) {
             return std::string("did not end within ") + seconds +
                    " s and was ended: make it faster, or give it more with \"time_limit\"";
         case HowEnded::wrote_too_much:
-            return "wrote more than " + std::to_string(plan.disk_limit >> 20) +
-                   " MiB and was ended: \"disk_limit\" is how much it may";
+            return "wrote more than the " + std::to_string(plan.disk_limit >> 20) +
+                   " MiB that it may: \"disk_limit\" says how much";
         case HowEnded::stopped:
             return "was interrupted";
         default:

@@ -119,7 +119,7 @@ void read_common(JsonReading& at, SuiteCase& one) {
 
 void read_command(JsonReading& at, SuiteCase& one) {
     const Json* command = at.any("command");
-    if (!command) return at.fail("command", "is missing: say what draws, as a list of words");
+    if (!command) return;
     if (one.is_shell) {
         if (!command->is_string() || command->get<std::string>().empty())
             return at.fail("command", "must be one string where \"shell\" is true");
@@ -166,6 +166,7 @@ void read_case(JsonReading& at, SuiteCase& one) {
     read_command(at, one);
     read_pictures(at, one);
     at.finish();
+    if (one.command.empty()) at.fail("command", "is missing: say what draws, as a list of words");
     if (!is_name(one.name)) at.fail("name", one.name.empty() ? "is missing" : k_name_rule);
 }
 
@@ -215,6 +216,9 @@ Result<Suite> parse_suite(std::string_view json, const std::string& path) {
             JsonReading inner(fault, where, value);
             SuiteCase one = usual;
             read_case(inner, one);
+            const std::filesystem::path mask = std::filesystem::path(suite.folder) / one.mask;
+            if (!one.mask.empty() && !std::filesystem::is_regular_file(mask, failed))
+                inner.fail("mask", "is " + one.mask + ", which is no file beside the suite");
             if (!names.insert(one.name).second) inner.fail("name", "is that of another case too");
             suite.cases.push_back(std::move(one));
         }

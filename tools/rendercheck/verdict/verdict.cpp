@@ -31,6 +31,13 @@ std::vector<float> differences_of(const CheckedPicture& a, const CheckedPicture&
     return out;
 }
 
+bool is_finite_in_one_alone(const CheckedPicture& a, const CheckedPicture& b, size_t pixel) {
+    if (a.deep.empty()) return false;
+    for (size_t i = 4 * pixel; i < 4 * pixel + 4; ++i)
+        if (std::isfinite(a.deep[i]) != std::isfinite(b.deep[i])) return true;
+    return false;
+}
+
 // Which pixels count.
 std::vector<uint8_t> counting(const CheckedPicture& picture, const MayDiffer& may_differ) {
     std::vector<uint8_t> counts(picture.rgba.size() / 4, 1);
@@ -71,6 +78,9 @@ void give_reasons(Judgement& out, const Tolerance& tolerance) {
     auto beyond = [](size_t count, double share, size_t pixels) {
         return static_cast<double>(count) > share * static_cast<double>(pixels);
     };
+    if (out.no_numbers > 0)
+        out.reasons.push_back(std::to_string(out.no_numbers) +
+                              " pixels are no numbers, or infinite, in one of the two alone, and none may.");
     if (beyond(out.differing, tolerance.differing, out.pixels))
         out.reasons.push_back(std::to_string(out.differing) + " pixels differ (" +
                               told_share(out.differing, out.pixels) + "), and " +
@@ -122,6 +132,7 @@ Judgement judge(const CheckedPicture& picture, const CheckedPicture& reference, 
         const double difference = double{out.differences[i]};
         if (difference > out.worst) out.worst = difference, worst = i;
         if (difference > 0) ++out.differing;
+        if (is_finite_in_one_alone(picture, reference, i)) ++out.no_numbers;
         if (difference > tolerance.step) ++out.over;
         for (size_t t = 0; t < k_thresholds.size(); ++t)
             if (difference > k_thresholds[t]) ++out.beyond[t];

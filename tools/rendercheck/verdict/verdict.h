@@ -44,6 +44,8 @@ struct Judgement {
     std::vector<std::string> reasons;  // why not, a sentence each
     size_t pixels = 0;                 // that count: all but those that may differ
     size_t differing = 0, over = 0;
+    size_t no_numbers =
+        0;            // of floats, where one of the two has no number, or infinity, and the other has one
     float limit = 0;  // boxes hold what differs by more: the step, or 0 where nothing does
     std::array<size_t, k_thresholds.size()> beyond{};
     double worst = 0;  // difference in 255ths, of the worst channel of the worst pixel
@@ -66,8 +68,9 @@ struct MayDiffer {
 
 // How much channels differ: of sRGB in 255ths; of floats the same where they are at most 1, and a share of
 // the larger beyond, so that noise in a lamp weighs no more than noise in a wall. What is no number differs
-// by 255 from what is. Pictures of different sizes or precisions do not pass, and are not looked at further.
-// A mask of another size than the reference is a reason too.
+// by 255 from what is, and where only one of the two has a number, no tolerance covers it. Pictures of
+// different sizes or precisions do not pass, and are not looked at further. A mask of another size than the
+// reference is a reason too.
 Judgement judge(const CheckedPicture& picture, const CheckedPicture& reference, const Tolerance& tolerance,
                 const MayDiffer& may_differ = {});
 
