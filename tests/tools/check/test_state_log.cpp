@@ -42,7 +42,7 @@ std::string read_all(const std::string& bytes, StateLogHead* head = nullptr) {
     (void)std::fwrite(bytes.data(), 1, bytes.size(), file);
     (void)std::fflush(file);
     lseek(fileno(file), 0, SEEK_SET);
-    StateLogReader log{fileno(file), "a.log", {}, {}, 0};
+    StateLogReader log{.from = fileno(file), .name = "a.log"};
     std::string refusal;
     if (Result<void> read = read_state_log_head(log); !read) refusal = read.error().message;
     StateDigest digest;

@@ -144,6 +144,7 @@ Result<void> read_state_log_head(StateLogReader& log) {
     if (Result<void> begun = take(log, kind.data(), kind.size()); !begun)
         return is_stopping() ? begun.error() : not_one(log, "it begins otherwise");
     if (std::string_view(kind.data(), kind.size()) != k_kind) return not_one(log, "it begins otherwise");
+    log.is_one = true;
     const Result<std::string> version = take_line(log);
     if (!version) return version.error();
     if (*version != k_version)

@@ -32,10 +32,11 @@ bool write_state_words(FILE* file, const std::vector<uint32_t>& words);
 
 // A log that is read, from a file or from a program that is at it.
 struct StateLogReader {
-    int from = -1;     // a descriptor; not closed
-    std::string name;  // for sentences
-    StateLogHead head;
-    std::vector<char> read;  // and not taken yet, from `taken` on
+    int from = -1;        // a descriptor; not closed
+    std::string name;     // for sentences
+    bool is_one = false;  // its first line is a state log's
+    StateLogHead head{};
+    std::vector<char> read{};  // and not taken yet, from `taken` on
     size_t taken = 0;
 };
 // Each refuses, in a sentence, what is cut short, no such log or one of another version, and gives up when
