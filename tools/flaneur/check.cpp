@@ -88,6 +88,8 @@ std::string told_ways_to_look(const World& world, const Words& words, uint32_t t
 // The other side's values after a tick (state_words); empty: they cannot be had.
 using Values = std::vector<uint32_t>;
 using ValuesAt = std::function<Result<Values>(uint32_t tick)>;
+// What to say of a log that cannot be read on.
+using ToldFailure = std::function<Error(const Error&)>;
 
 Error they_part(const World& world, const Words& words, const Parting& parting, const CommonFields& common) {
     std::fputs(told_parting(parting, world.crowd.count, common).c_str(), stdout);
@@ -102,7 +104,7 @@ Error they_part(const World& world, const Words& words, const Parting& parting, 
 
 // Runs the world here beside what the log says of it there, to the last tick that both have.
 Result<void> compare(const Options& options, const Words& words, StateLogReader& log,
-                     const ValuesAt& values_at) {
+                     const ValuesAt& values_at, const ToldFailure& told) {
     if (Result<void> isa = use_isa(options.isa); !isa) return isa;
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
@@ -121,12 +123,12 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
     for (;;) {
         if (is_stopping()) return interrupted("they are equal to tick " + std::to_string(world.tick));
         digest_state(world, here);
-        if (Result<void> read = read_digest(log, there); !read) return read;
+        if (Result<void> read = read_digest(log, there); !read) return told(read.error());
         if (are_different(pair, here, there)) break;
         if (world.tick == last) {
             // Whether the log comes to its end.
             if (last == log.head.last)
-                if (const Result<Values> values = read_state_words(log); !values) return values.error();
+                if (const Result<Values> values = read_state_words(log); !values) return told(values.error());
             clear_progress();
             std::printf("All %u states are equal, from tick 0 to %u: %u walkers, %zu fields.\n", last + 1,
                         last, world.crowd.count, common.walkers.size() + common.crowd.size());
@@ -139,8 +141,9 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
                           std::to_string(last / 60) + " s");
     }
     clear_progress();
-    const Result<Values> values = world.tick == log.head.last ? read_state_words(log) : values_at(world.tick);
-    if (!values) return values.error();
+    const bool is_last = world.tick == log.head.last;
+    const Result<Values> values = is_last ? read_state_words(log) : values_at(world.tick);
+    if (!values) return is_last ? told(values.error()) : values.error();
     const Parting parting =
         values->empty() ? parting_of(pair, world.tick, here, there)
                         : parting_of(pair, world.tick, world.crowd.count, state_words(world), *values);
@@ -154,7 +157,7 @@ Result<void> check_against(const Options& options, const Words& said) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return Error{"Cannot read the state log " + path + "."};
     const std::unique_ptr<const int, void (*)(const int*)> closed(&file, [](const int* f) { close(*f); });
-    StateLogReader log{file, path, {}, {}, 0};
+    StateLogReader log{.from = file, .name = path};
     if (Result<void> head = read_state_log_head(log); !head) return head;
     Words words{"flaneur", "sim"};
     const bool has_length = has_option(said, k_seconds[0]);
@@ -169,7 +172,7 @@ Result<void> check_against(const Options& options, const Words& said) {
         return Error{"The world of the state log " + path +
                      " cannot be made here: " + (parsed ? "it has other words" : parsed.error().message)};
     const Words world = world_words(its->words);
-    return compare(*its, world, log, [&](uint32_t tick) -> Result<Values> {
+    const ValuesAt values_at = [&](uint32_t tick) -> Result<Values> {
         Words there{"flaneur", "sim"};
         there.insert(there.end(), world.begin(), world.end());
         there.insert(there.end(), {"--seconds", seconds_until(tick), "--state-log", "tick.log"});
@@ -178,7 +181,8 @@ Result<void> check_against(const Options& options, const Words& said) {
             "check against that: " +
             shell_line(there));
         return Values();
-    });
+    };
+    return compare(*its, world, log, values_at, [](const Error& error) { return error; });
 }
 
 // A run of the other program that writes its log for us, up to a tick.
@@ -187,10 +191,19 @@ struct OtherRun {
     StateLogReader log;
 };
 
-Error with_last_said(const Error& error, const OtherProgram& other) {
-    const std::string said = last_said(other);
-    if (is_stopping() || said.empty()) return error;
-    return Error{error.message + " It said: " + said};
+// Why no log came of the other program, or none to its end.
+Error told_failure(const Error& error, OtherRun& run) {
+    if (is_stopping()) return error;
+    const std::optional<OtherEnd> end = end_of(*run.program);
+    if (is_stopping()) return interrupted();
+    const std::string said = last_said(*run.program);
+    const std::string it_said = said.empty() ? "It said nothing." : "It said: " + said;
+    if (end && end->has_failed)
+        return Error{"The other side failed: " + run.log.name + " ended " + end->told + ". " + it_said};
+    if (run.log.is_one) return Error{error.message + (said.empty() ? "" : " " + it_said)};
+    return Error{run.log.name + " is no flaneur that knows `sim --state-log`: " +
+                 (end ? "it ended " + end->told + " and wrote no log" : "what it writes is no log") +
+                 ". Give one by --with, as in --with ./build/release/flaneur."};
 }
 
 Result<OtherRun> run_other(const Options& options, const Words& said, uint32_t last) {
@@ -201,11 +214,12 @@ Result<OtherRun> run_other(const Options& options, const Words& said, uint32_t l
     words.insert(words.end(), {"--seconds", seconds_until(last), "--state-log", "-"});
     Result<OtherProgramPtr> program = start_other(words);
     if (!program) return program.error();
-    const std::string name = check.with.empty() ? "this program, with other options" : check.with;
+    std::string name = check.with.empty() ? "this program" : check.with;
+    if (!check.with_options.empty()) name += ", with " + shell_line(check.with_options) + ",";
     OtherRun run{std::move(*program), {}};
-    run.log = {run.program->output, name, {}, {}, 0};
-    if (Result<void> head = read_state_log_head(run.log); !head)
-        return with_last_said(head.error(), *run.program);
+    run.log.from = run.program->output;
+    run.log.name = name;
+    if (Result<void> head = read_state_log_head(run.log); !head) return told_failure(head.error(), run);
     if (run.log.head.last != last)
         return Error{"Nothing is compared: " + name + " ran to tick " + std::to_string(run.log.head.last) +
                      " where it was asked to run to " + std::to_string(last) + "."};
@@ -216,7 +230,7 @@ Result<OtherRun> run_other(const Options& options, const Words& said, uint32_t l
 Result<void> check_with(const Options& options, const Words& said) {
     Result<OtherRun> other = run_other(options, said, tick_at(options.seconds));
     if (!other) return other.error();
-    Result<void> done = compare(options, world_words(said), other->log, [&](uint32_t tick) -> Result<Values> {
+    const ValuesAt values_at = [&](uint32_t tick) -> Result<Values> {
         // Once more, only so far: a log has all values of its last tick.
         other->program.reset();
         show_progress("running the other one again, to tick " + std::to_string(tick));
@@ -225,14 +239,14 @@ Result<void> check_with(const Options& options, const Words& said) {
         StateDigest digest;
         for (uint32_t i = 0; i <= tick; ++i)
             if (Result<void> read = read_digest(again->log, digest); !read)
-                return with_last_said(read.error(), *again->program);
+                return told_failure(read.error(), *again);
         Result<Values> values = read_state_words(again->log);
         clear_progress();
-        if (!values) return with_last_said(values.error(), *again->program);
+        if (!values) return told_failure(values.error(), *again);
         return values;
-    });
-    const bool is_at_work = !done && other->program != nullptr;
-    return is_at_work ? with_last_said(done.error(), *other->program) : done;
+    };
+    return compare(options, world_words(said), other->log, values_at,
+                   [&](const Error& error) { return told_failure(error, *other); });
 }
 
 }  // namespace

@@ -22,24 +22,26 @@ namespace {
 // A log of states under way; of no file it is none.
 struct StateLog {
     PartFilePtr file;
+    StateLogWriter writer;
     StateDigest digest;
 };
 
 Result<void> begin(StateLog& log, const World& world, const Options& options, uint32_t ticks) {
     if (!log.file) return {};
+    log.writer.file = log.file->file;
     StateLogHead head{world_words(options.words), world.crowd.count, ticks, state_fields(world)};
-    return write_state_log_head(log.file->file, head);
+    return write_state_log_head(log.writer, head);
 }
 
 bool add_state(StateLog& log, const World& world) {
     if (!log.file) return true;
     digest_state(world, log.digest);
-    return write_digest(log.file->file, log.digest);
+    return write_digest(log.writer, log.digest);
 }
 
 Result<void> finish(StateLog log, const World& world) {
     if (!log.file) return {};
-    (void)write_state_words(log.file->file, state_words(world));  // what fails is told by keep_file
+    (void)write_state_words(log.writer, state_words(world));  // what fails is told by keep_file
     return keep_file(std::move(log.file));
 }
 
@@ -64,7 +66,7 @@ Result<void> run_sim(const Options& options) {
 
     auto start = std::chrono::steady_clock::now();
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));
-    StateLog state_log{std::move(*states), {}};
+    StateLog state_log{std::move(*states), {}, {}};
     if (Result<void> begun = begin(state_log, world, options, ticks); !begun) return begun;
     if (!add_state(state_log, world)) return keep_file(std::move(state_log.file));  // which says why
     while (world.tick < ticks) {

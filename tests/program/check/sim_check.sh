@@ -57,15 +57,51 @@ parts --against near.log
 says "^  gait.left.phase +1 +13 +[-0-9.e]+ +0.25$"
 
 # What is no other side.
-parts --against cut.log && says "is cut short"
+damaged="The state log bad.log is damaged: copy it again"
+cp cut.log bad.log && parts --against bad.log && says "$damaged"
+(cat a.log && echo) > bad.log && parts --against bad.log && says "$damaged"
+for at in 25 100 20000 $(($(stat -c %s a.log) - 3)); do
+    cp a.log bad.log
+    printf '\xa5' | dd of=bad.log bs=1 seek="$at" conv=notrunc status=none
+    parts --against bad.log && says "$damaged"
+    parts --against bad.log --seconds 0 && says "$damaged"
+done
+cat > flips << 'END'
+#!/bin/bash
+"$FLANEUR" "$@" | head -c -1
+printf '\xa5'
+END
+chmod +x flips
+parts --with ./flips "${corner[@]}" && says "The state log ./flips is damaged"
 parts --against "$here/disturbed" && says "is no state log that can be read, for it begins otherwise"
-parts --with /bin/true "${corner[@]}" && says "/bin/true is no state log"
-parts --with-options "--state-log b.log --bad" "${corner[@]}" && says "It said: flaneur: .*--bad"
+parts --with /bin/true "${corner[@]}"
+says "/bin/true is no flaneur that knows .sim --state-log.: it ended with exit code 0 and wrote no log"
+parts --with /bin/ls "${corner[@]}" && says "The other side failed: /bin/ls ended with exit code 2\. It said: .*ls"
+parts --with-options "--isa neon" "${corner[@]}" && says "failed: this program, with --isa neon, ended with exit code 1"
+says "It said: .*neon"
+cat > dies << 'END'
+#!/bin/bash
+printf 'one\nlast words\n\n' >&2
+kill -SEGV $$
+END
+chmod +x dies
+parts --with ./dies "${corner[@]}" && says "failed: ./dies ended by SIGSEGV. It said: one / last words$"
+cat > dies_late << 'END'
+#!/bin/bash
+"$FLANEUR" "$@" 2> /dev/null | head -c 30000
+echo late >&2
+exit 3
+END
+chmod +x dies_late
+parts --with ./dies_late "${corner[@]}" && says "failed: ./dies_late ended with exit code 3. It said: late$"
+parts --with-options "--bogus" "${corner[@]}" && says "failed: this program, with --bogus, ended with .* It said: flaneur: .*--bogus"
 parts --with-options "--walkers 23" "${corner[@]}" && says "24 walkers here and 23 there"
 sed '0,/^word --walkers$/s//word --trace/' a.log > bad.log
+"$here/summed" bad.log
 parts --against bad.log && says "no world's" && [[ ! -e 24 ]]
 
 # Ended, it ends the other one too.
+rm -f id
 cat > sleeps << 'END'
 #!/bin/bash
 echo $$ > id

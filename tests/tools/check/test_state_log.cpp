@@ -27,9 +27,10 @@ std::string some_log() {
     char* text = nullptr;
     size_t size = 0;
     FILE* const file = open_memstream(&text, &size);
-    EXPECT_TRUE(write_state_log_head(file, some_head()));
-    for (uint16_t tick = 0; tick <= k_last; ++tick) EXPECT_TRUE(write_digest(file, some_digest(tick)));
-    EXPECT_TRUE(write_state_words(file, k_words));
+    StateLogWriter log{file};
+    EXPECT_TRUE(write_state_log_head(log, some_head()));
+    for (uint16_t tick = 0; tick <= k_last; ++tick) EXPECT_TRUE(write_digest(log, some_digest(tick)));
+    EXPECT_TRUE(write_state_words(log, k_words));
     (void)std::fclose(file);
     std::string bytes(text, size);
     std::free(text);
@@ -42,7 +43,7 @@ std::string read_all(const std::string& bytes, StateLogHead* head = nullptr) {
     (void)std::fwrite(bytes.data(), 1, bytes.size(), file);
     (void)std::fflush(file);
     lseek(fileno(file), 0, SEEK_SET);
-    StateLogReader log{fileno(file), "a.log", {}, {}, 0};
+    StateLogReader log{.from = fileno(file), .name = "a.log"};
     std::string refusal;
     if (Result<void> read = read_state_log_head(log); !read) refusal = read.error().message;
     StateDigest digest;
@@ -64,10 +65,13 @@ std::string read_all(const std::string& bytes, StateLogHead* head = nullptr) {
     return refusal;
 }
 
-// The log with some of it exchanged.
+// The log with some of it exchanged, and a sum that is right.
 std::string with(const std::string& part, const std::string& instead) {
     std::string log = some_log();
-    return log.replace(log.find(part), part.size(), instead);
+    log.replace(log.find(part), part.size(), instead);
+    log.resize(log.size() - sizeof(uint64_t));
+    const uint64_t sum = sum_bytes(k_no_bytes, log);
+    return log.append(reinterpret_cast<const char*>(&sum), sizeof sum);
 }
 
 TEST(StateLog, ComesBackAsItWasWritten) {
@@ -83,7 +87,29 @@ TEST(StateLog, ComesBackAsItWasWritten) {
 TEST(StateLog, CutAnywhereIsRefused) {
     const std::string log = some_log();
     for (size_t size = 0; size < log.size(); ++size) EXPECT_NE(read_all(log.substr(0, size)), "") << size;
-    EXPECT_NE(read_all(log.substr(0, log.size() - 1)).find("cut short"), std::string::npos);
+    EXPECT_NE(read_all(log.substr(0, log.size() - 1)).find("is damaged: copy it again"), std::string::npos);
+}
+
+TEST(StateLog, AnyBitThatFlipsAndBytesThatFollowAreRefused) {
+    const std::string log = some_log();
+    const size_t first_line = log.find('\n') + 1;
+    for (size_t bit = 0; bit < 8 * log.size(); ++bit) {
+        std::string flipped = log;
+        flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << bit % 8);
+        const std::string said = read_all(flipped);
+        EXPECT_NE(said, "") << bit;
+        if (bit / 8 >= first_line) {
+            EXPECT_NE(said.find("is damaged"), std::string::npos) << bit << said;
+        }
+    }
+    EXPECT_NE(read_all(log + '\0').find("is damaged"), std::string::npos);
+    EXPECT_NE(read_all(log + log).find("is damaged"), std::string::npos);
+}
+
+// FNV's own test vectors.
+TEST(StateLog, ItsSumIsFnv1a) {
+    EXPECT_EQ(sum_bytes(k_no_bytes, "a"), 0xaf63dc4c8601ec8cU);
+    EXPECT_EQ(sum_bytes(k_no_bytes, "foobar"), 0x85944171f73967e8U);
 }
 
 TEST(StateLog, WhatIsNoLogIsRefused) {
@@ -93,8 +119,8 @@ TEST(StateLog, WhatIsNoLogIsRefused) {
     };
     refusal("", "begins otherwise");
     refusal(std::string(5000, '\0'), "begins otherwise");
-    refusal(with("log 1", "log 2"), "of version 2,");
-    refusal(with("log 1\n", "log 1"), "of version");
+    refusal(with("log 2", "log 1"), "of version 1,");
+    refusal(with("log 2\n", "log 2"), "of version");
     refusal(with("walkers 3\n", ""), "does not say how many");
     refusal(with("last 2", "last -2"), "not understood");
     refusal(with("last 2", "last 4000000000"), "not understood");
@@ -121,7 +147,8 @@ TEST(StateLog, NamesNothingButAWorld) {
     StateLogHead head = some_head();
     head.words.push_back("a\nb");
     FILE* const file = std::tmpfile();
-    EXPECT_FALSE(write_state_log_head(file, head));
+    StateLogWriter log{file};
+    EXPECT_FALSE(write_state_log_head(log, head));
     (void)std::fclose(file);
 }
 

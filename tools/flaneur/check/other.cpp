@@ -1,6 +1,7 @@
 #include "tools/flaneur/check/other.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -10,7 +11,10 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+
+#include "tools/flaneur/console/ending.h"
 
 namespace flaneur {
 namespace {
@@ -89,8 +93,45 @@ std::string last_said(const OtherProgram& other) {
     const off_t from = std::max<off_t>(0, size - static_cast<off_t>(end.size()));
     const ssize_t got = pread(other.said, end.data(), end.size(), from);
     std::string text(end.data(), got > 0 ? static_cast<size_t>(got) : 0);
-    while (text.ends_with('\n')) text.pop_back();
-    return text.substr(text.rfind('\n') + 1);
+    // From the end on, but for lines of nothing.
+    std::string last;
+    for (int lines = 0; lines < 2 && !text.empty();) {
+        const size_t begin = text.rfind('\n') + 1;  // 0 where there is none
+        const std::string line = text.substr(begin);
+        text.resize(begin > 0 ? begin - 1 : 0);
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        last = line + (last.empty() ? "" : " / " + last);
+        ++lines;
+    }
+    return last;
+}
+
+std::optional<OtherEnd> end_of(OtherProgram& other) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point until = Clock::now() + std::chrono::seconds(1);
+    std::array<char, 4096> left{};
+    while (Clock::now() < until && !is_stopping()) {
+        int status = 0;
+        const pid_t ended = waitpid(other.id, &status, WNOHANG);
+        if (ended == other.id) {
+            kill(-other.id, SIGKILL);  // what it left
+            other.id = -1;
+            running = -1;
+            if (!WIFSIGNALED(status))
+                return OtherEnd{WEXITSTATUS(status) != 0,
+                                "with exit code " + std::to_string(WEXITSTATUS(status))};
+            const char* const name = sigabbrev_np(WTERMSIG(status));
+            return OtherEnd{
+                true, name ? std::string("by SIG") + name : "by signal " + std::to_string(WTERMSIG(status))};
+        }
+        // It may wait for somebody who reads.
+        pollfd output{other.output, POLLIN, 0};
+        const bool has_more = poll(&output, 1, 0) > 0 && read(other.output, left.data(), left.size()) > 0;
+        if (has_more) continue;
+        constexpr timespec k_while{0, 10'000'000};
+        nanosleep(&k_while, nullptr);
+    }
+    return {};
 }
 
 void abandon_other() {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,16 @@ using OtherProgramPtr = std::unique_ptr<OtherProgram, OtherProgramDelete>;
 // A program, by path or by PATH, and its arguments; no shell. One at a time.
 Result<OtherProgramPtr> start_other(const std::vector<std::string>& words);
 
-// The last line that it said, if any, "": none.
+// The last two lines that it said on standard error, with " / " between them; "": none.
 std::string last_said(const OtherProgram& other);
+
+// How it ended: "with exit code 2", "by SIGSEGV". For one that closed its output, or soon does: reads what is
+// left of that and waits, up to a second in all. Nothing: it is still at work.
+struct OtherEnd {
+    bool has_failed = false;
+    std::string told;
+};
+std::optional<OtherEnd> end_of(OtherProgram& other);
 
 // Ends it at once, on any thread: when this program is about to end.
 void abandon_other();

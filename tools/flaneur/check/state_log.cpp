@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -16,7 +17,7 @@
 namespace flaneur {
 namespace {
 
-constexpr std::string_view k_kind = "flaneur state log ", k_version = "1";
+constexpr std::string_view k_kind = "flaneur state log ", k_version = "2";
 constexpr std::array<std::string_view, 11> k_world_options = {
     "--scene", "--city",      "--center", "--radius",  "--terrain", "--scale",
     "--seed",  "--character", "--idle",   "--walkers", "--time"};
@@ -35,6 +36,11 @@ Error cut_short(const StateLogReader& log) {
 Error not_one(const StateLogReader& log, const std::string& why) {
     return Error{log.name + " is no state log that can be read, for " + why +
                  ". Write one by `flaneur sim --state-log FILE`."};
+}
+
+Error damaged(const StateLogReader& log) {
+    return Error{"The state log " + log.name +
+                 " is damaged: copy it again, or write it anew if it was never whole."};
 }
 
 // Some more bytes; false: there are none.
@@ -62,6 +68,7 @@ Result<void> take(StateLogReader& log, void* to, size_t size) {
         if (!*more) return cut_short(log);
     }
     if (size > 0) std::memcpy(to, log.read.data() + log.taken, size);
+    log.sum = sum_bytes(log.sum, {log.read.data() + log.taken, size});
     log.taken += size;
     return {};
 }
@@ -72,6 +79,7 @@ Result<std::string> take_line(StateLogReader& log) {
         const size_t end = there.find('\n', looked);
         if (end != std::string_view::npos) {
             log.taken += end + 1;
+            log.sum = sum_bytes(log.sum, there.substr(0, end + 1));
             return std::string(there.substr(0, end));
         }
         looked = there.size();
@@ -98,6 +106,41 @@ bool parse_field(std::string_view text, std::vector<StateField>& fields) {
     return true;
 }
 
+// Holds all bytes of a file against the sum at its end. Of a pipe it knows nothing.
+Result<void> check_file(const StateLogReader& log) {
+    const off_t size = lseek(log.from, 0, SEEK_END);
+    if (size < 0) return {};
+    if (lseek(log.from, static_cast<off_t>(log.read.size()), SEEK_SET) < 0) return damaged(log);
+    uint64_t sum = k_no_bytes, its = 0;
+    const off_t summed = size - static_cast<off_t>(sizeof its);
+    std::vector<char> bytes(k_chunk);
+    for (off_t at = 0; at < summed;) {
+        if (is_stopping()) return interrupted();
+        const auto most = static_cast<size_t>(std::min<off_t>(k_chunk, summed - at));
+        const ssize_t got = pread(log.from, bytes.data(), most, at);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return damaged(log);
+        sum = sum_bytes(sum, {bytes.data(), static_cast<size_t>(got)});
+        at += got;
+    }
+    if (pread(log.from, &its, sizeof its, summed) != sizeof its || its != sum) return damaged(log);
+    return {};
+}
+
+bool put(StateLogWriter& log, std::string_view bytes) {
+    log.sum = sum_bytes(log.sum, bytes);
+    return std::fwrite(bytes.data(), 1, bytes.size(), log.file) == bytes.size();
+}
+
+template <class T>
+bool put_list(StateLogWriter& log, const std::vector<T>& list) {
+    return put(log, {reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
+}
+
+bool put_number(StateLogWriter& log, uint64_t number) {
+    return put(log, {reinterpret_cast<const char*>(&number), sizeof number});
+}
+
 bool parse_count(std::string_view text, size_t most, uint32_t& to) {
     return parse_number(text, to) && to <= most;
 }
@@ -108,7 +151,12 @@ std::vector<std::string> world_words(const std::vector<std::string>& words) {
     return only_options(words, k_world_options, k_world_flags);
 }
 
-Result<void> write_state_log_head(FILE* file, const StateLogHead& head) {
+uint64_t sum_bytes(uint64_t sum, std::string_view bytes) {
+    for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    return sum;
+}
+
+Result<void> write_state_log_head(StateLogWriter& log, const StateLogHead& head) {
     std::string text = std::string(k_kind).append(k_version).append("\n");
     auto add = [&](std::string_view key, const std::string& value) {
         text.append(key).append(" ").append(value).append("\n");
@@ -124,19 +172,16 @@ Result<void> write_state_log_head(FILE* file, const StateLogHead& head) {
     for (const StateField& f : head.fields.walkers) add("walker", std::string{f.kind, ' '} + f.name);
     for (const StateField& f : head.fields.crowd) add("crowd", std::string{f.kind, ' '} + f.name);
     text += '\n';
-    std::fputs(text.c_str(), file);  // what fails is told by who writes on
+    (void)put(log, text);  // what fails is told by who writes on
     return {};
 }
 
-bool write_digest(FILE* file, const StateDigest& digest) {
-    std::fwrite(&digest.hash, sizeof digest.hash, 1, file);
-    for (const auto* list : {&digest.fields, &digest.walkers})
-        std::fwrite(list->data(), sizeof(uint16_t), list->size(), file);
-    return std::ferror(file) == 0;
+bool write_digest(StateLogWriter& log, const StateDigest& digest) {
+    return put_number(log, digest.hash) && put_list(log, digest.fields) && put_list(log, digest.walkers);
 }
 
-bool write_state_words(FILE* file, const std::vector<uint32_t>& words) {
-    return std::fwrite(words.data(), sizeof(uint32_t), words.size(), file) == words.size();
+bool write_state_words(StateLogWriter& log, const std::vector<uint32_t>& words) {
+    return put_list(log, words) && put_number(log, log.sum);
 }
 
 Result<void> read_state_log_head(StateLogReader& log) {
@@ -144,11 +189,13 @@ Result<void> read_state_log_head(StateLogReader& log) {
     if (Result<void> begun = take(log, kind.data(), kind.size()); !begun)
         return is_stopping() ? begun.error() : not_one(log, "it begins otherwise");
     if (std::string_view(kind.data(), kind.size()) != k_kind) return not_one(log, "it begins otherwise");
+    log.is_one = true;
     const Result<std::string> version = take_line(log);
     if (!version) return version.error();
     if (*version != k_version)
         return not_one(log, "it is of version " + excerpt(*version) + ", and this flaneur reads version " +
                                 std::string(k_version));
+    if (Result<void> whole = check_file(log); !whole) return whole;
     StateLogHead head;
     bool has_walkers = false, has_last = false;
     for (;;) {
@@ -200,6 +247,12 @@ Result<std::vector<uint32_t>> read_state_words(StateLogReader& log) {
     for (uint32_t i = 0; i < log.head.walkers; ++i)
         if (Result<void> taken = add(log.head.fields.walkers.size()); !taken) return taken.error();
     if (Result<void> taken = add(log.head.fields.crowd.size()); !taken) return taken.error();
+    const uint64_t sum = log.sum;
+    uint64_t its = 0;
+    if (Result<void> taken = take(log, &its, sizeof its); !taken) return taken.error();
+    const Result<bool> more = log.read.size() > log.taken ? Result<bool>(true) : read_more(log);
+    if (!more) return more.error();
+    if (its != sum || *more) return damaged(log);
     return words;
 }
 
