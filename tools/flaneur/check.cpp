@@ -130,8 +130,12 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
             if (last == log.head.last)
                 if (const Result<Values> values = read_state_words(log); !values) return told(values.error());
             clear_progress();
-            std::printf("All %u states are equal, from tick 0 to %u: %u walkers, %zu fields.\n", last + 1,
-                        last, world.crowd.count, common.walkers.size() + common.crowd.size());
+            const std::string states = last == 0
+                                           ? "The state at tick 0 is equal"
+                                           : "All " + std::to_string(last + 1) +
+                                                 " states are equal, from tick 0 to " + std::to_string(last);
+            std::printf("%s: %u walkers, %zu fields.\n", states.c_str(), world.crowd.count,
+                        common.walkers.size() + common.crowd.size());
             std::fputs(told_alone(common).c_str(), stdout);
             return {};
         }
@@ -172,7 +176,13 @@ Result<void> check_against(const Options& options, const Words& said) {
         return Error{"The world of the state log " + path +
                      " cannot be made here: " + (parsed ? "it has other words" : parsed.error().message)};
     const Words world = world_words(its->words);
+    // Files may lie elsewhere here; whatever else is asked for makes another world.
+    constexpr std::string_view k_files[] = {"--city", "--terrain", "--character"};
+    const Words other = without_options(world_words(said), k_files);
+    if (!other.empty())
+        say("This is not the world of the log, but with " + shell_line(other) + ": it may well differ.");
     const ValuesAt values_at = [&](uint32_t tick) -> Result<Values> {
+        if (!other.empty()) return Values();
         Words there{"flaneur", "sim"};
         there.insert(there.end(), world.begin(), world.end());
         there.insert(there.end(), {"--seconds", seconds_until(tick), "--state-log", "tick.log"});

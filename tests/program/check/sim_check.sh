@@ -52,6 +52,9 @@ parts --against far.log
 says "at tick 77: walker 13, gait.left.phase"
 says "^  gait.left.phase +1 +13 +\? +\?$"
 says "flaneur sim --scene corner --walkers 24 --seconds 1.2833 --state-log tick.log"
+# Whoever asks for another world is told that it is one, and not sent for values of it.
+parts --against a.log --seed 7 && says "not the world of the log, but with --seed 7"
+if grep --quiet tick.log out err; then fail "values of another world are advised"; fi
 "$here/disturbed" sim "${corner[@]}" --seconds 1.2833 --state-log - > near.log 2> err
 parts --against near.log
 says "^  gait.left.phase +1 +13 +[-0-9.e]+ +0.25$"
