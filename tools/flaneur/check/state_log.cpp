@@ -151,11 +151,6 @@ std::vector<std::string> world_words(const std::vector<std::string>& words) {
     return only_options(words, k_world_options, k_world_flags);
 }
 
-uint64_t sum_bytes(uint64_t sum, std::string_view bytes) {
-    for (const char c : bytes) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    return sum;
-}
-
 Result<void> write_state_log_head(StateLogWriter& log, const StateLogHead& head) {
     std::string text = std::string(k_kind).append(k_version).append("\n");
     auto add = [&](std::string_view key, const std::string& value) {

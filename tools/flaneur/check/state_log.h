@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/hash.h"
 #include "sim/base/result.h"
 #include "sim/fields.h"
 
@@ -25,11 +26,6 @@ struct StateLogHead {
 
 // What of a command's words decides its world. Threads and instruction sets do not.
 std::vector<std::string> world_words(const std::vector<std::string>& words);
-
-// The sum of bytes, continued from `sum`: FNV-1a of 64 bits, http://www.isthe.com/chongo/tech/comp/fnv.
-// Bytes that differ in one alone never have the same.
-inline constexpr uint64_t k_no_bytes = 0xcbf29ce484222325;
-uint64_t sum_bytes(uint64_t sum, std::string_view bytes);
 
 // A log that is written.
 struct StateLogWriter {

@@ -79,14 +79,18 @@ struct EventWriter {
     }
 };
 
+uint64_t lost_events(std::span<const TraceThread> threads) {
+    uint64_t lost = 0;
+    for (const TraceThread& thread : threads) lost += thread.lost;
+    return lost;
+}
+
 }  // namespace
 
 std::string trace_json(std::span<const TraceThread> threads) {
     EventWriter writer;
     writer.start = std::numeric_limits<int64_t>::max();
-    uint64_t lost = 0;
     for (const TraceThread& thread : threads) {
-        lost += thread.lost;
         for (const TraceEvent& event : thread.events) writer.start = std::min(writer.start, event.begin);
     }
     constexpr size_t k_first_row = 1, k_device_row = 2;  // main, the device, and the others
@@ -104,7 +108,7 @@ std::string trace_json(std::span<const TraceThread> threads) {
     for (const TraceEvent& zone : zones) writer.add_zone(k_device_row, zone);
     return "{\"displayTimeUnit\": \"ms\", \"otherData\": {\"program\": \"flaneur " FLANEUR_VERSION
            "\", \"lost\": " +
-           std::to_string(lost) + "}, \"traceEvents\": [\n" + writer.out + "\n]}\n";
+           std::to_string(lost_events(threads)) + "}, \"traceEvents\": [\n" + writer.out + "\n]}\n";
 }
 
 Result<void> start_trace(const std::string& path) {
@@ -126,8 +130,7 @@ Result<void> finish_trace() {
     if (!file) return {};
     be_patient(k_trace_patience);
     const auto threads = end_trace();
-    uint64_t lost = 0;
-    for (const TraceThread& thread : threads) lost += thread.lost;
+    const uint64_t lost = lost_events(threads);
     const std::string path = file->path;
     Result<void> written = write_file(std::move(file), trace_json(threads));
     if (written) {

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "sim/base/hash.h"
+
 namespace flaneur {
 
 namespace fs = std::filesystem;
@@ -44,10 +46,9 @@ Result<std::vector<uint8_t>> kept_bytes(const CheckedPicture& picture, const std
 }
 
 std::string pixel_hash(const CheckedPicture& picture) {
-    uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+    uint64_t hash = k_no_bytes;
     auto take = [&hash](const void* bytes, size_t count) {
-        for (size_t i = 0; i < count; ++i)
-            hash = (hash ^ static_cast<const uint8_t*>(bytes)[i]) * 0x100000001b3u;
+        hash = sum_bytes(hash, {static_cast<const char*>(bytes), count});
     };
     take(&picture.width, sizeof picture.width);
     take(&picture.height, sizeof picture.height);
