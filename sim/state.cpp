@@ -14,9 +14,9 @@ namespace {
 constexpr uint64_t k_mark = 0x31'74'73'2e'72'75'6c'66;  // "flur.st1"
 
 // What is new in these has to be listed below, if the next tick depends on it.
-static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 9 * 24 &&
+static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 4 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 9 + 4 + 3) + 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 4 + 3) + 24);
 
 // Before all else; how many of each follow.
 struct Head {
@@ -40,7 +40,8 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(c.slots.generation, c.slots.place);
     all(w.gait.blocks, w.poses, w.trails);
     auto& m = c.motion;
-    some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under);
+    some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
+         m.filed);
     auto& d = c.decision;
     some(d.wanted, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
@@ -178,6 +179,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
         const auto corners = corners_ahead(c, i);
         read(corners.data(), corners.size_bytes());
     }
+    c.scratch.is_ordered = false;
     w.previous_poses = w.poses;
     w.previous_trails = w.trails;
     if (w.roam) w.roam->previous_frames = w.roam->frames;

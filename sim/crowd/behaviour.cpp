@@ -21,6 +21,8 @@ static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
 static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
 static constexpr float k_past = 3;              // and metres that it gets on
+static constexpr float k_haste = 1.1f;          // times the preferred speed, at most, of one who gets out of
+static constexpr float k_least_haste = 0.3f;    // others' way; m/s
 static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
 static constexpr float k_back_ahead = 0.4f;     // seconds
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
@@ -215,6 +217,25 @@ static Vec2 go_back(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
 }
 
+static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
+                            uint64_t seed) {
+    const Journey& j = c.journeys[i];
+    const bool is_beside = c.way_back[i].polygon != 0, is_driven = i == c.driven.walker;
+    const bool waits = tick < j.pause_until;
+    const bool goes_on = is_beside || is_driven;  // whatever the errand
+    c.decision.looks[i] = waits && !goes_on && j.arrived;
+    c.decision.wanted[i] = is_beside   ? go_back(c, mesh, thread, i)
+                           : is_driven ? c.driven.wish
+                           : waits     ? Vec2{0, 0}
+                                       : follow_path(c, mesh, i, tick, seed);
+    const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
+    c.scratch.intents[i] = {.wanted = c.decision.wanted[i],
+                            .most = is_driven ? k_fastest_driven : most,
+                            .waited = static_cast<float>(tick - j.closest_tick) * k_tick,
+                            .insists = j.insists_since,
+                            .is_beside = is_beside};
+}
+
 void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
     // Paths, for the first walkers due from where the last tick stopped.
     c.scratch.requests.clear();
@@ -239,14 +260,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         for (size_t k = begin; k < end; ++k) {
             auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
             if (!is_there(c, i)) continue;
-            if (i == c.driven.walker || c.way_back[i].polygon) {
-                c.decision.looks[i] = 0;
-                c.decision.wanted[i] = c.way_back[i].polygon ? go_back(c, mesh, thread, i) : c.driven.wish;
-                continue;
-            }
-            bool waits = tick < c.journeys[i].pause_until;
-            c.decision.looks[i] = waits && c.journeys[i].arrived;
-            c.decision.wanted[i] = waits ? Vec2{0, 0} : follow_path(c, mesh, i, tick, seed);
+            decide_where_to(c, mesh, thread, i, tick, seed);
         }
     };
     parallel_for(workers, due, 256, follow_some);

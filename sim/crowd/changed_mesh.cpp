@@ -109,7 +109,7 @@ void make_room(Crowd& c, uint32_t capacity) {
              &Who::scale, &Who::stair_pace, &Who::ahead);
     using Move = CrowdMotion;
     keep_all(wider.motion, c.motion, &Move::position, &Move::velocity, &Move::wish, &Move::heading,
-             &Move::turn_rate, &Move::feet, &Move::brakes, &Move::polygon, &Move::under);
+             &Move::turn_rate, &Move::feet, &Move::brakes, &Move::polygon, &Move::under, &Move::filed);
     using Mind = CrowdDecision;
     keep_all(wider.decision, c.decision, &Mind::wanted, &Mind::looks, &Mind::chosen, &Mind::claim);
     keep_all(wider, c, &Crowd::journeys, &Crowd::corners, &Crowd::way_back);
@@ -122,11 +122,6 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.next_path = c.next_path;
     wider.demand = std::move(c.demand);
     wider.driven = c.driven;
-    // Of those who do not decide in the next tick, who was near in the last one.
-    CrowdScratch& s = wider.scratch;
-    keep(s.sorted, c.scratch.sorted);
-    keep(s.neighbours, c.scratch.neighbours);
-    keep(s.neighbour_count, c.scratch.neighbour_count);
     c = std::move(wider);
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/base/block.h"
 #include "sim/base/hash.h"
 #include "sim/crowd/places.h"
 #include "sim/crowd/values-inl.h"
@@ -14,18 +15,21 @@ Crowd make_crowd(uint32_t capacity) {
     Crowd c;
     c.capacity = capacity;
     size_t n = capacity;
-    auto resize = [n](auto&... arrays) { (arrays.resize(n), ...); };
+    auto resize = [&n](auto&... arrays) { (arrays.resize(n), ...); };
     CrowdIdentity& who = c.identity;
     resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     CrowdMotion& m = c.motion;
-    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under);
+    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under, m.filed);
     CrowdDecision& d = c.decision;
     resize(d.wanted, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize(c.journeys, c.way_back, s.sorted, s.cell, s.next_position, s.next_velocity, s.next_polygon);
+    resize(c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity, s.next_polygon);
     c.corners.resize(n * k_corners);
-    s.neighbours.resize(n * k_neighbours);
-    s.neighbour_count.resize(n);
+    SeenRows& rows = s.seen;
+    n += k_block;
+    resize(rows.x, rows.y, rows.z, rows.velocity_x, rows.velocity_z, rows.radius, rows.ahead_x, rows.ahead_z,
+           rows.claim, rows.id);
+    n = capacity;
     s.requests.reserve(n);
     c.slots.living.reserve(n);
     c.slots.left.reserve(n);
@@ -36,6 +40,7 @@ Crowd make_crowd(uint32_t capacity) {
     s.cells_x = 1u << ((std::bit_width(cells) - 1) / 2);
     s.cells_z = cells / s.cells_x;
     s.cell_first.resize(cells + 1);
+    s.tallies.resize(size_t{k_sorters} * cells);
     return c;
 }
 
@@ -73,6 +78,8 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
         c.motion.under[i] = *hit;
     }
     c.motion.position[i] = p;
+    c.motion.filed[i] = filed_at(p);
+    c.scratch.is_ordered = false;
     c.motion.velocity[i] = {};
     c.motion.heading[i] = w.heading;
     c.motion.wish[i] = {0, 0};
@@ -110,6 +117,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     slots.place[i] = k_nobody;
     ++slots.generation[i];
     slots.left.push_back(i);
+    c.scratch.is_ordered = false;
     if (c.driven.walker == i) c.driven = {};
 }
 

@@ -43,6 +43,11 @@ struct CrowdIdentity {
     std::vector<float> ahead;  // metres from there to the middle of the pram that one pushes, 0: none
 };
 
+// The square of the ground plane in which one is looked for: where one was when all were filed last.
+struct Filed {
+    int16_t column = 0, row = 0;
+};
+
 // Where they are and how they move, at the end of the last tick. Gait and pictures read it.
 struct CrowdMotion {
     std::vector<Vec3> position;     // on the ground, between the feet
@@ -54,6 +59,7 @@ struct CrowdMotion {
     std::vector<float> brakes;      // m/s2, with which it slows down; 0: it does not
     std::vector<uint32_t> polygon;  // of the mesh, under the position
     std::vector<GroundHit> under;   // the ground there, or steps just ahead: see slowing_ground
+    std::vector<Filed> filed;       // where others look for it
 };
 
 // Whether a walker waits for a path to be found: to its goal, or to one that is chosen first.
@@ -97,26 +103,37 @@ struct CrowdDecision {
     std::vector<Claim> claim;
 };
 
-// What others need to know of a walker to keep clear of it.
-struct Seen {
-    Vec3 position;
-    uint32_t id;
-    Vec2 velocity;  // of one with a claim, what it asks for; else what it has
-    float radius;
-    Claim claim;
-    Vec2 ahead;  // from the position to the middle of the pram that it pushes; zero: none
+// What others need to know of everybody to keep clear of them, as it is when a tick begins: in rows, so that
+// lanes take many side by side, and in the order of places, so that those who are near lie near. k_block more
+// than there are walkers.
+struct SeenRows {
+    std::vector<float> x, y, z;                 // metres
+    std::vector<float> velocity_x, velocity_z;  // m/s; of one with a claim what it asks for, else what it has
+    std::vector<float> radius;
+    std::vector<float> ahead_x, ahead_z;  // metres to the middle of the pram that one pushes; 0: of none
+    std::vector<Claim> claim;
+    std::vector<uint32_t> id;
 };
 
-// Written and read within one tick.
+// What one who decides goes by.
+struct Intent {
+    Vec2 wanted;           // m/s
+    float most = 0;        // m/s that it may go to get out of others' way
+    float waited = 0;      // seconds without getting nearer
+    uint32_t insists = 0;  // has a claim of its own since that tick, or k_never
+    bool is_beside = false;  // walks back onto the mesh
+};
+
+// Written and read within one tick, but for the order of places, which holds for k_decision_ticks.
 struct CrowdScratch {
-    std::vector<Seen> sorted;           // by cell of the plane, so that those who are near lie near
-    std::vector<uint32_t> cell_first;   // cell c holds sorted[cell_first[c] .. cell_first[c + 1])
+    SeenRows seen;
+    std::vector<uint32_t> order;        // walkers by square
+    std::vector<uint32_t> cell_first;   // square c holds order[cell_first[c] .. cell_first[c + 1])
     uint32_t cells_x = 0, cells_z = 0;  // powers of two; the plane is wrapped onto them
-    std::vector<uint32_t> cell;         // of each walker
-    // Of those who decide, where in `sorted` their neighbours lie: k_neighbours a walker, nearest first.
-    std::vector<uint32_t> neighbours;
-    std::vector<uint8_t> neighbour_count;
-    std::vector<uint32_t> requests;  // walkers whose path is sought
+    std::vector<uint32_t> tallies;      // of each square, by each of those who sort
+    bool is_ordered = false;            // nobody came or went since
+    std::vector<Intent> intents;        // by walker
+    std::vector<uint32_t> requests;     // walkers whose path is sought
     std::vector<Vec3> next_position;
     std::vector<Vec2> next_velocity;
     std::vector<uint32_t> next_polygon;
@@ -239,18 +256,19 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
                        uint32_t capacity = 0);
 
-// Goals, paths and the velocity that each walker would like. Serves a bounded number of path requests a tick.
+// Goals, paths and what each walker would like. Serves a bounded number of path requests a tick.
 void think(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed);
 
-// Sorts everyone by place; then the k_neighbours nearest others within k_neighbour_reach, ties by id.
+// Puts everyone in the order of places, anew every k_decision_ticks.
 void find_neighbours(Crowd& crowd, Workers& workers, uint32_t tick);
 
-// How deep any two bodies press into each other where find_neighbours saw them, metres; negative where nobody
+// How deep any two bodies press into each other where they were when the last tick began, metres; negative where nobody
 // touches. Of no more than the widest body's reach.
 float deepest_overlap(const Crowd& crowd);
 
-// A velocity near the wanted one that avoids others and the mesh's border: optimal reciprocal collision
-// avoidance (van den Berg et al. 2011), then a speed that keeps headway (Tordeux et al. 2016).
+// A velocity near the wanted one that avoids the k_neighbours nearest within k_neighbour_reach and the mesh's
+// border: optimal reciprocal collision avoidance (van den Berg et al. 2011), then a speed that keeps headway
+// (Tordeux et al. 2016).
 void steer(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick);
 
 // Turns and moves everyone by one tick, on the mesh, within what legs can do. Comes after find_neighbours.

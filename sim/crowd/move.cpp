@@ -58,7 +58,7 @@ static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Cont
     for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming,
                   [&](uint32_t begin, uint32_t end) {
                       for (uint32_t k = begin; k < end; ++k) {
-                          const Seen& other = c.scratch.sorted[k];
+                          const Seen other = seen_at(c.scratch.seen, k);
                           Vec2 away = on_ground(middle - other.position);
                           float touching = k_pram_radius + other.radius, d = length(away);
                           if (other.id == me.id || d > touching + k_sees_coming || d < 1e-5f) continue;
@@ -81,7 +81,7 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
     float reach = me.radius + c.widest + k_sees_coming;
     for_seen_near(c.scratch, me.position, reach, [&](uint32_t begin, uint32_t end) {
         for (uint32_t k = begin; k < end; ++k) {
-            const Seen& other = c.scratch.sorted[k];
+            const Seen other = seen_at(c.scratch.seen, k);
             Vec2 away = on_ground(me.position - other.position);
             float touching = me.radius + other.radius, d2 = length_squared(away);
             if (d2 > (touching + k_sees_coming) * (touching + k_sees_coming) || other.id == me.id) continue;
@@ -242,14 +242,14 @@ void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& wo
         for (size_t first = begin; first < end; first += k_together) {
             size_t count = std::min(k_together, end - first);
             for (size_t k = 0; k < count; ++k) {
-                const Seen& me = c.scratch.sorted[first + k];
+                const Seen me = seen_at(c.scratch.seen, first + k);
                 move_walker(c, mesh, thread, me);
                 places[k] = c.scratch.next_position[me.id];
             }
             ground_at(around, {places, count}, 0.5f, 1.5f, hits);
             for (size_t k = 0; k < count; ++k) {
                 if (!hits[k]) continue;
-                uint32_t i = c.scratch.sorted[first + k].id;
+                uint32_t i = c.scratch.seen.id[first + k];
                 c.scratch.next_position[i].y = hits[k]->height;
                 c.motion.under[i] =
                     slowing_ground(around, *hits[k], c.scratch.next_position[i], c.scratch.next_velocity[i],

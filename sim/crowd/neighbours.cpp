@@ -1,4 +1,4 @@
-// Who is near: walkers sorted onto a grid by counting, then the nearest few of each.
+// Who is near: walkers in the order of places, by counting.
 #include <algorithm>
 #include <cmath>
 
@@ -10,88 +10,83 @@ namespace flaneur {
 
 static constexpr float k_insistence = 0.6f;  // m/s, at most, that one with a claim asks for
 
-static Seen seen(const Crowd& c, uint32_t i) {
-    const CrowdDecision& d = c.decision;
-    Seen seen{c.motion.position[i], i, c.motion.velocity[i], c.identity.radius[i], d.claim[i], {}};
-    if (c.identity.ahead[i] > 0) seen.ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
-    if (seen.claim.since != k_never) {
-        Vec2 asked = seen.claim.heirs > 0 ? d.chosen[i] : d.wanted[i];
-        seen.velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));
-    }
-    return seen;
-}
-
-static void sort_by_cell(Crowd& c) {
+// Walkers of each square in the order of their slots: each of those who sort takes a quarter of the slots.
+static void put_in_order(Crowd& c, Workers& workers, bool anew) {
     CrowdScratch& s = c.scratch;
-    const CrowdMotion& m = c.motion;
-    std::fill(s.cell_first.begin(), s.cell_first.end(), 0);
-    for (uint32_t i = 0; i < c.count; ++i) {
-        if (!is_there(c, i)) continue;
-        uint32_t x = static_cast<uint32_t>(seen_column(m.position[i].x)) & (s.cells_x - 1);
-        uint32_t z = static_cast<uint32_t>(seen_column(m.position[i].z)) & (s.cells_z - 1);
-        s.cell[i] = z * s.cells_x + x;
-        ++s.cell_first[s.cell[i] + 1];
+    const size_t cells = s.cell_first.size() - 1, share = (c.count + k_sorters - 1) / k_sorters;
+    auto for_slots = [&](size_t sorter, const auto& visit) {
+        const size_t end = std::min<size_t>(c.count, (sorter + 1) * share);
+        for (size_t i = sorter * share; i < end; ++i)
+            if (is_there(c, static_cast<uint32_t>(i))) visit(static_cast<uint32_t>(i));
+    };
+    parallel_for(workers, k_sorters, 1, [&](size_t sorter, size_t, int) {
+        uint32_t* tally = &s.tallies[sorter * cells];
+        std::fill_n(tally, cells, 0u);
+        for_slots(sorter, [&](uint32_t i) {
+            if (anew) c.motion.filed[i] = filed_at(c.motion.position[i]);
+            ++tally[cell_of(s, c.motion.filed[i])];
+        });
+    });
+    uint32_t before = 0;
+    for (size_t cell = 0; cell < cells; ++cell) {
+        s.cell_first[cell] = before;
+        for (size_t sorter = 0; sorter < k_sorters; ++sorter) {
+            const uint32_t own = s.tallies[sorter * cells + cell];
+            s.tallies[sorter * cells + cell] = before;
+            before += own;
+        }
     }
-    for (size_t k = 1; k < s.cell_first.size(); ++k) s.cell_first[k] += s.cell_first[k - 1];
-    // Filled from the back, with the ends as cursors: afterwards each cursor stands at its cell's first
-    // walker.
-    for (uint32_t i = c.count; i-- > 0;)
-        if (is_there(c, i)) s.sorted[--s.cell_first[s.cell[i] + 1]] = seen(c, i);
-    std::rotate(s.cell_first.begin(), s.cell_first.begin() + 1, s.cell_first.end());
-    s.cell_first.back() = static_cast<uint32_t>(c.slots.living.size());
+    s.cell_first[cells] = before;
+    parallel_for(workers, k_sorters, 1, [&](size_t sorter, size_t, int) {
+        for_slots(sorter, [&](uint32_t i) {
+            s.order[s.tallies[sorter * cells + cell_of(s, c.motion.filed[i])]++] = i;
+        });
+    });
+    s.is_ordered = true;
 }
 
-static void nearest_walkers(Crowd& c, const Seen& me) {
-    const CrowdScratch& s = c.scratch;
-    Vec3 p = me.position;
-    uint32_t i = me.id;
-    float distances[k_neighbours];
-    uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
-    int count = 0;
-    float reach = k_neighbour_reach * k_neighbour_reach;
-    auto look_at = [&](uint32_t begin, uint32_t end) {
-        for (uint32_t k = begin; k < end; ++k) {
-            const Seen& other = s.sorted[k];
-            float d = length_squared(on_ground(other.position) - on_ground(p));
-            if (d > reach || other.id == i || std::fabs(other.position.y - p.y) > k_other_level) continue;
-            int at = count;
-            while (at > 0 && (distances[at - 1] > d ||
-                              (distances[at - 1] == d && s.sorted[slots[at - 1]].id > other.id)))
-                --at;
-            if (at == k_neighbours) continue;
-            if (count < k_neighbours) ++count;
-            for (int m = count - 1; m > at; --m) {
-                distances[m] = distances[m - 1];
-                slots[m] = slots[m - 1];
-            }
-            distances[at] = d;
-            slots[at] = k;
-            if (count == k_neighbours) reach = distances[count - 1];
-        }
-    };
-    for_seen_near(s, p, k_neighbour_reach, look_at);
-    c.scratch.neighbour_count[i] = static_cast<uint8_t>(count);
+static void look_at(Crowd& c, size_t at) {
+    SeenRows& rows = c.scratch.seen;
+    const uint32_t i = c.scratch.order[at];
+    const CrowdDecision& d = c.decision;
+    const Vec3 p = c.motion.position[i];
+    Vec2 velocity = c.motion.velocity[i], ahead;
+    if (d.claim[i].since != k_never) {
+        const Vec2 asked = d.claim[i].heirs > 0 ? d.chosen[i] : d.wanted[i];
+        velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));
+    }
+    if (c.identity.ahead[i] > 0) ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
+    rows.x[at] = p.x, rows.y[at] = p.y, rows.z[at] = p.z;
+    rows.velocity_x[at] = velocity.x, rows.velocity_z[at] = velocity.z;
+    rows.radius[at] = c.identity.radius[i];
+    rows.ahead_x[at] = ahead.x, rows.ahead_z[at] = ahead.z;
+    rows.claim[at] = d.claim[i];
+    rows.id[at] = i;
+}
+
+void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
+    const bool anew = tick % k_decision_ticks == 0;
+    if (anew || !c.scratch.is_ordered) put_in_order(c, workers, anew);
+    parallel_for(workers, c.slots.living.size(), 1024, [&](size_t begin, size_t end, int) {
+        for (size_t at = begin; at < end; ++at) look_at(c, at);
+    });
 }
 
 float deepest_overlap(const Crowd& c) {
     const CrowdScratch& s = c.scratch;
     float deepest = -1;
-    for (const Seen& me : std::span(s.sorted).first(c.slots.living.size())) {
+    for (size_t at = 0; at < s.cell_first.back(); ++at) {
+        const Seen me = seen_at(s.seen, at);
         for_seen_near(s, me.position, me.radius + c.widest, [&](uint32_t begin, uint32_t end) {
             for (uint32_t k = begin; k < end; ++k) {
-                const Seen& other = s.sorted[k];
-                Vec3 off = other.position - me.position;
+                const Seen other = seen_at(s.seen, k);
+                const Vec3 off = other.position - me.position;
                 if (other.id == me.id || std::fabs(off.y) > k_other_level) continue;
                 deepest = std::max(deepest, me.radius + other.radius - length(on_ground(off)));
             }
         });
     }
     return deepest;
-}
-
-void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
-    sort_by_cell(c);
-    for_deciders(c, workers, tick, [&](const Seen& me) { nearest_walkers(c, me); });
 }
 
 }  // namespace flaneur

@@ -4,102 +4,31 @@
 
 #include "sim/base/segment.h"
 #include "sim/crowd/crowd.h"
-#include "sim/crowd/half_planes.h"
+#include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
 
 namespace flaneur {
 
-static constexpr float k_horizon = 1.5f;         // seconds within which no one shall be met
-static constexpr float k_untangle = 0.3f;        // seconds to end an overlap in
-static constexpr float k_margin = 0.04f;         // metres kept between bodies
 static constexpr float k_border_horizon = 0.2f;  // seconds to the border, of one who is nearly there
 static constexpr float k_border_braking = 2;     // m/s2, at most, of one who comes to it
 static constexpr float k_border_reach = 1;       // metres
 static constexpr float k_grazes = 0.02f;         // metres beyond its end by which one still touches a border
 static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
-static constexpr float k_headway = 0.5f;      // seconds: a walker needs this long to cover the gap ahead
-static constexpr float k_keep_right = 0.15f;  // of the speed, where others come the other way
-static constexpr float k_patience = 0.7f;     // seconds without getting nearer before one gives way
-static constexpr float k_give_way = 0.6f;     // of the speed, to the right, for each second of that
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr uint32_t k_most_heirs = 16;
-static constexpr float k_haste = 1.1f;  // times the preferred speed, at most
-
-// Walkers who meet head-on must not both wait: each takes its share of the change, on the side where it is
-// smallest.
-static HalfPlane avoid(Vec2 between, Vec2 velocity, Vec2 other_velocity, float radius, float share) {
-    Vec2 relative = velocity - other_velocity, change;
-    Vec2 normal;
-    float distance_squared = length_squared(between);
-    float horizon = distance_squared > radius * radius ? k_horizon : k_untangle;
-    Vec2 w = relative - between / horizon;  // from the centre of the cut-off circle
-    float along = dot(w, between);
-    if (distance_squared <= radius * radius ||
-        (along < 0 && along * along > radius * radius * length_squared(w))) {
-        float l = length(w);
-        // Two at one place and speed: apart along x, each its way would need an id; the push of `move` parts
-        // them.
-        normal = l > 1e-6f ? w / l : Vec2{1, 0};
-        change = normal * (radius / horizon - l);
-    } else {
-        // The nearer side of the cone that touches the other's circle.
-        float tangent = std::sqrt(distance_squared - radius * radius);
-        Vec2 side;
-        if (cross(between, w) > 0) {
-            side = Vec2{between.x * tangent - between.z * radius, between.x * radius + between.z * tangent} /
-                   distance_squared;
-            normal = {-side.z, side.x};
-        } else {
-            side = Vec2{between.x * tangent + between.z * radius, -between.x * radius + between.z * tangent} /
-                   distance_squared;
-            normal = {side.z, -side.x};
-        }
-        change = side * dot(relative, side) - relative;
-    }
-    return {normal, dot(velocity + change * share, normal)};
-}
-
-// Calls visit(from me to the other, sum of radii) for each pram that is near, mine or the other's.
-template <class Visit>
-static void for_prams(const Seen& me, const Seen& other, const Visit& visit) {
-    Vec2 between = on_ground(other.position - me.position);
-    const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
-    if (theirs) visit(between + other.ahead, me.radius + k_pram_radius);
-    if (mine) visit(between - me.ahead, k_pram_radius + other.radius);
-    if (mine && theirs) visit(between + other.ahead - me.ahead, 2 * k_pram_radius);
-}
-
-// V(s) = (s - l) / T with s the distance to the first body in the way (Tordeux, Chraibi and Seyfried 2016,
-// without their force: ORCA has done that). Those who walk ahead at a like speed leave room as they go.
-static float headway_speed(const Crowd& c, const Seen& me, const Claim& claim, Vec2 direction) {
-    float speed = 1e9f;
-    const uint32_t* slots = &c.scratch.neighbours[size_t{me.id} * k_neighbours];
-    for (int k = 0; k < c.scratch.neighbour_count[me.id]; ++k) {
-        const Seen& other = c.scratch.sorted[slots[k]];
-        if (claim < other.claim) continue;  // makes way
-        auto keep_headway = [&](Vec2 between, float l) {
-            float ahead = dot(between, direction), aside = std::fabs(cross(direction, between));
-            if (ahead <= 0 || aside >= l) return;
-            float gap = ahead - std::sqrt(l * l - aside * aside);
-            float leaving = std::max(0.0f, dot(other.velocity, direction));
-            speed = std::min(speed, std::max(0.0f, gap / k_headway) + 0.9f * leaving);
-        };
-        keep_headway(on_ground(other.position - me.position), me.radius + other.radius);
-        for_prams(me, other, keep_headway);
-    }
-    return speed;
-}
+static constexpr int k_firm = 2 * k_borders;
+static_assert(k_firm + k_neighbours <= k_most_planes);
 
 // One's own claim, or a better one of somebody into whose way one has come.
-static Claim claim_of(const Crowd& c, const Seen& me) {
+static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_t insists) {
+    const Seen me = seen_at(rows, d.at[lane]);
     Claim claim;
-    if (c.journeys[me.id].insists_since != k_never) claim = {c.journeys[me.id].insists_since, me.id, 0};
-    const uint32_t* slots = &c.scratch.neighbours[size_t{me.id} * k_neighbours];
-    for (int k = 0; k < c.scratch.neighbour_count[me.id]; ++k) {
-        const Seen& other = c.scratch.sorted[slots[k]];
-        Claim inherited = other.claim;
-        if (++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
+    if (insists != k_never) claim = {insists, me.id, 0};
+    for (int k = 0; k < d.near_count[lane]; ++k) {
+        Claim inherited = rows.claim[d.near[lane][k]];
+        if (inherited.since == k_never || ++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
+        const Seen other = seen_at(rows, d.near[lane][k]);
         Vec2 to_me = on_ground(me.position - other.position);
         float distance = length(to_me), speed = length(other.velocity);
         float gap = distance - me.radius - other.radius;
@@ -107,6 +36,11 @@ static Claim claim_of(const Crowd& c, const Seen& me) {
         if (in_the_way) claim = inherited;
     }
     return claim;
+}
+
+// Who has the better claim goes as far as there is room, and the others make way.
+static float share_of(const Claim& mine, const Claim& theirs) {
+    return mine < theirs ? 0.0f : theirs < mine ? 1.0f : 0.5f;
 }
 
 // How fast one may come nearer to a border that is so far away: as one can slow down evenly.
@@ -149,18 +83,12 @@ static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, 
     return count;
 }
 
-static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me, const Claim& claim,
-                            uint32_t tick) {
-    static_assert(2 * k_borders + 4 * k_neighbours <= k_most_planes);
-    HalfPlane planes[k_most_planes];
-    uint32_t i = me.id;
-    Vec2 p = on_ground(me.position), velocity = c.motion.velocity[i], wish = c.decision.wanted[i];
-
+// What keeps one on the mesh.
+static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane* planes) {
     int count = 0;
     BorderLine lines[k_borders];
-    // Who walks back onto the mesh crosses its border.
-    const bool is_beside = c.way_back[i].polygon != 0;
-    int borders = is_beside ? 0 : borders_near(mesh, me.position, k_border_reach, lines, k_borders);
+    const Vec2 p = on_ground(me.position);
+    const int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
         float t = closest_on(a, on_ground(lines[b].b), p);
@@ -178,44 +106,89 @@ static Vec2 choose_velocity(const Crowd& c, const Navmesh& mesh, const Seen& me,
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
-    if (length_squared(me.ahead) > 0 && !is_beside) count = keep_pram_in(mesh, me, planes, count);
-    int firm = count;
+    return length_squared(me.ahead) > 0 ? keep_pram_in(mesh, me, planes, count) : count;
+}
 
-    const uint32_t* slots = &c.scratch.neighbours[size_t{i} * k_neighbours];
-    float oncoming = 0;
-    for (int k = 0; k < c.scratch.neighbour_count[i]; ++k) {
-        const Seen& other = c.scratch.sorted[slots[k]];
-        Vec2 between = on_ground(other.position - me.position);
-        // Who has the better claim goes as far as there is room, and the others make way.
-        if (!(claim < other.claim)) {
-            float share = other.claim < claim ? 1.0f : 0.5f;
-            planes[count++] =
-                avoid(between, velocity, other.velocity, me.radius + other.radius + k_margin, share);
-            for_prams(me, other, [&](Vec2 apart, float radius) {
-                planes[count++] = avoid(apart, velocity, other.velocity, radius, share);
-            });
-        }
-        if (dot(other.velocity, wish) < 0 && dot(between, wish) > 0) oncoming = 1;
+// Prams that are near, one's own or the other's.
+static void add_prams(const Seen& me, const Seen& other, float share, int lane, Deciders& d) {
+    const Vec2 between = on_ground(other.position - me.position);
+    const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
+    auto add = [&](Vec2 apart, float radii) {
+        if (d.pram_count < k_prams_near) d.prams[d.pram_count++] = {apart, other.velocity, radii, share, lane};
+    };
+    if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
+    if (mine) add(between - me.ahead, k_pram_radius + other.radius);
+    if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
+}
+
+static void add_neighbours(const SeenRows& rows, const Seen& me, const Claim& claim, int lane, Deciders& d) {
+    for (int k = 0; k < d.near_count[lane]; ++k) {
+        const Seen other = seen_at(rows, d.near[lane][k]);
+        const float share = share_of(claim, rows.claim[d.near[lane][k]]);
+        MeetingRows& to = d.neighbours[k];
+        to.x.lanes[lane] = other.position.x - me.position.x;
+        to.z.lanes[lane] = other.position.z - me.position.z;
+        to.velocity_x.lanes[lane] = other.velocity.x;
+        to.velocity_z.lanes[lane] = other.velocity.z;
+        to.radii.lanes[lane] = me.radius + other.radius;
+        to.share.lanes[lane] = share;
+        if (me.ahead != Vec2{} || other.ahead != Vec2{}) add_prams(me, other, share, lane, d);
     }
-    // Those who do not get on in a jam give way to the right, ever more, until two streams have sorted
-    // themselves.
-    float waited = static_cast<float>(tick - c.journeys[i].closest_tick) * k_tick;
-    float right = oncoming * (k_keep_right + k_give_way * clamp(waited - k_patience, 0, 2));
-    wish += Vec2{-wish.z, wish.x} * right;
+}
 
-    float most = std::max(c.identity.preferred_speed[i], 0.3f) * k_haste;
-    if (i == c.driven.walker) most = k_fastest_driven;
-    Vec2 v = best_velocity(planes, count, firm, most, wish);
-    float speed = length(v);
-    if (speed < 1e-4f) return {0, 0};
-    return v * std::min(1.0f, headway_speed(c, me, claim, v / speed) / speed);
+// Lanes of walkers who are not there, and neighbours and planes that some of them have not, do no harm.
+static void clear(Deciders& d) {
+    d.rows = d.pram_count = 0;
+    for (int lane = 0; lane < d.count; ++lane) d.rows = std::max(d.rows, d.near_count[lane]);
+    for (int k = 0; k < d.rows; ++k) d.neighbours[k] = {};
+    for (LaneRow* row : {&d.velocity_x, &d.velocity_z, &d.wish_x, &d.wish_z, &d.most, &d.waited}) *row = {};
+}
+
+static void set_firm(const HalfPlane (&firm)[k_block][k_firm], const int (&counts)[k_block], Deciders& d) {
+    d.firm = *std::max_element(counts, counts + d.count);
+    for (int k = 0; k < d.firm; ++k)
+        for (int lane = 0; lane < k_block; ++lane) {
+            const bool is_one = lane < d.count && k < counts[lane];
+            const HalfPlane plane = is_one ? firm[lane][k] : HalfPlane{{0, 0}, k_no_offset};
+            d.planes[k].x.lanes[lane] = plane.normal.x;
+            d.planes[k].z.lanes[lane] = plane.normal.z;
+            d.planes[k].offset.lanes[lane] = plane.offset;
+        }
+}
+
+static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
+    const SeenRows& rows = c.scratch.seen;
+    find_nearest(c.scratch, d);
+    clear(d);
+    HalfPlane firm[k_block][k_firm];
+    int firm_count[k_block];
+    for (int lane = 0; lane < d.count; ++lane) {
+        const Seen me = seen_at(rows, d.at[lane]);
+        const Intent& intent = c.scratch.intents[me.id];
+        const Vec2 velocity = c.motion.velocity[me.id];
+        const Claim claim = claim_of(rows, d, lane, intent.insists);
+        c.decision.claim[me.id] = claim;
+        d.velocity_x.lanes[lane] = velocity.x, d.velocity_z.lanes[lane] = velocity.z;
+        d.wish_x.lanes[lane] = intent.wanted.x, d.wish_z.lanes[lane] = intent.wanted.z;
+        d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
+        // Who walks back onto the mesh crosses its border.
+        firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
+        add_neighbours(rows, me, claim, lane, d);
+    }
+    set_firm(firm, firm_count, d);
+    choose_velocities(d, 1);
+    for (int lane = 0; lane < d.count; ++lane)
+        c.decision.chosen[rows.id[d.at[lane]]] = {d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
-    for_deciders(c, workers, tick, [&](const Seen& me) {
-        Claim claim = claim_of(c, me);
-        c.decision.chosen[me.id] = choose_velocity(c, mesh, me, claim, tick);
-        c.decision.claim[me.id] = claim;
+    // In the order of places, so that those who decide together share neighbours and ground.
+    parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
+        Deciders d;
+        for (size_t at = begin; at < end; ++at) {
+            if ((c.scratch.seen.id[at] ^ tick) % k_decision_ticks == 0) d.at[d.count++] = static_cast<uint32_t>(at);
+            if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
+        }
     });
 }
 

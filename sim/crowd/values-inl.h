@@ -35,6 +35,9 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(under, "height", m.under[i].height);
     add(under, "normal", m.under[i].normal);
     add(under, "kind", m.under[i].kind);
+    const FieldName filed{"filed", &k_motion};
+    add(filed, "column", m.filed[i].column);
+    add(filed, "row", m.filed[i].row);
     const CrowdDecision& d = c.decision;
     add(k_decision, "wanted", d.wanted[i]);
     add(k_decision, "looks", d.looks[i]);

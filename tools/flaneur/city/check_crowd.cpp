@@ -18,6 +18,7 @@ constexpr uint32_t k_stuck_ticks = 60 * 60;
 constexpr float k_still = 1;        // metres; who stays within them does not get on
 constexpr float k_wall = 0.1f;      // metres; nearer to a wall one is in it
 constexpr float k_walking = 0.2f;   // m/s
+constexpr float k_close = 0.75f;    // metres
 constexpr float k_at_crossing = 3;  // metres
 constexpr size_t k_most_places = 5;
 
@@ -41,12 +42,10 @@ bool is_by_crossing(const City& city, Vec3 p) {
 
 // Why one does not get on.
 const char* cause(const Crowd& c, uint32_t i) {
-    int close = 0;
-    for (int k = 0; k < c.scratch.neighbour_count[i]; ++k) {
-        uint32_t slot = c.scratch.neighbours[size_t{i} * k_neighbours + static_cast<size_t>(k)];
-        close += length(on_ground(c.scratch.sorted[slot].position - c.motion.position[i])) < 0.75f;
-    }
-    if (close > 0) return "stuck among others";
+    for (WalkerId other : c.slots.living)
+        if (other.index != i &&
+            length(on_ground(c.motion.position[other.index] - c.motion.position[i])) < k_close)
+            return "stuck among others";
     if (c.journeys[i].path_due != PathDue::no) return "waits for a way";
     return c.journeys[i].corner >= c.journeys[i].corner_count ? "has no way" : "stuck by itself";
 }

@@ -1,0 +1,249 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/crowd/deciders.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "sim/crowd/places.h"
+#include "sim/crowd/velocity-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace flaneur::HWY_NAMESPACE {
+
+using NumberTag = hn::RebindToUnsigned<LaneTag>;
+
+// Those within reach, in the order in which they were come upon.
+struct Candidates {
+    static constexpr size_t k_room = 64;
+    size_t count = 0;
+    float distance2[k_room + k_block];
+    uint32_t at[k_room + k_block];
+};
+
+// Leaves the nearest k_neighbours, in the same order, and returns how far off the last of them is. Each is
+// as near as it has nearer ones: so all may be compared side by side.
+HWY_INLINE float keep_nearest(Candidates& c) {
+    const LaneTag tag;
+    const NumberTag number;
+    const size_t lanes = hn::Lanes(tag);
+    for (size_t k = c.count; k < c.count + lanes; ++k) c.distance2[k] = 1e9f;
+    alignas(64) uint32_t nearer[Candidates::k_room + k_block];
+    for (size_t k = 0; k < c.count; k += lanes) {
+        const auto own = hn::LoadU(tag, c.distance2 + k);
+        const auto place = hn::Iota(number, static_cast<uint32_t>(k));
+        auto sum = hn::Zero(number);
+        for (size_t j = 0; j < c.count; ++j) {
+            const auto other = hn::Set(tag, c.distance2[j]);
+            const auto before = hn::RebindMask(tag, hn::Lt(hn::Set(number, static_cast<uint32_t>(j)), place));
+            const auto less = hn::Or(hn::Lt(other, own), hn::And(hn::Eq(other, own), before));
+            sum = hn::Sub(sum, hn::VecFromMask(number, hn::RebindMask(number, less)));
+        }
+        hn::StoreU(sum, number, nearer + k);
+    }
+    size_t kept = 0;
+    float farthest = 0;
+    for (size_t k = 0; k < c.count; ++k) {
+        if (nearer[k] >= k_neighbours) continue;
+        c.distance2[kept] = c.distance2[k];
+        c.at[kept++] = c.at[k];
+        farthest = std::max(farthest, c.distance2[k]);
+    }
+    c.count = kept;
+    return farthest;
+}
+
+HWY_INLINE void find_nearest_of(const CrowdScratch& s, uint32_t me, Candidates& found) {
+    const LaneTag tag;
+    const NumberTag number;
+    const SeenRows& rows = s.seen;
+    const Vec3 p{rows.x[me], rows.y[me], rows.z[me]};
+    const auto x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
+    const auto level = hn::Set(tag, k_other_level);
+    auto reach = hn::Set(tag, k_neighbour_reach * k_neighbour_reach);
+    found.count = 0;
+    for_seen_near(s, p, k_neighbour_reach, [&](uint32_t begin, uint32_t end) {
+        for (size_t k = begin; k < end; k += hn::Lanes(tag)) {
+            const auto off_x = hn::Sub(hn::LoadU(tag, &rows.x[k]), x),
+                       off_z = hn::Sub(hn::LoadU(tag, &rows.z[k]), z),
+                       off_y = hn::Abs(hn::Sub(hn::LoadU(tag, &rows.y[k]), y));
+            const auto distance2 = hn::Add(hn::Mul(off_x, off_x), hn::Mul(off_z, off_z));
+            const auto at = hn::Iota(number, static_cast<uint32_t>(k));
+            auto near = hn::And(hn::Le(distance2, reach), hn::Le(off_y, level));
+            near = hn::And(near, hn::FirstN(tag, end - k));
+            near = hn::And(near, hn::RebindMask(tag, hn::Ne(at, hn::Set(number, me))));
+            if (hn::AllFalse(tag, near)) continue;
+            hn::CompressStore(at, hn::RebindMask(number, near), number, found.at + found.count);
+            found.count += hn::CompressStore(distance2, near, tag, found.distance2 + found.count);
+            if (found.count >= Candidates::k_room - k_block) reach = hn::Set(tag, keep_nearest(found));
+        }
+    });
+    if (found.count > k_neighbours) keep_nearest(found);
+}
+
+void find_nearest_here(const CrowdScratch& s, Deciders& d) {
+    Candidates found;
+    for (int lane = 0; lane < d.count; ++lane) {
+        find_nearest_of(s, d.at[lane], found);
+        d.near_count[lane] = static_cast<int>(found.count);
+        std::copy_n(found.at, found.count, d.near[lane]);
+    }
+}
+
+template <class T>
+HWY_INLINE V2<T> pair_of(const LaneRow& x, const LaneRow& z, size_t lane) {
+    return {row<T>(x.lanes, lane), row<T>(z.lanes, lane)};
+}
+
+// One velocity among neighbours: the wish, led to the side where some come the other way, and half-planes.
+template <class T>
+HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
+    const V2<T> velocity = pair_of<T>(d.velocity_x, d.velocity_z, lane);
+    V2<T> wish = pair_of<T>(d.wish_x, d.wish_z, lane);
+    const T zero = T(0.0f), one = T(1.0f);
+    T oncoming = zero;
+    for (int k = 0; k < d.rows; ++k) {
+        const Meet<T> m = meeting<T>(d.neighbours[k], lane);
+        const Plane<T> plane = avoid(m, velocity);
+        auto minds = m.share > zero;
+        PlaneRows& rows = d.planes[d.firm + k];
+        store(select(minds, plane.normal.x, zero), rows.x.lanes + lane);
+        store(select(minds, plane.normal.z, zero), rows.z.lanes + lane);
+        store(select(minds, plane.offset, T(k_no_offset)), rows.offset.lanes + lane);
+        auto comes = (dot(m.velocity, wish) < zero) & (dot(m.between, wish) > zero);
+        oncoming = select(comes, one, oncoming);
+    }
+    // Those who do not get on in a jam give way, ever more, until two streams have sorted themselves.
+    const T waited = clamp(row<T>(d.waited.lanes, lane) - T(k_patience), zero, T(2.0f));
+    const T aside = oncoming * (T(k_keep_side) + T(k_give_way) * waited) * T(side);
+    wish = wish + V2<T>{zero - wish.z, wish.x} * aside;
+    store(wish.x, d.wish_x.lanes + lane);
+    store(wish.z, d.wish_z.lanes + lane);
+}
+
+void set_out_here(Deciders& d, float side) {
+    for (size_t lane = 0; lane < k_block; lane += lane_count()) set_out<Lanes>(d, side, lane);
+}
+
+// Returns in which lanes nothing is left; their velocities are not set.
+uint32_t choose_here(Deciders& d, int planes) {
+    alignas(64) float failed[k_block];
+    for (size_t lane = 0; lane < k_block; lane += lane_count()) {
+        const V2<Lanes> wish = pair_of<Lanes>(d.wish_x, d.wish_z, lane);
+        const auto best = best_within(d.planes, planes, row<Lanes>(d.most.lanes, lane), wish, lane);
+        store(best.velocity.x, d.chosen_x.lanes + lane);
+        store(best.velocity.z, d.chosen_z.lanes + lane);
+        store(best.failed, failed + lane);
+    }
+    uint32_t lanes = 0;
+    for (int lane = 0; lane < k_block; ++lane) lanes |= failed[lane] > 0 ? 1u << lane : 0;
+    return lanes;
+}
+
+template <class T>
+HWY_INLINE void keep_headway(Deciders& d, size_t lane) {
+    const V2<T> v = pair_of<T>(d.chosen_x, d.chosen_z, lane);
+    const T speed = sqrt(dot(v, v)), slow = T(1e-4f), one = T(1.0f);
+    const V2<T> direction = v * (one / max(speed, slow));
+    T most = T(1e9f);
+    for (int k = 0; k < d.rows; ++k)
+        most = min(most, headway_speed(meeting<T>(d.neighbours[k], lane), direction));
+    const V2<T> kept = v * select(speed < slow, T(0.0f), min(one, most / max(speed, slow)));
+    store(kept.x, d.chosen_x.lanes + lane);
+    store(kept.z, d.chosen_z.lanes + lane);
+}
+
+void keep_headway_here(Deciders& d) {
+    for (size_t lane = 0; lane < k_block; lane += lane_count()) keep_headway<Lanes>(d, lane);
+}
+
+Plane<float> avoid_one(const Meeting& m, Vec2 velocity) {
+    return avoid<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
+                        {velocity.x, velocity.z});
+}
+float headway_of_one(const Meeting& m, Vec2 direction) {
+    return headway_speed<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
+                                {direction.x, direction.z});
+}
+
+}  // namespace flaneur::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace flaneur {
+
+namespace kernel = HWY_NAMESPACE;
+
+HWY_EXPORT(find_nearest_here);
+HWY_EXPORT(set_out_here);
+HWY_EXPORT(choose_here);
+HWY_EXPORT(keep_headway_here);
+
+void find_nearest(const CrowdScratch& scratch, Deciders& deciders) {
+    HWY_DYNAMIC_DISPATCH(find_nearest_here)(scratch, deciders);
+}
+
+// Planes for prams, after the neighbours'; returns how many rows there are.
+static int add_prams(Deciders& d) {
+    int used[k_block], rows = d.firm + d.rows;
+    std::fill_n(used, k_block, rows);
+    for (int k = 0; k < d.pram_count; ++k) {
+        const Meeting& m = d.prams[k];
+        int& at = used[m.lane];
+        if (at == k_most_planes) continue;
+        if (at == rows) {
+            std::fill_n(d.planes[at].x.lanes, k_block, 0.0f);
+            std::fill_n(d.planes[at].z.lanes, k_block, 0.0f);
+            std::fill_n(d.planes[at].offset.lanes, k_block, k_no_offset);
+            ++rows;
+        }
+        const auto plane =
+            kernel::avoid_one(m, {d.velocity_x.lanes[m.lane], d.velocity_z.lanes[m.lane]});
+        d.planes[at].x.lanes[m.lane] = plane.normal.x;
+        d.planes[at].z.lanes[m.lane] = plane.normal.z;
+        d.planes[at++].offset.lanes[m.lane] = plane.offset;
+    }
+    return rows;
+}
+
+// Where planes leave nothing, that which breaks them least.
+static void make_the_best(Deciders& d, int rows, int lane) {
+    HalfPlane planes[k_most_planes];
+    int count = 0, firm = 0;
+    for (int k = 0; k < rows; ++k) {
+        if (k == d.firm) firm = count;
+        const PlaneRows& row = d.planes[k];
+        if (row.offset.lanes[lane] == k_no_offset) continue;
+        planes[count++] = {{row.x.lanes[lane], row.z.lanes[lane]}, row.offset.lanes[lane]};
+    }
+    if (rows == d.firm) firm = count;
+    const Vec2 v = best_velocity(planes, count, firm, d.most.lanes[lane],
+                                 {d.wish_x.lanes[lane], d.wish_z.lanes[lane]});
+    d.chosen_x.lanes[lane] = v.x;
+    d.chosen_z.lanes[lane] = v.z;
+}
+
+// As keep_headway, for the prams of a lane.
+static void keep_off_prams(Deciders& d) {
+    for (int k = 0; k < d.pram_count; ++k) {
+        const Meeting& m = d.prams[k];
+        float &x = d.chosen_x.lanes[m.lane], &z = d.chosen_z.lanes[m.lane];
+        const float speed = length(Vec2{x, z});
+        if (speed < 1e-4f) continue;
+        const float share = std::min(1.0f, kernel::headway_of_one(m, Vec2{x, z} / speed) / speed);
+        x *= share, z *= share;
+    }
+}
+
+void choose_velocities(Deciders& d, float side) {
+    HWY_DYNAMIC_DISPATCH(set_out_here)(d, side);
+    const int rows = add_prams(d);
+    const uint32_t failed = HWY_DYNAMIC_DISPATCH(choose_here)(d, rows);
+    for (int lane = 0; lane < d.count; ++lane)
+        if (failed >> lane & 1) make_the_best(d, rows, lane);
+    HWY_DYNAMIC_DISPATCH(keep_headway_here)(d);
+    keep_off_prams(d);
+}
+
+}  // namespace flaneur
+#endif

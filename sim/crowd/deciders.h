@@ -1,0 +1,56 @@
+// Sixteen walkers who decide where to go, side by side, and the kernels that do it for all of them at once.
+// Private to sim/crowd.
+#pragma once
+
+#include "sim/base/block.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/half_planes.h"
+
+namespace flaneur {
+
+inline constexpr float k_horizon = 1.5f;   // seconds within which no one shall be met
+inline constexpr float k_margin = 0.04f;   // metres kept between bodies
+inline constexpr float k_headway = 0.5f;   // seconds: a walker needs this long to cover the gap ahead
+inline constexpr int k_prams_near = 64;    // of all sixteen
+
+// What may not be come near: from a walker on its lane to something else, metres and m/s.
+struct Meeting {
+    Vec2 between, velocity;  // the other's
+    float radii = 0;         // at which they touch
+    float share = 0;         // of the change that the walker makes: 1, a half, or 0: none at all
+    int lane = 0;
+};
+
+// The same of all lanes' k-th neighbours.
+struct MeetingRows {
+    LaneRow x, z, velocity_x, velocity_z, radii, share;
+};
+
+struct PlaneRows {
+    LaneRow x, z, offset;  // normal and offset of a HalfPlane; offsets of none are k_no_offset
+};
+inline constexpr float k_no_offset = -1e9f;
+
+struct Deciders {
+    int count = 0;
+    uint32_t at[k_block];  // in SeenRows
+    LaneRow velocity_x, velocity_z, wish_x, wish_z, most, waited;
+    int near_count[k_block];
+    uint32_t near[k_block][k_neighbours];  // in SeenRows
+    int rows = 0;                          // of neighbours
+    MeetingRows neighbours[k_neighbours];
+    int firm = 0;  // planes that are kept whatever happens come first
+    PlaneRows planes[k_most_planes];
+    int pram_count = 0;
+    Meeting prams[k_prams_near];
+    LaneRow chosen_x, chosen_z;
+};
+
+// Finds each one's k_neighbours nearest within k_neighbour_reach, ties by their order in the rows.
+void find_nearest(const CrowdScratch& scratch, Deciders& deciders);
+
+// From wishes, neighbours and firm planes to the velocities chosen. `side` is +1 where people pass each other
+// on the right, -1 on the left.
+void choose_velocities(Deciders& deciders, float side);
+
+}  // namespace flaneur
