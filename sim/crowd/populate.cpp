@@ -20,6 +20,7 @@ namespace {
 // The walkers placed so far by cell of the wrapped plane, as chains.
 struct Placed {
     static constexpr uint32_t k_none = ~0u;
+    std::vector<NavPoint> places;
     std::vector<uint32_t> head, next;
     uint32_t mask = 0;
 
@@ -33,15 +34,30 @@ struct Placed {
 
 static int column(float v) { return static_cast<int>(std::floor(v / k_spacing)); }
 
-static bool is_free(const Placed& placed, const Crowd& c, Vec3 p) {
+static bool is_free(const Placed& placed, Vec3 p) {
     for (int z = column(p.z) - 1; z <= column(p.z) + 1; ++z) {
         for (int x = column(p.x) - 1; x <= column(p.x) + 1; ++x) {
             for (uint32_t i = placed.head[placed.cell(x, z)]; i != Placed::k_none; i = placed.next[i]) {
-                if (length_squared(c.motion.position[i] - p) < k_spacing * k_spacing) return false;
+                if (length_squared(placed.places[i].position - p) < k_spacing * k_spacing) return false;
             }
         }
     }
     return true;
+}
+
+// Where a place is on a curve that winds through all squares of the ground plane, near ones soon after each
+// other (Morton 1966).
+static uint64_t along_curve(Vec2 p) {
+    constexpr float k_square = 4;  // metres
+    auto spread = [](float v) {
+        uint64_t bits = static_cast<uint32_t>(static_cast<int>(std::floor(v / k_square)) + (1 << 20));
+        bits = (bits | bits << 16) & 0x0000ffff0000ffff;
+        bits = (bits | bits << 8) & 0x00ff00ff00ff00ff;
+        bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0f;
+        bits = (bits | bits << 2) & 0x3333333333333333;
+        return (bits | bits << 1) & 0x5555555555555555;
+    };
+    return spread(p.x) | spread(p.z) << 1;
 }
 
 static float median(std::vector<float>& values) {
@@ -95,31 +111,38 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
     placed.next.resize(walkers);
+    placed.places.reserve(walkers);
     Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
     constexpr uint32_t k_attempts = 64;
     for (uint32_t i = 0; i < walkers; ++i) {
-        Walker w;
-        for (uint32_t attempt = 0; attempt < k_attempts && w.place.polygon == 0; ++attempt) {
+        NavPoint place;
+        for (uint32_t attempt = 0; attempt < k_attempts && place.polygon == 0; ++attempt) {
             RandomKey key{seed, i, attempt, Purpose::spawn};
             NavPoint p = random_place_near(mesh, 0, home.centre, home.radius, random_unit(key, 0),
                                            random_unit(key, 1), random_unit(key, 2));
             auto hit = ground_at(around, p.position, 1, 2);
             if (!hit) continue;
             p.position.y = hit->height;
-            if (is_free(placed, c, p.position)) w.place = p;
+            if (is_free(placed, p.position)) place = p;
         }
-        if (w.place.polygon == 0) {
+        if (place.polygon == 0) {
             return Error{"Only about " + std::to_string(i) + " of " + std::to_string(walkers) +
                          " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
                          "': take fewer, or more ground."};
         }
-        NavPoint place = w.place;
-        w = draw_walker(folk, {seed, i, 0, Purpose::body});
-        w.place = place;
-        add_walker(c, around, w);
-        uint32_t& head = placed.head[placed.cell(column(w.place.position.x), column(w.place.position.z))];
+        placed.places.push_back(place);
+        uint32_t& head = placed.head[placed.cell(column(place.position.x), column(place.position.z))];
         placed.next[i] = head;
         head = i;
+    }
+    // Those who are near have slots that are near, so that they find each other in the cache.
+    std::stable_sort(placed.places.begin(), placed.places.end(), [](const NavPoint& a, const NavPoint& b) {
+        return along_curve(on_ground(a.position)) < along_curve(on_ground(b.position));
+    });
+    for (uint32_t i = 0; i < walkers; ++i) {
+        Walker w = draw_walker(folk, {seed, i, 0, Purpose::body});
+        w.place = placed.places[i];
+        add_walker(c, around, w);
     }
     parallel_for(workers, c.count, 16, [&](size_t begin, size_t end, int thread) {
         for (size_t i = begin; i < end; ++i) {

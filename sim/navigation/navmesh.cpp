@@ -155,14 +155,14 @@ std::optional<BorderLine> first_border(const Navmesh& m, Vec3 from, Vec3 to, flo
     std::optional<BorderLine> found;
     for_cells_of_ray(m.border_grid, p, direction, distance, [&](size_t cell, float exit) {
         for (uint32_t k = m.border_grid.first[cell]; k < m.border_grid.first[cell + 1]; ++k) {
-            const BorderLine& line = m.borders[m.border_grid.items[k]];
-            Vec2 ab = on_ground(line.b - line.a), to_a = on_ground(line.a) - p;
+            const CellBorder& line = m.cell_borders[k];
+            Vec2 ab = on_ground(line.along), to_a = on_ground(line.a) - p;
             float outward = cross(direction, ab);  // positive when the way leaves the mesh here
             if (outward <= 1e-6f) continue;
             float t = cross(to_a, ab) / outward, s = cross(to_a, direction) / outward;
             if (t <= forgiven_start || t >= first || s < 0 || s > 1) continue;
-            float rise = lerp(line.a.y, line.b.y, s) - lerp(from.y, to.y, t / distance);
-            if (std::fabs(rise) < k_same_level) first = t, found = line;
+            float rise = line.a.y + line.along.y * s - lerp(from.y, to.y, t / distance);
+            if (std::fabs(rise) < k_same_level) first = t, found = m.borders[line.line];
         }
         return first > exit;
     });
@@ -199,9 +199,12 @@ int borders_near(const Navmesh& m, Vec3 point, float radius, BorderLine* lines, 
         for (int x = r.x0; x <= r.x1; ++x) {
             size_t cell = static_cast<size_t>(z) * grid.width + x;
             for (uint32_t k = grid.first[cell]; k < grid.first[cell + 1]; ++k) {
-                Vec3 c = closest_on_line(m.borders[grid.items[k]], point);
-                Entry e{length_squared(on_ground(c) - p), grid.items[k]};
-                if (e.distance > radius * radius || std::fabs(c.y - point.y) > k_same_level) continue;
+                const CellBorder& border = m.cell_borders[k];
+                const Vec2 from_a = p - on_ground(border.a), along = on_ground(border.along);
+                const float t = clamp(dot(from_a, along) * border.per_length_squared, 0, 1);
+                const Entry e{length_squared(from_a - along * t), border.line};
+                if (e.distance > radius * radius) continue;
+                if (std::fabs(border.a.y + border.along.y * t - point.y) > k_same_level) continue;
                 if (count == capacity && !(e < best[count - 1])) continue;
                 int at = 0;
                 while (at < count && best[at] < e) ++at;

@@ -116,6 +116,11 @@ static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
     fill_grid(m.border_grid, static_cast<uint32_t>(m.borders.size()), [&](uint32_t i, auto visit) {
         for_cells_of_segment(m.border_grid, on_ground(m.borders[i].a), on_ground(m.borders[i].b), visit);
     });
+    m.cell_borders.reserve(m.border_grid.items.size());
+    for (uint32_t i : m.border_grid.items) {
+        const Vec3 a = m.borders[i].a, along = m.borders[i].b - a;
+        m.cell_borders.push_back({a, along, 1 / length_squared(on_ground(along)), i});
+    }
 }
 
 // What people rather walk on: sidewalks, then crossings, pedestrian streets, grass, and roads last.

@@ -24,6 +24,13 @@ struct PlacePiece {
     uint32_t polygon = 0;
 };
 
+// A border line as what asks for the nearest reads it.
+struct CellBorder {
+    Vec3 a, along;                // from end to end
+    float per_length_squared = 0; // on the ground plane
+    uint32_t line = 0;            // in `borders`
+};
+
 struct Navmesh {
     NavmeshSettings settings;
     std::unique_ptr<dtNavMesh, DetourDelete> mesh;
@@ -38,6 +45,7 @@ struct Navmesh {
 
     std::vector<BorderLine> borders;
     Grid border_grid;
+    std::vector<CellBorder> cell_borders;  // one for each item of border_grid, side by side in memory
 };
 
 // The area id of a surface on the mesh; Recast keeps 0 for what cannot be walked on.
