@@ -16,7 +16,8 @@ constexpr uint64_t k_mark = 0x31'74'73'2e'72'75'6c'66;  // "flur.st1"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 4 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 4 + 3) + 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 4 + 3) + 32 +
+                                   sizeof(Onlookers) + 24);
 
 // Before all else; how many of each follow.
 struct Head {
@@ -38,7 +39,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     auto& who = c.identity;
     some(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     some(c.slots.generation, c.slots.place);
-    all(w.gait.blocks, w.poses, w.trails);
+    all(w.gait.blocks, w.poses, w.trails, c.afar);
     auto& m = c.motion;
     some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
          m.filed);

@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "sim/base/spans.h"
 #include "sim/base/zone.h"
+#include "sim/gait/pram.h"
 #include "sim/gait/hands.h"
 #include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
@@ -34,68 +38,95 @@ void count_journeys(const World& w) {
     trace_counter("people who do not get on", stuck);
 }
 
-void add_idles(World& w) {
-    want_idles(w.idles, w.gait);
-    advance_plays(w.idles, k_tick);
-    parallel_for(*w.workers, w.idles.plays.size(), k_blocks_a_chunk * k_block,
-                 [&](size_t begin, size_t end, int) { apply_plays(w.idles, begin, end, w.poses); });
-}
-
-// Calls work(first, last) for each run of slots of [begin, end) that all have a walker.
-template <class Work>
-void for_those_there(const Crowd& crowd, size_t begin, size_t end, const Work& work) {
-    auto there = [&](size_t i) { return i < crowd.count && is_there(crowd, static_cast<uint32_t>(i)); };
+// Calls work(first, last) for each run in [begin, end) of those that are in.
+template <class In, class Work>
+void for_runs(size_t begin, size_t end, const In& is_in, const Work& work) {
     for (size_t i = begin; i < end; ++i) {
         size_t first = i;
-        while (i < end && there(i)) ++i;
+        while (i < end && is_in(i)) ++i;
         if (i > first) work(first, i);
     }
 }
 
+void add_idles(World& w) {
+    want_idles(w.idles, w.gait);
+    advance_plays(w.idles, k_tick);
+    auto is_near = [&](size_t play) { return !w.crowd.afar[w.idles.plays[play].walker / k_block]; };
+    parallel_for(*w.workers, w.idles.plays.size(), k_blocks_a_chunk * k_block,
+                 [&](size_t begin, size_t end, int) {
+                     for_runs(begin, end, is_near, [&](size_t first, size_t last) {
+                         apply_plays(w.idles, first, last, w.poses);
+                     });
+                 });
+}
+
+// Calls work(block, seconds) on the workers for each block whose walkers step in this tick.
+template <class Work>
+void for_due_blocks(World& w, const Work& work) {
+    parallel_for(*w.workers, block_count(w.crowd.count), k_blocks_a_chunk,
+                 [&](size_t begin, size_t end, int) {
+                     for (size_t block = begin; block < end; ++block)
+                         if (const uint32_t ticks = ticks_due(w.crowd, block, w.tick))
+                             work(block, static_cast<float>(ticks) * k_tick);
+                 });
+}
+
+void step_gait(World& w) {
+    CrowdMotion& m = w.crowd.motion;
+    RootMotion root{m.position.data(),  m.velocity.data(), m.heading.data(),
+                    m.turn_rate.data(), m.wish.data(),     m.brakes.data()};
+    auto there = [&](size_t i) { return is_there(w.crowd, static_cast<uint32_t>(i)); };
+    for_due_blocks(w, [&](size_t block, float dt) {
+        const size_t end = std::min<size_t>(w.crowd.count, (block + 1) * k_block);
+        for_runs(block * k_block, end, there, [&](size_t first, size_t last) {
+            advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+            reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+            advance_holds(w.gait, first, last, root, w.seed, w.tick, dt);
+            for (size_t i = first; i < last; ++i) m.feet[i] = footwork(w.gait, i, m.position[i]);
+        });
+    });
+}
+
+void hold_items(World& w, size_t block, float dt) {
+    const size_t first = block * k_block, last = first + k_block;
+    const Span canes = canes_of(w.gait, first, last), prams = prams_of(w.gait, first, last);
+    hold_canes(w.gait, canes.begin, canes.end, dt, w.previous_poses, w.poses);
+    hold_prams(w.gait, prams.begin, prams.end, dt, w.previous_poses, w.poses);
+}
+
+void step_pose(World& w) {
+    w.previous_poses.swap(w.poses);
+    w.previous_trails.swap(w.trails);
+    for_due_blocks(w, [&](size_t block, float dt) {
+        pose_blocks(w.gait, block, block + 1, dt, w.previous_poses, w.poses);
+        restrain_legs(w.gait, block, block + 1, dt, w.previous_poses, w.poses);
+    });
+    add_idles(w);
+    for_due_blocks(w, [&](size_t block, float dt) {
+        hold_items(w, block, dt);
+        advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
+        if (!w.crowd.afar[block]) return;
+        // Until they step again both are the same.
+        w.previous_poses[block] = w.poses[block];
+        w.previous_trails[block] = w.trails[block];
+    });
+}
+
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
-    timed(w, Stage::gait, [&] {
-        CrowdMotion& m = w.crowd.motion;
-        RootMotion root{m.position.data(),  m.velocity.data(), m.heading.data(),
-                        m.turn_rate.data(), m.wish.data(),     m.brakes.data()};
-        parallel_for(*w.workers, w.crowd.count, k_blocks_a_chunk * k_block,
-                     [&](size_t begin, size_t end, int) {
-                         for_those_there(w.crowd, begin, end, [&](size_t first, size_t last) {
-                             advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
-                             reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, k_tick);
-                             advance_holds(w.gait, first, last, root, w.seed, w.tick, k_tick);
-                             for (size_t i = first; i < last; ++i)
-                                 m.feet[i] = footwork(w.gait, i, m.position[i]);
-                         });
-                     });
-    });
-    timed(w, Stage::pose, [&] {
-        w.previous_poses.swap(w.poses);
-        parallel_for(*w.workers, w.gait.blocks.size(), k_blocks_a_chunk, [&](size_t begin, size_t end, int) {
-            pose_blocks(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
-            restrain_legs(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
-        });
-        add_idles(w);
-        parallel_for(*w.workers, w.gait.canes.size(), k_blocks_a_chunk * k_block,
-                     [&](size_t begin, size_t end, int) {
-                         hold_canes(w.gait, begin, end, k_tick, w.previous_poses, w.poses);
-                     });
-        hold_prams(w.gait, 0, w.gait.prams.size(), k_tick, w.previous_poses, w.poses);
-        w.previous_trails.swap(w.trails);
-        parallel_for(*w.workers, w.poses.size(), k_blocks_a_chunk, [&](size_t begin, size_t end, int) {
-            advance_trails(w.previous_poses, w.poses, begin, end, k_tick, w.previous_trails, w.trails);
-        });
-    });
+    timed(w, Stage::gait, [&] { step_gait(w); });
+    timed(w, Stage::pose, [&] { step_pose(w); });
     ++w.tick;
 }
 
 }  // namespace
 
 void drive_crowd(World& w) {
+    look_on(w.crowd, *w.workers, w.tick);
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });
     timed(w, Stage::steer, [&] { steer(w.crowd, *w.navmesh, *w.workers, w.tick); });
-    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers); });
+    timed(w, Stage::move, [&] { move(w.crowd, w.around, *w.navmesh, *w.workers, w.tick); });
 }
 
 void drive_roam(World& w) {

@@ -254,16 +254,14 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
     };
     parallel_for(workers, c.scratch.requests.size(), 1, plan_some);
 
-    uint32_t phase = tick % k_decision_ticks;
-    size_t due = (c.count + k_decision_ticks - 1 - phase) / k_decision_ticks;
-    auto follow_some = [&](size_t begin, size_t end, int thread) {
-        for (size_t k = begin; k < end; ++k) {
-            auto i = static_cast<uint32_t>(k * k_decision_ticks + phase);
-            if (!is_there(c, i)) continue;
-            decide_where_to(c, mesh, thread, i, tick, seed);
+    parallel_for(workers, block_count(c.count), 16, [&](size_t begin, size_t end, int thread) {
+        for (size_t block = begin; block < end; ++block) {
+            if (!decides(c, block, tick)) continue;
+            const size_t past = std::min<size_t>(c.count, (block + 1) * k_block);
+            for (auto i = static_cast<uint32_t>(block * k_block); i < past; ++i)
+                if (is_there(c, i)) decide_where_to(c, mesh, thread, i, tick, seed);
         }
-    };
-    parallel_for(workers, due, 256, follow_some);
+    });
 }
 
 }  // namespace flaneur

@@ -122,6 +122,9 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.next_path = c.next_path;
     wider.demand = std::move(c.demand);
     wider.driven = c.driven;
+    wider.pass_on = c.pass_on;
+    wider.onlookers = std::move(c.onlookers);
+    keep(wider.afar, c.afar);
     c = std::move(wider);
 }
 

@@ -25,6 +25,7 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdScratch& s = c.scratch;
     resize(c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity, s.next_polygon);
     c.corners.resize(n * k_corners);
+    c.afar.resize(block_count(n));
     SeenRows& rows = s.seen;
     n += k_block;
     resize(rows.x, rows.y, rows.z, rows.velocity_x, rows.velocity_z, rows.radius, rows.ahead_x, rows.ahead_z,
@@ -150,10 +151,11 @@ bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }
 
 void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
                 uint32_t tick, uint64_t seed) {
+    look_on(crowd, workers, tick);
     think(crowd, mesh, workers, tick, seed);
     find_neighbours(crowd, workers, tick);
     steer(crowd, mesh, workers, tick);
-    move(crowd, around, mesh, workers);
+    move(crowd, around, mesh, workers, tick);
 }
 
 // Of a value, of one that may not be there, and of a list.

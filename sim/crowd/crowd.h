@@ -3,8 +3,8 @@
 // One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Stages read the state of the tick
 // before and write to arrays of their own; `move` writes the next state and swaps it in. So the result
 // depends neither on the number of threads nor on the order of walkers within a stage. Decisions (think,
-// find_neighbours, steer) are taken at 15 Hz: walker i decides on ticks with tick % 4 == i % 4. Nothing is
-// allocated once a crowd is made.
+// find_neighbours, steer) are taken at 15 Hz, by blocks of k_block slots: block b decides on ticks with
+// tick % 4 == b % 4. Nothing is allocated once a crowd is made.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,14 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/block.h"
 #include "sim/base/footwork.h"
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/base/tick.h"
 #include "sim/base/vec.h"
 #include "sim/crowd/demand.h"
+#include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
@@ -25,6 +27,7 @@
 namespace flaneur {
 
 inline constexpr uint32_t k_decision_ticks = 4;  // a walker decides every so many ticks
+inline constexpr uint32_t k_afar_ticks = 8;      // and one afar every so many
 inline constexpr int k_corners = 32;             // of a path, at most
 inline constexpr int k_neighbours = 12;          // that a walker minds, at most
 inline constexpr float k_neighbour_reach = 4;    // metres
@@ -155,6 +158,13 @@ struct Driven {
 };
 inline constexpr float k_fastest_driven = 4;
 
+// Who looks on. A block of walkers who are all farther than `reach` from every eye is afar: they decide at
+// 7.5 Hz, and then go k_afar_ticks at once. Without eyes nobody is.
+struct Onlookers {
+    std::vector<Vec3> eyes;
+    float reach = 120;  // metres
+};
+
 // Index = slot. Those at `count` and above were never taken; of those below, some may be empty (is_there).
 struct Crowd {
     uint32_t count = 0, capacity = 0;
@@ -169,6 +179,9 @@ struct Crowd {
     // all others.
     std::vector<NavPoint> way_back;
     Driven driven;
+    PassOn pass_on = PassOn::right;
+    Onlookers onlookers;
+    std::vector<uint8_t> afar;  // by block
     uint32_t next_path = 0;  // the walker from which path requests are served next
     Demand demand;           // what draws them
     CrowdScratch scratch;
@@ -256,6 +269,19 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
                        uint32_t capacity = 0);
 
+// How many ticks the walkers of a block go in this one: 1, or of those afar k_afar_ticks or none.
+inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
+    if (!crowd.afar[block]) return 1;
+    return (tick ^ block) % k_afar_ticks == 0 ? k_afar_ticks : 0;
+}
+// Whether they decide.
+inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
+    return (tick ^ block) % (crowd.afar[block] ? k_afar_ticks : k_decision_ticks) == 0;
+}
+
+// Who is afar; before all that follows.
+void look_on(Crowd& crowd, Workers& workers, uint32_t tick);
+
 // Goals, paths and what each walker would like. Serves a bounded number of path requests a tick.
 void think(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed);
 
@@ -272,9 +298,9 @@ float deepest_overlap(const Crowd& crowd);
 void steer(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick);
 
 // Turns and moves everyone by one tick, on the mesh, within what legs can do. Comes after find_neighbours.
-void move(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers);
+void move(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers, uint32_t tick);
 
-// All four.
+// All five.
 void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
                 uint32_t tick, uint64_t seed);
 

@@ -53,34 +53,60 @@ HWY_INLINE float keep_nearest(Candidates& c) {
     return farthest;
 }
 
-HWY_INLINE void find_nearest_of(const CrowdScratch& s, uint32_t me, Candidates& found) {
+// Calls visit(at, distance2, near) for lanes full of those in the rows whose squares are within `reach` of `p`,
+// and a mask of them that are no farther than what `reach2` holds, on this level and not at `me`.
+template <class Visit>
+HWY_INLINE void for_near_lanes(const CrowdScratch& s, Vec3 p, uint32_t me, float reach,
+                               const hn::Vec<LaneTag>& reach2, const Visit& visit) {
     const LaneTag tag;
     const NumberTag number;
     const SeenRows& rows = s.seen;
-    const Vec3 p{rows.x[me], rows.y[me], rows.z[me]};
     const auto x = hn::Set(tag, p.x), y = hn::Set(tag, p.y), z = hn::Set(tag, p.z);
     const auto level = hn::Set(tag, k_other_level);
-    auto reach = hn::Set(tag, k_neighbour_reach * k_neighbour_reach);
-    found.count = 0;
-    for_seen_near(s, p, k_neighbour_reach, [&](uint32_t begin, uint32_t end) {
+    for_seen_near(s, p, reach, [&](uint32_t begin, uint32_t end) {
         for (size_t k = begin; k < end; k += hn::Lanes(tag)) {
             const auto off_x = hn::Sub(hn::LoadU(tag, &rows.x[k]), x),
                        off_z = hn::Sub(hn::LoadU(tag, &rows.z[k]), z),
                        off_y = hn::Abs(hn::Sub(hn::LoadU(tag, &rows.y[k]), y));
             const auto distance2 = hn::Add(hn::Mul(off_x, off_x), hn::Mul(off_z, off_z));
             const auto at = hn::Iota(number, static_cast<uint32_t>(k));
-            auto near = hn::And(hn::Le(distance2, reach), hn::Le(off_y, level));
+            auto near = hn::And(hn::Le(distance2, reach2), hn::Le(off_y, level));
             near = hn::And(near, hn::FirstN(tag, end - k));
             near = hn::And(near, hn::RebindMask(tag, hn::Ne(at, hn::Set(number, me))));
-            if (hn::AllFalse(tag, near)) continue;
-            // Through a register: some machines compress into memory a hundred times as slowly.
-            hn::StoreU(hn::Compress(at, hn::RebindMask(number, near)), number, found.at + found.count);
-            hn::StoreU(hn::Compress(distance2, near), tag, found.distance2 + found.count);
-            found.count += hn::CountTrue(tag, near);
-            if (found.count >= Candidates::k_room - k_block) reach = hn::Set(tag, keep_nearest(found));
+            if (!hn::AllFalse(tag, near)) visit(at, distance2, near);
         }
     });
+}
+
+// Through a register: some machines compress into memory a hundred times as slowly. Writes a whole vector.
+HWY_INLINE size_t put(hn::Vec<NumberTag> at, hn::Mask<LaneTag> near, uint32_t* to) {
+    hn::StoreU(hn::Compress(at, hn::RebindMask(NumberTag(), near)), NumberTag(), to);
+    return hn::CountTrue(LaneTag(), near);
+}
+
+HWY_INLINE void find_nearest_of(const CrowdScratch& s, uint32_t me, Candidates& found) {
+    const LaneTag tag;
+    const Vec3 p{s.seen.x[me], s.seen.y[me], s.seen.z[me]};
+    auto reach2 = hn::Set(tag, k_neighbour_reach * k_neighbour_reach);
+    found.count = 0;
+    for_near_lanes(s, p, me, k_neighbour_reach, reach2, [&](auto at, auto distance2, auto near) {
+        hn::StoreU(hn::Compress(distance2, near), tag, found.distance2 + found.count);
+        found.count += put(at, near, found.at + found.count);
+        if (found.count >= Candidates::k_room - k_block) reach2 = hn::Set(tag, keep_nearest(found));
+    });
     if (found.count > k_neighbours) keep_nearest(found);
+}
+
+int find_within_here(const CrowdScratch& s, Vec3 place, uint32_t me, float reach, uint32_t* found, int room) {
+    size_t count = 0;
+    const auto reach2 = hn::Set(LaneTag(), reach * reach);
+    for_near_lanes(s, place, me, reach, reach2, [&](auto at, auto, auto near) {
+        alignas(64) uint32_t some[k_block];
+        const size_t more = std::min(put(at, near, some), static_cast<size_t>(room) - count);
+        std::copy_n(some, more, found + count);
+        count += more;
+    });
+    return static_cast<int>(count);
 }
 
 void find_nearest_here(const CrowdScratch& s, Deciders& d) {
@@ -177,12 +203,17 @@ namespace flaneur {
 namespace kernel = HWY_NAMESPACE;
 
 HWY_EXPORT(find_nearest_here);
+HWY_EXPORT(find_within_here);
 HWY_EXPORT(set_out_here);
 HWY_EXPORT(choose_here);
 HWY_EXPORT(keep_headway_here);
 
 void find_nearest(const CrowdScratch& scratch, Deciders& deciders) {
     HWY_DYNAMIC_DISPATCH(find_nearest_here)(scratch, deciders);
+}
+
+int find_within(const CrowdScratch& scratch, Vec3 place, uint32_t me, float reach, uint32_t* found, int room) {
+    return HWY_DYNAMIC_DISPATCH(find_within_here)(scratch, place, me, reach, found, room);
 }
 
 // Planes for prams, after the neighbours'; returns how many rows there are.

@@ -49,6 +49,10 @@ struct Deciders {
 // Finds each one's k_neighbours nearest within k_neighbour_reach, ties by their order in the rows.
 void find_nearest(const CrowdScratch& scratch, Deciders& deciders);
 
+// Others than the walker at `me` of the rows whose bodies lie within `reach` of `place`, by their order; at
+// most `room`. Returns how many.
+int find_within(const CrowdScratch& scratch, Vec3 place, uint32_t me, float reach, uint32_t* found, int room);
+
 // From wishes, neighbours and firm planes to the velocities chosen. `side` is +1 where people pass each other
 // on the right, -1 on the left.
 void choose_velocities(Deciders& deciders, float side);

@@ -1,10 +1,10 @@
 // Everyone moves as legs can follow the chosen velocity, and never off the mesh.
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 #include "sim/base/tick.h"
 #include "sim/crowd/crowd.h"
+#include "sim/crowd/deciders.h"
 #include "sim/crowd/half_planes.h"
 #include "sim/crowd/locomotion.h"
 #include "sim/crowd/places.h"
@@ -13,8 +13,7 @@ namespace flaneur {
 
 static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other for long
 static constexpr float k_push = 0.5f;       // m/s that they are parted by, at most
-static constexpr float k_step_reach =
-    0.1f;  // metres that two who walk can near each other in a tick, at most
+static constexpr float k_nearing = 6;       // m/s that two who walk can near each other, at most
 static constexpr float k_sees_coming = 0.6f;  // metres between bodies from which on one brakes for another
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metres out
@@ -38,10 +37,13 @@ struct Contacts {
 
 }  // namespace
 
+// Metres between bodies within which one minds others who goes so many seconds at once.
+static float mindful_reach(float dt) { return std::max(k_sees_coming, k_nearing * dt); }
+
 // The speed from which one who brakes comfortably, tick by tick, stops in so many metres.
-static float fastest_within(float room) {
-    constexpr float k_last = 0.5f * k_comfortable * k_tick;
-    return std::sqrt(2 * k_comfortable * room + k_last * k_last) - k_last;
+static float fastest_within(float room, float dt) {
+    const float last = 0.5f * k_comfortable * dt;
+    return std::sqrt(2 * k_comfortable * room + last * last) - last;
 }
 
 // Nobody goes faster than `nearing` towards somebody, who is against `direction`.
@@ -52,56 +54,53 @@ static void add_brake(Contacts& out, Vec2 direction, float nearing, Vec2 wish, V
 }
 
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
-static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, Contacts& out) {
+static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, float dt, Contacts& out) {
     const Vec2 velocity = c.motion.velocity[me.id];
-    Vec3 middle = me.position + at_height(me.ahead, 0);
-    for_seen_near(c.scratch, middle, k_pram_radius + c.widest + k_sees_coming,
-                  [&](uint32_t begin, uint32_t end) {
-                      for (uint32_t k = begin; k < end; ++k) {
-                          const Seen other = seen_at(c.scratch.seen, k);
-                          Vec2 away = on_ground(middle - other.position);
-                          float touching = k_pram_radius + other.radius, d = length(away);
-                          if (other.id == me.id || d > touching + k_sees_coming || d < 1e-5f) continue;
-                          if (std::fabs(middle.y - other.position.y) > k_other_level) continue;
-                          Vec2 direction = away / d;
-                          float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
-                          float nearing = fastest_within(room) + std::max(leaves, 0.0f);
-                          add_brake(out, direction, nearing, wish, velocity);
-                          if (d < touching + k_step_reach && out.count < k_contacts)
-                              out.planes[out.count++] = {direction, -0.5f * room / k_tick};
-                      }
-                  });
+    const Vec3 middle = me.position + at_height(me.ahead, 0);
+    uint32_t near[k_contacts];
+    const int count =
+        find_within(c.scratch, middle, me.at, k_pram_radius + c.widest + mindful_reach(dt), near, k_contacts);
+    for (int k = 0; k < count; ++k) {
+        const Seen other = seen_at(c.scratch.seen, near[k]);
+        Vec2 away = on_ground(middle - other.position);
+        float touching = k_pram_radius + other.radius, d = length(away);
+        if (d > touching + mindful_reach(dt) || d < 1e-5f) continue;
+        Vec2 direction = away / d;
+        float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
+        float nearing = fastest_within(room, dt) + std::max(leaves, 0.0f);
+        add_brake(out, direction, nearing, wish, velocity);
+        if (d < touching + k_nearing * dt && out.count < k_contacts)
+            out.planes[out.count++] = {direction, -0.5f * room / dt};
+    }
 }
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
-static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
+static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish, float dt) {
     const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
-    float reach = me.radius + c.widest + k_sees_coming;
-    for_seen_near(c.scratch, me.position, reach, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t k = begin; k < end; ++k) {
-            const Seen other = seen_at(c.scratch.seen, k);
-            Vec2 away = on_ground(me.position - other.position);
-            float touching = me.radius + other.radius, d2 = length_squared(away);
-            if (d2 > (touching + k_sees_coming) * (touching + k_sees_coming) || other.id == me.id) continue;
-            if (std::fabs(me.position.y - other.position.y) > k_other_level) continue;
-            float d = std::sqrt(d2);
-            Vec2 direction = d > 1e-5f ? away / d : Vec2{me.id < other.id ? 1.0f : -1.0f, 0};
-            float gap = std::max(d - (touching - k_most_overlap), 0.0f);
-            // No faster towards the other than one can stop, or than it goes away.
-            float leaves = -dot(other.velocity, direction);
-            float room = std::max(d - touching, 0.0f) * (leaves < 0 ? 0.5f : 1.0f);
-            float nearing = fastest_within(room) + std::max(leaves, 0.0f);
-            add_brake(out, direction, nearing, wish, velocity);
-            if (d > touching + k_step_reach) continue;
-            assert(out.count < k_contacts);  // more do not fit round one body
-            if (out.count < k_contacts) out.planes[out.count++] = {direction, -0.5f * gap / k_tick};
-            float overlap = touching - k_overlap - d;
-            if (overlap > 0) out.push += direction * (0.5f * overlap / k_tick);
-        }
-    });
-    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, me, wish, out);
+    uint32_t near[k_contacts];
+    const int count = find_within(c.scratch, me.position, me.at, me.radius + c.widest + mindful_reach(dt), near,
+                                  k_contacts);  // more do not fit round one body
+    for (int k = 0; k < count; ++k) {
+        const Seen other = seen_at(c.scratch.seen, near[k]);
+        Vec2 away = on_ground(me.position - other.position);
+        float touching = me.radius + other.radius, d2 = length_squared(away);
+        if (d2 > (touching + mindful_reach(dt)) * (touching + mindful_reach(dt))) continue;
+        float d = std::sqrt(d2);
+        Vec2 direction = d > 1e-5f ? away / d : Vec2{me.id < other.id ? 1.0f : -1.0f, 0};
+        float gap = std::max(d - (touching - k_most_overlap), 0.0f);
+        // No faster towards the other than one can stop, or than it goes away.
+        float leaves = -dot(other.velocity, direction);
+        float room = std::max(d - touching, 0.0f) * (leaves < 0 ? 0.5f : 1.0f);
+        float nearing = fastest_within(room, dt) + std::max(leaves, 0.0f);
+        add_brake(out, direction, nearing, wish, velocity);
+        if (d > touching + k_nearing * dt) continue;
+        out.planes[out.count++] = {direction, -0.5f * gap / dt};
+        float overlap = touching - k_overlap - d;
+        if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
+    }
+    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, me, wish, dt, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);
     return out;
@@ -110,7 +109,7 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish) {
 // Where the mesh does not let one who goes on by `ahead` go on straight, one comes no nearer than `before`,
 // as evenly as one can stop.
 static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead, float before,
-                                By by, Contacts& out) {
+                                By by, float dt, Contacts& out) {
     if (out.brake_count == k_contacts) return;
     const NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
     const Vec2 moved = on_ground(end.position - from.position);
@@ -127,11 +126,11 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
         inward = inward_of(*border);
         room = dot(on_ground(from.position) - on_ground(border->a), inward);
     }
-    out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room - before, 0.0f))};
+    out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room - before, 0.0f), dt)};
 }
 
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
-static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v) {
+static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v, float dt) {
     Vec2 left = v;
     // Twice, since what keeps to one may press against another.
     for (int pass = 0; pass < 2; ++pass)
@@ -139,10 +138,10 @@ static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v) {
             const HalfPlane& brake = near.brakes[k];
             left += brake.normal * std::max(brake.offset - dot(left, brake.normal), 0.0f);
         }
-    const float change = length(left - was), most = std::max(k_hardest * k_tick, length(v - was));
+    const float change = length(left - was), most = std::max(k_hardest * dt, length(v - was));
     if (change > most) left = was + (left - was) * (most / change);
     // Who turns quickly does not brake as quickly.
-    const float speed = length(left), least = std::min(length(v), length(was) - k_hardest * k_tick);
+    const float speed = length(left), least = std::min(length(v), length(was) - k_hardest * dt);
     return speed < least && speed > 0 ? left * (least / speed) : left;
 }
 
@@ -157,25 +156,25 @@ static float share_within(const Contacts& near, Vec2 v) {
 }
 
 // All but the height of the ground where it comes to.
-static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me) {
+static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me, float dt) {
     uint32_t i = me.id;
     CrowdMotion& m = c.motion;
     const bool pushes = c.identity.ahead[i] > 0;
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
-    Contacts near = contacts_of(c, me, wish);
+    Contacts near = contacts_of(c, me, wish, dt);
     const bool is_beside = c.way_back[i].polygon != 0;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes && !is_beside)
         for (Vec2 way : {wish, m.velocity[i]}) {
             const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
-            add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, near);
+            add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, dt, near);
         }
     const float going = length(m.velocity[i]);
     if (!pushes && !is_beside && going > k_slow) {
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
-        add_brake_at_border(mesh, thread, from, ahead, 0, by, near);
+        add_brake_at_border(mesh, thread, from, ahead, 0, by, dt, near);
     }
     const Vec2 wished = wish;
     if (near.brake_count > 0)
@@ -189,30 +188,30 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
                                  .aim = hurries ? Vec2{} : m.wish[i],
                                  .brakes = m.brakes[i],
                                  .feet = m.feet[i]},
-                                wish, k_tick, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
+                                wish, dt, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
                                 pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;
     m.brakes[i] = motion.brakes;
-    Vec2 v = braked(near, m.velocity[i], motion.velocity);
+    Vec2 v = braked(near, m.velocity[i], motion.velocity, dt);
     float speed = length(v);
 
     Vec2 step = v + near.push;
     if (share_within(near, step) < 1)
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
     auto go_on = [&](Vec2 way) {
-        const Vec3 wanted = from.position + at_height(way * k_tick, 0);
+        const Vec3 wanted = from.position + at_height(way * dt, 0);
         return is_beside ? NavPoint{wanted, from.polygon} : move_along(mesh, thread, from, wanted, by);
     };
     NavPoint to = go_on(step);
-    Vec2 real = on_ground(to.position - from.position) / k_tick;
+    Vec2 real = on_ground(to.position - from.position) / dt;
     // Along a wall one may have slid into somebody; and places are rounded.
     for (float less : {0.98f, 0.7f, 0.0f}) {
         float share = share_within(near, real);
         if (share >= 1) break;
         to = less > 0 ? go_on(real * (less * share)) : from;
-        real = on_ground(to.position - from.position) / k_tick;
+        real = on_ground(to.position - from.position) / dt;
     }
     // Stopped or turned aside by the border or by others: velocity is what became of it, but for what only
     // kept one from being pushed.
@@ -234,30 +233,52 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& m
     c.scratch.next_polygon[i] = to.polygon;
 }
 
-void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers) {
+namespace {
+// Walkers whose ground is asked for at once.
+struct Together {
+    uint32_t who[k_together];
+    Vec3 places[k_together];
+    size_t count = 0;
+};
+}  // namespace
+
+// Sets those who have moved onto the ground.
+static void set_down(Crowd& c, const Surroundings& around, const Navmesh& mesh, Together& moved) {
+    std::optional<GroundHit> hits[k_together];
+    ground_at(around, {moved.places, moved.count}, 0.5f, 1.5f, hits);
+    for (size_t k = 0; k < moved.count; ++k) {
+        if (!hits[k]) continue;
+        const uint32_t i = moved.who[k];
+        Vec3& place = c.scratch.next_position[i];
+        place.y = hits[k]->height;
+        c.motion.under[i] = *hits[k];
+        if (is_near_steps(mesh, on_ground(place)))
+            c.motion.under[i] = slowing_ground(around, *hits[k], place, c.scratch.next_velocity[i],
+                                               length(c.decision.chosen[i]), c.identity.stair_pace[i]);
+    }
+    moved.count = 0;
+}
+
+void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     // In the order of places, so that walkers who share ground and mesh find them in the cache.
-    auto move_some = [&](size_t begin, size_t end, int thread) {
-        Vec3 places[k_together];
-        std::optional<GroundHit> hits[k_together];
-        for (size_t first = begin; first < end; first += k_together) {
-            size_t count = std::min(k_together, end - first);
-            for (size_t k = 0; k < count; ++k) {
-                const Seen me = seen_at(c.scratch.seen, first + k);
-                move_walker(c, mesh, thread, me);
-                places[k] = c.scratch.next_position[me.id];
+    parallel_for(workers, c.slots.living.size(), 256, [&](size_t begin, size_t end, int thread) {
+        Together moved;
+        for (size_t at = begin; at < end; ++at) {
+            const uint32_t i = c.scratch.seen.id[at], ticks = ticks_due(c, i / k_block, tick);
+            if (ticks == 0) {
+                c.scratch.next_position[i] = c.motion.position[i];
+                c.scratch.next_velocity[i] = c.motion.velocity[i];
+                c.scratch.next_polygon[i] = c.motion.polygon[i];
+                continue;
             }
-            ground_at(around, {places, count}, 0.5f, 1.5f, hits);
-            for (size_t k = 0; k < count; ++k) {
-                if (!hits[k]) continue;
-                uint32_t i = c.scratch.seen.id[first + k];
-                c.scratch.next_position[i].y = hits[k]->height;
-                c.motion.under[i] =
-                    slowing_ground(around, *hits[k], c.scratch.next_position[i], c.scratch.next_velocity[i],
-                                   length(c.decision.chosen[i]), c.identity.stair_pace[i]);
-            }
+            move_walker(c, mesh, thread, seen_at(c.scratch.seen, static_cast<uint32_t>(at)),
+                        static_cast<float>(ticks) * k_tick);
+            moved.who[moved.count] = i;
+            moved.places[moved.count++] = c.scratch.next_position[i];
+            if (moved.count == k_together) set_down(c, around, mesh, moved);
         }
-    };
-    parallel_for(workers, c.slots.living.size(), 256, move_some);
+        set_down(c, around, mesh, moved);
+    });
     c.motion.position.swap(c.scratch.next_position);
     c.motion.velocity.swap(c.scratch.next_velocity);
     c.motion.polygon.swap(c.scratch.next_polygon);

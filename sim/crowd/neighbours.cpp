@@ -75,7 +75,7 @@ void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
 float deepest_overlap(const Crowd& c) {
     const CrowdScratch& s = c.scratch;
     float deepest = -1;
-    for (size_t at = 0; at < s.cell_first.back(); ++at) {
+    for (uint32_t at = 0; at < s.cell_first.back(); ++at) {
         const Seen me = seen_at(s.seen, at);
         for_seen_near(s, me.position, me.radius + c.widest, [&](uint32_t begin, uint32_t end) {
             for (uint32_t k = begin; k < end; ++k) {

@@ -9,7 +9,7 @@ namespace flaneur {
 
 inline constexpr size_t k_sorters = 4;  // who sort side by side, whatever the number of threads
 inline constexpr float k_seen_cell = 3;       // metres
-inline constexpr float k_strays = 0.25f;      // metres from where one was filed, at most
+inline constexpr float k_strays = 0.45f;      // metres from where one was filed, at most
 inline constexpr float k_other_level = 1.8f;  // metres above or below: not in the way
 
 inline int seen_column(float v) { return static_cast<int>(std::floor(v * (1 / k_seen_cell))); }
@@ -29,14 +29,15 @@ struct Seen {
     Vec3 position;
     Vec2 velocity;
     float radius;
-    uint32_t id;
+    uint32_t id, at;
     Vec2 ahead;
 };
-inline Seen seen_at(const SeenRows& rows, size_t at) {
+inline Seen seen_at(const SeenRows& rows, uint32_t at) {
     return {{rows.x[at], rows.y[at], rows.z[at]},
             {rows.velocity_x[at], rows.velocity_z[at]},
             rows.radius[at],
             rows.id[at],
+            at,
             {rows.ahead_x[at], rows.ahead_z[at]}};
 }
 

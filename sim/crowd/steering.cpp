@@ -176,7 +176,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         add_neighbours(rows, me, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
-    choose_velocities(d, 1);
+    choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);
     for (int lane = 0; lane < d.count; ++lane)
         c.decision.chosen[rows.id[d.at[lane]]] = {d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
 }
@@ -186,7 +186,7 @@ void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
         Deciders d;
         for (size_t at = begin; at < end; ++at) {
-            if ((c.scratch.seen.id[at] ^ tick) % k_decision_ticks == 0) d.at[d.count++] = static_cast<uint32_t>(at);
+            if (decides(c, c.scratch.seen.id[at] / k_block, tick)) d.at[d.count++] = static_cast<uint32_t>(at);
             if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
         }
     });

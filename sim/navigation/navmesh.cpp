@@ -60,6 +60,13 @@ Surface surface_of(const Navmesh& m, uint32_t polygon) {
     return surface_of_area(found->getArea());
 }
 
+bool is_near_steps(const Navmesh& m, Vec2 p) {
+    const Grid& grid = m.step_grid;
+    const int x = grid_column(p.x - grid.origin.x, grid.cell, grid.width),
+              z = grid_column(p.z - grid.origin.z, grid.cell, grid.height);
+    return m.near_steps[static_cast<size_t>(z) * grid.width + x] != 0;
+}
+
 static const dtQueryFilter& filter_of(const Navmesh& m, By by) {
     return by == By::wheels ? m.wheels : m.filter;
 }

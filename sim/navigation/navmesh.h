@@ -102,6 +102,10 @@ bool is_worth_walking(const Navmesh& mesh, uint32_t polygon);
 // The kind of ground that a polygon of the mesh stands for.
 Surface surface_of(const Navmesh& mesh, uint32_t polygon);
 
+// Whether there may be steps within k_steps_ahead of a place of the ground plane.
+inline constexpr float k_steps_ahead = 5;  // metres
+bool is_near_steps(const Navmesh& mesh, Vec2 place);
+
 // Who has wheels goes nowhere onto steps (Surface::steps), and may leave them.
 enum class By : uint8_t { feet, wheels };
 

@@ -123,6 +123,26 @@ static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
     }
 }
 
+static void find_steps(Navmesh& m, Vec2 low, Vec2 high) {
+    constexpr float k_square = 4;
+    m.step_grid = make_grid(low, high, k_square);
+    m.near_steps.assign(static_cast<size_t>(m.step_grid.width) * m.step_grid.height, 0);
+    for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t) {
+        const dtPoly& polygon = tile.polys[p];
+        if (polygon.getArea() != area_of(Surface::steps)) return;
+        Vec2 least = on_ground(tile_vertex(tile, polygon.verts[0])), most = least;
+        for (int i = 1; i < polygon.vertCount; ++i) {
+            const Vec2 corner = on_ground(tile_vertex(tile, polygon.verts[i]));
+            least = {std::min(least.x, corner.x), std::min(least.z, corner.z)};
+            most = {std::max(most.x, corner.x), std::max(most.z, corner.z)};
+        }
+        constexpr Vec2 k_around{k_steps_ahead, k_steps_ahead};
+        const CellRange r = cells_of_box(m.step_grid, least - k_around, most + k_around);
+        for (int z = r.z0; z <= r.z1; ++z)
+            for (int x = r.x0; x <= r.x1; ++x) m.near_steps[static_cast<size_t>(z) * m.step_grid.width + x] = 1;
+    });
+}
+
 // What people rather walk on: sidewalks, then crossings, pedestrian streets, grass, and roads last.
 static void set_costs(dtQueryFilter& filter) {
     for (int a = 0; a < DT_MAX_AREAS; ++a) filter.setAreaCost(a, 1);
@@ -214,6 +234,7 @@ static Result<NavmeshPtr> join_tiles(const Ground& ground, const NavmeshSettings
     find_islands(*m, island_areas);
     find_places(*m, ground.low, ground.high, island_areas);
     find_borders(*m, ground.low, ground.high);
+    find_steps(*m, ground.low, ground.high);
     return m;
 }
 

@@ -45,6 +45,8 @@ struct Navmesh {
 
     std::vector<BorderLine> borders;
     Grid border_grid;
+    Grid step_grid;                        // only its squares:
+    std::vector<uint8_t> near_steps;       // whether steps are within k_steps_ahead of one
     std::vector<CellBorder> cell_borders;  // one for each item of border_grid, side by side in memory
 };
 
