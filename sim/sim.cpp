@@ -234,6 +234,11 @@ bool has_arrived(const World& w, WalkerId id) {
            has_arrived(w.crowd, id.index);
 }
 
+void look_from(World& w, std::span<const Vec3> eyes, float reach) {
+    w.crowd.onlookers.eyes.assign(eyes.begin(), eyes.end());
+    w.crowd.onlookers.reach = reach;
+}
+
 std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
     if (!is_alive(w, id)) return std::nullopt;
     const CrowdMotion& m = w.crowd.motion;

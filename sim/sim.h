@@ -145,6 +145,13 @@ bool has_arrived(const World& world, WalkerId id);
 // One tick, 1/60 s.
 void step(World& world);
 
+// Simulation level of detail. From now on those who are farther than `reach` metres from every eye decide at
+// 7.5 Hz instead of 15, and walk and step an eighth of the time, eight ticks at once: blocks of sixteen
+// walkers all of whom are. They still meet nobody and no wall. In equal runs, whose programs tell the same
+// eyes before the same ticks, the world is the same to the last bit. Without eyes, as at the start, everybody
+// is in full.
+void look_from(World& world, std::span<const Vec3> eyes, float reach = 120);
+
 struct WalkerMotion {
     Vec3 position{};    // on the ground, between the feet
     Vec2 velocity{};    // m/s over the ground plane

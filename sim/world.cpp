@@ -153,16 +153,29 @@ void end_body(World& w, uint32_t walker) {
     pose_newcomer(w, walker);
 }
 
+// One afar has gone k_afar_ticks at once, and is shown where it would be by now.
+static Vec3 ahead_of_time(const World& w, size_t walker, float between) {
+    const size_t block = walker / k_block;
+    if (!w.crowd.afar[block]) return {};
+    const auto since = static_cast<float>(ticks_since_due(block, w.tick - 1));
+    return at_height(w.crowd.motion.velocity[walker], 0) *
+           ((static_cast<float>(k_afar_ticks) - since - between) * k_tick);
+}
+
 JointPose joint_between(const World& w, size_t walker, Joint joint, float between) {
     JointPose last = joint_pose(w.poses, walker, joint), before = joint_pose(w.previous_poses, walker, joint);
-    return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
+    const Vec3 place = lerp(before.position, last.position, between) - ahead_of_time(w, walker, between);
+    return {place, nlerp(before.rotation, last.rotation, between)};
 }
 
 std::optional<PramPlace> pram_between(const World& w, size_t walker, float between) {
     Span own = prams_of(w.gait, walker, walker + 1);
     if (own.begin == own.end) return std::nullopt;
     const Pram& pram = w.gait.prams[own.begin];
-    return mixed_place(pram.before, pram.now, between);
+    if (!w.crowd.afar[walker / k_block]) return mixed_place(pram.before, pram.now, between);
+    PramPlace place = pram.now;
+    place.place = place.place - ahead_of_time(w, walker, between);
+    return place;
 }
 
 Trail trail_between(const World& w, size_t walker, float between) {

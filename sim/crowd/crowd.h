@@ -269,14 +269,18 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
                        uint32_t capacity = 0);
 
+// How long ago it was a block's turn, of k_afar_ticks blocks one after the other.
+inline uint32_t ticks_since_due(size_t block, uint32_t tick) {
+    return (tick - static_cast<uint32_t>(block)) % k_afar_ticks;
+}
 // How many ticks the walkers of a block go in this one: 1, or of those afar k_afar_ticks or none.
 inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
     if (!crowd.afar[block]) return 1;
-    return (tick ^ block) % k_afar_ticks == 0 ? k_afar_ticks : 0;
+    return ticks_since_due(block, tick) == 0 ? k_afar_ticks : 0;
 }
 // Whether they decide.
 inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
-    return (tick ^ block) % (crowd.afar[block] ? k_afar_ticks : k_decision_ticks) == 0;
+    return ticks_since_due(block, tick) % (crowd.afar[block] ? k_afar_ticks : k_decision_ticks) == 0;
 }
 
 // Who is afar; before all that follows.

@@ -17,7 +17,7 @@ void look_on(Crowd& c, Workers& workers, uint32_t tick) {
     // Only between two steps of those afar, so that nobody's time passes twice.
     parallel_for(workers, block_count(c.count), 64, [&](size_t begin, size_t end, int) {
         for (size_t block = begin; block < end; ++block) {
-            if ((tick ^ block) % k_afar_ticks != 0) continue;
+            if (ticks_since_due(block, tick) != 0) continue;
             bool afar = !c.onlookers.eyes.empty();
             const size_t last = std::min<size_t>(c.count, (block + 1) * k_block);
             for (size_t i = block * k_block; i < last && afar; ++i)

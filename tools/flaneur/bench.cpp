@@ -57,12 +57,39 @@ Result<std::string> measured_json(const Options& options) {
 
 }  // namespace
 
+// As a viewer has it: an eye among the people, or where --camera says.
+static void look_from_among(World& world, const Options& options) {
+    const CameraChoice& camera = options.scene.camera;
+    if (options.load != BenchLoad::tick || world.crowd.count == 0) return;
+    const bool is_fixed = camera.kind == CameraChoice::Kind::fixed;
+    const Vec3 eye = is_fixed ? camera.eye : world.crowd.motion.position[world.crowd.count / 2];
+    const float lod = lod_of(options);
+    if (lod > 0) look_from(world, {&eye, 1}, lod);
+}
+
+// What the stages come to.
+static void add_rates(Figures& figures, const World& world) {
+    auto median_of = [&](std::string_view name) {
+        for (const Series& series : figures.series)
+            if (series.name == name) return quantile(series.ms, 0.5);
+        return 0.0;
+    };
+    double tick = 0;
+    for (std::string_view name : k_stage_names) tick += median_of(name);
+    const double decisions = static_cast<double>(world.crowd.count) / k_decision_ticks;
+    if (world.crowd.onlookers.eyes.empty())  // else those afar decide less often
+        figures.counts.emplace_back("neighbours and steering, ns a decision",
+                                    (median_of("neighbours") + median_of("steer")) * 1e6 / decisions);
+    figures.counts.emplace_back("simulated seconds a second", 1000 * static_cast<double>(k_tick) / tick);
+}
+
 Result<Figures> bench_crowd(const Options& options) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
     Figures figures;
     add_setting(figures, options, world);
+    look_from_among(world, options);
     for (uint32_t i = 0; i < options.warm_up; ++i) {
         if (is_stopping()) return interrupted();
         step(world);
@@ -75,6 +102,7 @@ Result<Figures> bench_crowd(const Options& options) {
         add_stages(figures, world);
     }
     add_meters(figures, before, options.bench_frames, world.crowd.count);
+    add_rates(figures, world);
     return figures;
 }
 

@@ -112,6 +112,10 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
     Camera camera;
     CameraRig rig;
     advance(rig, world, choice);
+    if (!path.keys.empty())
+        camera = camera_at(path, 0);
+    else if (show.lod > 0)
+        camera = choose_camera(show, choice, options.scene.fov, options.scene.size, 1);
     bool is_new = false;
     for (uint32_t i = 0; i < pictures; ++i) {
         FLANEUR_ZONE("frame");
@@ -119,6 +123,7 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
         while (world.tick < tick && !is_stopping()) {
             if (i == 0 && world.tick % 60 == 0)
                 show_progress("simulating, tick " + std::to_string(world.tick));
+            look_from(show, camera);
             step(show);
             advance(rig, world, choice);
         }

@@ -76,6 +76,7 @@ Result<void> measure_frame(Show& show, const Options& options, const Camera& cam
     World& world = *show.loaded.world;
     auto start = Clock::now();
     const double cpu_start = cpu_ms();
+    look_from(show, camera);
     step(world);
     add_sample(figures, "step", ms_since(start), "frame");
     add_stages(figures, world);

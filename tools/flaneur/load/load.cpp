@@ -264,6 +264,12 @@ Result<Loaded> load(const Options& options) {
     return loaded;
 }
 
+float lod_of(const Options& options) {
+    constexpr int k_many = 5000;
+    constexpr float k_reach = 120;
+    return options.lod.value_or(options.scene.walkers > k_many ? k_reach : 0);
+}
+
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) {
     const World& world = *loaded.world;
     PeopleOrder order;

@@ -54,6 +54,10 @@ Result<void> find_files(const Scene& scene);
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
+// Metres from an eye beyond which people go in less detail (look_from in sim/sim.h), as asked for or, without
+// that, for more than some thousands; 0: nobody does.
+float lod_of(const Options& options);
+
 // What its city is called: after its file or, built in, after the scene.
 std::string city_name(const Scene& scene);
 

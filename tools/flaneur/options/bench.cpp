@@ -8,19 +8,21 @@ namespace {
 
 constexpr const char* k_bench_footer =
     R"(Loads: frame (simulation and drawing, off-screen), window (the whole viewer, at rest and looking about, with panels and
-without; takes a display), crowd (the simulation), pose (the kernels that pose bodies, on one thread), city (how long it
+without; takes a display), crowd (the simulation, everybody in full), tick (the
+same with those afar of an eye among the people in less detail, as a viewer has it, or of that of --camera EX,EY,EZ/TX,TY,TZ), pose (the kernels that pose bodies, on one thread), city (how long it
 takes to read, and its queries on one thread), peers (a scene that other renderers were measured by: copies of one character
 that play its own clip, drawn with levels of detail and with every triangle), sweep (the stages of a tick and a picture over
 the number of walkers: how each grows, and where it stops being real time), scale (the stages of a tick over the number of
 threads: speed-up, and what stays on one thread), ablate (what a picture costs and how it looks without shadows, smoothed
 edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of some minutes
 that every machine can play, for a page beside other machines'); compare measures nothing: it says which stages of the second
-file are slower than those of the first, and fails if any is. frame, window, crowd and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
+file are slower than those of the first, and fails if any is. frame, window, crowd, tick and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
   flaneur bench frame --walkers 500 --size 1280x720
   flaneur bench window --walkers 500
   flaneur bench crowd --walkers 100000 --threads 8 --json out/crowd.json
+  flaneur bench tick --walkers 100000 --threads 2
   flaneur bench pose --walkers 1000
   flaneur bench city --city monaco.osm.pbf
   flaneur bench sweep --walkers 100:1000000 --svg out/sweep.svg
@@ -35,6 +37,7 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "frame") return BenchLoad::frame;
     if (text == "window") return BenchLoad::window;
     if (text == "crowd") return BenchLoad::crowd;
+    if (text == "tick") return BenchLoad::tick;
     if (text == "pose") return BenchLoad::pose;
     if (text == "city") return BenchLoad::city;
     if (text == "peers") return BenchLoad::peers;
@@ -44,7 +47,7 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "gauntlet") return BenchLoad::gauntlet;
     if (text == "compare") return BenchLoad::compare;
     return Error{excerpt(text) +
-                 " is none of frame, window, crowd, pose, city, peers, sweep, scale, ablate and gauntlet, "
+                 " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate and gauntlet, "
                  "which bench measures, and compare"};
 }
 
@@ -79,7 +82,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
     add_parsed(*bench, "load", parse_load, options.load,
-               "What to measure: frame, window, crowd, pose, city, peers, sweep, scale, ablate or gauntlet; "
+               "What to measure: frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate or gauntlet; "
                "or compare",
                "LOAD", "")
         ->required();
@@ -91,10 +94,11 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     add_walkers(*bench, words, options);
     add_drawing_options(*bench, words, options);
     add_camera_option(*bench, words);
+    add_lod(*bench, options);
     bench
         ->add_option("--frames", options.bench_frames,
                      "How often to measure, after a warm-up: frames of frame, peers and each part of window, "
-                     "ticks of crowd, "
+                     "ticks of crowd and tick, "
                      "repetitions of pose "
                      "and city")
         ->type_name("N")
@@ -102,7 +106,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->capture_default_str();
     bench
         ->add_option("--warm-up", options.warm_up,
-                     "Ticks of the simulation before the first that frame, crowd, pose and city measure")
+                     "Ticks of the simulation before the first that frame, crowd, tick, pose and city measure")
         ->type_name("TICKS")
         ->transform(whole_between(0, 1'000'000))
         ->capture_default_str();

@@ -24,6 +24,7 @@ void add_drawing_options(CLI::App& app, SceneWords& words, Options& options);
 
 // --trace
 void add_trace_option(CLI::App& app, Options& options);
+void add_lod(CLI::App& app, Options& options);
 
 // --isa
 void add_isa_option(CLI::App& app, Options& options);

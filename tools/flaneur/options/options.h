@@ -16,7 +16,7 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check };
-enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
+enum class BenchLoad { frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
 
 // Ticks first, first + step, ... not beyond last.
 struct TickRange {
@@ -110,6 +110,10 @@ struct Options {
     int threads = 0;  // 0: one a core
 
     bool force = false;  // characters need no more than two legs
+
+    // view, render, bench frame and tick: metres from the camera beyond which people step eight ticks at once
+    // (look_from in sim/sim.h); 0: nobody does. Default: lod_of() in load.h.
+    std::optional<float> lod;
 
     // view, render, bench frame
     std::string device;

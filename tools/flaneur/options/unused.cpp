@@ -93,12 +93,28 @@ const UselessWhere k_useless[] = {
      [](const Options& o) { return o.load == BenchLoad::window || o.load == BenchLoad::peers; },
      "is not for bench window and bench peers, which step nobody ahead"},
     {Command::bench,
-     {"--camera", "--quality"},
+     {"--quality"},
      [](const Options& o) {
          return o.load != BenchLoad::frame && o.load != BenchLoad::window && o.load != BenchLoad::sweep &&
                 o.load != BenchLoad::ablate;
      },
      "is for bench frame, bench window, bench sweep and bench ablate"},
+    {Command::bench,
+     {"--camera"},
+     [](const Options& o) {
+         const bool is_of_tick =
+             o.load == BenchLoad::tick && o.scene.camera.kind == CameraChoice::Kind::fixed;
+         return o.load != BenchLoad::frame && o.load != BenchLoad::window && o.load != BenchLoad::sweep &&
+                o.load != BenchLoad::ablate && !is_of_tick;
+     },
+     "is for bench frame, bench window, bench sweep and bench ablate, and as EX,EY,EZ/TX,TY,TZ for bench "
+     "tick"},
+    {Command::bench,
+     {"--lod"},
+     [](const Options& o) {
+         return o.load != BenchLoad::frame && o.load != BenchLoad::window && o.load != BenchLoad::tick;
+     },
+     "is for bench tick, bench frame and bench window: other loads measure everybody in full"},
     {Command::bench,
      {"--size", "--device", "--validate", "--light"},
      [](const Options& o) {

@@ -132,7 +132,8 @@ void print_figures(const Figures& figures) {
     print_parts(figures, {}, 0);
     print_longest(figures);
     if (!figures.counts.empty()) std::printf("\n");
-    for (const auto& [name, value] : figures.counts) std::printf("%-20s %9.0f\n", name.c_str(), value);
+    for (const auto& [name, value] : figures.counts)
+        std::printf("%-20s %9.*f\n", name.c_str(), value == std::floor(value) ? 0 : 2, value);
 }
 
 std::string figures_json(const Figures& figures, const std::string& command) {

@@ -1,11 +1,13 @@
 #include "tools/flaneur/view/show.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
 #include "assets/cache/cache_file.h"
 #include "renderer/light/daylight.h"
 #include "renderer/view.h"
+#include "sim/base/math.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/view/sun.h"
@@ -63,6 +65,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
     show.without.on = options.techniques;
+    show.lod = lod_of(options);
     FLANEUR_ZONE("make meshes");
     prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     show.has_lamps = is_dark(show);
@@ -154,6 +157,18 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     dot_people(show, make_view(camera, static_cast<uint32_t>(size.width), static_cast<uint32_t>(size.height)),
                camera, frame);
     return frame;
+}
+
+void look_from(Show& show, const Camera& camera) {
+    constexpr float k_usual_lens = 32 * k_radians;
+    if (show.lod <= 0) return look_from(*show.loaded.world, {});
+    auto half = [](float lens) {
+        const SinCos h = sin_cos(lens / 2);
+        return h.sine / h.cosine;
+    };
+    const float longer = std::max(half(k_usual_lens) / half(camera.vertical_fov), 1.0f);
+    const Vec3 eye{camera.eye.x, camera.eye.y, camera.eye.z};
+    look_from(*show.loaded.world, {&eye, 1}, show.lod * longer);
 }
 
 void step(Show& show) {

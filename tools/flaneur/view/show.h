@@ -22,6 +22,7 @@ struct Show {
     PeopleFrame people;
     Without without;           // how bodies are drawn,
     bool draws_whole = false;  // or whole all the same
+    float lod = 0;             // metres beyond which people go in less detail; 0: nobody does
     WorkViews work_views;
     Overlay overlay;
     bool hides_dots = false;  // of people on wide maps, for what else is coloured there
@@ -53,6 +54,9 @@ Result<Show> make_show(RendererPtr renderer, const Options& options);
 // Whether lamps are lit.
 bool is_dark(const Show& show);
 bool is_dark(const Sun& sun, bool is_overcast);
+
+// The next ticks are looked at by this camera: see look_from() in sim/sim.h. A long lens looks farther.
+void look_from(Show& show, const Camera& camera);
 
 // One tick, and what the views for work keep of it.
 void step(Show& show);

@@ -136,6 +136,7 @@ void changed_by_hand(Timeline& time, const World& world) {
 }
 
 void make_tick(Show& show, Viewer& v) {
+    look_from(show, v.camera);
     step(show);
     v.time.is_rough = false;
     World& world = *show.loaded.world;
