@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <numeric>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/base/zone.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 
@@ -84,13 +86,11 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     return w;
 }
 
-Result<Crowd> populate(const Ground& ground, const Surroundings& around,
-                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
-                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
-                       uint32_t capacity) {
-    assert(!folk.empty() || walkers == 0);
-    Crowd c = make_crowd(std::max(walkers, capacity));
-    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
+// One after the other, each where there is room between those before. None: not all fit.
+static std::optional<Error> set_down(Crowd& c, const Ground& ground, const Surroundings& around,
+                                     const Navmesh& mesh, uint32_t walkers, std::span<const Folk> folk,
+                                     uint64_t seed) {
+    FLANEUR_ZONE("set down");
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
@@ -121,14 +121,39 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
         placed.next[i] = head;
         head = i;
     }
-    parallel_for(workers, c.count, 16, [&](size_t begin, size_t end, int thread) {
-        for (size_t i = begin; i < end; ++i) {
-            plan_path(c, mesh, thread, static_cast<uint32_t>(i), 0, seed);
-            Vec2 ahead = on_ground(c.corners[i * k_corners] - c.motion.position[i]);
+    return std::nullopt;
+}
+
+static void find_first_paths(Crowd& c, const Navmesh& mesh, Workers& workers, uint64_t seed) {
+    FLANEUR_ZONE("first paths");
+    // By polygons, so that who set out from the same street find it in the cache.
+    std::vector<uint32_t> order(c.count);
+    std::iota(order.begin(), order.end(), 0u);
+    auto before = [&](uint32_t a, uint32_t b) {
+        const uint32_t p = c.motion.polygon[a], q = c.motion.polygon[b];
+        return p != q ? p < q : a < b;
+    };
+    std::sort(order.begin(), order.end(), before);
+    parallel_for(workers, c.count, 64, [&](size_t begin, size_t end, int thread) {
+        for (size_t k = begin; k < end; ++k) {
+            const uint32_t i = order[k];
+            plan_path(c, mesh, thread, i, 0, seed);
+            Vec2 ahead = on_ground(c.corners[size_t{i} * k_corners] - c.motion.position[i]);
             if (c.journeys[i].corner_count == 0 || length_squared(ahead) < 1e-6f) continue;
             c.motion.heading[i] = heading_of(ahead);
         }
     });
+}
+
+Result<Crowd> populate(const Ground& ground, const Surroundings& around,
+                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
+                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
+                       uint32_t capacity) {
+    assert(!folk.empty() || walkers == 0);
+    Crowd c = make_crowd(std::max(walkers, capacity));
+    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
+    if (auto error = set_down(c, ground, around, mesh, walkers, folk, seed)) return *error;
+    find_first_paths(c, mesh, workers, seed);
     return c;
 }
 

@@ -399,7 +399,7 @@ void prepare_queries(Navmesh& m, int threads) {
     while (static_cast<int>(m.queries.size()) < threads) {
         m.queries.emplace_back(dtAllocNavMeshQuery());
         m.queries.back()->init(m.mesh.get(), k_most_nodes);
-        m.searches.push_back(make_search(m.gates));
+        m.searches.push_back(make_search(m.gates, m.shortcuts));
     }
 }
 

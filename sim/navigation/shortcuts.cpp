@@ -42,6 +42,12 @@ Shortcuts find_shortcuts(const Gates& gates, int threads) {
         s.to.insert(s.to.end(), to.begin(), to.end());
         s.first.push_back(static_cast<uint32_t>(s.to.size()));
     }
+    s.depth.resize(s.gate_of.size());
+    for (uint32_t r = static_cast<uint32_t>(s.depth.size()); r-- > 0;) {
+        if (s.first[r] < s.first[r + 1]) s.depth[r] = static_cast<uint16_t>(s.depth[s.to[s.first[r]]] + 1);
+        s.height = std::max(s.height, s.depth[r] + 1u);
+    }
+    for (uint32_t r : s.to) s.to_depth.push_back(s.depth[r]);
     return s;
 }
 
@@ -74,109 +80,120 @@ ShortcutCosts find_costs(const Gates& g, const Shortcuts& s, bool wheels) {
     return c;
 }
 
-std::unique_ptr<WaySearch> make_search(const Gates& gates) {
+std::unique_ptr<WaySearch> make_search(const Gates& gates, const Shortcuts& shortcuts) {
     auto s = std::make_unique<WaySearch>();
-    const size_t count = gates.gates.size();
-    s->up.assign(count, k_no_way);
-    s->down.assign(count, k_no_way);
-    s->before.resize(count);
-    s->after.resize(count);
-    s->way.reserve(std::min(count, k_most_gates));
-    s->doorways.reserve(std::min(count, k_most_gates));
-    s->todo.reserve(std::max(count, gates.costs.size()));
+    for (Climb* climb : {&s->up, &s->down}) {
+        climb->costs.assign(shortcuts.height, k_no_way);
+        climb->ranks.resize(shortcuts.height);
+        climb->by.resize(shortcuts.height);
+        climb->from.resize(shortcuts.height);
+    }
+    const size_t most = std::min(gates.gates.size(), k_most_gates);
+    s->todo.reserve(most);
+    s->way.reserve(most);
+    s->doorways.reserve(most);
+    s->reached.reserve(gates.costs.size());
     s->seen.resize(gates.costs.size());
     return s;
 }
 
-// Calls visit(rank) up the tree from `r` on.
-template <class Visit>
-static void climb(const Shortcuts& s, uint32_t r, Visit visit) {
-    while (r != k_no_gate) {
-        visit(r);
-        r = s.first[r] < s.first[r + 1] ? s.to[s.first[r]] : k_no_gate;
-    }
+static uint32_t parent_of(const Shortcuts& s, uint32_t r) {
+    return s.first[r] < s.first[r + 1] ? s.to[s.first[r]] : k_no_gate;
 }
 
-// Sets out from a place into its polygon's gates; returns the lowest rank among them. The others lie up the
+// Sets out from a place into its polygon's gates. Returns the lowest of their ranks; the others lie up the
 // tree from there, since all are joined.
-static uint32_t set_out(const Gates& g, const Shortcuts& s, Vec3 place, uint32_t polygon,
-                        std::vector<float>& costs, std::vector<uint32_t>& came) {
+static uint32_t set_out(const Gates& g, const Shortcuts& s, Vec3 place, uint32_t polygon, Climb& climb) {
     uint32_t lowest = k_no_gate;
     for (uint32_t k = g.first[polygon]; k < g.first[polygon + 1]; ++k) {
         const uint32_t r = s.rank_of[g.of[k]];
-        costs[r] = cost_to_gate(g, place, polygon, g.of[k]);
-        came[r] = k_no_gate;
+        climb.costs[s.depth[r]] = cost_to_gate(g, place, polygon, g.of[k]);
+        climb.by[s.depth[r]] = k_no_shortcut;
         lowest = std::min(lowest, r);
     }
     return lowest;
 }
 
-static void spread(const Shortcuts& s, const ShortcutCosts& c, uint32_t r, std::vector<float>& costs,
-                   std::vector<uint32_t>& came) {
-    const float so_far = costs[r];
+static void climb_from(const Shortcuts& s, const ShortcutCosts& c, uint32_t r, Climb& climb) {
+    const uint16_t depth = s.depth[r];
+    const float so_far = climb.costs[depth];
     for (uint32_t k = s.first[r]; k < s.first[r + 1]; ++k) {
         const float cost = so_far + c.costs[k];
-        if (cost < costs[s.to[k]]) costs[s.to[k]] = cost, came[s.to[k]] = r;
+        const uint16_t at = s.to_depth[k];
+        if (cost < climb.costs[at]) climb.costs[at] = cost, climb.by[at] = k, climb.from[at] = depth;
     }
 }
 
 // The rank in which the cheapest way culminates.
-static uint32_t meet(const Shortcuts& s, const ShortcutCosts& c, WaySearch& w, uint32_t from, uint32_t to) {
-    auto parent = [&](uint32_t r) { return s.first[r] < s.first[r + 1] ? s.to[s.first[r]] : k_no_gate; };
+static uint32_t meet(const Shortcuts& s, const ShortcutCosts& c, uint32_t from, uint32_t to, Climb& up,
+                     Climb& down) {
+    while (from != to) {
+        uint32_t& lower = from < to ? from : to;
+        Climb& climb = from < to ? up : down;
+        climb.ranks[s.depth[lower]] = lower;
+        climb_from(s, c, lower, climb);
+        lower = parent_of(s, lower);
+    }
     float least = k_no_way;
     uint32_t found = k_no_gate;
-    while (from != to) {
-        if (from < to) {
-            spread(s, c, from, w.up, w.before);
-            from = parent(from);
-        } else {
-            spread(s, c, to, w.down, w.after);
-            to = parent(to);
-        }
-    }
-    for (uint32_t r = from; r != k_no_gate; r = parent(r)) {
-        if (w.up[r] + w.down[r] < least) least = w.up[r] + w.down[r], found = r;
+    for (uint32_t r = from; r != k_no_gate; r = parent_of(s, r)) {
+        const uint16_t at = s.depth[r];
+        up.ranks[at] = down.ranks[at] = r;
+        if (up.costs[at] + down.costs[at] < least) least = up.costs[at] + down.costs[at], found = r;
         // What is dearer than the way found leads nowhere cheaper.
-        if (w.up[r] < least) spread(s, c, r, w.up, w.before);
-        if (w.down[r] < least) spread(s, c, r, w.down, w.after);
+        if (up.costs[at] < least) climb_from(s, c, r, up);
+        if (down.costs[at] < least) climb_from(s, c, r, down);
     }
     return found;
 }
 
-// Adds the gates from `from` (exclusive) to `to` (inclusive), which are joined.
-static void unfold(const Shortcuts& s, const ShortcutCosts& c, uint32_t from, uint32_t to, WaySearch& w) {
-    // Ranks to go to, the next one last.
-    w.todo.assign(1, to);
+// Adds the gates of a shortcut but for the first.
+static void unfold(const Shortcuts& s, const ShortcutCosts& c, const Unfolding& whole, WaySearch& w) {
+    w.todo.push_back(whole);
     while (!w.todo.empty()) {
-        const uint32_t next = w.todo.back();
-        const auto [low, high] = std::minmax(from, next);
-        const uint32_t through = c.through[shortcut_between(s, low, high)];
-        if (through != k_no_gate) {
-            w.todo.push_back(through);
+        const Unfolding next = w.todo.back();
+        w.todo.pop_back();
+        const uint32_t through = c.through[next.shortcut];
+        if (through == k_no_gate) {
+            w.way.push_back(s.gate_of[next.to]);
             continue;
         }
-        w.way.push_back(s.gate_of[next]);
-        w.todo.pop_back();
-        from = next;
+        uint32_t from = k_no_shortcut, to = k_no_shortcut;
+        for (uint32_t k = s.first[through]; from == k_no_shortcut || to == k_no_shortcut; ++k) {
+            if (s.to[k] == next.from) from = k;
+            if (s.to[k] == next.to) to = k;
+        }
+        w.todo.push_back({to, through, next.to});
+        w.todo.push_back({from, next.from, through});
     }
+}
+
+// Adds the gates from depth `at` down to where the climb set out, but for the first.
+static void descend(const Shortcuts& s, const ShortcutCosts& c, const Climb& climb, uint16_t at,
+                    WaySearch& w) {
+    for (; climb.by[at] != k_no_shortcut; at = climb.from[at])
+        unfold(s, c, {climb.by[at], climb.ranks[at], climb.ranks[climb.from[at]]}, w);
+}
+
+static void forget(const Shortcuts& s, uint32_t from, Climb& climb) {
+    if (from == k_no_gate) return;
+    std::fill_n(climb.costs.begin(), s.depth[from] + 1, k_no_way);
 }
 
 std::span<const uint32_t> cheapest_way(const Gates& g, const Shortcuts& s, const ShortcutCosts& c,
                                        WaySearch& w, const WayEnds& ends) {
     w.way.clear();
-    const uint32_t from = set_out(g, s, ends.from, ends.from_polygon, w.up, w.before),
-                   to = set_out(g, s, ends.to, ends.to_polygon, w.down, w.after);
-    const uint32_t top = meet(s, c, w, from, to);
+    const uint32_t from = set_out(g, s, ends.from, ends.from_polygon, w.up),
+                   to = set_out(g, s, ends.to, ends.to_polygon, w.down);
+    const uint32_t top = meet(s, c, from, to, w.up, w.down);
     if (top != k_no_gate) {
-        // Down from the top, in both directions; then the first half is turned round.
-        uint32_t at = top;
         w.way.push_back(s.gate_of[top]);
-        for (; w.before[at] != k_no_gate; at = w.before[at]) unfold(s, c, at, w.before[at], w);
+        descend(s, c, w.up, s.depth[top], w);
         std::reverse(w.way.begin(), w.way.end());
-        for (at = top; w.after[at] != k_no_gate; at = w.after[at]) unfold(s, c, at, w.after[at], w);
+        descend(s, c, w.down, s.depth[top], w);
     }
-    climb(s, from, [&](uint32_t r) { w.up[r] = k_no_way; });
-    climb(s, to, [&](uint32_t r) { w.down[r] = k_no_way; });
+    forget(s, from, w.up);
+    forget(s, to, w.down);
     return w.way;
 }
 

@@ -20,11 +20,15 @@ namespace flaneur {
 
 inline constexpr uint32_t k_no_gate = ~0u;
 
-// Gates are numbered by rank here: in the order in which they are taken out.
+// Gates are numbered by rank here: in the order in which they are taken out. Of a rank's shortcuts the first
+// leads to its parent in the tree, and the others to ranks farther up from there.
 struct Shortcuts {
     std::vector<uint32_t> rank_of, gate_of;  // by gate, by rank
-    std::vector<uint32_t> first;             // of rank r: to[first[r] .. first[r + 1]), in rising order
-    std::vector<uint32_t> to;                // ranks; the first is the parent in the tree
+    std::vector<uint32_t> first;             // of rank r: those numbered first[r] .. first[r + 1] - 1,
+    std::vector<uint32_t> to;                // which lead to these ranks, in rising order,
+    std::vector<uint16_t> to_depth;          // of which so many lie farther up
+    std::vector<uint16_t> depth;             // by rank
+    uint32_t height = 0;                     // of the tree: more than any depth
 };
 Shortcuts find_shortcuts(const Gates& gates, int threads);
 
@@ -36,17 +40,30 @@ struct ShortcutCosts {
 // `wheels`: no way leads over steps.
 ShortcutCosts find_costs(const Gates& gates, const Shortcuts& shortcuts, bool wheels);
 
+// The cheapest ways from one end to the gates up the tree, by depth.
+struct Climb {
+    std::vector<float> costs;
+    std::vector<uint32_t> ranks;
+    std::vector<uint32_t> by;    // the shortcut that came there, or k_no_shortcut,
+    std::vector<uint16_t> from;  // and from which depth
+};
+inline constexpr uint32_t k_no_shortcut = ~0u;
+
+struct Unfolding {
+    uint32_t shortcut, from, to;  // ranks
+};
+
 // What one thread's searches write.
 struct WaySearch {
-    std::vector<float> up, down;          // by rank: the costs from the start, and to the goal
-    std::vector<uint32_t> before, after;  // the rank where these come from
-    std::vector<uint32_t> way;            // gates
-    std::vector<uint32_t> todo;
+    Climb up, down;                 // from the start; from the goal
+    std::vector<Unfolding> todo;    // the next one last
+    std::vector<uint32_t> way;      // gates
     std::vector<Doorway> doorways;  // the same as they are passed
+    std::vector<uint32_t> reached;  // polygons
     std::vector<uint32_t> seen;     // by polygon: when last
     uint32_t times = 0;             // that anything was looked for
 };
-std::unique_ptr<WaySearch> make_search(const Gates& gates);
+std::unique_ptr<WaySearch> make_search(const Gates& gates, const Shortcuts& shortcuts);
 
 struct WayEnds {
     Vec3 from, to;

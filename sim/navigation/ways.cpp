@@ -10,19 +10,19 @@ static constexpr uint32_t k_most_seen = 16384;  // polygons, where a goal is out
 // Of where one comes to from a polygon, the polygon with the gate nearest to the goal as the crow flies.
 static uint32_t nearest_within_reach(const Gates& g, WaySearch& w, uint32_t from, Vec3 goal, By by) {
     const uint32_t time = ++w.times;
-    w.todo.assign(1, from);
+    w.reached.assign(1, from);
     w.seen[from] = time;
     uint32_t nearest = from;
     float least = 1e30f;
-    for (size_t k = 0; k < w.todo.size() && k < k_most_seen; ++k) {
-        const uint32_t polygon = w.todo[k];
+    for (size_t k = 0; k < w.reached.size() && k < k_most_seen; ++k) {
+        const uint32_t polygon = w.reached[k];
         for (uint32_t i = g.first[polygon]; i < g.first[polygon + 1]; ++i) {
             const uint32_t other = behind(g.gates[g.of[i]], polygon);
             const float off = length_squared(goal - g.middles[g.of[i]]);
             if (off < least) least = off, nearest = polygon;
             if (w.seen[other] == time || (by == By::wheels && g.steps[other])) continue;
             w.seen[other] = time;
-            w.todo.push_back(other);
+            w.reached.push_back(other);
         }
     }
     return nearest;
