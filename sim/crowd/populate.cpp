@@ -86,42 +86,52 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     return w;
 }
 
-// One after the other, each where there is room between those before. None: not all fit.
-static std::optional<Error> set_down(Crowd& c, const Ground& ground, const Surroundings& around,
-                                     const Navmesh& mesh, uint32_t walkers, std::span<const Folk> folk,
-                                     uint64_t seed) {
+// Where a walker might stand; polygon 0: not there.
+static NavPoint place_by_chance(const Surroundings& around, const Navmesh& mesh, int thread,
+                                const Neighbourhood& home, RandomKey key) {
+    NavPoint p = random_place_near(mesh, thread, home.centre, home.radius, random_unit(key, 0),
+                                   random_unit(key, 1), random_unit(key, 2));
+    const auto hit = ground_at(around, p.position, 1, 2);
+    if (!hit) return {};
+    p.position.y = hit->height;
+    return p;
+}
+
+// One after the other, each where there is room between those before.
+static Result<void> set_down(Crowd& c, const Ground& ground, const Surroundings& around, const Navmesh& mesh,
+                             Workers& workers, uint32_t walkers, std::span<const Folk> folk, uint64_t seed) {
     FLANEUR_ZONE("set down");
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
     placed.next.resize(walkers);
-    Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
+    const Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
+    std::vector<NavPoint> first(walkers);
+    parallel_for(workers, walkers, 256, [&](size_t begin, size_t end, int thread) {
+        for (size_t i = begin; i < end; ++i)
+            first[i] = place_by_chance(around, mesh, thread, home,
+                                       {seed, static_cast<uint32_t>(i), 0, Purpose::spawn});
+    });
     constexpr uint32_t k_attempts = 64;
     for (uint32_t i = 0; i < walkers; ++i) {
-        Walker w;
-        for (uint32_t attempt = 0; attempt < k_attempts && w.place.polygon == 0; ++attempt) {
-            RandomKey key{seed, i, attempt, Purpose::spawn};
-            NavPoint p = random_place_near(mesh, 0, home.centre, home.radius, random_unit(key, 0),
-                                           random_unit(key, 1), random_unit(key, 2));
-            auto hit = ground_at(around, p.position, 1, 2);
-            if (!hit) continue;
-            p.position.y = hit->height;
-            if (is_free(placed, c, p.position)) w.place = p;
-        }
-        if (w.place.polygon == 0) {
+        NavPoint place = first[i];
+        auto is_good = [&] { return place.polygon != 0 && is_free(placed, c, place.position); };
+        uint32_t attempt = 0;
+        while (!is_good() && ++attempt < k_attempts)
+            place = place_by_chance(around, mesh, 0, home, {seed, i, attempt, Purpose::spawn});
+        if (attempt == k_attempts) {
             return Error{"Only about " + std::to_string(i) + " of " + std::to_string(walkers) +
                          " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
                          "': take fewer, or more ground."};
         }
-        NavPoint place = w.place;
-        w = draw_walker(folk, {seed, i, 0, Purpose::body});
+        Walker w = draw_walker(folk, {seed, i, 0, Purpose::body});
         w.place = place;
         add_walker(c, around, w);
-        uint32_t& head = placed.head[placed.cell(column(w.place.position.x), column(w.place.position.z))];
+        uint32_t& head = placed.head[placed.cell(column(place.position.x), column(place.position.z))];
         placed.next[i] = head;
         head = i;
     }
-    return std::nullopt;
+    return {};
 }
 
 static void find_first_paths(Crowd& c, const Navmesh& mesh, Workers& workers, uint64_t seed) {
@@ -152,7 +162,8 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
     assert(!folk.empty() || walkers == 0);
     Crowd c = make_crowd(std::max(walkers, capacity));
     c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
-    if (auto error = set_down(c, ground, around, mesh, walkers, folk, seed)) return *error;
+    if (Result<void> done = set_down(c, ground, around, mesh, workers, walkers, folk, seed); !done)
+        return done.error();
     find_first_paths(c, mesh, workers, seed);
     return c;
 }
