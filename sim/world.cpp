@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/spans.h"
+#include "sim/base/zone.h"
 #include "sim/crowd/pace.h"
 #include "sim/gait/hands.h"
 #include "sim/pose/cane.h"
@@ -77,6 +78,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
 
+    FLANEUR_ZONE("start bodies");
     RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),
                     world->crowd.motion.heading.data(), world->crowd.motion.turn_rate.data(),
                     world->crowd.motion.wish.data()};

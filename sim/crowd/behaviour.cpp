@@ -10,8 +10,9 @@
 namespace flaneur {
 
 static constexpr float k_stroll_reach = 150, k_least_stroll = 25;  // metres, from start to goal
-static constexpr size_t k_paths_a_tick = 32;
-static constexpr float k_corner_touch = 0.1f;   // a corner this near is passed, metres;
+static constexpr size_t k_paths_a_tick = 32;                       // at least, and
+static constexpr uint32_t k_for_each_path = 4096;                  // one for so many walkers
+static constexpr float k_corner_touch = 0.1f;                      // a corner this near is passed, metres;
 static constexpr float k_corner_reach = 0.5f;   // this near it is if the next one is in view,
 static constexpr float k_corner_view = 2.5f;    // and so it is this near if one is level with it
 static constexpr float k_goal_reach = 0.4f;     // a goal this near is reached
@@ -31,34 +32,27 @@ static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? B
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
-// Takes corners wider by the walker's own measure, so that a crowd does not queue for the same inch. The path
-// turns about a corner's inner side, so its outer side is free; the mesh, the kind of ground and a clear view
-// along both stretches have the last word.
-static void widen_corners(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
+// Takes the corner that the walker goes to wider by its own measure, so that a crowd does not queue for the
+// same inch. The path turns about a corner's inner side, so its outer side is free; the mesh, the kind of
+// ground and a clear view along both stretches have the last word.
+static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     const Journey& j = c.journeys[i];
-    Vec3* corners = &c.corners[size_t{i} * k_corners];
-    Vec3 previous = c.motion.position[i];
-    Vec3 before = previous;  // the corner before, as widened
-    for (int k = 0; k + 1 < j.corner_count; ++k) {
-        Vec3 here = corners[k];
-        Vec2 in = normalize_or(on_ground(here - previous), {0, 0});
-        Vec2 out = normalize_or(on_ground(corners[k + 1] - here), {0, 0});
-        previous = here;
-        auto place = nearest(mesh, thread, here, {0.3f, 1.5f, 0.3f});
-        if (!place) return;
-        Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
-        bool cheap = is_cheap(surface_of(mesh, place->polygon));
-        for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
-            NavPoint moved =
-                move_along(mesh, thread, *place, here + at_height(outward * shift, 0), by_of(c, i));
-            if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
-            if (!is_clear(mesh, before, moved.position) || !is_clear(mesh, moved.position, corners[k + 1])) {
-                continue;
-            }
-            corners[k] = moved.position;
-            break;
-        }
-        before = corners[k];
+    if (j.corner + 1 >= j.corner_count) return;
+    Vec3& corner = c.corners[size_t{i} * k_corners + j.corner];
+    const Vec3 here = c.motion.position[i], next = c.corners[size_t{i} * k_corners + j.corner + 1u];
+    auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+    if (!place) return;
+    const Vec2 in = normalize_or(on_ground(corner - here), {0, 0}),
+               out = normalize_or(on_ground(next - corner), {0, 0});
+    const Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
+    const bool cheap = is_cheap(surface_of(mesh, place->polygon));
+    for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
+        const Vec3 wanted = corner + at_height(outward * shift, 0);
+        const NavPoint moved = move_along(mesh, thread, *place, wanted, by_of(c, i));
+        if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
+        if (!is_clear(mesh, here, moved.position) || !is_clear(mesh, moved.position, next)) continue;
+        corner = moved.position;
+        return;
     }
 }
 
@@ -109,12 +103,13 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
     j.corner_count = static_cast<uint8_t>(n);
     j.path_start = on_ground(here.position);
     begin_stretch(j, j.path_start, tick);
-    if (n == 0) {  // nowhere: later again
+    if (n == 0) {  // the goal or the walker is nowhere: later again
+        if (j.errand == Errand::wander) j.path_due = PathDue::to_new_goal;
         j.pause_until = tick + k_retry;
         return;
     }
     j.path_due = PathDue::no;
-    widen_corners(c, mesh, thread, i);
+    widen_corner(c, mesh, thread, i);
 }
 
 // Stands at its goal, or as near as it gets.
@@ -164,7 +159,19 @@ static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
     return length(a + (b - a) * closest_on(a, b, p) - p);
 }
 
-static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick, uint64_t seed) {
+// On from a corner to the next one.
+static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 corner, uint32_t tick) {
+    Journey& j = c.journeys[i];
+    begin_stretch(j, corner, tick);
+    widen_corner(c, mesh, thread, i);
+    // A path of bounded length that ends before its goal is found on while the last stretch is walked.
+    const bool last = j.corner + 1 == j.corner_count;
+    const Vec3 end = c.corners[size_t{i} * k_corners + j.corner];
+    if (last && length(on_ground(j.goal.position - end)) > 2 * goal_reach(c, i) && j.path_due == PathDue::no)
+        j.path_due = PathDue::to_goal;
+}
+
+static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     Journey& j = c.journeys[i];
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec2 p = on_ground(c.motion.position[i]);
@@ -203,7 +210,7 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, uint32_t i, uint32_t tick
         if (last) {
             end_path(c, j, i, tick, seed);
         } else {
-            begin_stretch(j, here, tick);
+            go_on(c, mesh, thread, i, here, tick);
         }
     }
     return {0, 0};
@@ -227,7 +234,7 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     c.decision.wanted[i] = is_beside   ? go_back(c, mesh, thread, i)
                            : is_driven ? c.driven.wish
                            : waits     ? Vec2{0, 0}
-                                       : follow_path(c, mesh, i, tick, seed);
+                                       : follow_path(c, mesh, thread, i, tick, seed);
     const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
     c.scratch.intents[i] = {.wanted = c.decision.wanted[i],
                             .most = is_driven ? k_fastest_driven : most,
@@ -240,7 +247,8 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
     // Paths, for the first walkers due from where the last tick stopped.
     c.scratch.requests.clear();
     uint32_t last = c.next_path;
-    for (uint32_t k = 0; k < c.count && c.scratch.requests.size() < k_paths_a_tick; ++k) {
+    const size_t most = std::max<size_t>(k_paths_a_tick, c.count / k_for_each_path);
+    for (uint32_t k = 0; k < c.count && c.scratch.requests.size() < most; ++k) {
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;

@@ -4,6 +4,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/base/zone.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 
@@ -100,32 +101,41 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     return w;
 }
 
-Result<Crowd> populate(const Ground& ground, const Surroundings& around,
-                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
-                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
-                       uint32_t capacity) {
-    assert(!folk.empty() || walkers == 0);
-    Crowd c = make_crowd(std::max(walkers, capacity));
-    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
+// Where a walker might stand; polygon 0: not there.
+static NavPoint place_by_chance(const Surroundings& around, const Navmesh& mesh, int thread,
+                                const Neighbourhood& home, RandomKey key) {
+    NavPoint p = random_place_near(mesh, thread, home.centre, home.radius, random_unit(key, 0),
+                                   random_unit(key, 1), random_unit(key, 2));
+    const auto hit = ground_at(around, p.position, 1, 2);
+    if (!hit) return {};
+    p.position.y = hit->height;
+    return p;
+}
+
+// One after the other, each where there is room between those before.
+static Result<void> set_down(Crowd& c, const Ground& ground, const Surroundings& around, const Navmesh& mesh,
+                             Workers& workers, uint32_t walkers, std::span<const Folk> folk, uint64_t seed) {
+    FLANEUR_ZONE("set down");
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
     placed.next.resize(walkers);
     placed.places.reserve(walkers);
-    Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
+    const Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
+    std::vector<NavPoint> first(walkers);
+    parallel_for(workers, walkers, 256, [&](size_t begin, size_t end, int thread) {
+        for (size_t i = begin; i < end; ++i)
+            first[i] = place_by_chance(around, mesh, thread, home,
+                                       {seed, static_cast<uint32_t>(i), 0, Purpose::spawn});
+    });
     constexpr uint32_t k_attempts = 64;
     for (uint32_t i = 0; i < walkers; ++i) {
-        NavPoint place;
-        for (uint32_t attempt = 0; attempt < k_attempts && place.polygon == 0; ++attempt) {
-            RandomKey key{seed, i, attempt, Purpose::spawn};
-            NavPoint p = random_place_near(mesh, 0, home.centre, home.radius, random_unit(key, 0),
-                                           random_unit(key, 1), random_unit(key, 2));
-            auto hit = ground_at(around, p.position, 1, 2);
-            if (!hit) continue;
-            p.position.y = hit->height;
-            if (is_free(placed, p.position)) place = p;
-        }
-        if (place.polygon == 0) {
+        NavPoint place = first[i];
+        auto is_good = [&] { return place.polygon != 0 && is_free(placed, place.position); };
+        uint32_t attempt = 0;
+        while (!is_good() && ++attempt < k_attempts)
+            place = place_by_chance(around, mesh, 0, home, {seed, i, attempt, Purpose::spawn});
+        if (attempt == k_attempts) {
             return Error{"Only about " + std::to_string(i) + " of " + std::to_string(walkers) +
                          " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
                          "': take fewer, or more ground."};
@@ -144,7 +154,12 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
         w.place = placed.places[i];
         add_walker(c, around, w);
     }
-    parallel_for(workers, c.count, 16, [&](size_t begin, size_t end, int thread) {
+    return {};
+}
+
+static void find_first_paths(Crowd& c, const Navmesh& mesh, Workers& workers, uint64_t seed) {
+    FLANEUR_ZONE("first paths");
+    parallel_for(workers, c.count, 64, [&](size_t begin, size_t end, int thread) {
         for (size_t i = begin; i < end; ++i) {
             plan_path(c, mesh, thread, static_cast<uint32_t>(i), 0, seed);
             Vec2 ahead = on_ground(c.corners[i * k_corners] - c.motion.position[i]);
@@ -152,6 +167,18 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
             c.motion.heading[i] = heading_of(ahead);
         }
     });
+}
+
+Result<Crowd> populate(const Ground& ground, const Surroundings& around,
+                       std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
+                       uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
+                       uint32_t capacity) {
+    assert(!folk.empty() || walkers == 0);
+    Crowd c = make_crowd(std::max(walkers, capacity));
+    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
+    if (Result<void> done = set_down(c, ground, around, mesh, workers, walkers, folk, seed); !done)
+        return done.error();
+    find_first_paths(c, mesh, workers, seed);
     return c;
 }
 

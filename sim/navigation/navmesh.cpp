@@ -1,4 +1,4 @@
-// The queries: Detour's, and look-ups in the tables made beside the mesh.
+// Queries of places: Detour's, and look-ups in the tables made beside the mesh.
 #include "sim/navigation/navmesh.h"
 
 #include <recastnavigation/DetourCommon.h>
@@ -69,31 +69,6 @@ bool is_near_steps(const Navmesh& m, Vec2 p) {
 
 static const dtQueryFilter& filter_of(const Navmesh& m, By by) {
     return by == By::wheels ? m.wheels : m.filter;
-}
-
-int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity, By by) {
-    constexpr int k_most_polygons = 512, k_most_corners = 256;
-    const dtNavMeshQuery& query = *m.queries[thread];
-    dtPolyRef polygons[k_most_polygons];
-    int count = 0;
-    query.findPath(from.polygon, to.polygon, floats(from.position), floats(to.position), &filter_of(m, by),
-                   polygons, &count, k_most_polygons);
-    if (count == 0 || capacity <= 0) return 0;
-    Vec3 end = to.position;
-    if (polygons[count - 1] != to.polygon) {
-        query.closestPointOnPoly(polygons[count - 1], floats(to.position), floats(end), nullptr);
-    }
-    Vec3 points[k_most_corners];
-    unsigned char flags[k_most_corners];
-    int most = std::min(capacity + 1, k_most_corners);
-    query.findStraightPath(floats(from.position), floats(end), polygons, count, floats(points[0]), flags,
-                           nullptr, &count, most);
-    int written = 0;
-    for (int i = 0; i < count && written < capacity; ++i) {
-        if (i == 0 && !(flags[i] & DT_STRAIGHTPATH_END)) continue;  // the start itself
-        corners[written++] = points[i];
-    }
-    return written;
 }
 
 // Whether `p` lies in the polygon seen from above.

@@ -1,4 +1,5 @@
-// Where people can go and by which way: Recast builds the mesh from a Ground, Detour answers.
+// Where people can go and by which way: Recast builds the mesh from a Ground; Detour says where one is on it,
+// and shortcuts (shortcuts.h) which way leads from one place to another.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@
 
 namespace flaneur {
 
-static constexpr int k_most_nodes = 4096;      // polygons that one path search may look at
+static constexpr int k_most_nodes = 16;        // of searches that are not made with Detour
 static constexpr double k_least_island = 300;  // square metres that are worth walking about in
 
 void NavmeshDelete::operator()(Navmesh* m) const { delete m; }
@@ -161,6 +161,18 @@ static void mark_steps(dtNavMesh& mesh) {
     });
 }
 
+// What find_path() looks up.
+static void find_ways(Navmesh& m, int threads) {
+    for_polygons(*m.mesh,
+                 [&](const dtMeshTile&, int, uint32_t reference) { m.references.push_back(reference); });
+    m.gates = find_gates(m);
+    m.shortcuts = find_shortcuts(m.gates, threads);
+    m.costs = find_costs(m.gates, m.shortcuts, false);
+    const std::vector<uint8_t>& steps = m.gates.steps;
+    if (std::find(steps.begin(), steps.end(), 1) != steps.end())
+        m.wheel_costs = find_costs(m.gates, m.shortcuts, true);
+}
+
 static float tile_edge(const NavmeshSettings& s) {
     return std::max(1.0f, std::floor(s.tile / s.cell + 0.5f)) * s.cell;
 }
@@ -229,6 +241,7 @@ static Result<NavmeshPtr> join_tiles(const Ground& ground, const NavmeshSettings
     set_costs(m->wheels);
     mark_steps(*m->mesh);
     m->wheels.setExcludeFlags(k_steps_flag);
+    find_ways(*m, threads);
     prepare_queries(*m, threads);
     std::vector<double> island_areas;
     find_islands(*m, island_areas);
@@ -412,6 +425,7 @@ void prepare_queries(Navmesh& m, int threads) {
     while (static_cast<int>(m.queries.size()) < threads) {
         m.queries.emplace_back(dtAllocNavMeshQuery());
         m.queries.back()->init(m.mesh.get(), k_most_nodes);
+        m.searches.push_back(make_search(m.gates, m.shortcuts));
     }
 }
 

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "sim/navigation/gates.h"
 #include "sim/navigation/navmesh.h"
+#include "sim/navigation/shortcuts.h"
 #include "sim/navigation/weighted_grid.h"
 
 namespace flaneur {
@@ -42,6 +44,12 @@ struct Navmesh {
     uint32_t worthy_islands = 0;          // so many, the largest, are worth walking about in
     std::vector<PlacePiece> places;       // in the order of the grid's items
     WeightedGrid place_grid;              // cells as large as tiles; weights are square metres
+
+    std::vector<uint32_t> references;  // Detour's, by polygon number
+    Gates gates;
+    Shortcuts shortcuts;
+    ShortcutCosts costs, wheel_costs;                  // these are empty where there are no steps
+    std::vector<std::unique_ptr<WaySearch>> searches;  // one a thread
 
     std::vector<BorderLine> borders;
     Grid border_grid;
