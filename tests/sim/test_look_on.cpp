@@ -1,0 +1,124 @@
+// Simulation level of detail: those afar of every eye go eight ticks at once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/isa.h"
+#include "sim/state.h"
+#include "sim/world.h"
+#include "tests/sim/small_grounds.h"
+
+namespace flaneur {
+namespace {
+
+constexpr Vec3 k_eye{-45, 1.6f, -45};
+constexpr float k_reach = 40;
+
+// A square crowd at one of whose corners somebody looks on.
+std::unique_ptr<World> made(int threads, uint32_t walkers = 320) {
+    WorldOptions options;
+    options.walkers = walkers;
+    options.threads = threads;
+    Ground ground = square(90);
+    index_ground(ground);
+    auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
+    EXPECT_TRUE(world) << world.error().message;
+    look_from(**world, {&k_eye, 1}, k_reach);
+    return std::move(*world);
+}
+
+float deepest(const World& w) {
+    const Crowd& c = w.crowd;
+    float most = -1;
+    for (uint32_t i = 0; i < c.count; ++i)
+        for (uint32_t j = i + 1; j < c.count; ++j) {
+            const float d = length(on_ground(c.motion.position[i] - c.motion.position[j]));
+            most = std::max(most, c.identity.radius[i] + c.identity.radius[j] - d);
+        }
+    return most;
+}
+
+TEST(LookOn, ThoseAfarWalkAsFastMeetNobodyAndStayOffWalls) {
+    auto w = made(2);
+    const Crowd& c = w->crowd;
+    double pace[2] = {};
+    int walking[2] = {}, standing[2] = {};
+    for (int tick = 0; tick < 40 * 60; ++tick) {
+        step(*w);
+        if (tick % 8 != 0) continue;
+        ASSERT_LT(deepest(*w), 0.05f) << tick;
+        for (uint32_t i = 0; i < c.count; ++i) {
+            const Vec3 p = c.motion.position[i];
+            ASSERT_TRUE(ground_at(*w->ground, p, 0.01f, 0.01f) && !closest_wall(*w->ground, p, 0.2f)) << i;
+            const int afar = c.afar[i / k_block];
+            const float speed = length(c.motion.velocity[i]);
+            ++(speed > 0.3f ? walking : standing)[afar];
+            if (speed > 0.3f) pace[afar] += static_cast<double>(speed / c.identity.preferred_speed[i]);
+        }
+    }
+    ASSERT_GT(walking[0], 1000);
+    ASSERT_GT(walking[1], 10000);
+    EXPECT_NEAR(pace[1] / walking[1], pace[0] / walking[0], 0.04);
+}
+
+// In whichever order blocks step, on however many threads and with whatever lanes; and from a state kept
+// between two of their steps.
+TEST(LookOn, IsEqualOnAnyThreadsAndTakenBack) {
+    uint64_t expected = 0;
+    for (const int threads : {1, 2, 7})
+        for (const std::string_view isa : isa_names()) {
+            ASSERT_TRUE(use_isa(isa));
+            auto w = made(threads, 160);
+            for (int tick = 0; tick < 203; ++tick) step(*w);
+            std::vector<std::byte> bytes;
+            save_state(*w, bytes);
+            for (int tick = 0; tick < 100; ++tick) step(*w);
+            const uint64_t hash = hash_world(*w);
+            if (expected == 0) expected = hash;
+            EXPECT_EQ(hash, expected) << threads << " threads, " << isa;
+            ASSERT_TRUE(load_state(*w, bytes));
+            for (int tick = 0; tick < 100; ++tick) step(*w);
+            EXPECT_EQ(hash_world(*w), expected) << threads << " threads, " << isa << ", taken back";
+        }
+    ASSERT_TRUE(use_isa("best"));
+}
+
+// Bodies are shown where they would be by now: nobody jumps, neither afar nor as an eye comes or goes.
+TEST(LookOn, NobodyIsSeenToJump) {
+    auto w = made(2, 160);
+    const Crowd& c = w->crowd;
+    std::vector<Vec3> before(c.count);
+    bool was_afar = false;
+    for (int tick = 0; tick < 600; ++tick) {
+        const Vec3 eye = tick / 100 % 2 == 0 ? k_eye : Vec3{1000, 0, 0};
+        look_from(*w, {&eye, 1}, k_reach);
+        step(*w);
+        for (uint32_t i = 0; i < c.count; ++i) {
+            was_afar |= c.afar[i / k_block] != 0;
+            for (const float between : {0.0f, 0.5f, 1.0f}) {
+                const Vec3 hip = joint_between(*w, i, hips, between).position;
+                // A body leads and lags its feet by some, as speed changes.
+                if (tick > 0) {
+                    ASSERT_LT(length(on_ground(hip - before[i])), 0.09f) << i << " at " << tick;
+                }
+                before[i] = hip;
+            }
+        }
+    }
+    EXPECT_TRUE(was_afar);
+}
+
+TEST(LookOn, WithoutEyesEverybodyIsInFull) {
+    auto w = made(1, 64);
+    look_from(*w, {}, k_reach);
+    auto plain = made(1, 64);
+    plain->crowd.onlookers = {};
+    for (int tick = 0; tick < 60; ++tick) step(*w), step(*plain);
+    EXPECT_EQ(hash_world(*w), hash_world(*plain));
+    EXPECT_EQ(std::count(w->crowd.afar.begin(), w->crowd.afar.end(), 0),
+              static_cast<std::ptrdiff_t>(w->crowd.afar.size()));
+}
+
+}  // namespace
+}  // namespace flaneur
