@@ -9,6 +9,7 @@
 #include "assets/place.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
+#include "sim/crowd/pass_on.h"
 
 namespace flaneur {
 
@@ -97,6 +98,8 @@ Result<MapPlace> parse_place(const std::string& text);
 Result<float> parse_time(const std::string& text);
 // Whether "clear" or "overcast" is overcast.
 Result<bool> parse_weather(const std::string& text);
+// "right" or "left".
+Result<PassOn> parse_side(const std::string& text);
 // One of k_quality_names.
 Result<std::string> parse_quality(const std::string& text);
 

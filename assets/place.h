@@ -24,6 +24,9 @@ struct OnEarth {
     float map_width = 0, map_depth = 0;
 };
 
+// Whether one drives on the left there, by coarse outlines of the lands where one does.
+bool is_driven_on_left(const MapPlace& place);
+
 // What is being done, and how much of it is: 0..1.
 using TellProgress = std::function<void(std::string_view what, float done)>;
 

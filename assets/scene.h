@@ -63,6 +63,7 @@ struct Scene {
     // Degrees above the horizon, and clockwise from north: where the sun stands, whatever the hour.
     std::optional<float> sun_height, sun_heading;
     bool is_overcast = false;
+    std::optional<PassOn> side;  // on which people pass; else as one drives there
     CameraChoice camera;
     float fov = 0;        // of its lens, upright, radians; 0: what suits the camera
     Size size;            // of the picture or the window

@@ -42,6 +42,7 @@
 #include "sim/base/vec.h"
 #include "sim/body/body.h"
 #include "sim/crowd/demand.h"
+#include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
@@ -93,6 +94,7 @@ struct WorldOptions {
     NavmeshSettings navmesh{};
     std::vector<Destination> destinations{};  // where those go who wander; none: they stroll
     float hour = 17.5f;                       // of the day, 0..24, at the first tick: who goes where
+    PassOn pass_on = PassOn::right;           // the side on which people pass who come from the other way
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

@@ -104,7 +104,7 @@ std::optional<Head> read_head(std::span<const std::byte> bytes) {
 uint64_t state_mark(const World& w) {
     uint64_t hash = mix(w.seed);
     auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
-    add(w.crowd.capacity, w.crowd.demand.hour);
+    add(w.crowd.capacity, w.crowd.demand.hour, w.crowd.pass_on);
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;

@@ -2,8 +2,8 @@
 
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
-#include "sim/gait/pram.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/pram.h"
 #include "sim/hands/holds.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
@@ -54,9 +54,8 @@ void add_idles(World& w) {
     auto is_near = [&](size_t play) { return !w.crowd.afar[w.idles.plays[play].walker / k_block]; };
     parallel_for(*w.workers, w.idles.plays.size(), k_blocks_a_chunk * k_block,
                  [&](size_t begin, size_t end, int) {
-                     for_runs(begin, end, is_near, [&](size_t first, size_t last) {
-                         apply_plays(w.idles, first, last, w.poses);
-                     });
+                     for_runs(begin, end, is_near,
+                              [&](size_t first, size_t last) { apply_plays(w.idles, first, last, w.poses); });
                  });
 }
 

@@ -77,6 +77,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
                  options.walkers, world->folk, options.seed, options.hour, options.capacity);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
+    world->crowd.pass_on = options.pass_on;
 
     FLANEUR_ZONE("start bodies");
     RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),

@@ -170,6 +170,13 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"("overcast")",
          "The weather.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_weather(v), s.is_overcast); }},
+        {"side",
+         {text, 0, 0, {}, {"right", "left"}},
+         nullptr,
+         R"("left")",
+         "The side on which people pass those who come the other way; without it, that of the traffic on a "
+         "map, else right.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_side(v), s.side); }},
         {"camera",
          {text, 0, 0,
           "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate_pattern() + "," +

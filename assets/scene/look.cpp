@@ -186,6 +186,11 @@ Result<bool> parse_weather(const std::string& text) {
     return Error{excerpt(text) + " is neither clear nor overcast, which weather is"};
 }
 
+Result<PassOn> parse_side(const std::string& text) {
+    if (text == "right" || text == "left") return text == "right" ? PassOn::right : PassOn::left;
+    return Error{excerpt(text) + " is neither right nor left, the sides on which people pass"};
+}
+
 Result<std::string> parse_quality(const std::string& text) {
     const auto* at = std::find(std::begin(k_quality_names), std::end(k_quality_names), text);
     if (at != std::end(k_quality_names)) return text;

@@ -19,7 +19,8 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdIdentity& who = c.identity;
     resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     CrowdMotion& m = c.motion;
-    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under, m.filed);
+    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
+           m.filed);
     CrowdDecision& d = c.decision;
     resize(d.wanted, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;

@@ -120,10 +120,10 @@ struct SeenRows {
 
 // What one who decides goes by.
 struct Intent {
-    Vec2 wanted;           // m/s
-    float most = 0;        // m/s that it may go to get out of others' way
-    float waited = 0;      // seconds without getting nearer
-    uint32_t insists = 0;  // has a claim of its own since that tick, or k_never
+    Vec2 wanted;             // m/s
+    float most = 0;          // m/s that it may go to get out of others' way
+    float waited = 0;        // seconds without getting nearer
+    uint32_t insists = 0;    // has a claim of its own since that tick, or k_never
     bool is_beside = false;  // walks back onto the mesh
 };
 
@@ -182,8 +182,8 @@ struct Crowd {
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
     std::vector<uint8_t> afar;  // by block
-    uint32_t next_path = 0;  // the walker from which path requests are served next
-    Demand demand;           // what draws them
+    uint32_t next_path = 0;     // the walker from which path requests are served next
+    Demand demand;              // what draws them
     CrowdScratch scratch;
 };
 
@@ -292,8 +292,8 @@ void think(Crowd& crowd, const Navmesh& mesh, Workers& workers, uint32_t tick, u
 // Puts everyone in the order of places, anew every k_decision_ticks.
 void find_neighbours(Crowd& crowd, Workers& workers, uint32_t tick);
 
-// How deep any two bodies press into each other where they were when the last tick began, metres; negative where nobody
-// touches. Of no more than the widest body's reach.
+// How deep any two bodies press into each other where they were when the last tick began, metres; negative
+// where nobody touches. Of no more than the widest body's reach.
 float deepest_overlap(const Crowd& crowd);
 
 // A velocity near the wanted one that avoids the k_neighbours nearest within k_neighbour_reach and the mesh's

@@ -53,8 +53,8 @@ HWY_INLINE float keep_nearest(Candidates& c) {
     return farthest;
 }
 
-// Calls visit(at, distance2, near) for lanes full of those in the rows whose squares are within `reach` of `p`,
-// and a mask of them that are no farther than what `reach2` holds, on this level and not at `me`.
+// Calls visit(at, distance2, near) for lanes full of those in the rows whose squares are within `reach` of
+// `p`, and a mask of them that are no farther than what `reach2` holds, on this level and not at `me`.
 template <class Visit>
 HWY_INLINE void for_near_lanes(const CrowdScratch& s, Vec3 p, uint32_t me, float reach,
                                const hn::Vec<LaneTag>& reach2, const Visit& visit) {
@@ -132,7 +132,7 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
     T oncoming = zero;
     for (int k = 0; k < d.rows; ++k) {
         const Meet<T> m = meeting<T>(d.neighbours[k], lane);
-        const Plane<T> plane = avoid(m, velocity);
+        const Plane<T> plane = avoid(m, velocity, T(side));
         auto minds = m.share > zero;
         PlaneRows& rows = d.planes[d.firm + k];
         store(select(minds, plane.normal.x, zero), rows.x.lanes + lane);
@@ -185,9 +185,9 @@ void keep_headway_here(Deciders& d) {
     for (size_t lane = 0; lane < k_block; lane += lane_count()) keep_headway<Lanes>(d, lane);
 }
 
-Plane<float> avoid_one(const Meeting& m, Vec2 velocity) {
+Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
     return avoid<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
-                        {velocity.x, velocity.z});
+                        {velocity.x, velocity.z}, side);
 }
 float headway_of_one(const Meeting& m, Vec2 direction) {
     return headway_speed<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
@@ -212,12 +212,13 @@ void find_nearest(const CrowdScratch& scratch, Deciders& deciders) {
     HWY_DYNAMIC_DISPATCH(find_nearest_here)(scratch, deciders);
 }
 
-int find_within(const CrowdScratch& scratch, Vec3 place, uint32_t me, float reach, uint32_t* found, int room) {
+int find_within(const CrowdScratch& scratch, Vec3 place, uint32_t me, float reach, uint32_t* found,
+                int room) {
     return HWY_DYNAMIC_DISPATCH(find_within_here)(scratch, place, me, reach, found, room);
 }
 
 // Planes for prams, after the neighbours'; returns how many rows there are.
-static int add_prams(Deciders& d) {
+static int add_prams(Deciders& d, float side) {
     int used[k_block], rows = d.firm + d.rows;
     std::fill_n(used, k_block, rows);
     for (int k = 0; k < d.pram_count; ++k) {
@@ -231,7 +232,7 @@ static int add_prams(Deciders& d) {
             ++rows;
         }
         const auto plane =
-            kernel::avoid_one(m, {d.velocity_x.lanes[m.lane], d.velocity_z.lanes[m.lane]});
+            kernel::avoid_one(m, {d.velocity_x.lanes[m.lane], d.velocity_z.lanes[m.lane]}, side);
         d.planes[at].x.lanes[m.lane] = plane.normal.x;
         d.planes[at].z.lanes[m.lane] = plane.normal.z;
         d.planes[at++].offset.lanes[m.lane] = plane.offset;
@@ -250,8 +251,8 @@ static void make_the_best(Deciders& d, int rows, int lane) {
         planes[count++] = {{row.x.lanes[lane], row.z.lanes[lane]}, row.offset.lanes[lane]};
     }
     if (rows == d.firm) firm = count;
-    const Vec2 v = best_velocity(planes, count, firm, d.most.lanes[lane],
-                                 {d.wish_x.lanes[lane], d.wish_z.lanes[lane]});
+    const Vec2 v =
+        best_velocity(planes, count, firm, d.most.lanes[lane], {d.wish_x.lanes[lane], d.wish_z.lanes[lane]});
     d.chosen_x.lanes[lane] = v.x;
     d.chosen_z.lanes[lane] = v.z;
 }
@@ -270,7 +271,7 @@ static void keep_off_prams(Deciders& d) {
 
 void choose_velocities(Deciders& d, float side) {
     HWY_DYNAMIC_DISPATCH(set_out_here)(d, side);
-    const int rows = add_prams(d);
+    const int rows = add_prams(d, side);
     const uint32_t failed = HWY_DYNAMIC_DISPATCH(choose_here)(d, rows);
     for (int lane = 0; lane < d.count; ++lane)
         if (failed >> lane & 1) make_the_best(d, rows, lane);

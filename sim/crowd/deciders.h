@@ -8,10 +8,10 @@
 
 namespace flaneur {
 
-inline constexpr float k_horizon = 1.5f;   // seconds within which no one shall be met
-inline constexpr float k_margin = 0.04f;   // metres kept between bodies
-inline constexpr float k_headway = 0.5f;   // seconds: a walker needs this long to cover the gap ahead
-inline constexpr int k_prams_near = 64;    // of all sixteen
+inline constexpr float k_horizon = 1.5f;  // seconds within which no one shall be met
+inline constexpr float k_margin = 0.04f;  // metres kept between bodies
+inline constexpr float k_headway = 0.5f;  // seconds: a walker needs this long to cover the gap ahead
+inline constexpr int k_prams_near = 64;   // of all sixteen
 
 // What may not be come near: from a walker on its lane to something else, metres and m/s.
 struct Meeting {

@@ -8,9 +8,8 @@ namespace flaneur {
 static bool is_seen(const Crowd& c, uint32_t i) {
     const float reach2 = c.onlookers.reach * c.onlookers.reach;
     if (i == c.driven.walker) return true;
-    return std::any_of(c.onlookers.eyes.begin(), c.onlookers.eyes.end(), [&](Vec3 eye) {
-        return length_squared(c.motion.position[i] - eye) <= reach2;
-    });
+    return std::any_of(c.onlookers.eyes.begin(), c.onlookers.eyes.end(),
+                       [&](Vec3 eye) { return length_squared(c.motion.position[i] - eye) <= reach2; });
 }
 
 void look_on(Crowd& c, Workers& workers, uint32_t tick) {

@@ -11,9 +11,9 @@
 
 namespace flaneur {
 
-static constexpr float k_overlap = 0.015f;  // metres that bodies may press into each other for long
-static constexpr float k_push = 0.5f;       // m/s that they are parted by, at most
-static constexpr float k_nearing = 6;       // m/s that two who walk can near each other, at most
+static constexpr float k_overlap = 0.015f;    // metres that bodies may press into each other for long
+static constexpr float k_push = 0.5f;         // m/s that they are parted by, at most
+static constexpr float k_nearing = 6;         // m/s that two who walk can near each other, at most
 static constexpr float k_sees_coming = 0.6f;  // metres between bodies from which on one brakes for another
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metres out
@@ -80,8 +80,9 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish, float dt)
     const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
     uint32_t near[k_contacts];
-    const int count = find_within(c.scratch, me.position, me.at, me.radius + c.widest + mindful_reach(dt), near,
-                                  k_contacts);  // more do not fit round one body
+    const int count =
+        find_within(c.scratch, me.position, me.at, me.radius + c.widest + mindful_reach(dt), near,
+                    k_contacts);  // more do not fit round one body
     for (int k = 0; k < count; ++k) {
         const Seen other = seen_at(c.scratch.seen, near[k]);
         Vec2 away = on_ground(me.position - other.position);

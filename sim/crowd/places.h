@@ -7,7 +7,7 @@
 
 namespace flaneur {
 
-inline constexpr size_t k_sorters = 4;  // who sort side by side, whatever the number of threads
+inline constexpr size_t k_sorters = 4;        // who sort side by side, whatever the number of threads
 inline constexpr float k_seen_cell = 3;       // metres
 inline constexpr float k_strays = 0.45f;      // metres from where one was filed, at most
 inline constexpr float k_other_level = 1.8f;  // metres above or below: not in the way

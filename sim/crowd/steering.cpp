@@ -114,7 +114,8 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     const Vec2 between = on_ground(other.position - me.position);
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
-        if (d.pram_count < k_prams_near) d.prams[d.pram_count++] = {apart, other.velocity, radii, share, lane};
+        if (d.pram_count < k_prams_near)
+            d.prams[d.pram_count++] = {apart, other.velocity, radii, share, lane};
     };
     if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
     if (mine) add(between - me.ahead, k_pram_radius + other.radius);
@@ -186,7 +187,8 @@ void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
         Deciders d;
         for (size_t at = begin; at < end; ++at) {
-            if (decides(c, c.scratch.seen.id[at] / k_block, tick)) d.at[d.count++] = static_cast<uint32_t>(at);
+            if (decides(c, c.scratch.seen.id[at] / k_block, tick))
+                d.at[d.count++] = static_cast<uint32_t>(at);
             if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
         }
     });

@@ -13,11 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-inline constexpr float k_untangle = 0.3f;     // seconds to end an overlap in
-inline constexpr float k_parallel = 1e-5f;    // slopes
-inline constexpr float k_keep_side = 0.15f;   // of the speed, where others come the other way
-inline constexpr float k_patience = 0.7f;     // seconds without getting nearer before one gives way
-inline constexpr float k_give_way = 0.6f;     // of the speed, to that side, for each second of that
+inline constexpr float k_untangle = 0.3f;       // seconds to end an overlap in
+inline constexpr float k_parallel = 1e-5f;      // slopes
+inline constexpr float k_hardly_larger = 0.2f;  // m/s
+inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way
+inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
+inline constexpr float k_give_way = 0.6f;       // of the speed, to that side, for each second of that
 
 // Of the ground plane.
 template <class T>
@@ -57,7 +58,8 @@ struct Meet {
 template <class T>
 HWY_INLINE Meet<T> meeting(const MeetingRows& rows, size_t lane) {
     auto of = [lane](const LaneRow& r) { return row<T>(r.lanes, lane); };
-    return {{of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)}, of(rows.radii), of(rows.share)};
+    return {
+        {of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)}, of(rows.radii), of(rows.share)};
 }
 
 template <class T>
@@ -72,9 +74,9 @@ HWY_INLINE Plane<T> plane_of(const PlaneRows& rows, size_t lane) {
 }
 
 // Walkers who meet head-on must not both wait: each takes its share of the change, on the side where it is
-// smallest.
+// smallest, or on that where people pass (see choose_velocities) if it is hardly larger there.
 template <class T>
-HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity) {
+HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity, T usual_side) {
     const T zero = T(0.0f), one = T(1.0f), tiny = T(1e-12f);
     const T radius = m.radii + T(k_margin), radius2 = radius * radius, distance2 = dot(m.between, m.between);
     const V2<T> relative = velocity - m.velocity;
@@ -90,7 +92,11 @@ HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity) {
     const V2<T> to_rim = out * (radius * hurry - l);
     // The nearer side of the cone that touches the other's circle.
     const T tangent = sqrt(max(distance2 - radius2, zero)), per = one / max(distance2, tiny);
-    const T turn = select(cross(m.between, w) > zero, one, zero - one), r = radius * turn;
+    const T facing = dot(velocity, m.velocity);
+    auto meets = (dot(velocity, m.between) > zero) & (facing < zero) &
+                 (facing * facing > T(0.5f) * dot(velocity, velocity) * dot(m.velocity, m.velocity));
+    const T lean = select(meets, usual_side * T(k_hardly_larger) * sqrt(distance2), zero);
+    const T turn = select(cross(m.between, w) + lean > zero, one, zero - one), r = radius * turn;
     const V2<T> side{(m.between.x * tangent - m.between.z * r) * per,
                      (m.between.x * r + m.between.z * tangent) * per};
     const V2<T> to_side = side * dot(relative, side) - relative;

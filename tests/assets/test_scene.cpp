@@ -30,7 +30,8 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     Result<Scene> scene =
         load(R"({ "walkers": 12, "time": "08:15", "seed": 18446744073709551615, "camera": "overview",
         "city": "maps/a.osm", "people": [{"character": "a.glb", "share": 2.5},
-        {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5, "weather": "overcast" })");
+        {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5, "weather": "overcast",
+        "side": "left" })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->name, "mine");
     EXPECT_EQ(scene->walkers, 12);
@@ -42,7 +43,31 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     EXPECT_EQ(scene->sun_height, 40.5f);
     EXPECT_FALSE(scene->sun_heading) << "the hour tells";
     EXPECT_TRUE(scene->is_overcast);
+    EXPECT_EQ(scene->side, PassOn::left);
     EXPECT_EQ(scene->blocks, Scene().blocks);
+}
+
+TEST(Places, KnowWhereOneDrivesOnTheLeft) {
+    for (const MapPlace left : {MapPlace{51.52, -0.09},
+                                {35.68, 139.7},
+                                {-33.9, 151.2},
+                                {1.29, 103.85},
+                                {28.6, 77.2},
+                                {-26.2, 28},
+                                {22.28, 114.16},
+                                {13.7, 100.5},
+                                {-36.8, 174.8}})
+        EXPECT_TRUE(is_driven_on_left(left)) << left.latitude << "," << left.longitude;
+    for (const MapPlace right : {MapPlace{52.5, 13.4},
+                                 {43.73, 7.42},
+                                 {25.03, 121.56},
+                                 {40.75, -73.98},
+                                 {48.86, 2.35},
+                                 {37.57, 126.98},
+                                 {31.2, 121.5},
+                                 {30, 31.2},
+                                 {-23.5, -46.6}})
+        EXPECT_FALSE(is_driven_on_left(right)) << right.latitude << "," << right.longitude;
 }
 
 TEST_F(SceneFile, IsRefusedByKeyAndRange) {

@@ -321,8 +321,9 @@ Result<void> check_city(const Options& options) {
     std::vector<Finding> findings{check_buildings(*city, **mesh)};
     for (Finding& f : check_drawn(*city, **mesh)) findings.push_back(std::move(f));
     findings.push_back(check_paths(*city, **mesh));
-    auto crowd = check_crowd(*city, **mesh, *workers, static_cast<uint32_t>(options.scene.walkers),
-                             options.seconds, options.scene.hour, options.scene.seed);
+    auto crowd = check_crowd(*city, **mesh, *workers, side_of(options.scene, *city),
+                             static_cast<uint32_t>(options.scene.walkers), options.seconds,
+                             options.scene.hour, options.scene.seed);
     if (!crowd) return crowd.error();
     for (Finding& f : *crowd) findings.push_back(std::move(f));
 

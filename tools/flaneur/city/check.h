@@ -35,7 +35,8 @@ Finding check_paths(const City& city, const Navmesh& mesh);
 // Walkers in the city for so long: who was in a wall, off the ground, or stuck for a minute (where they walk
 // for longer), and how much of their walking was on roadways more than 3 m from a crossing.
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         uint32_t walkers, double seconds, float hour, uint64_t seed);
+                                         PassOn pass_on, uint32_t walkers, double seconds, float hour,
+                                         uint64_t seed);
 
 // All of it for the scene's city; prints a table and fails if a bar is missed. Writes the figures to
 // options.json if it names a file.

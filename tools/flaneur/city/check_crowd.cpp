@@ -53,12 +53,14 @@ const char* cause(const Crowd& c, uint32_t i) {
 }  // namespace
 
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         uint32_t walkers, double seconds, float hour, uint64_t seed) {
+                                         PassOn pass_on, uint32_t walkers, double seconds, float hour,
+                                         uint64_t seed) {
     Folk folk;
     Result<Crowd> made = populate(city.ground, surroundings_of(city.ground), city.destinations, mesh, workers,
                                   walkers, {&folk, 1}, seed, hour);
     if (!made) return made.error();
     Crowd& c = *made;
+    c.pass_on = pass_on;
     std::vector<Watch> watches(c.count);
     for (uint32_t i = 0; i < c.count; ++i) watches[i].anchor = on_ground(c.motion.position[i]);
     Finding in_wall{"walkers in a wall", 0, 0, false, {}}, lost{"walkers off the ground", 0, 0, false, {}},

@@ -218,6 +218,11 @@ Result<void> find_files(const Scene& scene) {
     return {};
 }
 
+PassOn side_of(const Scene& scene, const City& city) {
+    const bool is_left = city.on_earth && is_driven_on_left(city.on_earth->middle);
+    return scene.side.value_or(is_left ? PassOn::left : PassOn::right);
+}
+
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
@@ -245,6 +250,7 @@ Result<Loaded> load(const Options& options) {
     world.seed = scene.seed;
     world.threads = options.threads;
     world.hour = scene.hour;
+    world.pass_on = side_of(scene, *loaded.city);
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
         return !is_stopping();
@@ -264,12 +270,6 @@ Result<Loaded> load(const Options& options) {
     return loaded;
 }
 
-float lod_of(const Options& options) {
-    constexpr int k_many = 5000;
-    constexpr float k_reach = 120;
-    return options.lod.value_or(options.scene.walkers > k_many ? k_reach : 0);
-}
-
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) {
     const World& world = *loaded.world;
     PeopleOrder order;
@@ -281,6 +281,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.seed = seed;
     options.threads = thread_count(*world.workers);
     options.hour = world.crowd.demand.hour;
+    options.pass_on = world.crowd.pass_on;
     order.ground = world.ground;
     order.mesh = navmesh_bytes(*world.navmesh);
     if (world.roam) order.compound = world.roam->compound;

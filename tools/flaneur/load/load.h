@@ -54,10 +54,6 @@ Result<void> find_files(const Scene& scene);
 // Says on stderr what an import skipped or repaired and, on a terminal, how far it is.
 Result<Loaded> load(const Options& options);
 
-// Metres from an eye beyond which people go in less detail (look_from in sim/sim.h), as asked for or, without
-// that, for more than some thousands; 0: nobody does.
-float lod_of(const Options& options);
-
 // What its city is called: after its file or, built in, after the scene.
 std::string city_name(const Scene& scene);
 
@@ -65,6 +61,9 @@ std::string city_name(const Scene& scene);
 // houses it has along each side then.
 bool grows_with_walkers(const Scene& scene);
 int district_blocks(const Scene& scene);
+
+// On which side its people pass each other.
+PassOn side_of(const Scene& scene, const City& city);
 
 // What a scene says of its city; how far it is comes on the terminal.
 CityOptions city_options(const Scene& scene);

@@ -16,7 +16,20 @@
 namespace flaneur {
 
 enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check };
-enum class BenchLoad { frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
+enum class BenchLoad {
+    frame,
+    window,
+    crowd,
+    tick,
+    pose,
+    city,
+    peers,
+    sweep,
+    scale,
+    ablate,
+    gauntlet,
+    compare
+};
 
 // Ticks first, first + step, ... not beyond last.
 struct TickRange {
@@ -112,7 +125,7 @@ struct Options {
     bool force = false;  // characters need no more than two legs
 
     // view, render, bench frame and tick: metres from the camera beyond which people step eight ticks at once
-    // (look_from in sim/sim.h); 0: nobody does. Default: lod_of() in load.h.
+    // (look_from in sim/sim.h); 0: nobody does. See lod_of().
     std::optional<float> lod;
 
     // view, render, bench frame
@@ -199,5 +212,9 @@ Result<TickRange> parse_ticks(const std::string& text);
 
 // What to do; or, when help was asked for and printed, nothing (monostate).
 Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv);
+
+// Metres from an eye beyond which people go in less detail, as asked for or, without that, where there are
+// more than some thousands; 0: nobody does.
+float lod_of(const Options& options);
 
 }  // namespace flaneur

@@ -83,6 +83,11 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
                "the scene's own sun",
                "HH:MM", "")
         ->group("Scene");
+    add_parsed(app, "--side", parse_side, words.side,
+               "right or left: on which side people pass those who come the other way; without it, as one "
+               "drives there on a map, else right",
+               "SIDE", "")
+        ->group("Scene");
     add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");
     app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
@@ -195,6 +200,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
         options.scene.sun_height = options.scene.sun_heading = std::nullopt;
     }
     if (words.is_overcast) options.scene.is_overcast = *words.is_overcast;
+    if (words.side) options.scene.side = *words.side;
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks = (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) +

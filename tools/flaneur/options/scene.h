@@ -22,6 +22,7 @@ struct SceneWords {
     std::optional<uint64_t> seed;
     std::optional<float> hour;
     std::optional<bool> is_overcast;
+    std::optional<PassOn> side;
     std::optional<CameraChoice> camera;
     std::optional<float> fov;
     std::optional<Size> size;

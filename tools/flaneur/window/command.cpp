@@ -20,9 +20,9 @@ namespace {
 // holds; and those without a value.
 constexpr std::array<std::string_view, 8> k_replaced = {"--camera", "--fov",    "--view", "--without",
                                                         "--size",   "--frames", "--out",  "--close-after"};
-constexpr std::array<std::string_view, 13> k_of_scene = {
-    "--scene",     "--city", "--center",  "--radius", "--terrain", "--scale",  "--seed",
-    "--character", "--idle", "--walkers", "--time",   "--weather", "--quality"};
+constexpr std::array<std::string_view, 14> k_of_scene = {
+    "--scene",     "--city", "--center",  "--radius", "--terrain", "--scale",   "--seed",
+    "--character", "--idle", "--walkers", "--time",   "--weather", "--quality", "--side"};
 constexpr std::array<std::string_view, 1> k_of_windows = {"--start"};
 
 std::vector<std::string_view> replaced_by(const Shown& shown) {

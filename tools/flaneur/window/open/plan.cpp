@@ -16,7 +16,8 @@ using Names = std::vector<std::string_view>;
 
 // What is said of a place, of people there, and of how a window begins.
 const Names k_place = {"--scene", "--city", "--center", "--radius", "--terrain", "--scale", "--camera"};
-const Names k_people = {"--character", "--idle", "--walkers", "--time", "--weather", "--seed", "--view"};
+const Names k_people = {"--character", "--idle", "--walkers", "--time",
+                        "--weather",   "--side", "--seed",    "--view"};
 constexpr std::array<std::string_view, 1> k_beginning = {"--start"}, k_pictures = {"--frames"};
 
 bool ends_in(const std::string& path, std::initializer_list<std::string_view> endings) {
