@@ -41,7 +41,7 @@ inline constexpr MixKey k_mix[] = {{"children", &PeopleMix::children},
 inline constexpr float k_most_mix = 10;
 inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
 inline constexpr double k_least_share = 0.001, k_most_share = 1000;
-inline constexpr int k_max_walkers = 100'000;
+inline constexpr int k_max_walkers = 1'000'000;
 
 struct Scene {
     std::string name = "district";

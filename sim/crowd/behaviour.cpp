@@ -20,6 +20,7 @@ static constexpr float k_far_off = 3.5f;        // from the stretch, metres: ano
 static constexpr float k_progress = 0.3f;       // metres nearer that count as progress
 static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
+static constexpr int k_widened = 2;             // corners ahead that are widened
 static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
 static constexpr float k_past = 3;              // and metres that it gets on
 static constexpr float k_haste = 1.1f;          // times the preferred speed, at most, of one who gets out of
@@ -32,19 +33,21 @@ static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? B
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
-// Takes the corner that the walker goes to wider by its own measure, so that a crowd does not queue for the
-// same inch. The path turns about a corner's inner side, so its outer side is free; the mesh, the kind of
+// Takes the next of the corners ahead wider by the walker's own measure, so that a crowd does not queue for
+// the same inch. The path turns about a corner's inner side, so its outer side is free; the mesh, the kind of
 // ground and a clear view along both stretches have the last word.
-static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
-    const Journey& j = c.journeys[i];
-    if (j.corner + 1 >= j.corner_count) return;
-    Vec3& corner = c.corners[size_t{i} * k_corners + j.corner];
-    const Vec3 here = c.motion.position[i], next = c.corners[size_t{i} * k_corners + j.corner + 1u];
-    auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
-    if (!place) return;
-    const Vec2 in = normalize_or(on_ground(corner - here), {0, 0}),
+static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k) {
+    Journey& j = c.journeys[i];
+    if (k + 1 >= j.corner_count) return;
+    Vec3* corners = &c.corners[size_t{i} * k_corners];
+    Vec3& corner = corners[k];
+    const Vec3 here = k > j.corner ? corners[k - 1] : c.motion.position[i], next = corners[k + 1];
+    const Vec2 in = normalize_or(on_ground(corner) - j.turned_at, {0, 0}),
                out = normalize_or(on_ground(next - corner), {0, 0});
     const Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
+    j.turned_at = on_ground(corner);
+    auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+    if (!place) return;
     const bool cheap = is_cheap(surface_of(mesh, place->polygon));
     for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
         const Vec3 wanted = corner + at_height(outward * shift, 0);
@@ -101,7 +104,7 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
     int n = find_path(mesh, thread, here, j.goal, corners, k_corners, by_of(c, i));
     j.corner = 0;
     j.corner_count = static_cast<uint8_t>(n);
-    j.path_start = on_ground(here.position);
+    j.path_start = j.turned_at = on_ground(here.position);
     begin_stretch(j, j.path_start, tick);
     if (n == 0) {  // the goal or the walker is nowhere: later again
         if (j.errand == Errand::wander) j.path_due = PathDue::to_new_goal;
@@ -109,7 +112,7 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
         return;
     }
     j.path_due = PathDue::no;
-    widen_corner(c, mesh, thread, i);
+    for (int k = 0; k < k_widened; ++k) widen_corner(c, mesh, thread, i, k);
 }
 
 // Stands at its goal, or as near as it gets.
@@ -163,7 +166,7 @@ static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 corner, uint32_t tick) {
     Journey& j = c.journeys[i];
     begin_stretch(j, corner, tick);
-    widen_corner(c, mesh, thread, i);
+    widen_corner(c, mesh, thread, i, j.corner + k_widened - 1);
     // A path of bounded length that ends before its goal is found on while the last stretch is walked.
     const bool last = j.corner + 1 == j.corner_count;
     const Vec3 end = c.corners[size_t{i} * k_corners + j.corner];

@@ -79,6 +79,7 @@ struct Journey {
     uint32_t pause_until = 0;  // tick; stands before it
     Vec2 path_start;           // where the walker was when its path was found
     Vec2 stretch_start;        // where the stretch of path to the current corner began
+    Vec2 turned_at;            // the last corner that was widened, as it was before
     float closest = 0;         // to the current corner so far, metres, for noticing that one is stuck
     uint32_t closest_tick = 0;
     uint32_t insists_since = k_never;  // has a claim of its own since that tick,

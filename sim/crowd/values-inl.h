@@ -51,6 +51,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_journey, "pause_until", j.pause_until);
     add(k_journey, "path_start", j.path_start);
     add(k_journey, "stretch_start", j.stretch_start);
+    add(k_journey, "turned_at", j.turned_at);
     add(k_journey, "closest", j.closest);
     add(k_journey, "closest_tick", j.closest_tick);
     add(k_journey, "insists_since", j.insists_since);

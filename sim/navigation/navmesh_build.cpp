@@ -167,10 +167,13 @@ static void find_ways(Navmesh& m, int threads) {
                  [&](const dtMeshTile&, int, uint32_t reference) { m.references.push_back(reference); });
     m.gates = find_gates(m);
     m.shortcuts = find_shortcuts(m.gates, threads);
-    m.costs = find_costs(m.gates, m.shortcuts, false);
     const std::vector<uint8_t>& steps = m.gates.steps;
-    if (std::find(steps.begin(), steps.end(), 1) != steps.end())
-        m.wheel_costs = find_costs(m.gates, m.shortcuts, true);
+    const bool any_steps = std::find(steps.begin(), steps.end(), 1) != steps.end();
+    WorkersPtr workers = make_workers(std::min(threads, 2));
+    parallel_for(*workers, any_steps ? 2 : 1, 1, [&](size_t begin, size_t end, int) {
+        for (size_t k = begin; k < end; ++k)
+            (k ? m.wheel_costs : m.costs) = find_costs(m.gates, m.shortcuts, k == 1);
+    });
 }
 
 static float tile_edge(const NavmeshSettings& s) {

@@ -38,7 +38,7 @@ cat check.txt sentence.txt
 said 'good\.json: good'
 said 'gone\.json: There is no file gone\.osm; check the path\.'
 said 'Cannot read the scene pipe\.json: it is a pipe or a device, .*'
-said 'bad\.json:2:35: "walkers" must be a whole number from 0 to 100000, not -1\.'
+said 'bad\.json:2:35: "walkers" must be a whole number from 0 to 1000000, not -1\.'
 said 'bad\.json:3:65: in "people", number 2: "share" must be a number from 0.001 to 1000, not 0\.'
 said 'bad\.json:4:5: "wlakers" is not known; a scene may have .*'
 said 'bad\.json:5:15: "camera": sideways is none of .*'

@@ -485,7 +485,7 @@ TEST(Crowd, NobodyIsAGhostRoundABlock) {
     });
 }
 
-// A path of more corners than are kept: it goes on by another, and arrives at the goal alone.
+// A path of more corners than are kept: it goes on by another without a halt, and arrives at the goal alone.
 TEST(Crowd, ArrivesAtTheEndOfAPathThatWasCut) {
     constexpr int k_rows = 24;
     constexpr float k_long = 8, k_pitch = 3, k_wide = 2;
@@ -499,13 +499,17 @@ TEST(Crowd, ArrivesAtTheEndOfAPathThatWasCut) {
     World w = make_world(std::move(g), 1);
     float end = (k_rows - 1) * k_pitch + 1;
     uint32_t i = add(w, 1, 1, 0, 1, end, 1.9f);
+    int halts = 0;
     for (int k = 0; k < 300 * 60 && !has_arrived(w.crowd, i); ++k) {
         step(w);
         if (has_arrived(w.crowd, i)) {
             EXPECT_LT(length(on_ground(w.crowd.motion.position[i]) - Vec2{1, end}), 1);
+        } else if (k > 8) {
+            halts += w.crowd.decision.wanted[i] == Vec2{0, 0};
         }
     }
     EXPECT_TRUE(has_arrived(w.crowd, i));
+    EXPECT_EQ(halts, 0);
 }
 
 TEST(Crowd, WhoIsSentForgetsTheErrandBefore) {
@@ -535,6 +539,17 @@ TEST(Crowd, WhoFindsNoPathAsksAgain) {
     w.crowd.motion.polygon[i] = polygon;
     for (int k = 0; k < 1200; ++k) step(w);
     EXPECT_TRUE(has_arrived(w.crowd, i));
+}
+
+TEST(Crowd, WhoseGoalIsGoneGoesElsewhere) {
+    World w = make_world(square(60), 1);
+    uint32_t i = add(w, 0, 0, 0, 8, 0);
+    Journey& j = w.crowd.journeys[i];
+    j.errand = Errand::wander;
+    j.goal.polygon = 0;
+    for (int k = 0; k < 180; ++k) step(w);
+    EXPECT_NE(j.goal.polygon, 0u);
+    EXPECT_GT(length(on_ground(w.crowd.motion.position[i])), 0.5f);
 }
 
 TEST(Crowd, StepAllocatesNothing) {

@@ -70,8 +70,8 @@ void add_walkers(CLI::App& bench, SceneWords& words, Options& options) {
     };
     bench
         .add_option_function<std::string>("--walkers", take,
-                                          "How many people, 0 to 100000; of sweep from and to how many, up "
-                                          "to 1000000; without it, 100:100000")
+                                          "How many people, 0 to 1000000; of sweep from and to how many; "
+                                          "without it, 100:100000")
         ->type_name("N|FIRST:LAST")
         ->group("Scene");
 }

@@ -71,7 +71,7 @@ void add_place_options(CLI::App& app, SceneWords& words) {
 }
 
 void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
-    app.add_option("--walkers", words.walkers, "How many people, 0 to 100000")
+    app.add_option("--walkers", words.walkers, "How many people, 0 to 1000000")
         ->type_name("N")
         ->transform(whole_between(0, k_max_walkers))
         ->group("Scene");

@@ -101,7 +101,8 @@ void lay_out_people(const Show& show, Viewer& v, float scale) {
     ImGui::TextUnformatted("People");
     if (is_roam) return ImGui::TextDisabled("as many as there are: the asteroid has no way to it");
     ImGui::SetNextItemWidth(170 * scale);
-    const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_max_walkers, "%d",
+    constexpr int k_most_slid = 100'000;  // more are typed
+    const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_most_slid, "%d",
                                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     const uint64_t gesture = gesture_of_item(c);
     tip("they come and go out of sight, where there is room");
