@@ -142,8 +142,10 @@ struct Options {
     bool hash = false;
     std::string hash_log, state_log;
     std::string isa = "best";
-    MeasurePlan plan;      // what is counted
-    std::string measures;  // where to: see csv_path()
+    MeasurePlan plan;          // what is counted
+    std::string measures;      // where to: see csv_path()
+    std::string trajectories;  // a file of everybody's ways,
+    uint32_t fps = 25;         // with so many frames a second
 
     SimCheckOptions sim_check;  // check
 
