@@ -15,7 +15,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check };
+enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check, validate };
 enum class BenchLoad { frame, window, crowd, pose, city, peers, sweep, scale, ablate, gauntlet, compare };
 
 // Ticks first, first + step, ... not beyond last.
@@ -104,6 +104,14 @@ struct SimCheckOptions {
     std::string against;                    // a file that --state-log wrote
 };
 
+// Empty words ask for nothing.
+struct ValidateOptions {
+    std::vector<std::string> tests;     // ids; none: all
+    std::vector<std::string> measured;  // files of trajectories
+    std::string svg, markdown;
+    bool list = false;  // tells which tests there are
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -166,6 +174,7 @@ struct Options {
 
     std::string json;  // where bench, city, gait and inspect write their figures too
 
+    ValidateOptions validation;
     GaitOptions gait;
     PeopleOptions people;
 
