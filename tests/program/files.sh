@@ -21,6 +21,7 @@ cd "$folder"
     mv measures-L1.csv "measures of a line.csv"
     mv measures-Z1.csv "measures of a zone.csv"
     "$flaneur" sim --scene corner --seconds 0.2 --trajectories trajectories.csv
+    "$flaneur" validate R1 --json validate.json
     "$flaneur" people --count 1 --out .
     "$flaneur" inspect person_01.glb --json "inspect of a character.json"
     "$flaneur" inspect "$map" --json "inspect of a map.json"

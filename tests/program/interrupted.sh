@@ -76,6 +76,7 @@ XDG_CACHE_HOME=$folder/kept
 nothing_left sim "${scene[@]}" --seconds 100000 --hash-log log.txt
 nothing_left sim "${scene[@]}" --seconds 100000 --trajectories deep/a.sqlite
 nothing_left sim "${scene[@]}" --seconds 100000 --trajectories a.txt --fps 60
+nothing_left validate R9 R15 --json deep/a.json --markdown a.md
 nothing_left gait --crowd 20 --seconds 600 --csv a.csv --json a.json
 nothing_left gait --everyone --csv a.csv --json a.json
 nothing_left bench crowd "${scene[@]}" --frames 1000000 --json a.json

@@ -87,6 +87,7 @@ std::vector<Vec2> voronoi_cell(std::span<const Vec2> people, size_t who) {
 }
 
 std::vector<Vec2> part_within(std::span<const Vec2> polygon, std::span<const Vec2> convex) {
+    if (convex.size() < 3) return {};
     float turned = 0;
     for (size_t k = 0; k < convex.size(); ++k) turned += cross(convex[k], convex[(k + 1) % convex.size()]);
     std::vector<Vec2> part(polygon.begin(), polygon.end()), scratch;

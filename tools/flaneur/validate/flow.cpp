@@ -46,20 +46,38 @@ std::optional<double> speed_of(const Trajectories& tracks, const Sighting& who) 
     return wide(length(*after - *before)) * wide(tracks.fps) / (to - from);
 }
 
-// Square metres of the walkable area in a convex polygon; all of it where no area is known.
-double walkable_in(const std::vector<WalkablePolygon>& area, std::span<const Vec2> convex) {
-    if (area.empty()) return area_of(convex);
-    double sum = 0;
+// What of the walkable area lies in a convex polygon, the holes' rings with a minus; all of it where no area
+// is known.
+struct Part {
+    std::vector<std::vector<Vec2>> rings, holes;
+};
+Part walkable_in(const std::vector<WalkablePolygon>& area, std::span<const Vec2> convex) {
+    if (area.empty()) return {{{convex.begin(), convex.end()}}, {}};
+    Part part;
     for (const WalkablePolygon& polygon : area) {
-        sum += area_of(part_within(polygon.outer, convex));
-        for (const std::vector<Vec2>& hole : polygon.holes) sum -= area_of(part_within(hole, convex));
+        part.rings.push_back(part_within(polygon.outer, convex));
+        for (const std::vector<Vec2>& hole : polygon.holes) part.holes.push_back(part_within(hole, convex));
     }
+    return part;
+}
+
+double square_metres(const Part& part) {
+    double sum = 0;
+    for (const std::vector<Vec2>& ring : part.rings) sum += area_of(ring);
+    for (const std::vector<Vec2>& hole : part.holes) sum -= area_of(hole);
     return sum;
+}
+
+// Cut by the larger polygon last: what is left may be too small to cut by.
+Part part_of(Part part, std::span<const Vec2> convex) {
+    for (std::vector<Vec2>& ring : part.rings) ring = part_within(ring, convex);
+    for (std::vector<Vec2>& hole : part.holes) hole = part_within(hole, convex);
+    return part;
 }
 
 FlowSample sample_of(const Trajectories& tracks, const Rectangle& zone, Sightings people) {
     const Vec2 corners[] = {zone.low, {zone.high.x, zone.low.z}, zone.high, {zone.low.x, zone.high.z}};
-    const double whole = walkable_in(tracks.area, corners);
+    const double whole = square_metres(walkable_in(tracks.area, corners));
     const Rectangle near = widened(zone, 3 * k_cell_reach), close = widened(zone, k_cell_reach);
     std::vector<Vec2> places;
     std::vector<const Sighting*> who;
@@ -71,8 +89,8 @@ FlowSample sample_of(const Trajectories& tracks, const Rectangle& zone, Sighting
     for (size_t i = 0; i < places.size(); ++i) {
         if (!is_in(close, places[i])) continue;
         const std::vector<Vec2> cell = voronoi_cell(places, i);
-        const double own = walkable_in(tracks.area, cell);
-        const double part = walkable_in(tracks.area, part_within(cell, corners));
+        const Part mine = walkable_in(tracks.area, cell);
+        const double own = square_metres(mine), part = square_metres(part_of(mine, corners));
         const bool is_inside = is_in(zone, places[i]);
         sample.people += is_inside;
         if (own > 0) sample.density += part / own;

@@ -102,17 +102,24 @@ Rectangle busiest_square(const Trajectories& tracks) {
     return widened({middle, middle}, 1);
 }
 
-bool is_corridor(const Trajectories& tracks) {
+bool is_corridor(const Trajectories& measured) {
+    constexpr int k_parts = 5;
+    const Trajectories tracks = along_x(measured);
     const Rectangle box = box_of(tracks);
     const Vec2 size = box.high - box.low;
-    const bool by_x = size.x >= size.z;
     size_t through = 0;
     const Ways ways = ways_of(tracks);
-    for (const auto& [id, way] : ways) {
-        const Vec2 went = way.back().at - way.front().at;
-        through += std::fabs(by_x ? went.x : went.z) > 0.5f * (by_x ? size.x : size.z);
+    for (const auto& [id, way] : ways)
+        through += std::fabs(way.back().at.x - way.front().at.x) > 0.5f * size.x;
+    if (static_cast<double>(through) < 0.9 * static_cast<double>(ways.size())) return false;
+    std::vector<float> across[k_parts];
+    for (const Sighting& s : tracks.sightings) {
+        const float part = clamp((s.at.x - box.low.x) / size.x, 0, 0.999f) * k_parts;
+        across[static_cast<int>(part)].push_back(s.at.z);
     }
-    return static_cast<double>(through) >= 0.9 * static_cast<double>(ways.size());
+    return std::all_of(across, across + k_parts, [&](const std::vector<float>& z) {
+        return z.size() > 1 && at_share(z, 0.99) - at_share(z, 0.01) > 0.6f * size.z;
+    });
 }
 
 Result<Findings> test_rerun(ValidationNotes& notes) {

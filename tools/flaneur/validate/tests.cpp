@@ -11,9 +11,9 @@ constexpr ValidationTest k_tests[] = {
     {"R2/3", "stairs up and down",
      "stairs 2 m wide, 10 m along the slope (0.17 x 0.29 m steps), one person up, one down", test_stairs},
     {"R4", "the fundamental diagram",
-     "corridor 5 m wide, crowds 60 m long set down at even density set off at once; measured from 8 to 18 s "
-     "over "
-     "10 m about 40 m behind which and 15 m before which the crowd ends",
+     "corridor 5 m wide, crowds 60 m long set down evenly and sent off at once; over 10 m of their front "
+     "half, "
+     "8 to 18 s later",
      test_diagram},
     {"R5", "premovement times", "room 8 x 5 m, exit 1 m, 10 people who set off after 10 to 100 s",
      test_premovement},

@@ -63,7 +63,8 @@ Rectangle busiest_square(const Trajectories& tracks);
 // The walkable area of the file or, where it has none, a rectangle 0.2 m beyond all but 2 in a thousand of
 // the places on each side.
 std::vector<WalkablePolygon> area_or_box(const Trajectories& tracks);
-// Whether people go from end to end of it: nine of ten by more than half of its length.
+// Whether people go from end to end of it, nine of ten by more than half of its length, and fill six tenths
+// of its width everywhere.
 bool is_corridor(const Trajectories& tracks);
 
 // A finding of a number that is to lie within [low, high].
