@@ -235,7 +235,7 @@ Result<Findings> test_counterflow(ValidationNotes&) {
 
 Result<Findings> test_groups(ValidationNotes&) {
     return Findings{
-        {"arrivals of a group", "within 10 s of each other", "nobody walks in groups yet", Verdict::owed}};
+        {"arrivals of a group", "within 10 s of each other", "nobody walks in groups yet", Validity::owed}};
 }
 
 }  // namespace flaneur

@@ -57,11 +57,11 @@ PlotLine measured_line(const Measured& measured) {
 
 }  // namespace
 
-const char* word_of(Verdict verdict) {
+const char* word_of(Validity verdict) {
     switch (verdict) {
-        case Verdict::passed:
+        case Validity::passed:
             return "passed";
-        case Verdict::missed:
+        case Validity::missed:
             return "missed";
         default:
             return "owed";
@@ -70,7 +70,7 @@ const char* word_of(Verdict verdict) {
 
 bool is_passed(const Findings& findings) {
     return std::all_of(findings.begin(), findings.end(),
-                       [](const ValidationFinding& f) { return f.verdict == Verdict::passed; });
+                       [](const ValidationFinding& f) { return f.verdict == Validity::passed; });
 }
 
 std::string told_validation(const Validated& validated) {

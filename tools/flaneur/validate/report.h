@@ -15,7 +15,7 @@ struct Validated {
 };
 
 // "passed", "missed", "owed".
-const char* word_of(Verdict verdict);
+const char* word_of(Validity verdict);
 bool is_passed(const Findings& findings);
 
 std::string told_validation(const Validated& validated);

@@ -94,7 +94,7 @@ Result<Findings> test_exits(ValidationNotes&) {
     Findings findings{{"four exits", "all get out", told_leaving(*four), verdict_of(many.has_value())}};
     constexpr const char *k_what = "two exits over four", *k_expected = "1.7 - 2.3";
     if (!many) {
-        findings.push_back({k_what, k_expected, "not tried, as four are jammed", Verdict::missed});
+        findings.push_back({k_what, k_expected, "not tried, as four are jammed", Validity::missed});
         return findings;
     }
     Result<Play> two = leave_room({exits, 2}, 2.5f * *many);
@@ -104,7 +104,7 @@ Result<Findings> test_exits(ValidationNotes&) {
     if (const std::optional<float> few = last_left(*two))
         findings.push_back(within(k_what, wide(*few / *many), 1.7, 2.3, ""));
     else
-        findings.push_back({k_what, k_expected, "above 2.5", Verdict::missed});
+        findings.push_back({k_what, k_expected, "above 2.5", Validity::missed});
     return findings;
 }
 
@@ -120,7 +120,7 @@ Result<Findings> test_bottleneck(ValidationNotes&) {
             widths.push_back(wide(width));
             flows.push_back(*flow);
         } else {
-            findings.push_back({what, "1.5 - 2.3 /m/s", told_leaving(*played), Verdict::missed});
+            findings.push_back({what, "1.5 - 2.3 /m/s", told_leaving(*played), Validity::missed});
         }
     }
     // How much of the flows' variance a straight line explains.

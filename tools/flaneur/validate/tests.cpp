@@ -37,7 +37,7 @@ constexpr ValidationTest k_tests[] = {
 
 std::span<const ValidationTest> validation_tests() { return k_tests; }
 
-Verdict verdict_of(bool is_met) { return is_met ? Verdict::passed : Verdict::missed; }
+Validity verdict_of(bool is_met) { return is_met ? Validity::passed : Validity::missed; }
 
 std::string told_number(double value, const char* unit) {
     std::string text = short_number(value);

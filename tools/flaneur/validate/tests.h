@@ -14,11 +14,11 @@
 namespace flaneur {
 
 // owed: the program cannot do yet what is to be tested, which counts as missed.
-enum class Verdict : uint8_t { passed, missed, owed };
+enum class Validity : uint8_t { passed, missed, owed };
 
 struct ValidationFinding {
     std::string what, expected, measured;
-    Verdict verdict = Verdict::missed;
+    Validity verdict = Validity::missed;
 };
 using Findings = std::vector<ValidationFinding>;
 
@@ -71,6 +71,6 @@ bool is_corridor(const Trajectories& tracks);
 ValidationFinding within(std::string what, double value, double low, double high, const char* unit);
 // "12.3 s"
 std::string told_number(double value, const char* unit);
-Verdict verdict_of(bool is_met);
+Validity verdict_of(bool is_met);
 
 }  // namespace flaneur

@@ -15,7 +15,7 @@ constexpr float k_east = 1.5707963f;  // heading
 double wide(float value) { return static_cast<double>(value); }
 
 ValidationFinding never(std::string what, const std::string& expected) {
-    return {std::move(what), expected, "not there in time", Verdict::missed};
+    return {std::move(what), expected, "not there in time", Validity::missed};
 }
 
 // Stairs along +x between two landings; steps are Face risers.
