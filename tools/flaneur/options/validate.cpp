@@ -24,9 +24,9 @@ void add_validate(CLI::App& app, Options& options) {
     CLI::App* command = app.add_subcommand("validate", "Hold the crowd against what is known of people's")
                             ->footer(k_validate_footer);
     command->callback([&] { options.command = Command::validate; });
-    CLI::Option* tests = command->add_option("tests", validation.tests, "Those alone, by their names")
-                             ->type_name("TEST...")
-                             ->take_all();
+    command->add_option("tests", validation.tests, "Those alone, by their names")
+        ->type_name("TEST")
+        ->take_all();
     command
         ->add_option("--measured", validation.measured,
                      "Trajectories of people: .txt, .sqlite, .h5 or .csv; may be given several times")
@@ -39,10 +39,7 @@ void add_validate(CLI::App& app, Options& options) {
     command
         ->add_option("--svg", validation.svg, "Draw speed over density: ours, Weidmann's, what was measured")
         ->type_name("FILE");
-    CLI::Option* list = command->add_flag("--list", validation.list, "Say which tests there are");
-    list->excludes(tests);
-    for (const char* name : {"--measured", "--json", "--markdown", "--svg"})
-        list->excludes(command->get_option(name));
+    command->add_flag("--list", validation.list, "Say which tests there are");
 }
 
 }  // namespace flaneur

@@ -99,7 +99,7 @@ std::string validation_markdown(const std::vector<Validated>& all) {
 
 std::string validation_json(const std::vector<Validated>& all) {
     nlohmann::ordered_json json;
-    json["version"] = FLANEUR_VERSION;
+    json["program"] = "flaneur " FLANEUR_VERSION;
     json["passed"] =
         std::all_of(all.begin(), all.end(), [](const Validated& v) { return is_passed(v.findings); });
     json["tests"] = nlohmann::ordered_json::array();
