@@ -13,6 +13,7 @@ set(flaneur_assets_links
     "meshoptimizer meshoptimizer meshoptimizer.h libmeshoptimizer-dev"
     "png png png.h libpng-dev"
     "polyclipping polyclipping polyclipping/clipper.hpp libpolyclipping-dev"
+    "sqlite sqlite3 sqlite3.h libsqlite3-dev"
     "stb stb stb/stb_image.h libstb-dev"
     "tiff tiff tiffio.h libtiff-dev"
     "tinygltf tinygltf tiny_gltf.h libtinygltf-dev"

@@ -20,6 +20,8 @@ cd "$folder"
     "$flaneur" sim --scene corner --seconds 2 --line -9,0/9,0 --zone -9,-9/9,-9/9,9/-9,9 --measures "measures.csv"
     mv measures-L1.csv "measures of a line.csv"
     mv measures-Z1.csv "measures of a zone.csv"
+    "$flaneur" sim --scene corner --seconds 0.2 --trajectories trajectories.csv
+    "$flaneur" validate R1 --json validate.json
     "$flaneur" people --count 1 --out .
     "$flaneur" inspect person_01.glb --json "inspect of a character.json"
     "$flaneur" inspect "$map" --json "inspect of a map.json"

@@ -74,6 +74,9 @@ nothing_left sim --walkers 3000 --seconds 100000 --hash-log log.txt
 XDG_CACHE_HOME=$folder/kept
 "$flaneur" sim "${scene[@]}" --seconds 0
 nothing_left sim "${scene[@]}" --seconds 100000 --hash-log log.txt
+nothing_left sim "${scene[@]}" --seconds 100000 --trajectories deep/a.sqlite
+nothing_left sim "${scene[@]}" --seconds 100000 --trajectories a.txt --fps 60
+nothing_left validate R9 R15 --json deep/a.json --markdown a.md
 nothing_left gait --crowd 20 --seconds 600 --csv a.csv --json a.json
 nothing_left gait --everyone --csv a.csv --json a.json
 nothing_left bench crowd "${scene[@]}" --frames 1000000 --json a.json

@@ -11,6 +11,7 @@ case $name in
     picture) also=(corpus -size -32k '(' -name '*.png' -o -name '*.jpg' -o -name '*.webp' ')') length=32768 ;;
     path | scene) also=() length=4096 ;;
     terrain) also=(corpus/osm -size -64k '(' -name '*.tif' -o -name '*.zip' ')') length=32768 ;;
+    trajectories) also=(corpus/trajectories -size -32k -name '*.txt') length=16384 ;;
     *) echo "fuzz.sh: there is no target $name." >&2 && exit 2 ;;
 esac
 seeds=$(mktemp -d)

@@ -28,6 +28,7 @@ assets/files: sim/base
 assets/terrain: assets/files, sim/base
 assets: sim/base, sim/body, sim/crowd, sim/ground, sim/surface
 assets/plan: assets, sim/base
+assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
 assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
@@ -81,6 +82,8 @@ tools/rendercheck/check: assets/files, tools/flaneur/options, tools/rendercheck/
 tools/rendercheck/report: tools/rendercheck/check
 tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files, tools/rendercheck/references, tools/rendercheck/report, tools/rendercheck/suite
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
+tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
+tools/flaneur/validate: assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
 tools/flaneur/load: assets, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
@@ -118,7 +121,7 @@ tools/flaneur/city: assets, assets/gltf/city, sim/base, sim/crowd, sim/ground, s
 tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
-tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
+tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings
 """
 MOST_FILES = 25
 CODE = (".h", ".cpp", ".glsl", ".vert", ".frag", ".comp")

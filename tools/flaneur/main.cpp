@@ -31,7 +31,7 @@ Result<void> run_command(const Options& options) {
                  options.command == Command::city;
     if (draws) {
         return Error{
-            "This flaneur was built without Vulkan: it has sim, check, bench "
+            "This flaneur was built without Vulkan: it has sim, check, validate, bench "
             "crowd|pose|city|sweep|scale|gauntlet, "
             "gait without --strip, "
             "people without --sheet and inspect. One that draws is made by ./tools/build release."};
@@ -50,6 +50,8 @@ Result<void> run_command(const Options& options) {
             return run_sim(options);
         case Command::check:
             return run_check(options);
+        case Command::validate:
+            return run_validate(options);
         case Command::gait:
             return run_gait(options);
         case Command::inspect:

@@ -14,6 +14,7 @@
 #include "tools/flaneur/measure/csv.h"
 #include "tools/flaneur/output/measures.h"
 #include "tools/flaneur/output/output.h"
+#include "tools/flaneur/tracks/record.h"
 
 namespace flaneur {
 
@@ -54,6 +55,10 @@ Result<void> run_sim(const Options& options) {
     if (!log) return log.error();
     Result<PartFilePtr> states = open_if_asked(options.state_log);
     if (!states) return states.error();
+    TrackRecord tracks;
+    Result<PartFilePtr> track_file = open_tracks(options.trajectories);
+    if (!track_file) return track_file.error();
+    tracks.file = std::move(*track_file);
     Result<std::vector<PartFilePtr>> counted = std::vector<PartFilePtr>();
     if (!options.measures.empty()) counted = open_counts(options.measures, options.plan);
     if (!counted) return counted.error();
@@ -69,11 +74,13 @@ Result<void> run_sim(const Options& options) {
     StateLog state_log{std::move(*states), {}, {}};
     if (Result<void> begun = begin(state_log, world, options, ticks); !begun) return begun;
     if (!add_state(state_log, world)) return keep_file(std::move(state_log.file));  // which says why
+    if (Result<void> begun = begin_tracks(tracks, world, options.fps); !begun) return begun;
     while (world.tick < ticks) {
         if (is_stopping()) return interrupted("the simulation is at tick " + std::to_string(world.tick));
         FLANEUR_ZONE("frame");
         step(world);
         count_people(counts, world);
+        if (!add_tick(tracks, world)) return finish_tracks(std::move(tracks));  // which says why
         if (*log &&
             std::fprintf((*log)->file, "%" PRIu32 " %016" PRIx64 "\n", world.tick, hash_world(world)) < 0)
             return keep_file(std::move(*log));  // which says why
@@ -97,6 +104,7 @@ Result<void> run_sim(const Options& options) {
         if (Result<void> written = write_counts(std::move(*counted), counts); !written) return written;
     }
     if (Result<void> finished = finish(std::move(state_log), world); !finished) return finished;
+    if (Result<void> finished = finish_tracks(std::move(tracks)); !finished) return finished;
     return *log ? keep_file(std::move(*log)) : Result<void>();
 }
 

@@ -12,6 +12,7 @@ namespace flaneur {
 namespace {
 
 constexpr int k_sides = 24;
+constexpr float k_shortest = 0.01f;  // metres, of an edge that cuts
 
 // What of a polygon lies where dot(normal, p) <= most (Sutherland & Hodgman, CACM 17, 1974). Of one that is
 // not convex, edges that fold back may be left, which have no area.
@@ -83,6 +84,20 @@ std::vector<Vec2> voronoi_cell(std::span<const Vec2> people, size_t who) {
     make_cell(others, cell, scratch);
     for (Vec2& corner : cell) corner += at;
     return cell;
+}
+
+std::vector<Vec2> part_within(std::span<const Vec2> polygon, std::span<const Vec2> convex) {
+    if (convex.size() < 3) return {};
+    float turned = 0;
+    for (size_t k = 0; k < convex.size(); ++k) turned += cross(convex[k], convex[(k + 1) % convex.size()]);
+    std::vector<Vec2> part(polygon.begin(), polygon.end()), scratch;
+    for (size_t k = 0; k < convex.size() && !part.empty(); ++k) {
+        const Vec2 a = convex[k], b = convex[(k + 1) % convex.size()];
+        if (length_squared(b - a) < k_shortest * k_shortest) continue;  // rounding turns it any way
+        const Vec2 out = turned > 0 ? Vec2{b.z - a.z, a.x - b.x} : Vec2{a.z - b.z, b.x - a.x};
+        cut(part, scratch, out, dot(out, a));
+    }
+    return part;
 }
 
 double voronoi_density(std::span<const Vec2> zone, std::span<const Vec2> people) {

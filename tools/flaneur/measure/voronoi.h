@@ -17,6 +17,10 @@ inline constexpr float k_cell_reach = 3;
 // The cell of people[who], its corners one way round.
 std::vector<Vec2> voronoi_cell(std::span<const Vec2> people, size_t who);
 
+// What of a polygon lies in one that is convex, to a centimetre; both go either way round. Of one that is not
+// convex, edges that fold back may be left, which have no area.
+std::vector<Vec2> part_within(std::span<const Vec2> polygon, std::span<const Vec2> convex);
+
 // People to a square metre of a zone. `people` are all who are there, those outside too.
 double voronoi_density(std::span<const Vec2> zone, std::span<const Vec2> people);
 

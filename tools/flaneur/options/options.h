@@ -15,7 +15,7 @@
 
 namespace flaneur {
 
-enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check };
+enum class Command { view, render, sim, bench, gait, people, inspect, city, scenes, cache, check, validate };
 enum class BenchLoad {
     frame,
     window,
@@ -117,6 +117,14 @@ struct SimCheckOptions {
     std::string against;                    // a file that --state-log wrote
 };
 
+// Empty words ask for nothing.
+struct ValidateOptions {
+    std::vector<std::string> tests;     // ids; none: all
+    std::vector<std::string> measured;  // files of trajectories
+    std::string svg, markdown;
+    bool list = false;  // tells which tests there are
+};
+
 struct Options {
     Command command = Command::view;
     Scene scene;      // with what the command line says instead
@@ -159,8 +167,10 @@ struct Options {
     bool hash = false;
     std::string hash_log, state_log;
     std::string isa = "best";
-    MeasurePlan plan;      // what is counted
-    std::string measures;  // where to: see csv_path()
+    MeasurePlan plan;          // what is counted
+    std::string measures;      // where to: see csv_path()
+    std::string trajectories;  // a file of everybody's ways,
+    uint32_t fps = 25;         // with so many frames a second
 
     SimCheckOptions sim_check;  // check
 
@@ -181,6 +191,7 @@ struct Options {
 
     std::string json;  // where bench, city, gait and inspect write their figures too
 
+    ValidateOptions validation;
     GaitOptions gait;
     PeopleOptions people;
 

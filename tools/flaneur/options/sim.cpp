@@ -13,13 +13,17 @@ options. Metres, x to the east and z to the south; flaneur inspect MAP says wher
 printed; --measures FILE.csv writes FILE-L1.csv of the first line, a row for each crossing (when, who, to which side of one
 who looks from the line's first end to its last, how fast, where), and FILE-Z1.csv of the first zone, a row for each second
 (people, density, density by Voronoi cells, mean speed). docs/viewer.md tells how it is counted.
+--trajectories FILE writes everybody's ways for programs that judge crowds, --fps times a second: x to the east, y to the
+north, z up, metres. FILE.sqlite is what JuPedSim writes, with the ground that is walked on; FILE.txt what PeTrack writes;
+FILE.csv has headed columns. docs/trajectories.md tells of them.
 Examples:
   flaneur sim --walkers 500 --seconds 60 --hash
   flaneur sim --seconds 10 --hash-log out/a.txt --threads 1     compare two runs with diff
   flaneur sim --seconds 10 --state-log out/a.log                for flaneur check --sim --against, on another machine
   flaneur sim --seconds 300 --line -4,12/4,12 --measures out/flow.csv
   flaneur sim --seconds 300 --line door:2,8/5,8 --zone 0,0/8,0/8,6/0,6 --measures out/square.csv
-  flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv)";
+  flaneur sim --seconds 300 --measures-of measures.json --measures out/flow.csv
+  flaneur sim --seconds 120 --trajectories out/square.sqlite --fps 25)";
 
 // Options that may be given again and again, each of which adds to the plan.
 void add_measures(CLI::App& sim, MeasurePlan& plan) {
@@ -104,6 +108,16 @@ void add_sim(CLI::App& app, SceneWords& words, Options& options) {
     sim->add_option("--measures", options.measures,
                     "Write what lines and zones counted: FILE-L1.csv, FILE-Z1.csv and so on")
         ->type_name("FILE.csv");
+    CLI::Option* trajectories =
+        sim->add_option("--trajectories", options.trajectories,
+                        "Write where everybody is, for other programs: .csv, .sqlite (JuPedSim) or .txt "
+                        "(PeTrack, which PedPy reads); see docs/trajectories.md")
+            ->type_name("FILE");
+    sim->add_option("--fps", options.fps, "Of --trajectories: frames a second")
+        ->type_name("N")
+        ->check(whole_between(1, 60))
+        ->needs(trajectories)
+        ->capture_default_str();
 }
 
 Result<void> settle_measures(Options& options) {
@@ -113,6 +127,8 @@ Result<void> settle_measures(Options& options) {
     if (!is_empty(options.plan) && options.scene.asteroid)
         return Error{
             "--line and --zone are of the ground plane of a city, and people walk all round the asteroid."};
+    if (!options.trajectories.empty() && options.scene.asteroid)
+        return Error{"--trajectories are of a ground plane, and people walk all round the asteroid."};
     if (Result<void> named = name_all(options.plan); !named)
         return Error{named.error().message + ": give one of them another name, as in --line NAME:X,Z/X,Z."};
     return {};
