@@ -264,7 +264,8 @@ TEST(Trajectories, TheGroundThatIsWalkedOnIsTold) {
     Ground ground;
     for (int i = 0; i < 9; ++i) {
         if (i == 4) continue;
-        const Vec2 low{static_cast<float>(i % 3), static_cast<float>(i / 3)};
+        const int column = i % 3, row = i / 3;
+        const Vec2 low{static_cast<float>(column), static_cast<float>(row)};
         add_square(ground, low, low + Vec2{1, 1}, i < 3 ? 0.12f : 0, Surface::plaza);
     }
     add_square(ground, {3, 0}, {9, 3}, -1, Surface::water);

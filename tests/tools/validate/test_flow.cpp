@@ -18,14 +18,15 @@ Trajectories procession(float speed) {
     tracks.fps = 10;
     tracks.area = {{{{0, 0}, {60, 0}, {60, 4}, {0, 4}}, {}}};
     for (uint32_t f = 0; f <= 100; ++f)
-        for (uint32_t i = 0; i < 160; ++i)
-            tracks.sightings.push_back(
-                {f,
-                 i,
-                 {0.5f + static_cast<float>(i / 4) + speed * static_cast<float>(f) / 10,
-                  0.5f + static_cast<float>(i % 4)},
-                 0,
-                 {}});
+        for (uint32_t i = 0; i < 160; ++i) {
+            const uint32_t row = i / 4, file = i % 4;
+            tracks.sightings.push_back({f,
+                                        i,
+                                        {0.5f + static_cast<float>(row) + speed * static_cast<float>(f) / 10,
+                                         0.5f + static_cast<float>(file)},
+                                        0,
+                                        {}});
+        }
     return tracks;
 }
 

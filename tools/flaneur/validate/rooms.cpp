@@ -153,6 +153,7 @@ Result<Findings> test_large_corner(ValidationNotes&) {
     const std::vector<Vec2> places = spread({{0.4f, 0.4f}, {k_front, 5.6f}}, 500, 15);
     auto run = [&](const std::vector<Rectangle>& floors, Vec3 goal, Rectangle exit) {
         std::vector<Guest> guests;
+        guests.reserve(places.size());
         for (const Vec2 place : places)
             guests.push_back({.from = at_height(place, 0),
                               .goal = goal,
