@@ -129,7 +129,9 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
     const V2<T> velocity = pair_of<T>(d.velocity_x, d.velocity_z, lane);
     V2<T> wish = pair_of<T>(d.wish_x, d.wish_z, lane);
     const T zero = T(0.0f), one = T(1.0f);
-    T oncoming = zero;
+    T oncoming = zero, swerve = zero;
+    const T per_speed = one / max(sqrt(dot(wish, wish)), T(1e-3f));
+    const V2<T> direction = wish * per_speed;
     for (int k = 0; k < d.rows; ++k) {
         const Meet<T> m = meeting<T>(d.neighbours[k], lane);
         const Plane<T> plane = avoid(m, velocity, T(side));
@@ -140,10 +142,17 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
         store(select(minds, plane.offset, T(k_no_offset)), rows.offset.lanes + lane);
         auto comes = (dot(m.velocity, wish) < zero) & (dot(m.between, wish) > zero);
         oncoming = select(comes, one, oncoming);
+        // Who goes the same way ahead, and is slower, is overtaken on the side where there is more room.
+        const T ahead = dot(m.between, direction), aside = cross(direction, m.between);
+        auto is_slower = (m.hurry > T(1.0f)) & (ahead > zero) & (abs(aside) < m.radii) & (m.share > zero);
+        const T slower = clamp(one - dot(m.velocity, direction) * per_speed, zero, one);
+        const T pull = slower * max(one - ahead * T(1 / k_overtakes), zero);
+        swerve = swerve + select(is_slower, select(aside > zero, zero - pull, pull), zero);
     }
     // Those who do not get on in a jam give way, ever more, until two streams have sorted themselves.
     const T waited = clamp(row<T>(d.waited.lanes, lane) - T(k_patience), zero, T(2.0f));
-    const T aside = oncoming * (T(k_keep_side) + T(k_give_way) * waited) * T(side);
+    const T aside = oncoming * (T(k_keep_side) + T(k_give_way) * waited) * T(side) +
+                    T(k_swerves) * clamp(swerve, zero - one, one);
     wish = wish + V2<T>{zero - wish.z, wish.x} * aside;
     store(wish.x, d.wish_x.lanes + lane);
     store(wish.z, d.wish_z.lanes + lane);
@@ -186,11 +195,11 @@ void keep_headway_here(Deciders& d) {
 }
 
 Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
-    return avoid<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
+    return avoid<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
                         {velocity.x, velocity.z}, side);
 }
 float headway_of_one(const Meeting& m, Vec2 direction) {
-    return headway_speed<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share},
+    return headway_speed<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
                                 {direction.x, direction.z});
 }
 

@@ -10,7 +10,9 @@ namespace flaneur {
 
 inline constexpr float k_horizon = 1.5f;  // seconds within which no one shall be met
 inline constexpr float k_margin = 0.04f;  // metres kept between bodies
-inline constexpr float k_headway = 0.5f;  // seconds: a walker needs this long to cover the gap ahead
+inline constexpr float k_meeting_headway = 0.45f;
+inline constexpr float k_headway = 0.9f;  // seconds: a walker needs this long to cover the gap ahead
+inline constexpr float k_depth = 0.72f;   // of a body from front to back, against its width
 inline constexpr int k_prams_near = 64;   // of all sixteen
 
 // What may not be come near: from a walker on its lane to something else, metres and m/s.
@@ -18,12 +20,14 @@ struct Meeting {
     Vec2 between, velocity;  // the other's
     float radii = 0;         // at which they touch
     float share = 0;         // of the change that the walker makes: 1, a half, or 0: none at all
+    float hurry = 0;         // 1 / seconds within which they shall not touch
+    float pace = 0;          // 1 / seconds that the walker takes for a gap ahead
     int lane = 0;
 };
 
 // The same of all lanes' k-th neighbours.
 struct MeetingRows {
-    LaneRow x, z, velocity_x, velocity_z, radii, share;
+    LaneRow x, z, velocity_x, velocity_z, radii, share, hurry, pace;
 };
 
 struct PlaneRows {

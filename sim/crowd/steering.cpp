@@ -17,6 +17,8 @@ static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear
 static constexpr int k_borders = 6;
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr uint32_t k_most_heirs = 16;
+static constexpr float k_same_way = 0.5f;  // cosine between what two want who go together
+static constexpr float k_follows = 0.6f;   // seconds within which one shall not touch one ahead
 static constexpr int k_firm = 2 * k_borders;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
@@ -115,17 +117,32 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
         if (d.pram_count < k_prams_near)
-            d.prams[d.pram_count++] = {apart, other.velocity, radii, share, lane};
+            d.prams[d.pram_count++] = {apart, other.velocity, radii, share, 1 / k_horizon, 1 / k_meeting_headway, lane};
     };
     if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
     if (mine) add(between - me.ahead, k_pram_radius + other.radius);
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
-static void add_neighbours(const SeenRows& rows, const Seen& me, const Claim& claim, int lane, Deciders& d) {
+// Of those who go the same way the one behind makes room for the one ahead, and not the other way round: so
+// of any two one is free to go, and nobody waits for somebody who waits for him.
+static bool go_together(Vec2 mine, Vec2 theirs) {
+    return dot(mine, theirs) > k_same_way;
+}
+
+static void add_neighbours(const Crowd& c, const Seen& me, const Claim& claim, int lane, Deciders& d) {
+    const SeenRows& rows = c.scratch.seen;
+    const Vec2 wish = normalize_or(c.decision.wanted[me.id], {0, 0});
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen other = seen_at(rows, d.near[lane][k]);
-        const float share = share_of(claim, rows.claim[d.near[lane][k]]);
+        float share = share_of(claim, rows.claim[d.near[lane][k]]), hurry = 1 / k_horizon;
+        float pace = 1 / k_meeting_headway;
+        const Vec2 their_wish = normalize_or(c.decision.wanted[other.id], {0, 0});
+        if (go_together(wish, their_wish)) {
+            hurry = 1 / k_follows, pace = 1 / k_headway;
+            const float before = dot(on_ground(other.position - me.position), wish + their_wish);
+            if (share == 0.5f && before != 0) share = before > 0 ? 1.0f : 0.0f;
+        }
         MeetingRows& to = d.neighbours[k];
         to.x.lanes[lane] = other.position.x - me.position.x;
         to.z.lanes[lane] = other.position.z - me.position.z;
@@ -133,6 +150,8 @@ static void add_neighbours(const SeenRows& rows, const Seen& me, const Claim& cl
         to.velocity_z.lanes[lane] = other.velocity.z;
         to.radii.lanes[lane] = me.radius + other.radius;
         to.share.lanes[lane] = share;
+        to.hurry.lanes[lane] = hurry;
+        to.pace.lanes[lane] = pace;
         if (me.ahead != Vec2{} || other.ahead != Vec2{}) add_prams(me, other, share, lane, d);
     }
 }
@@ -174,7 +193,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         // Who walks back onto the mesh crosses its border.
         firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
-        add_neighbours(rows, me, claim, lane, d);
+        add_neighbours(c, me, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);

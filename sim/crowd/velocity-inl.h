@@ -15,6 +15,9 @@ namespace flaneur::HWY_NAMESPACE {
 
 inline constexpr float k_untangle = 0.3f;       // seconds to end an overlap in
 inline constexpr float k_parallel = 1e-5f;      // slopes
+inline constexpr float k_overtakes = 2.5f;  // metres ahead, of those who are slower
+inline constexpr float k_swerves = 0.6f;    // of the speed
+inline constexpr float k_swath = 0.5f;  // of the width of bodies
 inline constexpr float k_hardly_larger = 0.2f;  // m/s
 inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way
 inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
@@ -53,13 +56,13 @@ HWY_INLINE V2<T> select(M m, V2<T> a, V2<T> b) {
 template <class T>
 struct Meet {
     V2<T> between, velocity;
-    T radii, share;
+    T radii, share, hurry, pace;
 };
 template <class T>
 HWY_INLINE Meet<T> meeting(const MeetingRows& rows, size_t lane) {
     auto of = [lane](const LaneRow& r) { return row<T>(r.lanes, lane); };
-    return {
-        {of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)}, of(rows.radii), of(rows.share)};
+    return {{of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)}, of(rows.radii),
+            of(rows.share), of(rows.hurry), of(rows.pace)};
 }
 
 template <class T>
@@ -81,7 +84,7 @@ HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity, T usual_side) {
     const T radius = m.radii + T(k_margin), radius2 = radius * radius, distance2 = dot(m.between, m.between);
     const V2<T> relative = velocity - m.velocity;
     auto apart = distance2 > radius2;
-    const T hurry = select(apart, T(1 / k_horizon), T(1 / k_untangle));
+    const T hurry = select(apart, m.hurry, T(1 / k_untangle));
     const V2<T> w = relative - m.between * hurry;  // from the centre of the cut-off circle
     const T along = dot(w, m.between), w2 = dot(w, w);
     auto round = (distance2 <= radius2) | ((along < zero) & (along * along > radius2 * w2));
@@ -151,10 +154,8 @@ template <class T>
 HWY_INLINE T headway_speed(Meet<T> m, V2<T> direction) {
     const T zero = T(0.0f), none = T(1e9f);
     const T ahead = dot(m.between, direction), aside = abs(cross(direction, m.between));
-    auto counts = (ahead > zero) & (aside < m.radii) & (m.share > zero);
-    const T gap = ahead - sqrt(max(m.radii * m.radii - aside * aside, zero));
-    const T leaving = max(zero, dot(m.velocity, direction));
-    return select(counts, max(zero, gap * T(1 / k_headway)) + T(0.9f) * leaving, none);
+    auto counts = (ahead > zero) & (aside < m.radii * T(k_swath)) & (m.share > zero);
+    return select(counts, max(zero, (ahead - T(k_depth) * m.radii) * m.pace), none);
 }
 
 }  // namespace flaneur::HWY_NAMESPACE
