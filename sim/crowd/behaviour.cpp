@@ -21,10 +21,12 @@ static constexpr float k_progress = 0.3f;       // metres nearer that count as p
 static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
 static constexpr int k_widened = 2;             // corners ahead that are widened
+static constexpr float k_own_half = 0.45f;      // of the room from a corner to the border across from it
 static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
 static constexpr float k_past = 3;              // and metres that it gets on
 static constexpr float k_haste = 1.1f;          // times the preferred speed, at most, of one who gets out of
 static constexpr float k_least_haste = 0.3f;    // others' way; m/s
+static constexpr float k_course = 3;            // metres ahead, of a course
 static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
 static constexpr float k_back_ahead = 0.4f;     // seconds
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
@@ -49,8 +51,13 @@ static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, 
     auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
     if (!place) return;
     const bool cheap = is_cheap(surface_of(mesh, place->polygon));
-    for (float shift : {c.identity.lateral[i], c.identity.lateral[i] * 0.4f, 0.1f}) {
-        const Vec3 wanted = corner + at_height(outward * shift, 0);
+    // Of a narrow place one's own half: who comes from the other side turns about its other border.
+    const float lateral = c.identity.lateral[i];
+    const NavPoint across =
+        move_along(mesh, thread, *place, corner + at_height(outward * (2 * lateral), 0), by_of(c, i));
+    const float most = k_own_half * length(on_ground(across.position - corner));
+    for (float share : {1.0f, 0.4f, 0.1f}) {
+        const Vec3 wanted = corner + at_height(outward * (std::min(lateral, most) * share), 0);
         const NavPoint moved = move_along(mesh, thread, *place, wanted, by_of(c, i));
         if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
         if (!is_clear(mesh, here, moved.position) || !is_clear(mesh, moved.position, next)) continue;
@@ -227,6 +234,22 @@ static Vec2 go_back(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
 }
 
+// See CrowdDecision.
+static Vec2 course_of(const Crowd& c, uint32_t i) {
+    const Journey& j = c.journeys[i];
+    const Vec3* corners = &c.corners[size_t{i} * k_corners];
+    const Vec2 here = on_ground(c.motion.position[i]);
+    Vec2 at = here;
+    float left = k_course;
+    for (int k = j.corner; k < j.corner_count && left > 0; ++k) {
+        const Vec2 way = on_ground(corners[k]) - at;
+        const float far = length(way);
+        at += far > left ? way * (left / far) : way;
+        left -= far;
+    }
+    return normalize_or(at - here, {0, 0});
+}
+
 static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
                             uint64_t seed) {
     const Journey& j = c.journeys[i];
@@ -238,6 +261,9 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                            : is_driven ? c.driven.wish
                            : waits     ? Vec2{0, 0}
                                        : follow_path(c, mesh, thread, i, tick, seed);
+    c.decision.course[i] = is_beside || is_driven ? normalize_or(c.decision.wanted[i], {0, 0})
+                           : waits                ? Vec2{0, 0}
+                                                  : course_of(c, i);
     const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
     c.scratch.intents[i] = {.wanted = c.decision.wanted[i],
                             .most = is_driven ? k_fastest_driven : most,

@@ -22,7 +22,7 @@ Crowd make_crowd(uint32_t capacity) {
     resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
            m.filed);
     CrowdDecision& d = c.decision;
-    resize(d.wanted, d.looks, d.chosen, d.claim);
+    resize(d.wanted, d.course, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
     resize(c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity, s.next_polygon);
     c.corners.resize(n * k_corners);
@@ -30,7 +30,7 @@ Crowd make_crowd(uint32_t capacity) {
     SeenRows& rows = s.seen;
     n += k_block;
     resize(rows.x, rows.y, rows.z, rows.velocity_x, rows.velocity_z, rows.radius, rows.ahead_x, rows.ahead_z,
-           rows.claim, rows.id);
+           rows.course, rows.claim, rows.id);
     n = capacity;
     s.requests.reserve(n);
     c.slots.living.reserve(n);
@@ -96,7 +96,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.identity.scale[i] = w.scale;
     c.identity.stair_pace[i] = w.stair_pace;
     c.identity.ahead[i] = w.ahead;
-    c.decision.wanted[i] = c.decision.chosen[i] = {};
+    c.decision.wanted[i] = c.decision.course[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     c.decision.claim[i] = {};
     c.way_back[i] = {};

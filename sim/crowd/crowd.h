@@ -102,6 +102,7 @@ struct Claim {
 // What they have decided, the last time each did.
 struct CrowdDecision {
     std::vector<Vec2> wanted;    // velocity that the errand asks for
+    std::vector<Vec2> course;    // unit: to where the path is some metres on; zero of who goes nowhere
     std::vector<uint8_t> looks;  // 1: stands at its goal, and looks where one looks there
     std::vector<Vec2> chosen;    // velocity that steering allows
     std::vector<Claim> claim;
@@ -115,6 +116,7 @@ struct SeenRows {
     std::vector<float> velocity_x, velocity_z;  // m/s; of one with a claim what it asks for, else what it has
     std::vector<float> radius;
     std::vector<float> ahead_x, ahead_z;  // metres to the middle of the pram that one pushes; 0: of none
+    std::vector<Vec2> course;
     std::vector<Claim> claim;
     std::vector<uint32_t> id;
 };

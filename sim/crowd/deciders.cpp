@@ -195,12 +195,14 @@ void keep_headway_here(Deciders& d) {
 }
 
 Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
-    return avoid<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
-                        {velocity.x, velocity.z}, side);
+    return avoid<float>(
+        {{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
+        {velocity.x, velocity.z}, side);
 }
 float headway_of_one(const Meeting& m, Vec2 direction) {
-    return headway_speed<float>({{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
-                                {direction.x, direction.z});
+    return headway_speed<float>(
+        {{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
+        {direction.x, direction.z});
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

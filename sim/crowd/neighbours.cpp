@@ -60,6 +60,7 @@ static void look_at(Crowd& c, size_t at) {
     rows.velocity_x[at] = velocity.x, rows.velocity_z[at] = velocity.z;
     rows.radius[at] = c.identity.radius[i];
     rows.ahead_x[at] = ahead.x, rows.ahead_z[at] = ahead.z;
+    rows.course[at] = d.course[i];
     rows.claim[at] = d.claim[i];
     rows.id[at] = i;
 }

@@ -30,7 +30,7 @@ struct Seen {
     Vec2 velocity;
     float radius;
     uint32_t id, at;
-    Vec2 ahead;
+    Vec2 ahead, course;
 };
 inline Seen seen_at(const SeenRows& rows, uint32_t at) {
     return {{rows.x[at], rows.y[at], rows.z[at]},
@@ -38,7 +38,8 @@ inline Seen seen_at(const SeenRows& rows, uint32_t at) {
             rows.radius[at],
             rows.id[at],
             at,
-            {rows.ahead_x[at], rows.ahead_z[at]}};
+            {rows.ahead_x[at], rows.ahead_z[at]},
+            rows.course[at]};
 }
 
 // Calls visit(begin, end) for pieces of the order that hold all who are within `reach` of `p` on the ground

@@ -17,13 +17,17 @@ static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear
 static constexpr int k_borders = 6;
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr uint32_t k_most_heirs = 16;
-static constexpr float k_same_way = 0.5f;  // cosine between what two want who go together
+static constexpr float k_same_way = 0.5f;  // cosine between the courses of two who go together
 static constexpr float k_follows = 0.6f;   // seconds within which one shall not touch one ahead
 static constexpr int k_firm = 2 * k_borders;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
+// Whether two with these courses go the same way.
+static bool go_together(Vec2 mine, Vec2 theirs) { return dot(mine, theirs) > k_same_way; }
+
 // One's own claim, or a better one of somebody into whose way one has come.
-static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_t insists) {
+static Claim claim_of(const Crowd& c, const Deciders& d, int lane, uint32_t insists) {
+    const SeenRows& rows = c.scratch.seen;
     const Seen me = seen_at(rows, d.at[lane]);
     Claim claim;
     if (insists != k_never) claim = {insists, me.id, 0};
@@ -117,30 +121,25 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
         if (d.pram_count < k_prams_near)
-            d.prams[d.pram_count++] = {apart, other.velocity, radii, share, 1 / k_horizon, 1 / k_meeting_headway, lane};
+            d.prams[d.pram_count++] = {apart,         other.velocity,        radii, share,
+                                       1 / k_horizon, 1 / k_meeting_headway, lane};
     };
     if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
     if (mine) add(between - me.ahead, k_pram_radius + other.radius);
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
-// Of those who go the same way the one behind makes room for the one ahead, and not the other way round: so
-// of any two one is free to go, and nobody waits for somebody who waits for him.
-static bool go_together(Vec2 mine, Vec2 theirs) {
-    return dot(mine, theirs) > k_same_way;
-}
-
 static void add_neighbours(const Crowd& c, const Seen& me, const Claim& claim, int lane, Deciders& d) {
     const SeenRows& rows = c.scratch.seen;
-    const Vec2 wish = normalize_or(c.decision.wanted[me.id], {0, 0});
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen other = seen_at(rows, d.near[lane][k]);
         float share = share_of(claim, rows.claim[d.near[lane][k]]), hurry = 1 / k_horizon;
         float pace = 1 / k_meeting_headway;
-        const Vec2 their_wish = normalize_or(c.decision.wanted[other.id], {0, 0});
-        if (go_together(wish, their_wish)) {
+        // Of those who go the same way the one behind makes room for the one ahead, and not the other way
+        // round: so of any two one is free to go, and nobody waits for somebody who waits for him.
+        if (go_together(me.course, other.course)) {
             hurry = 1 / k_follows, pace = 1 / k_headway;
-            const float before = dot(on_ground(other.position - me.position), wish + their_wish);
+            const float before = dot(on_ground(other.position - me.position), me.course + other.course);
             if (share == 0.5f && before != 0) share = before > 0 ? 1.0f : 0.0f;
         }
         MeetingRows& to = d.neighbours[k];
@@ -186,7 +185,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         const Seen me = seen_at(rows, d.at[lane]);
         const Intent& intent = c.scratch.intents[me.id];
         const Vec2 velocity = c.motion.velocity[me.id];
-        const Claim claim = claim_of(rows, d, lane, intent.insists);
+        const Claim claim = claim_of(c, d, lane, intent.insists);
         c.decision.claim[me.id] = claim;
         d.velocity_x.lanes[lane] = velocity.x, d.velocity_z.lanes[lane] = velocity.z;
         d.wish_x.lanes[lane] = intent.wanted.x, d.wish_z.lanes[lane] = intent.wanted.z;
@@ -197,8 +196,11 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);
-    for (int lane = 0; lane < d.count; ++lane)
-        c.decision.chosen[rows.id[d.at[lane]]] = {d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
+    for (int lane = 0; lane < d.count; ++lane) {
+        const Seen me = seen_at(rows, d.at[lane]);
+        const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
+        c.decision.chosen[me.id] = chosen;
+    }
 }
 
 void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {

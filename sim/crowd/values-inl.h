@@ -40,6 +40,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(filed, "row", m.filed[i].row);
     const CrowdDecision& d = c.decision;
     add(k_decision, "wanted", d.wanted[i]);
+    add(k_decision, "course", d.course[i]);
     add(k_decision, "looks", d.looks[i]);
     add(k_decision, "chosen", d.chosen[i]);
     add(k_decision, "claim", d.claim[i]);

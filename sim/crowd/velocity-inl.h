@@ -15,9 +15,10 @@ namespace flaneur::HWY_NAMESPACE {
 
 inline constexpr float k_untangle = 0.3f;       // seconds to end an overlap in
 inline constexpr float k_parallel = 1e-5f;      // slopes
-inline constexpr float k_overtakes = 2.5f;  // metres ahead, of those who are slower
-inline constexpr float k_swerves = 0.6f;    // of the speed
-inline constexpr float k_swath = 0.5f;  // of the width of bodies
+inline constexpr float k_overtakes = 2.5f;      // metres ahead, of those who are slower
+inline constexpr float k_swerves = 0.6f;        // of the speed
+inline constexpr float k_closer = 0.02f;        // metres that one behind may press into one who goes ahead
+inline constexpr float k_swath = 0.5f;          // of the width of bodies
 inline constexpr float k_hardly_larger = 0.2f;  // m/s
 inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way
 inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
@@ -61,8 +62,9 @@ struct Meet {
 template <class T>
 HWY_INLINE Meet<T> meeting(const MeetingRows& rows, size_t lane) {
     auto of = [lane](const LaneRow& r) { return row<T>(r.lanes, lane); };
-    return {{of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)}, of(rows.radii),
-            of(rows.share), of(rows.hurry), of(rows.pace)};
+    return {{of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)},
+            of(rows.radii),           of(rows.share),
+            of(rows.hurry),           of(rows.pace)};
 }
 
 template <class T>
@@ -81,7 +83,8 @@ HWY_INLINE Plane<T> plane_of(const PlaneRows& rows, size_t lane) {
 template <class T>
 HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity, T usual_side) {
     const T zero = T(0.0f), one = T(1.0f), tiny = T(1e-12f);
-    const T radius = m.radii + T(k_margin), radius2 = radius * radius, distance2 = dot(m.between, m.between);
+    const T margin = select(m.hurry > T(1.0f), T(0.0f) - T(k_closer), T(k_margin));
+    const T radius = m.radii + margin, radius2 = radius * radius, distance2 = dot(m.between, m.between);
     const V2<T> relative = velocity - m.velocity;
     auto apart = distance2 > radius2;
     const T hurry = select(apart, m.hurry, T(1 / k_untangle));

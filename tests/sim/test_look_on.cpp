@@ -50,7 +50,8 @@ TEST(LookOn, ThoseAfarWalkAsFastMeetNobodyAndStayOffWalls) {
         ASSERT_LT(deepest(*w), 0.05f) << tick;
         for (uint32_t i = 0; i < c.count; ++i) {
             const Vec3 p = c.motion.position[i];
-            ASSERT_TRUE(ground_at(*w->ground, p, 0.01f, 0.01f) && !closest_wall(*w->ground, p, 0.2f)) << i;
+            ASSERT_TRUE(ground_at(*w->ground, p, 0.01f, 0.01f)) << i << " at " << p.x << " " << p.z;
+            ASSERT_FALSE(closest_wall(*w->ground, p, 0.2f)) << i << " at " << p.x << " " << p.z;
             const int afar = c.afar[i / k_block];
             const float speed = length(c.motion.velocity[i]);
             ++(speed > 0.3f ? walking : standing)[afar];
