@@ -13,6 +13,36 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
+// On the ground plane.
+template <class T>
+struct V2 {
+    T x, z;
+};
+template <class T>
+HWY_INLINE V2<T> operator+(V2<T> a, V2<T> b) {
+    return {a.x + b.x, a.z + b.z};
+}
+template <class T>
+HWY_INLINE V2<T> operator-(V2<T> a, V2<T> b) {
+    return {a.x - b.x, a.z - b.z};
+}
+template <class T>
+HWY_INLINE V2<T> operator*(V2<T> a, T s) {
+    return {a.x * s, a.z * s};
+}
+template <class T>
+HWY_INLINE T dot(V2<T> a, V2<T> b) {
+    return a.x * b.x + a.z * b.z;
+}
+template <class T>
+HWY_INLINE T cross(V2<T> a, V2<T> b) {
+    return a.x * b.z - a.z * b.x;
+}
+template <class M, class T>
+HWY_INLINE V2<T> select(M m, V2<T> a, V2<T> b) {
+    return {select(m, a.x, b.x), select(m, a.z, b.z)};
+}
+
 template <class T>
 struct V3 {
     T x, y, z;

@@ -24,36 +24,6 @@ inline constexpr float k_keep_side = 0.15f;     // of the speed, where others co
 inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
 inline constexpr float k_give_way = 0.6f;       // of the speed, to that side, for each second of that
 
-// Of the ground plane.
-template <class T>
-struct V2 {
-    T x, z;
-};
-template <class T>
-HWY_INLINE V2<T> operator+(V2<T> a, V2<T> b) {
-    return {a.x + b.x, a.z + b.z};
-}
-template <class T>
-HWY_INLINE V2<T> operator-(V2<T> a, V2<T> b) {
-    return {a.x - b.x, a.z - b.z};
-}
-template <class T>
-HWY_INLINE V2<T> operator*(V2<T> a, T s) {
-    return {a.x * s, a.z * s};
-}
-template <class T>
-HWY_INLINE T dot(V2<T> a, V2<T> b) {
-    return a.x * b.x + a.z * b.z;
-}
-template <class T>
-HWY_INLINE T cross(V2<T> a, V2<T> b) {
-    return a.x * b.z - a.z * b.x;
-}
-template <class M, class T>
-HWY_INLINE V2<T> select(M m, V2<T> a, V2<T> b) {
-    return {select(m, a.x, b.x), select(m, a.z, b.z)};
-}
-
 template <class T>
 struct Meet {
     V2<T> between, velocity;

@@ -47,28 +47,6 @@ inline constexpr float k_heel_gives_pace = 0.6f;      // more for each pace over
 inline constexpr float k_contact_pitch_sine = 0.27f;  // of a foot that comes down on its heel
 inline constexpr float k_tiptoe_sine = 0.247f;        // of one that comes down on its ball
 
-// A vector on the ground plane.
-template <class T>
-struct V2 {
-    T x, z;
-};
-template <class T>
-HWY_INLINE V2<T> operator+(V2<T> a, V2<T> b) {
-    return {a.x + b.x, a.z + b.z};
-}
-template <class T>
-HWY_INLINE V2<T> operator-(V2<T> a, V2<T> b) {
-    return {a.x - b.x, a.z - b.z};
-}
-template <class T>
-HWY_INLINE V2<T> operator*(V2<T> a, T s) {
-    return {a.x * s, a.z * s};
-}
-template <class T>
-HWY_INLINE T dot(V2<T> a, V2<T> b) {
-    return a.x * b.x + a.z * b.z;
-}
-
 // FootPlaces of one lane, or of several.
 template <class T>
 struct Stand {

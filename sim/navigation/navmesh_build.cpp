@@ -139,7 +139,8 @@ static void find_steps(Navmesh& m, Vec2 low, Vec2 high) {
         constexpr Vec2 k_around{k_steps_ahead, k_steps_ahead};
         const CellRange r = cells_of_box(m.step_grid, least - k_around, most + k_around);
         for (int z = r.z0; z <= r.z1; ++z)
-            for (int x = r.x0; x <= r.x1; ++x) m.near_steps[static_cast<size_t>(z) * m.step_grid.width + x] = 1;
+            for (int x = r.x0; x <= r.x1; ++x)
+                m.near_steps[static_cast<size_t>(z) * m.step_grid.width + x] = 1;
     });
 }
 

@@ -28,9 +28,9 @@ struct PlacePiece {
 
 // A border line as what asks for the nearest reads it.
 struct CellBorder {
-    Vec3 a, along;                // from end to end
-    float per_length_squared = 0; // on the ground plane
-    uint32_t line = 0;            // in `borders`
+    Vec3 a, along;                 // from end to end
+    float per_length_squared = 0;  // on the ground plane
+    uint32_t line = 0;             // in `borders`
 };
 
 struct Navmesh {

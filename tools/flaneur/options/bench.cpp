@@ -46,9 +46,10 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "ablate") return BenchLoad::ablate;
     if (text == "gauntlet") return BenchLoad::gauntlet;
     if (text == "compare") return BenchLoad::compare;
-    return Error{excerpt(text) +
-                 " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate and gauntlet, "
-                 "which bench measures, and compare"};
+    return Error{
+        excerpt(text) +
+        " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate and gauntlet, "
+        "which bench measures, and compare"};
 }
 
 Result<BenchMove> parse_move(const std::string& text) {
@@ -81,10 +82,11 @@ void add_walkers(CLI::App& bench, SceneWords& words, Options& options) {
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
-    add_parsed(*bench, "load", parse_load, options.load,
-               "What to measure: frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate or gauntlet; "
-               "or compare",
-               "LOAD", "")
+    add_parsed(
+        *bench, "load", parse_load, options.load,
+        "What to measure: frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate or gauntlet; "
+        "or compare",
+        "LOAD", "")
         ->required();
     bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
         ->type_name("FILE")
@@ -105,8 +107,9 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
         ->transform(whole_between(1, 1'000'000))
         ->capture_default_str();
     bench
-        ->add_option("--warm-up", options.warm_up,
-                     "Ticks of the simulation before the first that frame, crowd, tick, pose and city measure")
+        ->add_option(
+            "--warm-up", options.warm_up,
+            "Ticks of the simulation before the first that frame, crowd, tick, pose and city measure")
         ->type_name("TICKS")
         ->transform(whole_between(0, 1'000'000))
         ->capture_default_str();
