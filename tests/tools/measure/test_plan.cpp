@@ -142,7 +142,7 @@ TEST(Count, OfACityIsTheSameEachTime) {
         ASSERT_TRUE(loaded) << loaded.error().message;
         World& world = *loaded->world;
         MeasurePlan plan;
-        const Vec3 middle = world.crowd.motion.position[0];
+        const Vec3 middle = world.crowd.motion.position[world.crowd.count / 2];
         plan.lines.push_back({"L1", {middle.x - 60, middle.z + 1}, {middle.x + 60, middle.z + 2}});
         plan.zones.push_back(
             {"Z1",
