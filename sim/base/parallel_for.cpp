@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cassert>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -19,11 +20,16 @@ struct Loop {
     size_t count = 0, grain = 1;
     const char* zone = nullptr;  // that it is run in
     std::atomic<size_t> next = 0;
+    std::atomic<bool> has_failed = false;
+    std::exception_ptr failure;  // of the first that failed
 };
 
 void run_chunks(Loop& loop, int thread) {
-    for (size_t begin; (begin = loop.next.fetch_add(loop.grain)) < loop.count;) {
-        loop.body.call(loop.body.context, begin, std::min(begin + loop.grain, loop.count), thread);
+    try {
+        for (size_t begin; !loop.has_failed && (begin = loop.next.fetch_add(loop.grain)) < loop.count;)
+            loop.body.call(loop.body.context, begin, std::min(begin + loop.grain, loop.count), thread);
+    } catch (...) {
+        if (!loop.has_failed.exchange(true)) loop.failure = std::current_exception();
     }
 }
 
@@ -94,12 +100,10 @@ int thread_count(const Workers& w) {
     return w.tasks.run ? w.tasks.threads : static_cast<int>(w.threads.size()) + 1;
 }
 
-void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
-    if (count == 0) return;
-    Loop loop{body, count, grain, innermost_zone()};
-    if (thread_count(w) == 1 || count <= grain) return run_chunks(loop, 0);
+static void run_all(Workers& w, Loop& loop) {
+    if (thread_count(w) == 1 || loop.count <= loop.grain) return run_chunks(loop, 0);
     if (w.tasks.run) {
-        size_t chunks = (count + grain - 1) / grain;
+        size_t chunks = (loop.count + loop.grain - 1) / loop.grain;
         int tasks = static_cast<int>(std::min<size_t>(chunks, static_cast<size_t>(w.tasks.threads)));
         auto task = [](void* context, int index) { run_chunks(*static_cast<Loop*>(context), index); };
         w.tasks.run(w.tasks.user, tasks, task, &loop);
@@ -117,6 +121,13 @@ void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
     std::unique_lock lock(w.mutex);
     w.loop = nullptr;
     w.loop_left.wait(lock, [&] { return w.inside == 0; });
+}
+
+void run_loop(Workers& w, size_t count, size_t grain, LoopBody body) {
+    if (count == 0) return;
+    Loop loop{body, count, grain, innermost_zone(), 0, false, nullptr};
+    run_all(w, loop);
+    if (loop.failure) std::rethrow_exception(loop.failure);
 }
 
 }  // namespace flaneur

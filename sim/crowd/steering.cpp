@@ -17,8 +17,9 @@ static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear
 static constexpr int k_borders = 6;
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr uint32_t k_most_heirs = 16;
-static constexpr float k_same_way = 0.5f;  // cosine between the courses of two who go together
-static constexpr float k_follows = 0.6f;   // seconds within which one shall not touch one ahead
+static constexpr float k_same_way = 0.5f;       // cosine between the courses of two who go together
+static constexpr float k_pram_headway = 0.35f;  // seconds: who meets a pram gets past it
+static constexpr float k_follows = 0.6f;        // seconds within which one shall not touch one ahead
 static constexpr int k_firm = 2 * k_borders;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
@@ -134,10 +135,11 @@ static void add_neighbours(const Crowd& c, const Seen& me, const Claim& claim, i
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen other = seen_at(rows, d.near[lane][k]);
         float share = share_of(claim, rows.claim[d.near[lane][k]]), hurry = 1 / k_horizon;
-        float pace = 1 / k_meeting_headway;
         // Of those who go the same way the one behind makes room for the one ahead, and not the other way
         // round: so of any two one is free to go, and nobody waits for somebody who waits for him.
-        if (go_together(me.course, other.course)) {
+        const bool has_pram = me.ahead != Vec2{} || other.ahead != Vec2{};
+        float pace = has_pram ? 1 / k_pram_headway : 1 / k_meeting_headway;
+        if (!has_pram && go_together(me.course, other.course)) {
             hurry = 1 / k_follows, pace = 1 / k_headway;
             const float before = dot(on_ground(other.position - me.position), me.course + other.course);
             if (share == 0.5f && before != 0) share = before > 0 ? 1.0f : 0.0f;
@@ -151,7 +153,7 @@ static void add_neighbours(const Crowd& c, const Seen& me, const Claim& claim, i
         to.share.lanes[lane] = share;
         to.hurry.lanes[lane] = hurry;
         to.pace.lanes[lane] = pace;
-        if (me.ahead != Vec2{} || other.ahead != Vec2{}) add_prams(me, other, share, lane, d);
+        if (has_pram) add_prams(me, other, share, lane, d);
     }
 }
 

@@ -269,7 +269,7 @@ TEST(Hands, TouchTheWallsOfAnAlley) {
     ASSERT_TRUE(made) << (made ? "" : made.error().message);
     World& w = **made;
     int resting = 0;
-    for (int t = 0; t < 1800; ++t) {
+    for (int t = 0; t < 5400; ++t) {
         step(w);
         for (size_t i = 0; i < w.gait.count; ++i) {
             for (Side side : {k_left, k_right}) {
