@@ -99,10 +99,6 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     return parsed;
 }
 
-float lod_of(const Options& options) {
-    constexpr int k_many = 5000;
-    constexpr float k_reach = 120;
-    return options.lod.value_or(options.scene.walkers > k_many ? k_reach : 0);
-}
+float lod_of(const Options& options) { return options.lod.value_or(0); }
 
 }  // namespace flaneur

@@ -224,8 +224,7 @@ Result<TickRange> parse_ticks(const std::string& text);
 // What to do; or, when help was asked for and printed, nothing (monostate).
 Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv);
 
-// Metres from an eye beyond which people go in less detail, as asked for or, without that, where there are
-// more than some thousands; 0: nobody does.
+// Metres from an eye beyond which people go in less detail; 0, as where it is not asked for: nobody does.
 float lod_of(const Options& options);
 
 }  // namespace flaneur

@@ -100,8 +100,7 @@ static Result<float> parse_lod(const std::string& text) {
 void add_lod(CLI::App& app, Options& options) {
     add_parsed(app, "--lod", parse_lod, options.lod,
                "People farther than this from the camera walk eight ticks at once, which takes an eighth of "
-               "the time; off: everybody in full; without it, 120 where there are more than 5000 people, "
-               "else off",
+               "the time; off, as without it: everybody in full",
                "METRES|off", "");
 }
 
