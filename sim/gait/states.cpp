@@ -116,8 +116,8 @@ bool may_leave(const GaitBlock& g, const Stepper& s, Side side) {
 void leave(GaitBlock& g, const Stepper& s, Side side, float rate) {
     float duty = g.duty[s.lane], f = g.frequency[s.lane];
     float& phase = g.feet[side].phase[s.lane];
-    // However quickly it was called, its swing begins at the beginning.
-    phase = clamp(phase, duty, duty + rate * s.dt);
+    // However quickly it was called, and however long the tick, its swing begins at the beginning.
+    phase = clamp(phase, duty, std::min(duty + rate * s.dt, (1 + duty) / 2));
     if (g.jump[s.lane] > 0 && g.flight[s.lane] <= 0) commit_leap(g, s, side);
     g.feet[side].rate[s.lane] = rate;
     g.quicker[s.lane] = s.person.unevenness[s.lane] * random_normal(s.chance, 1) +

@@ -110,6 +110,29 @@ TEST(LookOn, NobodyIsSeenToJump) {
     EXPECT_TRUE(was_afar);
 }
 
+// However long a step is that is taken at once, no swing is over before it has begun.
+TEST(LookOn, FeetOfThoseAfarSwingWithinTheirTime) {
+    WorldOptions options;
+    options.walkers = 300;
+    options.kinds = {Kind{standard_body(1.75f)}, Kind{standard_body(1.05f), 1, 6},
+                     Kind{standard_body(1.6f), 1, 80}};
+    auto made = make_world(std::make_shared<const Ground>(steps()), options);
+    ASSERT_TRUE(made) << made.error().message;
+    World& w = **made;
+    const Vec3 eye{5000, 0, 0};
+    look_from(w, {&eye, 1});
+    for (int tick = 0; tick < 90 * 60; ++tick) {
+        step(w);
+        for (uint32_t i = 0; i < w.crowd.count; ++i) {
+            for (const FootBlock& foot : w.gait.blocks[i / k_block].feet) {
+                ASSERT_GE(foot.phase[i % k_block], 0) << i << " at " << tick;
+                ASSERT_LT(foot.phase[i % k_block], 1) << i << " at " << tick;
+            }
+            ASSERT_TRUE(std::isfinite(w.crowd.motion.position[i].x)) << i << " at " << tick;
+        }
+    }
+}
+
 TEST(LookOn, WithoutEyesEverybodyIsInFull) {
     auto w = made(1, 64);
     look_from(*w, {}, k_reach);
