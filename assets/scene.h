@@ -56,7 +56,7 @@ struct Scene {
     PeopleMix mix;                    // of the built-in ones
     std::vector<Addition> added;      // to the city
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
-    int walkers = 500;                // 0..100,000
+    int walkers = 500;                // 0..1,000,000
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

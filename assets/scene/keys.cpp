@@ -179,7 +179,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_side(v), s.side); }},
         {"camera",
          {text, 0, 0,
-          "street|overview|crowd|(follow|eyes):0*[0-9]{1,5}|map|map:" + coordinate_pattern() + "," +
+          "street|overview|crowd|(follow|eyes):0*[0-9]{1,6}|map|map:" + coordinate_pattern() + "," +
               coordinate_pattern() + "," + across + "(," + bearing + ")?|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",

@@ -68,9 +68,9 @@ HWY_INLINE Plane<T> avoid(Meet<T> m, V2<T> velocity, T usual_side) {
     const V2<T> to_rim = out * (radius * hurry - l);
     // The nearer side of the cone that touches the other's circle.
     const T tangent = sqrt(max(distance2 - radius2, zero)), per = one / max(distance2, tiny);
-    const T facing = dot(velocity, m.velocity);
-    auto meets = (dot(velocity, m.between) > zero) & (facing < zero) &
-                 (facing * facing > T(0.5f) * dot(velocity, velocity) * dot(m.velocity, m.velocity));
+    const T facing = dot(velocity, m.velocity), towards = dot(velocity, m.between);
+    const T most = dot(velocity, velocity) * dot(m.velocity, m.velocity);
+    auto meets = (towards > zero) & (facing < zero) & (facing * facing > T(0.5f) * most);
     const T lean = select(meets, usual_side * T(k_hardly_larger) * sqrt(distance2), zero);
     const T turn = select(cross(m.between, w) + lean > zero, one, zero - one), r = radius * turn;
     const V2<T> side{(m.between.x * tangent - m.between.z * r) * per,

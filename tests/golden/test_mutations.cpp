@@ -245,7 +245,7 @@ TEST_F(Mutations, OneTriangleMissing) {
             const glm::vec3 on = on_screen(place);
             const size_t pixel = static_cast<size_t>(on.y) * k_width + static_cast<size_t>(on.x);
             return reference.ids[pixel] == corners[0]->id &&
-                   std::fabs(reference.depths[pixel] - on.z) < 0.01f * on.z;
+                   std::fabs(reference.depths[pixel] - on.z) < 0.002f * on.z;
         };
         bool is_seen = is_shown(middle) && kind_of_id(corners[0]->id) != IdKind::ground;
         for (const CityVertex* corner : corners)

@@ -143,7 +143,7 @@ TEST(Count, OfACityIsTheSameEachTime) {
         World& world = *loaded->world;
         MeasurePlan plan;
         const Vec3 middle = world.crowd.motion.position[world.crowd.count / 2];
-        plan.lines.push_back({"L1", {middle.x - 60, middle.z + 1}, {middle.x + 60, middle.z + 2}});
+        plan.lines.push_back({"L1", {middle.x - 200, middle.z + 1}, {middle.x + 200, middle.z + 2}});
         plan.zones.push_back(
             {"Z1",
              {{middle.x - 30, middle.z - 30}, {middle.x + 30, middle.z - 30}, {middle.x, middle.z + 30}}});
