@@ -27,10 +27,10 @@
 namespace flaneur {
 
 // The stages of a tick, in order.
-enum class Stage : int { think, neighbours, steer, move, gait, pose };
-inline constexpr int k_stage_count = 6;
-inline constexpr std::string_view k_stage_names[k_stage_count] = {"think", "neighbours", "steer",
-                                                                  "move",  "gait",       "pose"};
+enum class Stage : int { come, think, neighbours, steer, move, gait, pose };
+inline constexpr int k_stage_count = 7;
+inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think", "neighbours", "steer",
+                                                                  "move", "gait",  "pose"};
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -80,11 +80,14 @@ void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPt
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);
 
+// What coming and going takes, so that ticks allocate nothing. Allocates; after either changed.
+void make_room_to_come(World& world);
+
 // The hour of the day after the last tick, 0..24, and another one that it shall be.
 float hour_now(const World& world);
 void set_hour(World& world, float hour);
 
-// The drives. People who go where they want to: think, find neighbours, steer, move.
+// The drives. People who go where they want to: come and go, think, find neighbours, steer, move.
 void drive_crowd(World& world);
 // People who roam all round a compound.
 void drive_roam(World& world);

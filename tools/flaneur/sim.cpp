@@ -30,7 +30,7 @@ struct StateLog {
 Result<void> begin(StateLog& log, const World& world, const Options& options, uint32_t ticks) {
     if (!log.file) return {};
     log.writer.file = log.file->file;
-    StateLogHead head{world_words(options.words), world.crowd.count, ticks, state_fields(world)};
+    StateLogHead head{world_words(options.words), world.crowd.capacity, ticks, state_fields(world)};
     return write_state_log_head(log.writer, head);
 }
 
