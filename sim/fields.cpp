@@ -171,7 +171,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("next_path", 'u', c.next_path);
     add("living", 'h', hash(c.slots.living));
     add("left", 'h', hash(c.slots.left));
-    const Coming& coming = c.coming;
+    const Coming& coming = w.coming;
     add("came", 'u', coming.came);
     add("gone", 'u', coming.left);
     add("queue", 'h', hash(coming.queue));
@@ -185,6 +185,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
 uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
+    if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {
         if constexpr (std::is_same_v<Item, ClipPlay>) {  // which has padding
             for (const Item& play : items)

@@ -63,21 +63,23 @@ Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
     return ground;
 }
 
-Result<void> check(const std::vector<Flow>& flows) {
-    auto is_sound = [](const Area& area) {
+Result<void> check(const std::vector<Sending>& sendings) {
+    auto is_sound = [](const SentPlace& area) {
         bool sound = (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height);
         for (const Vec2 corner : area.corners)
             sound = sound && std::isfinite(corner.x) && std::isfinite(corner.z);
         return sound;
     };
     size_t people = 0;
-    for (const Flow& flow : flows) {
-        people += flow.people;
-        if (!is_sound(flow.from) || !is_sound(flow.to) || !is_within(flow.begin, 0, 1e7f) ||
-            !is_within(flow.end, flow.begin, 1e7f) || (flow.speed != 0 && !is_within(flow.speed, 0.3f, 2)))
+    for (const Sending& sending : sendings) {
+        people += sending.people;
+        if (sending.group < 1 || !is_sound(sending.from) || !is_sound(sending.to) ||
+            !is_within(sending.begin, 0, 1e7f) || !is_within(sending.end, sending.begin, 1e7f) ||
+            (sending.speed != 0 && !is_within(sending.speed, 0.3f, 2)))
             return Error{
-                "A flow is out of range: areas of one corner or at least three, finite, from 0 s or later to "
-                "no earlier than that, speed 0 or 0.3..2 m/s."};
+                "A sending is out of range: areas of one corner or at least three, finite, from 0 s or later "
+                "to "
+                "no earlier than that, groups of at least one, speed 0 or 0.3..2 m/s."};
     }
     if (people > k_most_sent) return Error{"Flows send a million people at most."};
     return {};
@@ -122,7 +124,7 @@ Result<void> check(const WorldOptions& o) {
     }
     for (const float share : o.leaving)
         if (!is_within(share, 0, 1)) return Error{"WorldOptions::leaving must be within 0 and 1."};
-    if (Result<void> sound = check(o.flows); !sound) return sound;
+    if (Result<void> sound = check(o.sendings); !sound) return sound;
     if (!is_within(o.hour, 0, 24)) return Error{"The hour must be within 0 and 24."};
     return {};
 }
@@ -271,7 +273,7 @@ std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
 }
 
 ComingCount coming_count(const World& w) {
-    const Coming& coming = w.crowd.coming;
+    const Coming& coming = w.coming;
     return {coming.came, coming.left, waiting(coming), coming.lost};
 }
 

@@ -16,8 +16,8 @@ constexpr uint64_t k_mark = 0x32'74'73'2e'72'75'6c'66;  // "flur.st2"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 4 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(Coming) + sizeof(CrowdScratch) + 8 +
-                                   24 * (4 + 7 + 10 + 4 + 3) + 32 + sizeof(Onlookers) + 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 4 + 3) + 32 +
+                                   sizeof(Onlookers) + 24);
 
 // Before all else; how many of each follow.
 struct Head {
@@ -61,7 +61,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
-    each(w.crowd.coming.queue, head.queue);
+    each(w.coming.queue, head.queue);
 }
 
 size_t bytes_after(const World& w, const Head& head) {
@@ -91,7 +91,7 @@ Head head_of(const World& w) {
     head.canes = size(w.gait.canes);
     head.prams = size(w.gait.prams);
     head.plays = size(w.idles.plays);
-    const Coming& coming = c.coming;
+    const Coming& coming = w.coming;
     head.queue = size(coming.queue);
     head.queue_next = coming.next;
     head.numbered = coming.numbered;
@@ -114,7 +114,8 @@ uint64_t state_mark(const World& w) {
     uint64_t hash = mix(w.seed);
     auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
     add(w.crowd.capacity, w.crowd.demand.hour, w.crowd.pass_on, w.crowd.demand.leaving);
-    for (const Flow& flow : w.crowd.coming.flows) add(flow.people, flow.begin, flow.end, flow.speed);
+    for (const Sending& sending : w.coming.sendings)
+        add(sending.people, sending.begin, sending.end, sending.speed);
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
@@ -179,7 +180,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.next_path = head->next_path;
     c.widest = head->widest;
     c.count = head->count;
-    Coming& coming = c.coming;
+    Coming& coming = w.coming;
     coming.next = head->queue_next;
     coming.numbered = head->numbered;
     coming.left = head->gone;

@@ -122,9 +122,9 @@ void step_bodies(World& w) {
 
 // Who comes gets a body, and who is gone has none.
 static void come_and_go(World& w) {
-    come_and_go(w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
-    for (const uint32_t walker : w.crowd.coming.gone) end_body(w, walker);
-    for (const uint32_t walker : w.crowd.coming.arrivals) start_body(w, walker);
+    come_and_go(w.coming, w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+    for (const uint32_t walker : w.coming.gone) end_body(w, walker);
+    for (const uint32_t walker : w.coming.arrivals) start_body(w, walker);
 }
 
 void drive_crowd(World& w) {

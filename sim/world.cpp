@@ -46,8 +46,8 @@ static void pose_everybody(World& w) {
 }
 
 void make_room_to_come(World& w) {
-    make_room_to_wait(w.crowd);
-    if (!comes_and_goes(w.crowd)) return;
+    make_room(w.coming, w.crowd);
+    if (!comes_and_goes(w.coming, w.crowd)) return;
     w.gait.canes.reserve(w.crowd.capacity);
     w.gait.prams.reserve(w.crowd.capacity);
     w.newcomer.canes.reserve(1);
@@ -88,7 +88,8 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
     world->crowd.demand.leaving = options.leaving;
-    world->crowd.coming.flows = options.flows;
+    world->coming.sendings = options.sendings;
+    world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
     FLANEUR_ZONE("start bodies");
     RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),

@@ -14,6 +14,7 @@
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/body/body.h"
+#include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
@@ -43,6 +44,7 @@ struct World {
     uint32_t tick = 0;  // ticks done
 
     void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
+    Coming coming;
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Gait gait;

@@ -89,14 +89,6 @@ static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh,
     j.closest_tick = tick;
 }
 
-// Who comes in at a place that is no more looks for another; who is sent comes in as near as may be.
-static void set_entrant(const Navmesh& mesh, Entrant& e) {
-    const auto place = e.place.polygon ? nearest_at_all(mesh, e.place.position) : std::nullopt;
-    const auto goal = e.is_sent ? nearest_at_all(mesh, e.goal.position) : std::nullopt;
-    e.place = place && (!e.is_sent || goal) ? *place : NavPoint{};
-    if (goal) e.goal = *goal;
-}
-
 void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
                  uint32_t tick) {
     const NavmeshPassage p = passage(from, to);
@@ -105,7 +97,6 @@ void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<con
         set_foot(c, p, to, i, tick);
         look_again(c, p, to, changed, i, tick);
     }
-    for (Entrant& e : c.coming.queue) set_entrant(to, e);
 }
 
 void make_room(Crowd& c, uint32_t capacity) {
@@ -130,13 +121,11 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.widest = c.widest;
     wider.next_path = c.next_path;
     wider.demand = std::move(c.demand);
-    wider.coming = std::move(c.coming);
     wider.driven = c.driven;
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);
     keep(wider.afar, c.afar);
     c = std::move(wider);
-    make_room_to_wait(c);
 }
 
 }  // namespace flaneur

@@ -187,11 +187,6 @@ uint64_t hash_crowd(const Crowd& c) {
         if (is_there(c, i))
             for_each_value(c, i, [&](const FieldName&, const auto& value) { h = hash_value(h, value); });
     if (c.driven.walker != k_nobody) h = hash_value(h, c.driven);
-    const Coming& coming = c.coming;
-    for (uint32_t number : {coming.next, coming.numbered, coming.left, coming.came, coming.lost})
-        h = hash_value(h, number);
-    static_assert(std::has_unique_object_representations_v<uint32_t> && sizeof(Entrant) == 52);
-    h = hash_bytes(h, coming.queue.data(), coming.queue.size() * sizeof(Entrant));
     return h;
 }
 

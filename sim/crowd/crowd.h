@@ -18,7 +18,6 @@
 #include "sim/base/result.h"
 #include "sim/base/tick.h"
 #include "sim/base/vec.h"
-#include "sim/crowd/coming.h"
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
@@ -187,7 +186,6 @@ struct Crowd {
     std::vector<uint8_t> afar;  // by block
     uint32_t next_path = 0;     // the walker from which path requests are served next
     Demand demand;              // what draws them
-    Coming coming;
     CrowdScratch scratch;
 };
 
@@ -286,16 +284,6 @@ inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
 inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
     return ticks_since_due(block, tick) % (crowd.afar[block] ? k_afar_ticks : k_decision_ticks) == 0;
 }
-
-// Whether anybody comes or goes by itself.
-bool comes_and_goes(const Crowd& crowd);
-// Room for all who may wait to come in. Allocates.
-void make_room_to_wait(Crowd& crowd);
-
-// Those who leave are gone, and others come in, who are drawn from the folk; before all that follows. Says
-// whom it was in `coming.gone` and `coming.arrivals`. It is done at 15 Hz, when all are put in order anyway.
-void come_and_go(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
-                 std::span<const Folk> folk, uint32_t tick, uint64_t seed);
 
 // Who is afar; before all that follows.
 void look_on(Crowd& crowd, Workers& workers, uint32_t tick);

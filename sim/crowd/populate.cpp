@@ -122,8 +122,6 @@ static Result<void> set_down(Crowd& c, const Ground& ground, const Surroundings&
     placed.next.resize(walkers);
     placed.places.reserve(walkers);
     const Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
-    c.coming.home = home.centre;
-    c.coming.reach = home.radius;
     std::vector<NavPoint> first(walkers);
     parallel_for(workers, walkers, 256, [&](size_t begin, size_t end, int thread) {
         for (size_t i = begin; i < end; ++i)

@@ -177,7 +177,7 @@ Result<void> check_against(const Options& options, const Words& said) {
                      " cannot be made here: " + (parsed ? "it has other words" : parsed.error().message)};
     const Words world = world_words(its->words);
     // Files may lie elsewhere here; whatever else is asked for makes another world.
-    constexpr std::string_view k_files[] = {"--city", "--terrain", "--character"};
+    constexpr std::string_view k_files[] = {"--city", "--terrain", "--character", "--demand"};
     const Words other = without_options(world_words(said), k_files);
     if (!other.empty())
         say("This is not the world of the log, but with " + shell_line(other) + ": it may well differ.");

@@ -1,7 +1,7 @@
 // People come in and leave: their number is kept, nobody comes in on others, and all of it is one state.
 #include <gtest/gtest.h>
 
-#include "sim/crowd/crowd.h"
+#include "sim/coming/coming.h"
 #include "sim/state.h"
 #include "sim/world.h"
 #include "tests/sim/allocations.h"
@@ -58,9 +58,10 @@ TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
         step(*w);
         allocated += allocations() - before;
         const ComingCount count = coming_count(*w);
-        ASSERT_EQ(walkers(*w).size() + w->crowd.coming.queue.size(), 150u);
-        ASSERT_EQ(count.left, count.came + w->crowd.coming.queue.size());
-        for (const uint32_t who : w->crowd.coming.arrivals) {
+        ASSERT_EQ(walkers(*w).size() + w->coming.queue.size(), 150u);
+        ASSERT_EQ(kept_people(w->coming, w->crowd), 150u);
+        ASSERT_EQ(count.left, count.came + w->coming.queue.size());
+        for (const uint32_t who : w->coming.arrivals) {
             ASSERT_TRUE(is_there(w->crowd, who));
             ASSERT_NE(w->crowd.motion.polygon[who], 0u);
         }
@@ -68,7 +69,7 @@ TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
     }
     EXPECT_EQ(allocated, 0u);
     EXPECT_GT(coming_count(*w).left, 60u);
-    EXPECT_LT(w->crowd.coming.queue.size(), 15u);
+    EXPECT_LT(w->coming.queue.size(), 15u);
 }
 
 TEST(Coming, NobodyByDefault) {
@@ -97,7 +98,7 @@ TEST(Coming, SavedMidwayItGoesOnTheSameWay) {
     for (const uint32_t at : {1200u, 1201u, 1203u}) {
         WorldOptions options = busy();
         options.destinations.resize(4);
-        options.flows = {{{{{0, 0}}, 0}, {{{20, 20}}, 0}, 40, 15, 25, 0}};
+        options.sendings = {{{{{0, 0}}, 0}, {{{20, 20}}, 0}, 40, 1, 15, 25, 0}};
         options.capacity = 170;
         auto w = made(2, options);
         run(*w, at);
@@ -121,8 +122,8 @@ TEST(Coming, SavedMidwayItGoesOnTheSameWay) {
 TEST(Coming, SentPeopleComeGoAndLeave) {
     WorldOptions options;
     options.capacity = 100;
-    options.flows = {
-        {{{{-22, -22}, {-19, -22}, {-19, -19}, {-22, -19}}, 0}, {{{10, 10}}, 0}, 30, 2, 32, 1.5f}};
+    options.sendings = {
+        {{{{-22, -22}, {-19, -22}, {-19, -19}, {-22, -19}}, 0}, {{{10, 10}}, 0}, 30, 1, 2, 32, 1.5f}};
     auto w = made(2, options);
     EXPECT_TRUE(walkers(*w).empty());
     run(*w, 60);
@@ -130,8 +131,9 @@ TEST(Coming, SentPeopleComeGoAndLeave) {
     uint32_t most = 0;
     for (int i = 0; i < 60 * 75; ++i) {
         step(*w);
+        ASSERT_EQ(kept_people(w->coming, w->crowd), 0u);
         most = std::max(most, static_cast<uint32_t>(walkers(*w).size()));
-        for (const uint32_t k : w->crowd.coming.arrivals) {
+        for (const uint32_t k : w->coming.arrivals) {
             const Vec3 p = w->crowd.motion.position[k];
             EXPECT_LT(std::max(std::fabs(p.x + 20.5f), std::fabs(p.z + 20.5f)), 1.6f);
             EXPECT_EQ(w->crowd.identity.preferred_speed[k], 1.5f);
@@ -148,7 +150,7 @@ TEST(Coming, SentPeopleComeGoAndLeave) {
 TEST(Coming, WhoFindsNoRoomWaits) {
     WorldOptions options;
     options.capacity = 100;
-    options.flows = {{{{{0, 0}}, 0}, {{{0.5f, 0}}, 0}, 5, 0, 0, 0}};
+    options.sendings = {{{{{0, 0}}, 0}, {{{0.5f, 0}}, 0}, 5, 1, 0, 0, 0}};
     auto w = made(1, options);
     ASSERT_TRUE(add_walker(*w, {.place = Vec3{0, 0, 0}}));
     run(*w, 300);
@@ -163,7 +165,7 @@ TEST(Coming, WhoFindsNoRoomWaits) {
 TEST(Coming, NoMoreThanThereIsRoomFor) {
     WorldOptions options;
     options.capacity = 8;
-    options.flows = {{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0}, {{{25, 25}}, 0}, 50, 0, 0, 0}};
+    options.sendings = {{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0}, {{{25, 25}}, 0}, 50, 1, 0, 0, 0}};
     auto w = made(1, options);
     run(*w, 30);
     EXPECT_EQ(walkers(*w).size(), 8u);
@@ -174,7 +176,7 @@ TEST(Coming, NoMoreThanThereIsRoomFor) {
 TEST(Coming, WhoHasNoWayIsCounted) {
     WorldOptions options;
     options.capacity = 8;
-    options.flows = {{{{{-20, -20}}, 0}, {{{250, 25}}, 0}, 3, 0, 0, 0}};
+    options.sendings = {{{{{-20, -20}}, 0}, {{{250, 25}}, 0}, 3, 1, 0, 0, 0}};
     auto w = made(1, options);
     run(*w, 30);
     EXPECT_EQ(coming_count(*w).lost, 3u);
@@ -182,14 +184,18 @@ TEST(Coming, WhoHasNoWayIsCounted) {
 }
 
 TEST(Coming, FlowsAreEven) {
-    const Flow flow{{}, {}, 6, 10, 70, 0};
-    EXPECT_EQ(due_by(flow, 9.9), 0u);
-    EXPECT_EQ(due_by(flow, 10), 1u);
-    EXPECT_EQ(due_by(flow, 19.9), 1u);
-    EXPECT_EQ(due_by(flow, 20.1), 2u);
-    EXPECT_EQ(due_by(flow, 69), 6u);
-    EXPECT_EQ(due_by(flow, 1e9), 6u);
-    EXPECT_EQ(due_by({{}, {}, 4, 3, 3, 0}, 3), 4u);
+    const Sending sending{{}, {}, 6, 1, 10, 70, 0};
+    EXPECT_EQ(due_by(sending, 9.9), 0u);
+    EXPECT_EQ(due_by(sending, 10), 1u);
+    EXPECT_EQ(due_by(sending, 19.9), 1u);
+    EXPECT_EQ(due_by(sending, 20.1), 2u);
+    EXPECT_EQ(due_by(sending, 69), 6u);
+    EXPECT_EQ(due_by(sending, 1e9), 6u);
+    EXPECT_EQ(due_by({{}, {}, 4, 1, 3, 3, 0}, 3), 4u);
+    const Sending pairs{{}, {}, 5, 2, 0, 30, 0};
+    EXPECT_EQ(due_by(pairs, 0), 2u);
+    EXPECT_EQ(due_by(pairs, 11), 4u);
+    EXPECT_EQ(due_by(pairs, 21), 5u);
 }
 
 TEST(Coming, RefusesWhatIsOutOfRange) {
@@ -204,14 +210,14 @@ TEST(Coming, RefusesWhatIsOutOfRange) {
     options.leaving[0] = 1.5f;
     EXPECT_FALSE(is_taken(options));
     options.leaving[0] = 1;
-    options.flows = {{{{{0, 0}}, 0}, {{{1, 1}}, 0}, 3, 5, 9, 1}};
+    options.sendings = {{{{{0, 0}}, 0}, {{{1, 1}}, 0}, 3, 1, 5, 9, 1}};
     EXPECT_TRUE(is_taken(options));
-    for (const auto& breaks : std::initializer_list<void (*)(Flow&)>{
-             [](Flow& f) { f.from.corners.clear(); }, [](Flow& f) { f.to.corners.resize(2); },
-             [](Flow& f) { f.end = 4; }, [](Flow& f) { f.begin = -1; }, [](Flow& f) { f.speed = 9; },
-             [](Flow& f) { f.people = 2'000'000; }}) {
+    for (const auto& breaks : std::initializer_list<void (*)(Sending&)>{
+             [](Sending& f) { f.from.corners.clear(); }, [](Sending& f) { f.to.corners.resize(2); },
+             [](Sending& f) { f.end = 4; }, [](Sending& f) { f.begin = -1; }, [](Sending& f) { f.speed = 9; },
+             [](Sending& f) { f.people = 2'000'000; }}) {
         WorldOptions broken = options;
-        breaks(broken.flows[0]);
+        breaks(broken.sendings[0]);
         EXPECT_FALSE(is_taken(broken));
     }
 }

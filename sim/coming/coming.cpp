@@ -1,12 +1,12 @@
-#include "sim/crowd/coming.h"
+#include "sim/coming/coming.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/hash.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/base/tick.h"
-#include "sim/crowd/crowd.h"
 #include "sim/crowd/places.h"
 
 namespace flaneur {
@@ -16,28 +16,40 @@ static constexpr uint32_t k_tries_a_place = 75;  // in five seconds
 static constexpr float k_spare = 0.15f;          // metres between one who comes in and others, at least
 static constexpr float k_floors = 3;  // metres above and below an area's height; farther if need be
 
+uint32_t kept_people(const Coming& coming, const Crowd& c) {
+    const auto here = std::ranges::count_if(c.slots.living, [&](WalkerId id) {
+        const Journey& j = c.journeys[id.index];
+        return !j.leaves || j.errand == Errand::wander;
+    });
+    const auto due = std::ranges::count_if(coming.queue, [](const Entrant& e) { return !e.is_sent; });
+    return static_cast<uint32_t>(here + due);
+}
+
 uint32_t waiting(const Coming& coming) {
     return static_cast<uint32_t>(
         std::ranges::count_if(coming.queue, [](const Entrant& e) { return e.tries > 0; }));
 }
 
-uint32_t due_by(const Flow& flow, double seconds) {
-    if (seconds < static_cast<double>(flow.begin)) return 0;
-    if (seconds >= static_cast<double>(flow.end)) return flow.people;
-    const double passed = (seconds - static_cast<double>(flow.begin)) /
-                          (static_cast<double>(flow.end) - static_cast<double>(flow.begin));
-    return std::min(flow.people, static_cast<uint32_t>(passed * flow.people) + 1);
+uint32_t due_by(const Sending& sending, double seconds) {
+    if (seconds < static_cast<double>(sending.begin)) return 0;
+    if (seconds >= static_cast<double>(sending.end)) return sending.people;
+    const double passed = (seconds - static_cast<double>(sending.begin)) /
+                          (static_cast<double>(sending.end) - static_cast<double>(sending.begin));
+    const uint32_t groups = (sending.people + sending.group - 1) / sending.group;
+    return std::min(sending.people, (static_cast<uint32_t>(passed * groups) + 1) * sending.group);
 }
 
-bool comes_and_goes(const Crowd& c) { return !c.coming.flows.empty() || c.demand.leaving != k_nobody_leaves; }
+bool comes_and_goes(const Coming& coming, const Crowd& c) {
+    return !coming.sendings.empty() || c.demand.leaving != k_nobody_leaves;
+}
 
-void make_room_to_wait(Crowd& c) {
-    if (!comes_and_goes(c)) return;
+void make_room(Coming& coming, const Crowd& c) {
+    if (!comes_and_goes(coming, c)) return;
     size_t most = c.capacity;
-    for (const Flow& flow : c.coming.flows) most += flow.people;
-    c.coming.queue.reserve(most);
-    c.coming.gone.reserve(c.capacity);
-    c.coming.arrivals.reserve(k_most_tries);
+    for (const Sending& sending : coming.sendings) most += sending.people;
+    coming.queue.reserve(most);
+    coming.gone.reserve(c.capacity);
+    coming.arrivals.reserve(k_most_tries);
 }
 
 static void add_entrant(Coming& coming, const Entrant& entrant) {
@@ -45,15 +57,15 @@ static void add_entrant(Coming& coming, const Entrant& entrant) {
 }
 
 // Those who leave are gone; for each who wandered another is due.
-static void let_out(Crowd& c, uint32_t tick) {
+static void let_out(Coming& coming, Crowd& c, uint32_t tick) {
     for (uint32_t i = 0; i < c.count; ++i) {
         const Journey& j = c.journeys[i];
         if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i))
             continue;
-        if (j.errand == Errand::wander) add_entrant(c.coming, {.number = c.coming.numbered++});
+        if (j.errand == Errand::wander) add_entrant(coming, {.number = coming.numbered++});
         remove_walker(c, i);
-        c.coming.gone.push_back(i);
-        ++c.coming.left;
+        coming.gone.push_back(i);
+        ++coming.left;
     }
 }
 
@@ -68,7 +80,7 @@ static bool is_inside(const std::vector<Vec2>& corners, Vec2 p) {
 }
 
 // By chance; of a thin area perhaps none.
-static std::optional<NavPoint> place_in(const Area& area, const Navmesh& mesh, RandomKey key) {
+static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& mesh, RandomKey key) {
     constexpr uint32_t k_tries = 32;
     Vec2 low = area.corners[0], high = low;
     for (const Vec2 corner : area.corners) {
@@ -85,31 +97,32 @@ static std::optional<NavPoint> place_in(const Area& area, const Navmesh& mesh, R
     return std::nullopt;
 }
 
-std::optional<Entrant> draw_entrant(const Flow& flow, const Navmesh& mesh, uint32_t number, uint64_t seed) {
+static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
+                                           uint64_t seed) {
     constexpr uint32_t k_tries = 8;
     for (uint32_t t = 0; t < k_tries; ++t) {
-        const auto place = place_in(flow.from, mesh, {seed, number, 2 * t, Purpose::coming}),
-                   goal = place_in(flow.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});
+        const auto place = place_in(sending.from, mesh, {seed, number, 2 * t, Purpose::coming}),
+                   goal = place_in(sending.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});
         if (!place || !goal || island(mesh, place->polygon) != island(mesh, goal->polygon)) continue;
         const Vec2 way = on_ground(goal->position - place->position);
         return Entrant{.place = *place,
                        .goal = *goal,
                        .heading = length_squared(way) > 0 ? heading_of(way) : 0,
-                       .speed = flow.speed,
+                       .speed = sending.speed,
                        .number = number,
                        .is_sent = 1};
     }
     return std::nullopt;
 }
 
-// Those of the flows who are due since this was asked last.
+// Those of the sendings who are due since this was asked last.
 static void call_sent(Coming& coming, const Navmesh& mesh, uint32_t tick, uint64_t seed) {
     auto seconds = [](uint32_t ticks) { return ticks * static_cast<double>(k_tick); };
-    for (const Flow& flow : coming.flows) {
-        uint32_t due = due_by(flow, seconds(tick));
-        if (tick > 0) due -= due_by(flow, seconds(tick - k_decision_ticks));
+    for (const Sending& sending : coming.sendings) {
+        uint32_t due = due_by(sending, seconds(tick));
+        if (tick > 0) due -= due_by(sending, seconds(tick - k_decision_ticks));
         for (uint32_t k = 0; k < due; ++k) {
-            if (const auto entrant = draw_entrant(flow, mesh, coming.numbered++, seed))
+            if (const auto entrant = draw_entrant(sending, mesh, coming.numbered++, seed))
                 add_entrant(coming, *entrant);
             else
                 ++coming.lost;
@@ -144,12 +157,12 @@ static bool touch(const Footprint& a, const Footprint& b) {
 }
 
 // The order of places holds all but those who came in this tick, and some who are gone.
-static bool is_free(const Crowd& c, const Footprint& wanted, float ahead) {
+static bool is_free(const Coming& coming, const Crowd& c, const Footprint& wanted, float ahead) {
     auto is_in_the_way = [&](uint32_t i) {
         return touch(wanted, footprint(c.motion.position[i], c.motion.heading[i], c.identity.radius[i],
                                        c.identity.ahead[i]));
     };
-    if (std::ranges::any_of(c.coming.arrivals, is_in_the_way)) return false;
+    if (std::ranges::any_of(coming.arrivals, is_in_the_way)) return false;
     constexpr float k_farthest_pram = 1.5f + k_pram_radius;  // from who pushes it, metres
     const float reach = std::max(wanted.radius, ahead > 0 ? ahead + k_pram_radius : 0) +
                         std::max(c.widest, k_farthest_pram) + k_spare;
@@ -172,25 +185,26 @@ static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, cons
 }
 
 // Whether there was room.
-static bool let_in(Crowd& c, const Surroundings& around, std::span<const Folk> folk, const Entrant& e,
-                   uint64_t seed) {
+static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::span<const Folk> folk,
+                   const Entrant& e, uint64_t seed) {
     Walker w = draw_entrant_body(c, folk, e, seed);
     Vec3 at = w.place.position;
     if (const auto hit = ground_at(around, at, 1, 2)) at.y = hit->height;
-    if (!is_free(c, footprint(at, w.heading, w.radius, w.ahead), w.ahead)) return false;
+    if (!is_free(coming, c, footprint(at, w.heading, w.radius, w.ahead), w.ahead)) return false;
     const uint32_t i = add_walker(c, around, w);
     if (e.is_sent) {
         send_to(c, i, e.goal);
         c.journeys[i].leaves = true;
     }
-    c.coming.arrivals.push_back(i);
-    ++c.coming.came;
+    coming.arrivals.push_back(i);
+    ++coming.came;
     return true;
 }
 
 // Finds a place to come in for one who wanders; false: there is none.
-static bool choose_place(const Crowd& c, Entrant& e, const Navmesh& mesh, uint32_t tick, uint64_t seed) {
-    const auto chosen = choose_entrance(c.demand, mesh, 0, c.coming.home, c.coming.reach, tick,
+static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const Navmesh& mesh, uint32_t tick,
+                         uint64_t seed) {
+    const auto chosen = choose_entrance(c.demand, mesh, 0, coming.home.centre, coming.home.radius, tick,
                                         {seed, e.number, e.tries, Purpose::coming});
     if (!chosen) return false;
     e.place = chosen->place;
@@ -198,9 +212,8 @@ static bool choose_place(const Crowd& c, Entrant& e, const Navmesh& mesh, uint32
     return true;
 }
 
-static void let_in_those_due(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers,
-                             std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
-    Coming& coming = c.coming;
+static void let_in_those_due(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh,
+                             Workers& workers, std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
     std::vector<Entrant>& queue = coming.queue;
     if (queue.empty()) return;
     if (!c.scratch.is_ordered) order_places(c, workers, false);
@@ -211,8 +224,9 @@ static void let_in_those_due(Crowd& c, const Surroundings& around, const Navmesh
         Entrant e = queue[at];
         bool is_in = false;
         const bool has_to_choose = !e.is_sent && (!e.place.polygon || e.tries % k_tries_a_place == 0);
-        if (!has_to_choose || choose_place(c, e, mesh, tick, seed))
-            is_in = c.slots.living.size() < c.capacity && e.place.polygon && let_in(c, around, folk, e, seed);
+        if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
+            is_in = c.slots.living.size() < c.capacity && e.place.polygon &&
+                    let_in(coming, c, around, folk, e, seed);
         ++e.tries;
         if (!is_in) queue[kept++] = e;
     }
@@ -220,19 +234,36 @@ static void let_in_those_due(Crowd& c, const Surroundings& around, const Navmesh
     coming.next = static_cast<uint32_t>(kept);
 }
 
-void come_and_go(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers,
+void come_and_go(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers,
                  std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
-    c.coming.gone.clear();
-    c.coming.arrivals.clear();
-    // When all are put in the order of places anyway.
-    if (tick % k_decision_ticks != 0 || !comes_and_goes(c)) return;
+    coming.gone.clear();
+    coming.arrivals.clear();
+    if (tick % k_decision_ticks != 0 || !comes_and_goes(coming, c)) return;
     // The order still holds those who go now.
     const bool was_ordered = c.scratch.is_ordered;
-    let_out(c, tick);
+    let_out(coming, c, tick);
     c.scratch.is_ordered = was_ordered;
-    call_sent(c.coming, mesh, tick, seed);
-    let_in_those_due(c, around, mesh, workers, folk, tick, seed);
+    call_sent(coming, mesh, tick, seed);
+    let_in_those_due(coming, c, around, mesh, workers, folk, tick, seed);
     c.scratch.is_ordered = false;
+}
+
+// Who comes in at a place that is no more looks for another; who is sent comes in as near as may be.
+void change_mesh(Coming& coming, const Navmesh& mesh) {
+    constexpr Vec3 k_near{8, 4, 8};
+    for (Entrant& e : coming.queue) {
+        const auto place = e.place.polygon ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
+        const auto goal = e.is_sent ? nearest(mesh, 0, e.goal.position, k_near) : std::nullopt;
+        e.place = place && (!e.is_sent || goal) ? *place : NavPoint{};
+        if (goal) e.goal = *goal;
+    }
+}
+
+uint64_t hash_coming(const Coming& coming) {
+    const uint32_t numbers[] = {coming.next, coming.numbered, coming.left, coming.came, coming.lost};
+    static_assert(sizeof(Entrant) == 13 * 4, "has no padding");
+    const uint64_t h = hash_bytes(1, numbers, sizeof numbers);
+    return hash_bytes(h, coming.queue.data(), coming.queue.size() * sizeof(Entrant));
 }
 
 }  // namespace flaneur
