@@ -83,11 +83,10 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     }
     auto crowd =
         populate(*world->ground, world->around, options.destinations, *world->navmesh, *world->workers,
-                 options.walkers, world->folk, options.seed, options.hour, options.capacity);
+                 options.walkers, world->folk, options.seed, options.hour, options.capacity, options.leaving);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
-    world->crowd.demand.leaving = options.leaving;
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 

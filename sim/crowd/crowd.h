@@ -269,7 +269,7 @@ Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint
 Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
-                       uint32_t capacity = 0);
+                       uint32_t capacity = 0, const Leaving& leaving = k_nobody_leaves);
 
 // How long ago it was a block's turn, of k_afar_ticks blocks one after the other.
 inline uint32_t ticks_since_due(size_t block, uint32_t tick) {

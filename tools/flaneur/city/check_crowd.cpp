@@ -58,11 +58,10 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
                                          double seconds, float hour, uint64_t seed) {
     Folk folk;
     Result<Crowd> made = populate(city.ground, surroundings_of(city.ground), city.destinations, mesh, workers,
-                                  walkers, {&folk, 1}, seed, hour);
+                                  walkers, {&folk, 1}, seed, hour, 0, leaving);
     if (!made) return made.error();
     Crowd& c = *made;
     c.pass_on = pass_on;
-    c.demand.leaving = leaving;
     Coming coming;
     coming.home = find_neighbourhood(city.ground, mesh, walkers);
     make_room(coming, c);
