@@ -76,7 +76,7 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(refusal_of(R"({ "people": [ 3 ] })"), "people 1 that is no object");
     expect_told(refusal_of(R"({ "people": [ { "from": [0, 0] } ] })"), R"(without "to")");
     auto with = [](const std::string& more) {
-        return refusal_of(R"({ "people": [ { "from": [0, 0], "to": [1, 1], )" + more + " } ] })");
+        return refusal_of(R"({ "people": [ { "from": [0, 0], "to": [1, 1], )" + more + " } ] }");
     };
     EXPECT_EQ(with(R"("number": 2)"), "");
     expect_told(with(R"("number": 0)"), R"("number" is not a number from 1)");

@@ -37,7 +37,6 @@ TEST(DistrictComing, KeepsItsNumberForTenMinutes) {
         step_crowd(c, around, **mesh, *workers, tick, 1);
         ASSERT_EQ(c.slots.living.size() + coming.queue.size(), k_people);
         most_waiting = std::max(most_waiting, coming.queue.size());
-        // Around those who came within the last second and everybody else.
         if (tick % 10 == 0) deepest = std::max(deepest, deepest_overlap(c));
     }
     std::printf("%u left, %u came in, %zu waited at most; deepest overlap %.3f m, nearest comer %.3f m\n",
