@@ -64,6 +64,8 @@ struct Scene {
     std::optional<float> sun_height, sun_heading;
     bool is_overcast = false;
     std::optional<PassOn> side;  // on which people pass; else as one drives there
+    bool stays = false;          // nobody who wanders leaves or comes in
+    std::string demand;          // a file of people who are sent; see load_demand(); empty: none are
     CameraChoice camera;
     float fov = 0;        // of its lens, upright, radians; 0: what suits the camera
     Size size;            // of the picture or the window

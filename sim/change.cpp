@@ -15,7 +15,10 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
     const bool answers_itself = w.around.asked == w.ground.get();
     prepare_queries(*mesh, thread_count(*w.workers));
     change_mesh(w.crowd, *w.navmesh, *mesh, changed, w.tick);
+    change_mesh(w.coming, *mesh);
+    const Leaving leaving = w.crowd.demand.leaving;
     w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour);
+    w.crowd.demand.leaving = leaving;
     w.navmesh = std::move(mesh);
     w.ground = std::move(ground);
     if (answers_itself) w.around = surroundings_of(*w.ground);
@@ -36,6 +39,7 @@ void make_room(World& w, uint32_t capacity) {
     w.trails.resize(w.poses.size());
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
+    make_room_to_come(w);
 }
 
 static float passed_hours(const World& w) { return static_cast<float>(w.tick) * (k_tick / 3600); }

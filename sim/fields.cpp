@@ -171,6 +171,10 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("next_path", 'u', c.next_path);
     add("living", 'h', hash(c.slots.living));
     add("left", 'h', hash(c.slots.left));
+    const Coming& coming = w.coming;
+    add("came", 'u', coming.came);
+    add("gone", 'u', coming.left);
+    add("queue", 'h', hash(coming.queue));
     add("driven", 'U', c.driven.walker);
     for_each_word(FieldName{"driven_wish", &k_crowd}, c.driven.walker == k_nobody ? nullptr : &c.driven.wish,
                   each);
@@ -181,6 +185,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
 uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
+    if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {
         if constexpr (std::is_same_v<Item, ClipPlay>) {  // which has padding
             for (const Item& play : items)
@@ -203,7 +208,7 @@ StateFields state_fields(const World& world) {
             list.push_back({full_name(name), kind});
         };
     };
-    if (world.crowd.count > 0) for_each_word(world, 0, into(fields.walkers));
+    if (world.crowd.capacity > 0) for_each_word(world, 0, into(fields.walkers));
     for_each_crowd_word(world, into(fields.crowd));
     return fields;
 }
@@ -212,7 +217,7 @@ void digest_state(const World& world, StateDigest& digest) {
     constexpr uint64_t k_odd = 0x9e3779b97f4a7c15;
     auto last = [](uint64_t hash) { return static_cast<uint16_t>(mix(hash)); };
     digest.hash = hash_world(world);
-    digest.walkers.assign(world.crowd.count, 0);
+    digest.walkers.assign(world.crowd.capacity, 0);
     std::vector<uint64_t> sums;  // of each field
     for (uint32_t i = 0; i < world.crowd.count; ++i) {
         if (!is_there(world.crowd, i)) continue;
@@ -234,7 +239,7 @@ void digest_state(const World& world, StateDigest& digest) {
 
 std::vector<uint32_t> state_words(const World& world) {
     std::vector<uint32_t> words;
-    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+    for (uint32_t i = 0; i < world.crowd.capacity; ++i) {
         const bool is_empty = !is_there(world.crowd, i);
         for_each_word(world, i, [&](const FieldName&, char, uint32_t word) {
             words.push_back(is_empty ? k_absent : word);

@@ -63,6 +63,28 @@ Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
     return ground;
 }
 
+Result<void> check(const std::vector<Sending>& sendings) {
+    auto is_sound = [](const SentPlace& area) {
+        bool sound = (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height);
+        for (const Vec2 corner : area.corners)
+            sound = sound && std::isfinite(corner.x) && std::isfinite(corner.z);
+        return sound;
+    };
+    size_t people = 0;
+    for (const Sending& sending : sendings) {
+        people += sending.people;
+        if (sending.group < 1 || !is_sound(sending.from) || !is_sound(sending.to) ||
+            !is_within(sending.begin, 0, 1e7f) || !is_within(sending.end, sending.begin, 1e7f) ||
+            (sending.speed != 0 && !is_within(sending.speed, 0.3f, 2)))
+            return Error{
+                "A sending is out of range: areas of one corner or at least three, finite, from 0 s or later "
+                "to "
+                "no earlier than that, groups of at least one, speed 0 or 0.3..2 m/s."};
+    }
+    if (people > k_most_sent) return Error{"Flows send a million people at most."};
+    return {};
+}
+
 Result<void> check(const WorldOptions& o) {
     if (o.capacity > k_most_walkers || o.walkers > k_most_walkers)
         return Error{"There is room for a million walkers at most."};
@@ -100,6 +122,9 @@ Result<void> check(const WorldOptions& o) {
             return Error{
                 "An idle is no clip of the humanoid: make it by make_additive_clip(humanoid(body), ...)."};
     }
+    for (const float share : o.leaving)
+        if (!is_within(share, 0, 1)) return Error{"WorldOptions::leaving must be within 0 and 1."};
+    if (Result<void> sound = check(o.sendings); !sound) return sound;
     if (!is_within(o.hour, 0, 24)) return Error{"The hour must be within 0 and 24."};
     return {};
 }
@@ -245,6 +270,11 @@ std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
     uint32_t i = id.index;
     return WalkerMotion{m.position[i], m.velocity[i], m.heading[i], w.crowd.identity.body[i],
                         w.crowd.identity.scale[i]};
+}
+
+ComingCount coming_count(const World& w) {
+    const Coming& coming = w.coming;
+    return {coming.came, coming.left, waiting(coming), coming.lost};
 }
 
 bool pose_of(const World& w, WalkerId id, std::span<JointPose, k_joint_count> joints, float between) {

@@ -41,6 +41,7 @@
 #include "sim/base/tasks.h"
 #include "sim/base/vec.h"
 #include "sim/body/body.h"
+#include "sim/coming/sending.h"
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
@@ -93,8 +94,14 @@ struct WorldOptions {
     Surroundings around{};
     NavmeshSettings navmesh{};
     std::vector<Destination> destinations{};  // where those go who wander; none: they stroll
-    float hour = 17.5f;                       // of the day, 0..24, at the first tick: who goes where
-    PassOn pass_on = PassOn::right;           // the side on which people pass who come from the other way
+    // How many of those who wander leave at the destinations they get to, by their kind; as many come in at
+    // such places. Else nobody comes or goes but by add_walker and remove_walker. k_usual_leaving is usual.
+    Leaving leaving = k_nobody_leaves;
+    // People who are sent at their time, and leave where they are sent; beside `walkers`, and as far as
+    // `capacity` lets them in.
+    std::vector<Sending> sendings{};
+    float hour = 17.5f;              // of the day, 0..24, at the first tick: who goes where
+    PassOn pass_on = PassOn::right;  // the side on which people pass who come from the other way
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 
@@ -168,6 +175,13 @@ std::optional<WalkerMotion> motion_of(const World& world, WalkerId id);
 // Rotations take the axes of the canonical pose, in which all are the identity, to the joint's. `between` is
 // 0 for the tick before the last .. 1 for the last. False, and nothing written, if the walker is gone.
 bool pose_of(const World& world, WalkerId id, std::span<JointPose, k_joint_count> joints, float between = 1);
+
+// Who came in and left by themselves so far (WorldOptions::leaving and sendings), how many are to come in and
+// find no room yet, and how many of those sent had no way from where they were to come in to where they went.
+struct ComingCount {
+    uint32_t came = 0, left = 0, waiting = 0, lost = 0;
+};
+ComingCount coming_count(const World& world);
 
 // The hash of the whole state, poses included.
 uint64_t hash_world(const World& world);

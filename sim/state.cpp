@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x31'74'73'2e'72'75'6c'66;  // "flur.st1"
+constexpr uint64_t k_mark = 0x32'74'73'2e'72'75'6c'66;  // "flur.st2"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
@@ -25,8 +25,9 @@ struct Head {
     uint32_t tick = 0, count = 0, next_path = 0;
     float widest = 0;
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
+    uint32_t queue = 0, queue_next = 0, numbered = 0, gone = 0, came = 0, lost = 0;  // of Coming
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 56);
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 80);
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -60,6 +61,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
+    each(w.coming.queue, head.queue);
 }
 
 size_t bytes_after(const World& w, const Head& head) {
@@ -89,6 +91,13 @@ Head head_of(const World& w) {
     head.canes = size(w.gait.canes);
     head.prams = size(w.gait.prams);
     head.plays = size(w.idles.plays);
+    const Coming& coming = w.coming;
+    head.queue = size(coming.queue);
+    head.queue_next = coming.next;
+    head.numbered = coming.numbered;
+    head.gone = coming.left;
+    head.came = coming.came;
+    head.lost = coming.lost;
     return head;
 }
 
@@ -104,7 +113,9 @@ std::optional<Head> read_head(std::span<const std::byte> bytes) {
 uint64_t state_mark(const World& w) {
     uint64_t hash = mix(w.seed);
     auto add = [&](const auto&... values) { ((hash = hash_bytes(hash, &values, sizeof values)), ...); };
-    add(w.crowd.capacity, w.crowd.demand.hour, w.crowd.pass_on);
+    add(w.crowd.capacity, w.crowd.demand.hour, w.crowd.pass_on, w.crowd.demand.leaving);
+    for (const Sending& sending : w.coming.sendings)
+        add(sending.people, sending.begin, sending.end, sending.speed);
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
@@ -169,6 +180,12 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.next_path = head->next_path;
     c.widest = head->widest;
     c.count = head->count;
+    Coming& coming = w.coming;
+    coming.next = head->queue_next;
+    coming.numbered = head->numbered;
+    coming.left = head->gone;
+    coming.came = head->came;
+    coming.lost = head->lost;
     std::fill(c.slots.place.begin() + head->count, c.slots.place.end(), k_nobody);
     std::fill(c.slots.generation.begin() + head->count, c.slots.generation.end(), 0);
     for_each_array(w, head->count, take);

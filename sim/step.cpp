@@ -120,7 +120,15 @@ void step_bodies(World& w) {
 
 }  // namespace
 
+// Who comes gets a body, and who is gone has none.
+static void come_and_go(World& w) {
+    come_and_go(w.coming, w.crowd, w.around, *w.navmesh, *w.workers, w.folk, w.tick, w.seed);
+    for (const uint32_t walker : w.coming.gone) end_body(w, walker);
+    for (const uint32_t walker : w.coming.arrivals) start_body(w, walker);
+}
+
 void drive_crowd(World& w) {
+    timed(w, Stage::come, [&] { come_and_go(w); });
     look_on(w.crowd, *w.workers, w.tick);
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });
     timed(w, Stage::neighbours, [&] { find_neighbours(w.crowd, *w.workers, w.tick); });

@@ -45,6 +45,15 @@ static void pose_everybody(World& w) {
     w.previous_trails = w.trails;
 }
 
+void make_room_to_come(World& w) {
+    make_room(w.coming, w.crowd);
+    if (!comes_and_goes(w.coming, w.crowd)) return;
+    w.gait.canes.reserve(w.crowd.capacity);
+    w.gait.prams.reserve(w.crowd.capacity);
+    w.newcomer.canes.reserve(1);
+    w.newcomer.prams.reserve(1);
+}
+
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                                           const WorldOptions& options,
                                           const std::function<bool(std::string_view, float)>& progress) {
@@ -74,10 +83,12 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     }
     auto crowd =
         populate(*world->ground, world->around, options.destinations, *world->navmesh, *world->workers,
-                 options.walkers, world->folk, options.seed, options.hour, options.capacity);
+                 options.walkers, world->folk, options.seed, options.hour, options.capacity, options.leaving);
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
+    world->coming.sendings = options.sendings;
+    world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 
     FLANEUR_ZONE("start bodies");
     RootMotion root{world->crowd.motion.position.data(), world->crowd.motion.velocity.data(),
@@ -92,6 +103,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->newcomer.blocks.resize(1);
     world->newcomer.people.resize(1);
     world->newcomer_pose.resize(1);
+    make_room_to_come(*world);
     world->idles = make_layer(options.idles, world->crowd.capacity);
     world->poses.resize(world->gait.blocks.size());
     pose_everybody(*world);

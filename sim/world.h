@@ -14,6 +14,7 @@
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/body/body.h"
+#include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
@@ -27,10 +28,10 @@
 namespace flaneur {
 
 // The stages of a tick, in order.
-enum class Stage : int { think, neighbours, steer, move, gait, pose };
-inline constexpr int k_stage_count = 6;
-inline constexpr std::string_view k_stage_names[k_stage_count] = {"think", "neighbours", "steer",
-                                                                  "move",  "gait",       "pose"};
+enum class Stage : int { come, think, neighbours, steer, move, gait, pose };
+inline constexpr int k_stage_count = 7;
+inline constexpr std::string_view k_stage_names[k_stage_count] = {"come", "think", "neighbours", "steer",
+                                                                  "move", "gait",  "pose"};
 
 struct World {
     std::shared_ptr<const Ground> ground;
@@ -43,6 +44,7 @@ struct World {
     uint32_t tick = 0;  // ticks done
 
     void (*drive)(World& world) = nullptr;  // moves everybody by a tick; see step.cpp
+    Coming coming;
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Gait gait;
@@ -80,11 +82,14 @@ void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPt
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);
 
+// What coming and going takes, so that ticks allocate nothing. Allocates; after either changed.
+void make_room_to_come(World& world);
+
 // The hour of the day after the last tick, 0..24, and another one that it shall be.
 float hour_now(const World& world);
 void set_hour(World& world, float hour);
 
-// The drives. People who go where they want to: think, find neighbours, steer, move.
+// The drives. People who go where they want to: come and go, think, find neighbours, steer, move.
 void drive_crowd(World& world);
 // People who roam all round a compound.
 void drive_roam(World& world);

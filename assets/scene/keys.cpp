@@ -177,6 +177,21 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "The side on which people pass those who come the other way; without it, that of the traffic on a "
          "map, else right.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_side(v), s.side); }},
+        {"coming",
+         {flag},
+         "true",
+         "false",
+         "Whether people leave at doors, stops and the edges of the map, and as many others come in there; "
+         "else the same people walk all the time.",
+         [](Reading&, Scene& s, const Json& v) { s.stays = !v.get<bool>(); }},
+        {"demand",
+         {text},
+         nullptr,
+         R"("demand.json")",
+         "A file of people who come in somewhere at a time, go where they are sent and leave there: a .json "
+         "or "
+         "SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder.",
+         [](Reading&, Scene& s, const Json& v) { s.demand = v; }},
         {"camera",
          {text, 0, 0,
           "street|overview|crowd|(follow|eyes):0*[0-9]{1,6}|map|map:" + coordinate_pattern() + "," +

@@ -75,6 +75,8 @@ std::string scene_text(const Scene& s) {
     if (s.sun_heading) json["sun_heading"] = short_number(*s.sun_heading);
     tell("weather", "overcast", s.is_overcast);
     if (s.side) json["side"] = *s.side == PassOn::right ? "right" : "left";
+    tell("coming", false, s.stays);
+    tell("demand", s.demand, !s.demand.empty());
     json["camera"] = told_camera(s.camera);
     tell("fov", Json::parse(told_fov(s.fov)), s.fov > 0);
     tell("size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height), s.size != usual.size);

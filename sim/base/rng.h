@@ -23,7 +23,8 @@ enum class Purpose : uint32_t {
     errand,
     first_step,
     step,
-    hold
+    hold,
+    coming
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

@@ -69,7 +69,7 @@ static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, 
 static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     constexpr uint32_t k_tries = 6;
     Journey& j = c.journeys[i];
-    j.arrived = false;
+    j.arrived = j.leaves = false;
     uint32_t trip = ++j.trip, home = island(mesh, c.motion.polygon[i]);
     NavPoint here{c.motion.position[i], c.motion.polygon[i]};
     j.facing = {0, 0};
@@ -78,7 +78,8 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
         j.goal = chosen->place;
         // Not to what is there, with a pram between.
         if (c.identity.ahead[i] == 0) j.facing = chosen->facing;
-        j.stay = stay_at(chosen->kind);
+        j.stay = stay_at(chosen->kind, chosen->leaves);
+        j.leaves = chosen->leaves;
         return;
     }
     float farthest = -1;
@@ -281,7 +282,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
-        if (i == c.driven.walker) continue;
+        if (i == c.driven.walker || (j.leaves && j.arrived)) continue;
         c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }

@@ -70,6 +70,9 @@ static uint32_t take_slot(Crowd& c) {
     return i;
 }
 
+// Who takes a slot after another goes elsewhere than that one would have.
+static constexpr uint32_t k_trips_apart = 1 << 12;
+
 uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     assert(w.place.polygon != 0 && w.preferred_speed > 0 && w.radius >= k_least_radius);
     uint32_t i = take_slot(c);
@@ -102,6 +105,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.way_back[i] = {};
     Journey j;
     j.errand = w.errand;
+    j.trip = c.slots.generation[i] * k_trips_apart;
     j.goal = {p, w.place.polygon};
     j.path_due = w.errand == Errand::wander ? PathDue::to_new_goal : PathDue::no;
     j.arrived = w.errand == Errand::arrive;

@@ -89,6 +89,7 @@ struct Journey {
     uint8_t corner = 0, corner_count = 0;  // the path's; `corner` is walked to; equal: no path
     uint8_t stuck = 0;                     // replans in a row that did not help
     bool arrived = false;                  // is at its goal, or as near as those who stand there let it
+    bool leaves = false;                   // the crowd, when it has arrived and stood there
 };
 
 // The right of way of one who does not get on: whose own it is, and since when. Who stands in such a one's
@@ -270,7 +271,7 @@ Neighbourhood find_neighbourhood(const Ground& ground, const Navmesh& mesh, uint
 Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
-                       uint32_t capacity = 0);
+                       uint32_t capacity = 0, const Leaving& leaving = k_nobody_leaves);
 
 // How long ago it was a block's turn, of k_afar_ticks blocks one after the other.
 inline uint32_t ticks_since_due(size_t block, uint32_t tick) {

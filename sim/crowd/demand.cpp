@@ -27,6 +27,7 @@ static constexpr float k_demand[k_destination_count][k_hours] = {
 };
 static constexpr Stay k_stays[k_destination_count] = {{3, 10},  {6, 25},   {20, 60},
                                                       {15, 60}, {0.5f, 2}, {8, 40}};
+static constexpr Stay k_way_out{0.3f, 1};  // of who leaves: until it opens
 // How far from a destination's place people stand, metres.
 static constexpr float k_spread[k_destination_count] = {0.8f, 1.2f, 0.7f, 1.8f, 1.5f, 2};
 
@@ -38,7 +39,31 @@ float demand_at(DestinationKind kind, float hour) {
     return lerp(row[before], row[(before + 1) % k_hours], at - static_cast<float>(before));
 }
 
-Stay stay_at(DestinationKind kind) { return k_stays[static_cast<int>(kind)]; }
+Stay stay_at(DestinationKind kind, bool leaves) {
+    if (leaves && kind != DestinationKind::stop) return k_way_out;
+    return k_stays[static_cast<int>(kind)];
+}
+
+static float hour_at(const Demand& demand, uint32_t ticks) {
+    return demand.hour + static_cast<float>(ticks) * (k_tick / 3600);
+}
+
+// A kind by their shares, for `drawn` from 0 to the shares' sum; k_destination_count beyond.
+static int kind_at(const float (&shares)[k_destination_count], float drawn) {
+    int kind = 0;
+    while (kind < k_destination_count && drawn >= shares[kind]) drawn -= shares[kind++];
+    return kind;
+}
+
+static bool is_entrance(DestinationKind kind) {
+    return kind == DestinationKind::door || kind == DestinationKind::shop;
+}
+
+static NavPoint place_beside(const Navmesh& mesh, int thread, const Attraction& a, int kind, RandomKey key) {
+    Vec2 aside =
+        heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));
+    return move_along(mesh, thread, a.place, a.place.position + at_height(aside, 0));
+}
 
 Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
                    float hour) {
@@ -64,7 +89,7 @@ Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 hig
 
 std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
                                 uint32_t ticks, RandomKey key) {
-    float hour = demand.hour + static_cast<float>(ticks) * (k_tick / 3600), u = random_unit(key, 0);
+    const float hour = hour_at(demand, ticks), u = random_unit(key, 0);
     float reach = lerp(k_least_reach, k_most_reach, u * u), shares[k_destination_count], total = k_stroll;
     Vec2 here = on_ground(from.position);
     for (int k = 0; k < k_destination_count; ++k) {
@@ -72,12 +97,12 @@ std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int t
         shares[k] = demand_at(static_cast<DestinationKind>(k), hour) * static_cast<float>(there);
         total += shares[k];
     }
-    float drawn = random_unit(key, 1) * total;
-    int kind = 0;
-    while (kind < k_destination_count && drawn >= shares[kind]) drawn -= shares[kind++];
+    const int kind = kind_at(shares, random_unit(key, 1) * total);
     if (kind == k_destination_count) return std::nullopt;
 
     constexpr uint32_t k_tries = 6;
+    const auto named = static_cast<DestinationKind>(kind);
+    const bool leaves = random_unit(key, 4 + k_tries) < demand.leaving[static_cast<size_t>(kind)];
     uint32_t home = island(mesh, from.polygon);
     for (uint32_t t = 0; t < k_tries; ++t) {
         auto item = item_near(demand.grids[kind], here, reach, random_unit(key, 4 + t));
@@ -87,10 +112,32 @@ std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int t
             length(on_ground(a.place.position) - here) < k_least_trip) {
             continue;
         }
-        Vec2 aside =
-            heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));
-        NavPoint beside = move_along(mesh, thread, a.place, a.place.position + at_height(aside, 0));
-        return Trip{static_cast<DestinationKind>(kind), beside, a.facing};
+        const bool is_exact = leaves && is_entrance(named);
+        return Trip{named, is_exact ? a.place : place_beside(mesh, thread, a, kind, key), a.facing, leaves};
+    }
+    return std::nullopt;
+}
+
+std::optional<Trip> choose_entrance(const Demand& demand, const Navmesh& mesh, int thread, Vec2 centre,
+                                    float reach, uint32_t ticks, RandomKey key) {
+    constexpr float k_anywhere = 1e6f;  // metres
+    const float hour = hour_at(demand, ticks);
+    for (const float within : {reach, k_anywhere}) {
+        float shares[k_destination_count], total = 0;
+        for (int k = 0; k < k_destination_count; ++k) {
+            const double there = std::min(weight_near(demand.grids[k], centre, within) / k_enough, 1.0);
+            shares[k] = demand.leaving[static_cast<size_t>(k)] *
+                        demand_at(static_cast<DestinationKind>(k), hour) * static_cast<float>(there);
+            total += shares[k];
+        }
+        const int kind = kind_at(shares, random_unit(key, 0) * total);
+        if (kind == k_destination_count) continue;
+        const auto item = item_near(demand.grids[kind], centre, within, random_unit(key, 1));
+        if (!item) continue;
+        const Attraction& a = demand.attractions[kind][*item];
+        const auto named = static_cast<DestinationKind>(kind);
+        return Trip{named, is_entrance(named) ? a.place : place_beside(mesh, thread, a, kind, key),
+                    a.facing * -1};
     }
     return std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace flaneur {
 static constexpr float k_insistence = 0.6f;  // m/s, at most, that one with a claim asks for
 
 // Walkers of each square in the order of their slots: each of those who sort takes a quarter of the slots.
-static void put_in_order(Crowd& c, Workers& workers, bool anew) {
+void order_places(Crowd& c, Workers& workers, bool anew) {
     CrowdScratch& s = c.scratch;
     const size_t cells = s.cell_first.size() - 1, share = (c.count + k_sorters - 1) / k_sorters;
     auto for_slots = [&](size_t sorter, const auto& visit) {
@@ -67,7 +67,7 @@ static void look_at(Crowd& c, size_t at) {
 
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
     const bool anew = tick % k_decision_ticks == 0;
-    if (anew || !c.scratch.is_ordered) put_in_order(c, workers, anew);
+    if (anew || !c.scratch.is_ordered) order_places(c, workers, anew);
     parallel_for(workers, c.slots.living.size(), 1024, [&](size_t begin, size_t end, int) {
         for (size_t at = begin; at < end; ++at) look_at(c, at);
     });

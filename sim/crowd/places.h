@@ -12,6 +12,9 @@ inline constexpr float k_seen_cell = 3;       // metres
 inline constexpr float k_strays = 0.45f;      // metres from where one was filed, at most
 inline constexpr float k_other_level = 1.8f;  // metres above or below: not in the way
 
+// Puts everybody in the order of places; `anew`: by where they are now, else by where they were filed last.
+void order_places(Crowd& crowd, Workers& workers, bool anew);
+
 inline int seen_column(float v) { return static_cast<int>(std::floor(v * (1 / k_seen_cell))); }
 
 inline Filed filed_at(Vec3 p) {

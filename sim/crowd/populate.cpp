@@ -172,10 +172,11 @@ static void find_first_paths(Crowd& c, const Navmesh& mesh, Workers& workers, ui
 Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        std::span<const Destination> destinations, const Navmesh& mesh, Workers& workers,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour,
-                       uint32_t capacity) {
+                       uint32_t capacity, const Leaving& leaving) {
     assert(!folk.empty() || walkers == 0);
     Crowd c = make_crowd(std::max(walkers, capacity));
     c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
+    c.demand.leaving = leaving;
     if (Result<void> done = set_down(c, ground, around, mesh, workers, walkers, folk, seed); !done)
         return done.error();
     find_first_paths(c, mesh, workers, seed);

@@ -63,6 +63,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_journey, "corner_count", j.corner_count);
     add(k_journey, "stuck", j.stuck);
     add(k_journey, "arrived", j.arrived);
+    add(k_journey, "leaves", j.leaves);
     add(k_journey, "corners",
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));

@@ -31,7 +31,7 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
         load(R"({ "walkers": 12, "time": "08:15", "seed": 18446744073709551615, "camera": "overview",
         "city": "maps/a.osm", "people": [{"character": "a.glb", "share": 2.5},
         {"character": "/b.glb"}, {"builtin": true, "share": 9}], "sun_height": 40.5, "weather": "overcast",
-        "side": "left" })");
+        "side": "left", "coming": false, "demand": "who/goes.json" })");
     ASSERT_TRUE(scene) << scene.error().message;
     EXPECT_EQ(scene->name, "mine");
     EXPECT_EQ(scene->walkers, 12);
@@ -44,6 +44,8 @@ TEST_F(SceneFile, SetsWhatItSaysAndKeepsTheRest) {
     EXPECT_FALSE(scene->sun_heading) << "the hour tells";
     EXPECT_TRUE(scene->is_overcast);
     EXPECT_EQ(scene->side, PassOn::left);
+    EXPECT_TRUE(scene->stays);
+    EXPECT_EQ(scene->demand, folder / "who/goes.json");
     EXPECT_EQ(scene->blocks, Scene().blocks);
 }
 

@@ -15,6 +15,7 @@ inline Loaded loaded_scene(const char* scene, int walkers, int threads = 0, uint
     options.scene = load_scene(scene).value();
     options.scene.walkers = walkers;
     options.scene.seed = seed;
+    options.scene.stays = true;  // tests go along with somebody
     options.threads = threads;
     Result<Loaded> made = load(options);
     EXPECT_TRUE(made) << made.error().message;

@@ -92,7 +92,7 @@ using ValuesAt = std::function<Result<Values>(uint32_t tick)>;
 using ToldFailure = std::function<Error(const Error&)>;
 
 Error they_part(const World& world, const Words& words, const Parting& parting, const CommonFields& common) {
-    std::fputs(told_parting(parting, world.crowd.count, common).c_str(), stdout);
+    std::fputs(told_parting(parting, world.crowd.capacity, common).c_str(), stdout);
     std::optional<uint32_t> walker;
     if (!parting.fields.empty()) walker = parting.fields[0].walker;
     if (!walker && !parting.walkers.empty()) walker = parting.walkers[0];
@@ -109,12 +109,12 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
-    if (log.head.walkers != world.crowd.count)
-        return Error{"The two begin apart: there are " + std::to_string(world.crowd.count) +
+    if (log.head.walkers != world.crowd.capacity)
+        return Error{"The two begin apart: there are " + std::to_string(world.crowd.capacity) +
                      " walkers here and " + std::to_string(log.head.walkers) + " there."};
     const StateFields fields = state_fields(world);
     const CommonFields common = common_fields(fields, log.head.fields);
-    if (common.walkers.empty() && world.crowd.count > 0)
+    if (common.walkers.empty() && world.crowd.capacity > 0)
         return Error{"Nothing is compared: the log of " + log.name +
                      " has no field that this flaneur knows."};
     const StatePair pair{fields, log.head.fields, common};
@@ -134,7 +134,7 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
                                            ? "The state at tick 0 is equal"
                                            : "All " + std::to_string(last + 1) +
                                                  " states are equal, from tick 0 to " + std::to_string(last);
-            std::printf("%s: %u walkers, %zu fields.\n", states.c_str(), world.crowd.count,
+            std::printf("%s: %u walkers, %zu fields.\n", states.c_str(), world.crowd.capacity,
                         common.walkers.size() + common.crowd.size());
             std::fputs(told_alone(common).c_str(), stdout);
             return {};
@@ -150,7 +150,7 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
     if (!values) return is_last ? told(values.error()) : values.error();
     const Parting parting =
         values->empty() ? parting_of(pair, world.tick, here, there)
-                        : parting_of(pair, world.tick, world.crowd.count, state_words(world), *values);
+                        : parting_of(pair, world.tick, world.crowd.capacity, state_words(world), *values);
     return they_part(world, words, parting, common);
 }
 
@@ -177,7 +177,7 @@ Result<void> check_against(const Options& options, const Words& said) {
                      " cannot be made here: " + (parsed ? "it has other words" : parsed.error().message)};
     const Words world = world_words(its->words);
     // Files may lie elsewhere here; whatever else is asked for makes another world.
-    constexpr std::string_view k_files[] = {"--city", "--terrain", "--character"};
+    constexpr std::string_view k_files[] = {"--city", "--terrain", "--character", "--demand"};
     const Words other = without_options(world_words(said), k_files);
     if (!other.empty())
         say("This is not the world of the log, but with " + shell_line(other) + ": it may well differ.");

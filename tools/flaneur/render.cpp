@@ -102,6 +102,15 @@ Result<Image> draw_picture(Renderer& renderer, const FrameInput& frame, Size siz
     return image;
 }
 
+void say_left(const World& world, uint32_t walker) {
+    char text[128];
+    std::snprintf(text, sizeof text,
+                  "Walker %u, whom the camera goes along with, left at tick %u: it stays where it is. With "
+                  "--stay nobody leaves",
+                  walker, world.tick);
+    say(text);
+}
+
 // `channels`: those of the first tick.
 Result<void> draw_all(Show& show, const Options& options, const CameraPath& path, Output& output,
                       ChannelFiles channels) {
@@ -125,7 +134,9 @@ Result<void> draw_all(Show& show, const Options& options, const CameraPath& path
                 show_progress("simulating, tick " + std::to_string(world.tick));
             look_from(show, camera);
             step(show);
+            const bool was_left = rig.is_left;
             advance(rig, world, choice);
+            if (rig.is_left && !was_left) say_left(world, choice.walker);
         }
         if (is_stopping()) return stopped(options, output, i);
         if (!path.keys.empty()) {

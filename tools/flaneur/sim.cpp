@@ -30,7 +30,7 @@ struct StateLog {
 Result<void> begin(StateLog& log, const World& world, const Options& options, uint32_t ticks) {
     if (!log.file) return {};
     log.writer.file = log.file->file;
-    StateLogHead head{world_words(options.words), world.crowd.count, ticks, state_fields(world)};
+    StateLogHead head{world_words(options.words), world.crowd.capacity, ticks, state_fields(world)};
     return write_state_log_head(log.writer, head);
 }
 
@@ -47,6 +47,19 @@ Result<void> finish(StateLog log, const World& world) {
 }
 
 }  // namespace
+
+// Who came and went by themselves, where anybody did.
+static void tell_coming(const World& world) {
+    const ComingCount count = coming_count(world);
+    auto people = [](uint32_t n) { return std::to_string(n) + (n == 1 ? " person" : " people"); };
+    if (count.left > 0 || count.came > 0)
+        say(people(count.left) + " left, " + people(count.came) + " came in.");
+    if (count.waiting > 0) say(people(count.waiting) + " found no room to come in.");
+    if (count.lost > 0)
+        say(people(count.lost) +
+            " could not be sent: no ground that is walked on leads from where they come in to where they "
+            "go.");
+}
 
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
@@ -95,8 +108,10 @@ Result<void> run_sim(const Options& options) {
 
     char figures[96];
     std::snprintf(figures, sizeof figures, ": %" PRIu32 " walkers, %" PRIu32 " ticks on %d threads in %.2f s",
-                  world.crowd.count, world.tick, thread_count(*world.workers), spent.count());
+                  static_cast<uint32_t>(walkers(world).size()), world.tick, thread_count(*world.workers),
+                  spent.count());
     say(city_name(options.scene) + figures);
+    tell_coming(world);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
     std::fputs(told_counts(counts).c_str(), stdout);
     if (!options.measures.empty()) {

@@ -18,10 +18,10 @@ namespace flaneur {
 namespace {
 
 constexpr std::string_view k_kind = "flaneur state log ", k_version = "2";
-constexpr std::array<std::string_view, 11> k_world_options = {
-    "--scene", "--city",      "--center", "--radius",  "--terrain", "--scale",
-    "--seed",  "--character", "--idle",   "--walkers", "--time"};
-constexpr std::array<std::string_view, 1> k_world_flags = {"--force"};
+constexpr std::array<std::string_view, 13> k_world_options = {
+    "--scene",     "--city", "--center",  "--radius", "--terrain", "--scale", "--seed",
+    "--character", "--idle", "--walkers", "--time",   "--side",    "--demand"};
+constexpr std::array<std::string_view, 2> k_world_flags = {"--force", "--stay"};
 
 constexpr size_t k_longest_line = 1 << 16;
 constexpr size_t k_most_fields = 10'000, k_most_walkers = 1'000'000, k_most_ticks = 60'000'000;

@@ -322,6 +322,7 @@ Result<void> check_city(const Options& options) {
     for (Finding& f : check_drawn(*city, **mesh)) findings.push_back(std::move(f));
     findings.push_back(check_paths(*city, **mesh));
     auto crowd = check_crowd(*city, **mesh, *workers, side_of(options.scene, *city),
+                             options.scene.stays ? k_nobody_leaves : k_usual_leaving,
                              static_cast<uint32_t>(options.scene.walkers), options.seconds,
                              options.scene.hour, options.scene.seed);
     if (!crowd) return crowd.error();

@@ -6,6 +6,7 @@
 
 #include "assets/city.h"
 #include "sim/base/parallel_for.h"
+#include "sim/crowd/demand.h"
 #include "sim/navigation/navmesh.h"
 #include "tools/flaneur/options/options.h"
 
@@ -33,10 +34,11 @@ std::vector<Finding> check_drawn(const City& city, const Navmesh& mesh);
 Finding check_paths(const City& city, const Navmesh& mesh);
 
 // Walkers in the city for so long: who was in a wall, off the ground, or stuck for a minute (where they walk
-// for longer), and how much of their walking was on roadways more than 3 m from a crossing.
+// for longer), who found no room to come in for others who left, and how much of their walking was on
+// roadways more than 3 m from a crossing.
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         PassOn pass_on, uint32_t walkers, double seconds, float hour,
-                                         uint64_t seed);
+                                         PassOn pass_on, const Leaving& leaving, uint32_t walkers,
+                                         double seconds, float hour, uint64_t seed);
 
 // All of it for the scene's city; prints a table and fails if a bar is missed. Writes the figures to
 // options.json if it names a file.

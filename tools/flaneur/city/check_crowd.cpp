@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "sim/base/math.h"
-#include "sim/crowd/crowd.h"
+#include "sim/coming/coming.h"
 #include "tools/flaneur/city/check.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -21,6 +21,7 @@ constexpr float k_walking = 0.2f;   // m/s
 constexpr float k_close = 0.75f;    // metres
 constexpr float k_at_crossing = 3;  // metres
 constexpr size_t k_most_places = 5;
+constexpr double k_most_outside = 0.01;  // of all, who find no room to come in
 
 // What one walker has come to.
 struct Watch {
@@ -53,20 +54,24 @@ const char* cause(const Crowd& c, uint32_t i) {
 }  // namespace
 
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         PassOn pass_on, uint32_t walkers, double seconds, float hour,
-                                         uint64_t seed) {
+                                         PassOn pass_on, const Leaving& leaving, uint32_t walkers,
+                                         double seconds, float hour, uint64_t seed) {
     Folk folk;
     Result<Crowd> made = populate(city.ground, surroundings_of(city.ground), city.destinations, mesh, workers,
-                                  walkers, {&folk, 1}, seed, hour);
+                                  walkers, {&folk, 1}, seed, hour, 0, leaving);
     if (!made) return made.error();
     Crowd& c = *made;
     c.pass_on = pass_on;
+    Coming coming;
+    coming.home = find_neighbourhood(city.ground, mesh, walkers);
+    make_room(coming, c);
     std::vector<Watch> watches(c.count);
     for (uint32_t i = 0; i < c.count; ++i) watches[i].anchor = on_ground(c.motion.position[i]);
     Finding in_wall{"walkers in a wall", 0, 0, false, {}}, lost{"walkers off the ground", 0, 0, false, {}},
         stuck{"walkers stuck for a minute", 0, 0, false, {}},
         on_road{"walking on roads off crossings, %", 0, 5, false, {}},
-        overlap{"deepest overlap of two walkers, m", 0, 0.05, false, {}};
+        overlap{"deepest overlap of two walkers, m", 0, 0.05, false, {}},
+        outside{"found no room to come in", 0, std::max(1.0, walkers * k_most_outside), false, {}};
     auto count = [&](bool& counted, Finding& finding, uint32_t i, const std::string& why) {
         if (counted) return;
         counted = true;
@@ -81,12 +86,16 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
     size_t walking = 0, roads = 0;
     auto ticks = static_cast<uint32_t>(seconds / static_cast<double>(k_tick));
     for (uint32_t tick = 0; tick < ticks; ++tick) {
+        come_and_go(coming, c, surroundings_of(city.ground), mesh, workers, {&folk, 1}, tick, seed);
+        for (const uint32_t i : coming.arrivals)
+            watches[i] = {.anchor = on_ground(c.motion.position[i]), .since = tick};
         step_crowd(c, surroundings_of(city.ground), mesh, workers, tick, seed);
         if (is_stopping()) return interrupted();
         overlap.value = std::max(overlap.value, static_cast<double>(deepest_overlap(c)));
         if (tick % k_look_ticks != 0) continue;
         if (tick % 600 == 0) show_progress("walking " + std::to_string(tick / 60) + " s");
         for (uint32_t i = 0; i < c.count; ++i) {
+            if (!is_there(c, i)) continue;
             Watch& watch = watches[i];
             Vec3 p = c.motion.position[i];
             auto under = ground_at(city.ground, p, 0.3f, 0.5f);
@@ -112,7 +121,9 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
     }
     clear_progress();
     on_road.value = walking ? 100 * static_cast<double>(roads) / static_cast<double>(walking) : 0;
+    outside.value = waiting(coming);
     std::vector<Finding> findings{in_wall, lost, on_road, overlap};
+    if (comes_and_goes(coming, c)) findings.push_back(outside);
     if (ticks > k_stuck_ticks) findings.insert(findings.begin() + 2, stuck);  // else nobody could be
     return findings;
 }

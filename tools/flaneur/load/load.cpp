@@ -11,6 +11,7 @@
 #include "assets/cache/navmesh_cache.h"
 #include "assets/cache/person_cache.h"
 #include "assets/cities.h"
+#include "assets/demand/demand_file.h"
 #include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
 #include "assets/population.h"
@@ -200,7 +201,7 @@ Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& opt
 }
 
 std::vector<std::string> files_of(const Scene& scene) {
-    std::vector<std::string> paths{scene.city, scene.terrain};
+    std::vector<std::string> paths{scene.city, scene.terrain, scene.demand};
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
     return paths;
@@ -221,6 +222,22 @@ Result<void> find_files(const Scene& scene) {
 PassOn side_of(const Scene& scene, const City& city) {
     const bool is_left = city.on_earth && is_driven_on_left(city.on_earth->middle);
     return scene.side.value_or(is_left ? PassOn::left : PassOn::right);
+}
+
+// Who leaves and who is sent, and room for those sent.
+static Result<void> settle_coming(const Scene& scene, const City& city, WorldOptions& world) {
+    constexpr uint32_t k_most_at_once = 20'000;
+    if (!scene.stays && !scene.asteroid) world.leaving = k_usual_leaving;
+    world.capacity = world.walkers;
+    if (scene.demand.empty()) return {};
+    Result<SentPeople> sent = load_demand(scene.demand, city);
+    if (!sent) return sent.error();
+    print_notes(scene.demand, sent->notes);
+    world.sendings = std::move(sent->sendings);
+    uint32_t people = 0;
+    for (const Sending& sending : world.sendings) people += sending.people;
+    world.capacity = std::min(world.walkers + std::min(people, k_most_at_once), uint32_t{k_max_walkers});
+    return {};
 }
 
 Result<Loaded> load(const Options& options) {
@@ -251,6 +268,7 @@ Result<Loaded> load(const Options& options) {
     world.threads = options.threads;
     world.hour = scene.hour;
     world.pass_on = side_of(scene, *loaded.city);
+    if (Result<void> settled = settle_coming(scene, *loaded.city, world); !settled) return settled.error();
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
         return !is_stopping();
@@ -282,6 +300,9 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.threads = thread_count(*world.workers);
     options.hour = world.crowd.demand.hour;
     options.pass_on = world.crowd.pass_on;
+    options.leaving = world.crowd.demand.leaving;
+    options.sendings = world.coming.sendings;
+    if (!options.sendings.empty()) options.capacity = world.crowd.capacity;
     order.ground = world.ground;
     order.mesh = navmesh_bytes(*world.navmesh);
     if (world.roam) order.compound = world.roam->compound;

@@ -123,7 +123,7 @@ void add_city(CLI::App& app, SceneWords& words, Options& options) {
     what->require_option(1);
     add_walking_options(*city, words, options);
     // A city that is written has nobody in it.
-    for (const char* name : {"--walkers", "--time", "--weather", "--side", "--threads"})
+    for (const char* name : {"--walkers", "--time", "--weather", "--side", "--stay", "--threads"})
         city->get_option(name)->needs(check);
     city->add_option(
             "--seconds", options.seconds,

@@ -88,6 +88,10 @@ void add_walking_options(CLI::App& app, SceneWords& words, Options& options) {
                "drives there on a map, else right",
                "SIDE", "")
         ->group("Scene");
+    app.add_flag("--stay", words.stays,
+                 "The same people walk all the time: nobody leaves at doors, stops and the edges of the map, "
+                 "and nobody comes in there")
+        ->group("Scene");
     add_parsed(app, "--weather", parse_weather, words.is_overcast, "clear or overcast", "WEATHER", "clear")
         ->group("Scene");
     app.add_option("--threads", options.threads, "Threads of the simulation; 0: one a core")
@@ -113,6 +117,11 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         ->type_name("FILE[:CLIP]")
         ->allow_extra_args(false)
         ->take_all()
+        ->group("Scene");
+    app.add_option("--demand", words.demand,
+                   "People who come in at their time, go where they are sent and leave there, beside "
+                   "--walkers: a .json, or persons of SUMO, .rou.xml; see docs/demand.md")
+        ->type_name("FILE")
         ->group("Scene");
     add_walking_options(app, words, options);
 }
@@ -201,6 +210,13 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     }
     if (words.is_overcast) options.scene.is_overcast = *words.is_overcast;
     if (words.side) options.scene.side = *words.side;
+    if (words.stays) options.scene.stays = true;
+    if (words.demand) options.scene.demand = *words.demand;
+    if (options.scene.asteroid && words.stays)
+        return Error{"--stay is for cities: nobody leaves the asteroid anyway."};
+    if (options.scene.asteroid && !options.scene.demand.empty())
+        return Error{"Nobody can be sent anywhere on the asteroid, as " + options.scene.demand +
+                     " asks for; take a city."};
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks = (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) +

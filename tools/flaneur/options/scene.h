@@ -23,6 +23,8 @@ struct SceneWords {
     std::optional<float> hour;
     std::optional<bool> is_overcast;
     std::optional<PassOn> side;
+    bool stays = false;
+    std::optional<std::string> demand;
     std::optional<CameraChoice> camera;
     std::optional<float> fov;
     std::optional<Size> size;

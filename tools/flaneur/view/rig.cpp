@@ -196,7 +196,11 @@ void advance(CameraRig& rig, const World& world, const CameraChoice& choice) {
     if (rig.choice != choice) rig = CameraRig(), rig.choice = choice;
     const bool is_somebody =
         goes_along(choice.kind) && choice.walker < world.crowd.count && is_there(world.crowd, choice.walker);
-    if (!is_somebody || world.roam) return;
+    const bool is_same =
+        rig.ticks == 0 || (is_somebody && rig.generation == world.crowd.slots.generation[choice.walker]);
+    rig.is_left = goes_along(choice.kind) && rig.ticks > 0 && !is_same;
+    if (!is_somebody || !is_same || world.roam) return;
+    rig.generation = world.crowd.slots.generation[choice.walker];
     rig.before = rig.now;
     rig.now =
         choice.kind == CameraChoice::Kind::follow ? follow(rig, world, k_tick) : see(rig, world, k_tick);

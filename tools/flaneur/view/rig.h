@@ -31,9 +31,11 @@ struct Spring {
 void draw_towards(Spring& spring, float wanted, float stiffness, float seconds);
 
 struct CameraRig {
-    CameraChoice choice;  // whom, and how: follow or eyes; else it does nothing
-    uint32_t ticks = 0;   // since then
-    Gaze before, now;     // at the last two ticks
+    CameraChoice choice;      // whom, and how: follow or eyes; else it does nothing
+    uint32_t ticks = 0;       // since then
+    uint32_t generation = 0;  // of the walker's slot
+    bool is_left = false;     // by the walker, who is gone
+    Gaze before, now;         // at the last two ticks
 
     // follow
     Spring feet[3], heading;

@@ -62,7 +62,7 @@ void carry_people(Show& show, Viewer& v) {
     if (v.choice.kind == CameraChoice::Kind::follow) kept = v.choice.walker;
     if (world.crowd.driven.walker != k_nobody) kept = world.crowd.driven.walker;
     const Result<bool> done = approach(world, wanted.people, k_portion, *c.home, v.camera, kept);
-    c.carried.people = static_cast<uint32_t>(walkers(world).size());
+    c.carried.people = kept_people(world.coming, world.crowd);
     c.late = std::max(c.late, std::max(world.tick, 1u));
     if (!done) {
         tell(v, done.error().message);

@@ -79,7 +79,7 @@ bool may_see(const Ground& ground, const Camera& camera, Vec3 place) {
 
 Result<bool> approach(World& w, uint32_t people, uint32_t most, const Neighbourhood& home,
                       const Camera& camera, std::optional<uint32_t> kept) {
-    const auto there = static_cast<uint32_t>(walkers(w).size());
+    const uint32_t there = kept_people(w.coming, w.crowd);
     if (there > people) {
         remove_some(w, std::min(there - people, most), camera, kept);
         return there - people <= most;

@@ -33,6 +33,7 @@ std::string from_folder(const std::string& path, const std::string& folder) {
 void move_paths(Scene& s, const std::string& folder) {
     s.city = from_folder(s.city, folder);
     s.terrain = from_folder(s.terrain, folder);
+    s.demand = from_folder(s.demand, folder);
     for (PeopleShare& people : s.people) people.character = from_folder(people.character, folder);
     for (std::string& idle : s.idles) idle = from_folder(idle, folder);
 }

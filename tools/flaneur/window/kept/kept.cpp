@@ -161,6 +161,7 @@ std::string kept_file(const Scene& scene) {
 std::string run_name(const Scene& scene, uint64_t seed) {
     Scene s = city_of(scene);
     s.people = scene.people, s.mix = scene.mix, s.added = scene.added, s.idles = scene.idles;
+    s.stays = scene.stays, s.demand = scene.demand;
     s.walkers = scene.walkers, s.hour = scene.hour;
     s.seed = seed;
     return hash_text(s);

@@ -135,11 +135,22 @@ void changed_by_hand(Timeline& time, const World& world) {
     time.latest = world.tick;
 }
 
+// Who was followed or asked about and has left is let go of.
+static void let_go_of_gone(Viewer& v, const World& world) {
+    for (const uint32_t walker : world.coming.gone) {
+        if (v.selected == walker) v.selected.reset();
+        if (!goes_along(v.choice.kind) || v.choice.walker != walker) continue;
+        take_off(v);
+        tell(v, "Walker " + std::to_string(walker) + ", whom the camera went along with, has left.");
+    }
+}
+
 void make_tick(Show& show, Viewer& v) {
     look_from(show, v.camera);
     step(show);
     v.time.is_rough = false;
     World& world = *show.loaded.world;
+    let_go_of_gone(v, world);
     // What was changed by hand after this tick is changed again.
     if (world.tick < v.time.latest && is_for_good(*v.time.history, world.tick))
         (void)restore(*v.time.history, world.tick, world);
@@ -274,8 +285,7 @@ void make_anew(Viewer& v, PeopleOrder people, std::optional<BesideChoice> beside
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
     const World& world = *show.loaded.world;
-    PeopleOrder people =
-        order_people(show.loaded, seed, static_cast<uint32_t>(world.crowd.slots.living.size()));
+    PeopleOrder people = order_people(show.loaded, seed, kept_people(world.coming, world.crowd));
     if (v.change.late > 0) people.options.hour = v.change.carried.hour;  // from which on it was set last
     make_anew(v, std::move(people));
 }

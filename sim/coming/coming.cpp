@@ -1,0 +1,269 @@
+#include "sim/coming/coming.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/hash.h"
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/base/tick.h"
+#include "sim/crowd/places.h"
+
+namespace flaneur {
+
+static constexpr uint32_t k_most_tries = 256;    // to come in, of all who wait, at a time
+static constexpr uint32_t k_tries_a_place = 75;  // in five seconds
+static constexpr float k_spare = 0.15f;          // metres between one who comes in and others, at least
+static constexpr float k_floors = 3;  // metres above and below an area's height; farther if need be
+
+uint32_t kept_people(const Coming& coming, const Crowd& c) {
+    const auto here = std::ranges::count_if(c.slots.living, [&](WalkerId id) {
+        const Journey& j = c.journeys[id.index];
+        return !j.leaves || j.errand == Errand::wander;
+    });
+    const auto due = std::ranges::count_if(coming.queue, [](const Entrant& e) { return !e.is_sent; });
+    return static_cast<uint32_t>(here + due);
+}
+
+uint32_t waiting(const Coming& coming) {
+    return static_cast<uint32_t>(
+        std::ranges::count_if(coming.queue, [](const Entrant& e) { return e.tries > 0; }));
+}
+
+uint32_t due_by(const Sending& sending, double seconds) {
+    if (seconds < static_cast<double>(sending.begin)) return 0;
+    if (seconds >= static_cast<double>(sending.end)) return sending.people;
+    const double passed = (seconds - static_cast<double>(sending.begin)) /
+                          (static_cast<double>(sending.end) - static_cast<double>(sending.begin));
+    const uint32_t groups = (sending.people + sending.group - 1) / sending.group;
+    return std::min(sending.people, (static_cast<uint32_t>(passed * groups) + 1) * sending.group);
+}
+
+bool comes_and_goes(const Coming& coming, const Crowd& c) {
+    return !coming.sendings.empty() || c.demand.leaving != k_nobody_leaves;
+}
+
+void make_room(Coming& coming, const Crowd& c) {
+    if (!comes_and_goes(coming, c)) return;
+    size_t most = c.capacity;
+    for (const Sending& sending : coming.sendings) most += sending.people;
+    coming.queue.reserve(most);
+    coming.gone.reserve(c.capacity);
+    coming.arrivals.reserve(k_most_tries);
+}
+
+static void add_entrant(Coming& coming, const Entrant& entrant) {
+    if (coming.queue.size() < coming.queue.capacity()) coming.queue.push_back(entrant);
+}
+
+// Those who leave are gone; for each who wandered another is due.
+static void let_out(Coming& coming, Crowd& c, uint32_t tick) {
+    for (uint32_t i = 0; i < c.count; ++i) {
+        const Journey& j = c.journeys[i];
+        if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i))
+            continue;
+        if (j.errand == Errand::wander) add_entrant(coming, {.number = coming.numbered++});
+        remove_walker(c, i);
+        coming.gone.push_back(i);
+        ++coming.left;
+    }
+}
+
+static bool is_inside(const std::vector<Vec2>& corners, Vec2 p) {
+    bool inside = false;
+    for (size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
+        const Vec2 a = corners[i], b = corners[before];
+        if ((a.z > p.z) != (b.z > p.z) && p.x < a.x + (b.x - a.x) * ((p.z - a.z) / (b.z - a.z)))
+            inside = !inside;
+    }
+    return inside;
+}
+
+// By chance; of a thin area perhaps none.
+static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& mesh, RandomKey key) {
+    constexpr uint32_t k_tries = 32;
+    Vec2 low = area.corners[0], high = low;
+    for (const Vec2 corner : area.corners) {
+        low = {std::min(low.x, corner.x), std::min(low.z, corner.z)};
+        high = {std::max(high.x, corner.x), std::max(high.z, corner.z)};
+    }
+    for (uint32_t t = 0; t < k_tries; ++t) {
+        const Vec2 p{lerp(low.x, high.x, random_unit(key, 2 * t)),
+                     lerp(low.z, high.z, random_unit(key, 2 * t + 1))};
+        if (area.corners.size() > 1 && !is_inside(area.corners, p)) continue;
+        for (const float up : {k_floors, 1000.0f})
+            if (const auto place = nearest(mesh, 0, at_height(p, area.height), {2, up, 2})) return place;
+    }
+    return std::nullopt;
+}
+
+static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
+                                           uint64_t seed) {
+    constexpr uint32_t k_tries = 8;
+    for (uint32_t t = 0; t < k_tries; ++t) {
+        const auto place = place_in(sending.from, mesh, {seed, number, 2 * t, Purpose::coming}),
+                   goal = place_in(sending.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});
+        if (!place || !goal || island(mesh, place->polygon) != island(mesh, goal->polygon)) continue;
+        const Vec2 way = on_ground(goal->position - place->position);
+        return Entrant{.place = *place,
+                       .goal = *goal,
+                       .heading = length_squared(way) > 0 ? heading_of(way) : 0,
+                       .speed = sending.speed,
+                       .number = number,
+                       .is_sent = 1};
+    }
+    return std::nullopt;
+}
+
+// Those of the sendings who are due since this was asked last.
+static void call_sent(Coming& coming, const Navmesh& mesh, uint32_t tick, uint64_t seed) {
+    auto seconds = [](uint32_t ticks) { return ticks * static_cast<double>(k_tick); };
+    for (const Sending& sending : coming.sendings) {
+        uint32_t due = due_by(sending, seconds(tick));
+        if (tick > 0) due -= due_by(sending, seconds(tick - k_decision_ticks));
+        for (uint32_t k = 0; k < due; ++k) {
+            if (const auto entrant = draw_entrant(sending, mesh, coming.numbered++, seed))
+                add_entrant(coming, *entrant);
+            else
+                ++coming.lost;
+        }
+    }
+}
+
+namespace {
+// What a body takes of the ground: itself, and a pram.
+struct Footprint {
+    Vec3 place;
+    Vec2 ahead;
+    float radius = 0;
+    bool has_pram = false;
+};
+}  // namespace
+
+static Footprint footprint(Vec3 place, float heading, float radius, float ahead) {
+    return {place, heading_direction(heading) * ahead, radius, ahead > 0};
+}
+
+static bool touch(const Footprint& a, const Footprint& b) {
+    const Vec3 off = b.place - a.place;
+    if (std::fabs(off.y) > k_other_level) return false;
+    const Vec2 way = on_ground(off);
+    auto near = [](Vec2 between, float radii) {
+        return length_squared(between) < (radii + k_spare) * (radii + k_spare);
+    };
+    return near(way, a.radius + b.radius) || (a.has_pram && near(way - a.ahead, k_pram_radius + b.radius)) ||
+           (b.has_pram && near(way + b.ahead, k_pram_radius + a.radius)) ||
+           (a.has_pram && b.has_pram && near(way + b.ahead - a.ahead, 2 * k_pram_radius));
+}
+
+// The order of places holds all but those who came in this tick, and some who are gone.
+static bool is_free(const Coming& coming, const Crowd& c, const Footprint& wanted, float ahead) {
+    auto is_in_the_way = [&](uint32_t i) {
+        return touch(wanted, footprint(c.motion.position[i], c.motion.heading[i], c.identity.radius[i],
+                                       c.identity.ahead[i]));
+    };
+    if (std::ranges::any_of(coming.arrivals, is_in_the_way)) return false;
+    constexpr float k_farthest_pram = 1.5f + k_pram_radius;  // from who pushes it, metres
+    const float reach = std::max(wanted.radius, ahead > 0 ? ahead + k_pram_radius : 0) +
+                        std::max(c.widest, k_farthest_pram) + k_spare;
+    bool is_free = true;
+    for_seen_near(c.scratch, wanted.place, reach, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t at = begin; is_free && at < end; ++at)
+            if (const uint32_t i = c.scratch.order[at]; is_there(c, i) && is_in_the_way(i)) is_free = false;
+    });
+    return is_free;
+}
+
+static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, const Entrant& e, uint64_t seed) {
+    const uint32_t slot = c.slots.left.empty() ? c.count : c.slots.left.back();
+    Walker w = draw_walker(folk, {seed, slot, c.slots.generation[slot], Purpose::body});
+    w.place = e.place;
+    w.heading = e.heading;
+    if (e.speed > 0) w.preferred_speed = e.speed;
+    w.errand = e.is_sent ? Errand::arrive : Errand::wander;
+    return w;
+}
+
+// Whether there was room.
+static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::span<const Folk> folk,
+                   const Entrant& e, uint64_t seed) {
+    Walker w = draw_entrant_body(c, folk, e, seed);
+    Vec3 at = w.place.position;
+    if (const auto hit = ground_at(around, at, 1, 2)) at.y = hit->height;
+    if (!is_free(coming, c, footprint(at, w.heading, w.radius, w.ahead), w.ahead)) return false;
+    const uint32_t i = add_walker(c, around, w);
+    if (e.is_sent) {
+        send_to(c, i, e.goal);
+        c.journeys[i].leaves = true;
+    }
+    coming.arrivals.push_back(i);
+    ++coming.came;
+    return true;
+}
+
+// Finds a place to come in for one who wanders; false: there is none.
+static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const Navmesh& mesh, uint32_t tick,
+                         uint64_t seed) {
+    const auto chosen = choose_entrance(c.demand, mesh, 0, coming.home.centre, coming.home.radius, tick,
+                                        {seed, e.number, e.tries, Purpose::coming});
+    if (!chosen) return false;
+    e.place = chosen->place;
+    e.heading = length_squared(chosen->facing) > 0 ? heading_of(chosen->facing) : 0;
+    return true;
+}
+
+static void let_in_those_due(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh,
+                             Workers& workers, std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
+    std::vector<Entrant>& queue = coming.queue;
+    if (queue.empty()) return;
+    if (!c.scratch.is_ordered) order_places(c, workers, false);
+    if (coming.next >= queue.size()) coming.next = 0;
+    const size_t first = coming.next, last = std::min(queue.size(), first + k_most_tries);
+    size_t kept = first;
+    for (size_t at = first; at < last; ++at) {
+        Entrant e = queue[at];
+        bool is_in = false;
+        const bool has_to_choose = !e.is_sent && (!e.place.polygon || e.tries % k_tries_a_place == 0);
+        if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
+            is_in = c.slots.living.size() < c.capacity && e.place.polygon &&
+                    let_in(coming, c, around, folk, e, seed);
+        ++e.tries;
+        if (!is_in) queue[kept++] = e;
+    }
+    queue.erase(queue.begin() + static_cast<ptrdiff_t>(kept), queue.begin() + static_cast<ptrdiff_t>(last));
+    coming.next = static_cast<uint32_t>(kept);
+}
+
+void come_and_go(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers,
+                 std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
+    coming.gone.clear();
+    coming.arrivals.clear();
+    if (tick % k_decision_ticks != 0 || !comes_and_goes(coming, c)) return;
+    // The order still holds those who go now.
+    const bool was_ordered = c.scratch.is_ordered;
+    let_out(coming, c, tick);
+    c.scratch.is_ordered = was_ordered;
+    call_sent(coming, mesh, tick, seed);
+    let_in_those_due(coming, c, around, mesh, workers, folk, tick, seed);
+    c.scratch.is_ordered = false;
+}
+
+// Who comes in at a place that is no more looks for another; who is sent comes in as near as may be.
+void change_mesh(Coming& coming, const Navmesh& mesh) {
+    constexpr Vec3 k_near{8, 4, 8};
+    for (Entrant& e : coming.queue) {
+        const auto place = e.place.polygon ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
+        const auto goal = e.is_sent ? nearest(mesh, 0, e.goal.position, k_near) : std::nullopt;
+        e.place = place && (!e.is_sent || goal) ? *place : NavPoint{};
+        if (goal) e.goal = *goal;
+    }
+}
+
+uint64_t hash_coming(const Coming& coming) {
+    const uint32_t numbers[] = {coming.next, coming.numbered, coming.left, coming.came, coming.lost};
+    static_assert(sizeof(Entrant) == 13 * 4, "has no padding");
+    const uint64_t h = hash_bytes(1, numbers, sizeof numbers);
+    return hash_bytes(h, coming.queue.data(), coming.queue.size() * sizeof(Entrant));
+}
+
+}  // namespace flaneur

@@ -1,0 +1,66 @@
+// Coming and going: who leaves the crowd where places let people leave, who comes in there instead, and those
+// whom somebody sends.
+//
+// Who wanders and gets to a destination may leave there, by Demand::leaving; then another is due to come in
+// at such a place near the crowd's home, so that as many stay. One who is sent comes in at its time, goes
+// where it is sent and leaves there. Whoever finds no room where it is to come in waits for it; who wanders
+// tries another place after five seconds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/coming/sending.h"
+#include "sim/crowd/crowd.h"
+
+namespace flaneur {
+
+// One who is to come in.
+struct Entrant {
+    NavPoint place{};      // where; polygon 0: is not chosen yet, or is no more
+    NavPoint goal{};       // where one who is sent goes
+    float heading = 0;     // yaw
+    float speed = 0;       // see Sending
+    uint32_t number = 0;   // of all who were ever to come in: chance goes by it
+    uint32_t tries = 0;    // how often there was no room
+    uint32_t is_sent = 0;  // 1: by a sending
+};
+
+struct Coming {
+    std::vector<Sending> sendings;
+    Neighbourhood home;  // where who comes in instead of another does so, if there are such places
+
+    std::vector<Entrant> queue;  // who is to come in, in the order in which they are due
+    uint32_t next = 0;           // in the queue: who is the next to try
+    uint32_t numbered = 0;       // how many were ever to come in
+    uint32_t left = 0, came = 0;
+    uint32_t lost = 0;  // of those sent: had no way from there to there
+
+    std::vector<uint32_t> gone, arrivals;  // slots left and taken in this tick; an arrival may take one gone
+};
+
+// Whether anybody comes or goes by itself.
+bool comes_and_goes(const Coming& coming, const Crowd& crowd);
+// Room for all who may wait to come in, so that nothing is allocated later. Allocates.
+void make_room(Coming& coming, const Crowd& crowd);
+
+// Those who leave are gone, and others come in, who are drawn from the folk; before all else in a tick. Says
+// whom it was in `gone` and `arrivals`. It is done at 15 Hz, when all are put in the order of places anyway.
+void come_and_go(Coming& coming, Crowd& crowd, const Surroundings& around, const Navmesh& mesh,
+                 Workers& workers, std::span<const Folk> folk, uint32_t tick, uint64_t seed);
+
+// The mesh is exchanged for `mesh`, between two ticks: see change_mesh() in sim/crowd/crowd.h.
+void change_mesh(Coming& coming, const Navmesh& mesh);
+
+// How many wander or stand here, and are to come in instead of those who left: all but those who are sent.
+uint32_t kept_people(const Coming& coming, const Crowd& crowd);
+
+// How many are to come in and have found no room yet.
+uint32_t waiting(const Coming& coming);
+
+// Of everything that the next tick depends on.
+uint64_t hash_coming(const Coming& coming);
+
+}  // namespace flaneur

@@ -1,0 +1,226 @@
+// People come in and leave: their number is kept, nobody comes in on others, and all of it is one state.
+#include <gtest/gtest.h>
+
+#include "sim/coming/coming.h"
+#include "sim/state.h"
+#include "sim/world.h"
+#include "tests/sim/allocations.h"
+#include "tests/sim/small_grounds.h"
+
+namespace flaneur {
+namespace {
+
+// Doors along the walls, and edges in the corners.
+std::vector<Destination> places() {
+    std::vector<Destination> all;
+    for (int k = -2; k <= 2; ++k)
+        for (const float side : {-1.0f, 1.0f}) {
+            const float along = static_cast<float>(k) * 11;
+            all.push_back({DestinationKind::door, {along, 0, side * 29}, {0, side}, 1});
+            all.push_back({DestinationKind::edge, {side * 29, 0, along}, {side, 0}, 1});
+        }
+    return all;
+}
+
+Kind pusher() {
+    Kind kind{standard_body(1.7f), 0.2f};
+    kind.body.pram = standard_pram(kind.body);
+    return kind;
+}
+
+std::unique_ptr<World> made(int threads, WorldOptions options) {
+    Ground ground = square(60);
+    index_ground(ground);
+    options.threads = threads;
+    options.kinds = {Kind{standard_body(1.75f)}, pusher()};
+    auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
+    EXPECT_TRUE(world) << world.error().message;
+    return std::move(*world);
+}
+
+WorldOptions busy() {
+    WorldOptions options;
+    options.walkers = 150;
+    options.destinations = places();
+    options.leaving = k_usual_leaving;
+    return options;
+}
+
+void run(World& w, uint32_t ticks) {
+    for (uint32_t i = 0; i < ticks; ++i) step(w);
+}
+
+TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
+    auto w = made(2, busy());
+    size_t allocated = 0;
+    for (uint32_t i = 0; i < 60 * 120; ++i) {
+        const size_t before = allocations();
+        step(*w);
+        allocated += allocations() - before;
+        const ComingCount count = coming_count(*w);
+        ASSERT_EQ(walkers(*w).size() + w->coming.queue.size(), 150u);
+        ASSERT_EQ(kept_people(w->coming, w->crowd), 150u);
+        ASSERT_EQ(count.left, count.came + w->coming.queue.size());
+        for (const uint32_t who : w->coming.arrivals) {
+            ASSERT_TRUE(is_there(w->crowd, who));
+            ASSERT_NE(w->crowd.motion.polygon[who], 0u);
+        }
+        ASSERT_LT(deepest_overlap(w->crowd), 0.05f) << "tick " << i;
+    }
+    EXPECT_EQ(allocated, 0u);
+    EXPECT_GT(coming_count(*w).left, 60u);
+    EXPECT_LT(w->coming.queue.size(), 15u);
+}
+
+TEST(Coming, NobodyByDefault) {
+    WorldOptions options = busy();
+    options.leaving = k_nobody_leaves;
+    auto w = made(1, options);
+    run(*w, 60 * 30);
+    EXPECT_EQ(coming_count(*w).left, 0u);
+    EXPECT_EQ(walkers(*w).size(), 150u);
+}
+
+TEST(Coming, OneStateOnAnyNumberOfThreads) {
+    std::vector<uint64_t> hashes;
+    for (const int threads : {1, 2, 7}) {
+        auto w = made(threads, busy());
+        run(*w, 60 * 75);
+        EXPECT_GT(coming_count(*w).came, 10u);
+        hashes.push_back(hash_world(*w));
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+// Between decisions and at them, with people waiting at the only entrance.
+TEST(Coming, SavedMidwayItGoesOnTheSameWay) {
+    for (const uint32_t at : {1200u, 1201u, 1203u}) {
+        WorldOptions options = busy();
+        options.destinations.resize(4);
+        options.sendings = {{{{{0, 0}}, 0}, {{{20, 20}}, 0}, 40, 1, 15, 25, 0}};
+        options.capacity = 170;
+        auto w = made(2, options);
+        run(*w, at);
+        EXPECT_GT(coming_count(*w).waiting, 0u);
+        std::vector<std::byte> bytes;
+        save_state(*w, bytes);
+        run(*w, 600);
+        const uint64_t end = hash_world(*w);
+        auto other = made(3, options);
+        ASSERT_TRUE(load_state(*other, bytes));
+        run(*other, 600);
+        EXPECT_EQ(hash_world(*other), end) << at;
+        run(*w, 100);
+        ASSERT_TRUE(load_state(*w, bytes));
+        run(*w, 600);
+        EXPECT_EQ(hash_world(*w), end) << at;
+    }
+}
+
+// A square of three metres where thirty come in one after another, and a corner where they leave.
+TEST(Coming, SentPeopleComeGoAndLeave) {
+    WorldOptions options;
+    options.capacity = 100;
+    options.sendings = {
+        {{{{-22, -22}, {-19, -22}, {-19, -19}, {-22, -19}}, 0}, {{{10, 10}}, 0}, 30, 1, 2, 32, 1.5f}};
+    auto w = made(2, options);
+    EXPECT_TRUE(walkers(*w).empty());
+    run(*w, 60);
+    EXPECT_TRUE(walkers(*w).empty()) << "before their time";
+    uint32_t most = 0;
+    for (int i = 0; i < 60 * 75; ++i) {
+        step(*w);
+        ASSERT_EQ(kept_people(w->coming, w->crowd), 0u);
+        most = std::max(most, static_cast<uint32_t>(walkers(*w).size()));
+        for (const uint32_t k : w->coming.arrivals) {
+            const Vec3 p = w->crowd.motion.position[k];
+            EXPECT_LT(std::max(std::fabs(p.x + 20.5f), std::fabs(p.z + 20.5f)), 1.6f);
+            EXPECT_EQ(w->crowd.identity.preferred_speed[k], 1.5f);
+        }
+    }
+    const ComingCount count = coming_count(*w);
+    EXPECT_EQ(count.came, 30u);
+    EXPECT_EQ(count.left, 30u);
+    EXPECT_EQ(count.waiting, 0u);
+    EXPECT_TRUE(walkers(*w).empty());
+    EXPECT_GT(most, 15u);
+}
+
+TEST(Coming, WhoFindsNoRoomWaits) {
+    WorldOptions options;
+    options.capacity = 100;
+    options.sendings = {{{{{0, 0}}, 0}, {{{0.5f, 0}}, 0}, 5, 1, 0, 0, 0}};
+    auto w = made(1, options);
+    ASSERT_TRUE(add_walker(*w, {.place = Vec3{0, 0, 0}}));
+    run(*w, 300);
+    EXPECT_EQ(coming_count(*w).waiting, 5u);
+    EXPECT_EQ(walkers(*w).size(), 1u);
+    ASSERT_TRUE(remove_walker(*w, walkers(*w)[0]));
+    run(*w, 1200);
+    EXPECT_EQ(coming_count(*w).left, 5u);
+    EXPECT_EQ(coming_count(*w).waiting, 0u);
+}
+
+TEST(Coming, NoMoreThanThereIsRoomFor) {
+    WorldOptions options;
+    options.capacity = 8;
+    options.sendings = {{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0}, {{{25, 25}}, 0}, 50, 1, 0, 0, 0}};
+    auto w = made(1, options);
+    run(*w, 30);
+    EXPECT_EQ(walkers(*w).size(), 8u);
+    EXPECT_EQ(coming_count(*w).waiting, 42u);
+    EXPECT_EQ(coming_count(*w).lost, 0u);
+}
+
+TEST(Coming, WhoHasNoWayIsCounted) {
+    WorldOptions options;
+    options.capacity = 8;
+    options.sendings = {{{{{-20, -20}}, 0}, {{{250, 25}}, 0}, 3, 1, 0, 0, 0}};
+    auto w = made(1, options);
+    run(*w, 30);
+    EXPECT_EQ(coming_count(*w).lost, 3u);
+    EXPECT_TRUE(walkers(*w).empty());
+}
+
+TEST(Coming, FlowsAreEven) {
+    const Sending sending{{}, {}, 6, 1, 10, 70, 0};
+    EXPECT_EQ(due_by(sending, 9.9), 0u);
+    EXPECT_EQ(due_by(sending, 10), 1u);
+    EXPECT_EQ(due_by(sending, 19.9), 1u);
+    EXPECT_EQ(due_by(sending, 20.1), 2u);
+    EXPECT_EQ(due_by(sending, 69), 6u);
+    EXPECT_EQ(due_by(sending, 1e9), 6u);
+    EXPECT_EQ(due_by({{}, {}, 4, 1, 3, 3, 0}, 3), 4u);
+    const Sending pairs{{}, {}, 5, 2, 0, 30, 0};
+    EXPECT_EQ(due_by(pairs, 0), 2u);
+    EXPECT_EQ(due_by(pairs, 11), 4u);
+    EXPECT_EQ(due_by(pairs, 21), 5u);
+}
+
+TEST(Coming, RefusesWhatIsOutOfRange) {
+    const Vec3 corners[] = {{-5, 0, -5}, {-5, 0, 5}, {5, 0, 5}, {5, 0, -5}};
+    const uint32_t triangles[] = {0, 1, 2, 0, 2, 3};
+    auto is_taken = [&](const WorldOptions& options) {
+        return bool(make_world({corners, triangles, {}}, options));
+    };
+    WorldOptions options;
+    options.capacity = 3;
+    EXPECT_TRUE(is_taken(options));
+    options.leaving[0] = 1.5f;
+    EXPECT_FALSE(is_taken(options));
+    options.leaving[0] = 1;
+    options.sendings = {{{{{0, 0}}, 0}, {{{1, 1}}, 0}, 3, 1, 5, 9, 1}};
+    EXPECT_TRUE(is_taken(options));
+    for (const auto& breaks : std::initializer_list<void (*)(Sending&)>{
+             [](Sending& f) { f.from.corners.clear(); }, [](Sending& f) { f.to.corners.resize(2); },
+             [](Sending& f) { f.end = 4; }, [](Sending& f) { f.begin = -1; }, [](Sending& f) { f.speed = 9; },
+             [](Sending& f) { f.people = 2'000'000; }}) {
+        WorldOptions broken = options;
+        breaks(broken.sendings[0]);
+        EXPECT_FALSE(is_taken(broken));
+    }
+}
+
+}  // namespace
+}  // namespace flaneur
