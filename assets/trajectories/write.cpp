@@ -8,6 +8,7 @@
 #include "assets/files/words.h"
 #include "assets/trajectories/wkt.h"
 #include "sim/base/hash.h"
+#include "sim/base/math.h"
 
 namespace flaneur {
 
@@ -32,7 +33,6 @@ void TrajectoryWriterDelete::operator()(TrajectoryWriter* writer) const {
 
 namespace {
 
-double wide(float value) { return static_cast<double>(value); }
 // North of a z that counts to the south; never -0.
 double north(float z) { return 0.0 - wide(z); }
 

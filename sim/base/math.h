@@ -33,6 +33,9 @@ float arccos(float x);
 // e^x for |x| <= 87; relative error under 2e-7.
 float exponential(float x);
 
+// A float as a double, where one is reckoned with or written.
+inline double wide(float value) { return static_cast<double>(value); }
+
 // Angles of heading: 0 faces +z, growing towards +x (to the walker's left).
 Vec2 heading_direction(float yaw);
 float heading_of(Vec2 direction);

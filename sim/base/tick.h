@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+
 namespace flaneur {
 
-inline constexpr float k_tick = 1.0f / 60;  // seconds: the simulation goes on in steps of this length
+inline constexpr uint32_t k_ticks_a_second = 60;
+inline constexpr float k_tick = 1.0f / k_ticks_a_second;  // seconds: the simulation goes on in steps of this length
 
 }  // namespace flaneur

@@ -27,8 +27,7 @@ static_assert(k_firm + k_neighbours <= k_most_planes);
 static bool go_together(Vec2 mine, Vec2 theirs) { return dot(mine, theirs) > k_same_way; }
 
 // One's own claim, or a better one of somebody into whose way one has come.
-static Claim claim_of(const Crowd& c, const Deciders& d, int lane, uint32_t insists) {
-    const SeenRows& rows = c.scratch.seen;
+static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_t insists) {
     const Seen me = seen_at(rows, d.at[lane]);
     Claim claim;
     if (insists != k_never) claim = {insists, me.id, 0};
@@ -130,8 +129,7 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
-static void add_neighbours(const Crowd& c, const Seen& me, const Claim& claim, int lane, Deciders& d) {
-    const SeenRows& rows = c.scratch.seen;
+static void add_neighbours(const SeenRows& rows, const Seen& me, const Claim& claim, int lane, Deciders& d) {
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen other = seen_at(rows, d.near[lane][k]);
         float share = share_of(claim, rows.claim[d.near[lane][k]]), hurry = 1 / k_horizon;
@@ -187,21 +185,20 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         const Seen me = seen_at(rows, d.at[lane]);
         const Intent& intent = c.scratch.intents[me.id];
         const Vec2 velocity = c.motion.velocity[me.id];
-        const Claim claim = claim_of(c, d, lane, intent.insists);
+        const Claim claim = claim_of(rows, d, lane, intent.insists);
         c.decision.claim[me.id] = claim;
         d.velocity_x.lanes[lane] = velocity.x, d.velocity_z.lanes[lane] = velocity.z;
         d.wish_x.lanes[lane] = intent.wanted.x, d.wish_z.lanes[lane] = intent.wanted.z;
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         // Who walks back onto the mesh crosses its border.
         firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
-        add_neighbours(c, me, claim, lane, d);
+        add_neighbours(rows, me, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen me = seen_at(rows, d.at[lane]);
-        const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
-        c.decision.chosen[me.id] = chosen;
+        c.decision.chosen[me.id] = {d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
     }
 }
 

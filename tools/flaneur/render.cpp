@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "assets/files/file.h"
+#include "sim/base/tick.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/console/console.h"
@@ -21,7 +22,6 @@ namespace {
 // Seconds that ffmpeg may take to finish what it was given.
 constexpr double k_film_patience = 30;
 
-constexpr uint32_t k_ticks_a_second = 60;
 
 // What there is of the pictures when it is time to stop: a film is finished with those that it has.
 Error stopped(const Options& options, Output& output, uint32_t drawn) {

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/math.h"
+#include "sim/base/tick.h"
 #include "sim/world.h"
 #include "tools/flaneur/measure/voronoi.h"
 
 namespace flaneur {
 namespace {
 
-constexpr double k_ticks_a_second = 60;
 
-double wide(float v) { return static_cast<double>(v); }
-double seconds_at(uint32_t tick) { return tick / k_ticks_a_second; }
+double seconds_at(uint32_t tick) { return static_cast<double>(tick) / k_ticks_a_second; }
 
 // How far to the right of a line, times its length.
 double right_of(const CountLine& line, Vec2 p) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "assets/files/file.h"
+#include "sim/base/math.h"
 
 namespace flaneur {
 namespace {
@@ -14,7 +15,6 @@ void add(std::string& text, const char* form, Values... values) {
     std::snprintf(row, sizeof row, form, values...);
     text.append(row);
 }
-double wide(float v) { return static_cast<double>(v); }
 
 }  // namespace
 

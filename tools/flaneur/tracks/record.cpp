@@ -5,17 +5,12 @@
 #include "assets/files/file.h"
 #include "assets/trajectories/walkable.h"
 #include "sim/base/math.h"
+#include "sim/base/tick.h"
 #include "sim/world.h"
 
 namespace flaneur {
 namespace {
 
-constexpr int64_t k_ticks_a_second = 60;
-
-Vec2 facing_of(float heading) {
-    const SinCos turned = sin_cos(heading);
-    return {turned.sine, turned.cosine};
-}
 
 // Those who are there `share` of a tick after the one before the last, 0 .. 1.
 void find_people(TrackRecord& record, const World& world, float share) {
@@ -25,13 +20,13 @@ void find_people(TrackRecord& record, const World& world, float share) {
         if (!is_there(crowd, i)) continue;
         const uint32_t generation = crowd.slots.generation[i];
         Vec3 at = crowd.motion.position[i];
-        Vec2 facing = facing_of(crowd.motion.heading[i]);
+        Vec2 facing = heading_direction(crowd.motion.heading[i]);
         if (share < 1) {
             if (i >= record.before.size()) continue;
             const TrackRecord::Before& before = record.before[i];
             if (!before.is_there || before.generation != generation) continue;
             at = lerp(before.at, at, share);
-            facing = normalize_or(lerp(facing_of(before.heading), facing, share), facing);
+            facing = normalize_or(lerp(heading_direction(before.heading), facing, share), facing);
         }
         record.people.push_back({record.frame, i + generation * crowd.capacity, on_ground(at), at.y, facing});
     }

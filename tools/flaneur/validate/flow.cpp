@@ -6,6 +6,7 @@
 #include <optional>
 #include <tuple>
 
+#include "sim/base/math.h"
 #include "tools/flaneur/measure/plan.h"
 #include "tools/flaneur/measure/voronoi.h"
 #include "tools/flaneur/validate/arena.h"
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double k_speed_window = 0.2;  // seconds before and after
 
-double wide(float value) { return static_cast<double>(value); }
 
 using Sightings = std::span<const Sighting>;
 

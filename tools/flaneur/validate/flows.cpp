@@ -11,9 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_east = 1.5707963f;
 
-double wide(float value) { return static_cast<double>(value); }
 
 // One crowd of the diagram: its mean in the measuring area, and how many a second cross the middle of that
 // for each metre of width.

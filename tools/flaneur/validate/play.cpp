@@ -11,7 +11,6 @@
 namespace flaneur {
 namespace {
 
-constexpr uint32_t k_ticks_a_second = 60;
 constexpr float k_patience = 5;  // seconds that one who cannot be set down may wait where nobody else is
 
 struct Cast {

@@ -6,11 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/math.h"
 #include "sim/base/result.h"
 #include "sim/sim.h"
 #include "tools/flaneur/validate/arena.h"
 
 namespace flaneur {
+
+inline constexpr float k_east = k_pi / 2;  // a heading: along +x
 
 struct Guest {
     Vec3 from, goal;

@@ -117,7 +117,7 @@ std::string validation_json(const std::vector<Validated>& all) {
                                         {"verdict", word_of(f.verdict)}});
         json["tests"].push_back(std::move(test));
     }
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string diagram_svg(const ValidationNotes& notes) {

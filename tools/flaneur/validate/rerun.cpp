@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tools/flaneur/plot/plot.h"
+#include "sim/base/math.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
 
@@ -12,7 +13,6 @@ namespace {
 
 constexpr float k_beyond = 0.2f, k_end = 4;  // metres
 
-double wide(float value) { return static_cast<double>(value); }
 
 float at_share(std::vector<float> values, double share) {
     const auto at = static_cast<size_t>(share * static_cast<double>(values.size() - 1));
@@ -78,7 +78,7 @@ std::vector<Guest> guests_of(const Trajectories& tracks, const Rectangle& box) {
                     .goal = {east ? box.high.x + k_end - 0.5f : box.low.x - k_end + 0.5f, 0, z},
                     .exit = {{last.x, box.low.z - 9}, {box.high.x + 9, box.high.z + 9}},
                     .speed = liked_speed(way, tracks.fps),
-                    .heading = east ? 1.5707963f : -1.5707963f,
+                    .heading = east ? k_east : -k_east,
                     .enters = static_cast<float>(way[0].frame - start) / tracks.fps,
                     .velocity = velocity};
         guest.starts = guest.enters;

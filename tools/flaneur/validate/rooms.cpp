@@ -3,15 +3,14 @@
 #include <cmath>
 
 #include "tools/flaneur/plot/plot.h"
+#include "sim/base/math.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
 
 namespace flaneur {
 namespace {
 
-constexpr float k_east = 1.5707963f;
 
-double wide(float value) { return static_cast<double>(value); }
 
 // "131 s", or how many are out at the end.
 std::string told_leaving(const Play& play) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/rng.h"
+#include "sim/base/math.h"
 #include "tools/flaneur/plot/plot.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
@@ -10,9 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_east = 1.5707963f;  // heading
 
-double wide(float value) { return static_cast<double>(value); }
 
 ValidationFinding never(std::string what, const std::string& expected) {
     return {std::move(what), expected, "not there in time", Validity::missed};

@@ -27,7 +27,6 @@ std::string text_of(const char* form, Values... values) {
     std::snprintf(text, sizeof text, form, values...);
     return text;
 }
-double wide(float v) { return static_cast<double>(v); }
 
 // How far along a ray a triangle is met, from either side (Moller & Trumbore, Journal of Graphics Tools 2,
 // 1997).
