@@ -122,7 +122,7 @@ struct WalkerOptions {
     std::optional<uint32_t> kind{};  // index into WorldOptions::kinds; none: by chance and share
     float scale = 1;                 // of the kind's body, 0.5..2
     std::optional<float> speed{};    // m/s that it likes to walk, 0.3..2; none: as people of its kind do
-    float radius = 0.25f;            // of the room that nobody else enters, 0.1..0.5
+    float radius = 0.2f;             // of the room that nobody else enters, 0.1..0.5
     bool wanders = false;            // strolls from place to place; else it stands until it is sent
 };
 

@@ -15,8 +15,8 @@ constexpr uint64_t k_mark = 0x32'74'73'2e'72'75'6c'66;  // "flur.st2"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
-              sizeof(CrowdDecision) == 5 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 5 + 3) + 32 +
+              sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 6 + 3) + 32 +
                                    sizeof(Onlookers) + 24);
 
 // Before all else; how many of each follow.
@@ -45,7 +45,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
          m.filed);
     auto& d = c.decision;
-    some(d.wanted, d.course, d.looks, d.chosen, d.claim);
+    some(d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     if (!w.roam) return;

@@ -21,6 +21,10 @@ static constexpr float k_progress = 0.3f;       // metres nearer that count as p
 static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
 static constexpr int k_widened = 2;             // corners ahead that are widened
+static constexpr float k_least_onward = 0.8f;   // cosine between the ways to it and to the corner
+static constexpr uint32_t k_waits = 30;         // ticks without progress: others are at the corner
+static constexpr uint32_t k_held_up = 110;      // ticks without progress after which one hurries,
+static constexpr uint32_t k_hurries = 10 * 60;  // for so many ticks
 static constexpr float k_own_half = 0.45f;      // of the room from a corner to the border across from it
 static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
 static constexpr float k_past = 3;              // and metres that it gets on
@@ -59,6 +63,8 @@ static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, 
     for (float share : {1.0f, 0.4f, 0.1f}) {
         const Vec3 wanted = corner + at_height(outward * (std::min(lateral, most) * share), 0);
         const NavPoint moved = move_along(mesh, thread, *place, wanted, by_of(c, i));
+        const Vec2 way = on_ground(moved.position - here);
+        if (dot(way, in) < k_least_onward * length(way)) continue;
         if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
         if (!is_clear(mesh, here, moved.position) || !is_clear(mesh, moved.position, next)) continue;
         corner = moved.position;
@@ -208,6 +214,7 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
                 j.closest = distance;
                 j.closest_tick = tick;
             }
+            if (tick - j.closest_tick > k_held_up) j.hurries_until = tick + k_hurries;
             float off = distance_to_segment(p, j.stretch_start, here);
             if (tick - j.closest_tick > k_patience || off > k_far_off) {
                 bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
@@ -215,6 +222,11 @@ static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
             }
             float speed = c.identity.preferred_speed[i];
             if (last) speed = std::min(speed, distance / 0.7f);
+            // Others stand at the corner: on past them, not back to where it was to be turned.
+            if (!last && distance < k_corner_view && tick - j.closest_tick > k_waits) {
+                const Vec2 on = normalize_or(on_ground(corners[j.corner + 1]) - p, {0, 0});
+                return normalize_or(to / std::max(distance, 1e-4f) + on, on) * speed;
+            }
             return to * (speed / std::max(distance, 1e-4f));
         }
         ++j.corner;
@@ -235,20 +247,33 @@ static Vec2 go_back(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
 }
 
+namespace {
 // See CrowdDecision.
-static Vec2 course_of(const Crowd& c, uint32_t i) {
+struct Onward {
+    Vec2 course, aim;
+};
+}  // namespace
+
+// Of one who goes `way`.
+static Onward onward(const Crowd& c, uint32_t i, Vec2 way) {
+    const Vec2 course = normalize_or(way, {0, 0});
+    return {course, on_ground(c.motion.position[i]) + course * k_course};
+}
+
+static Onward onward_by_path(const Crowd& c, uint32_t i) {
     const Journey& j = c.journeys[i];
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
     const Vec2 here = on_ground(c.motion.position[i]);
-    Vec2 at = here;
+    Vec2 at = here, aim = here;
     float left = k_course;
     for (int k = j.corner; k < j.corner_count && left > 0; ++k) {
         const Vec2 way = on_ground(corners[k]) - at;
         const float far = length(way);
         at += far > left ? way * (left / far) : way;
         left -= far;
+        if (k == j.corner) aim = at;
     }
-    return normalize_or(at - here, {0, 0});
+    return {normalize_or(at - here, {0, 0}), aim};
 }
 
 static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
@@ -262,14 +287,15 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                            : is_driven ? c.driven.wish
                            : waits     ? Vec2{0, 0}
                                        : follow_path(c, mesh, thread, i, tick, seed);
-    c.decision.course[i] = is_beside || is_driven ? normalize_or(c.decision.wanted[i], {0, 0})
-                           : waits                ? Vec2{0, 0}
-                                                  : course_of(c, i);
+    const Onward on = goes_on || waits ? onward(c, i, c.decision.wanted[i]) : onward_by_path(c, i);
+    c.decision.course[i] = on.course;
+    c.decision.aim[i] = on.aim;
     const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
     c.scratch.intents[i] = {.wanted = c.decision.wanted[i],
                             .most = is_driven ? k_fastest_driven : most,
                             .waited = static_cast<float>(tick - j.closest_tick) * k_tick,
                             .insists = j.insists_since,
+                            .hurries = tick < j.hurries_until,
                             .is_beside = is_beside};
 }
 

@@ -111,8 +111,8 @@ void make_room(Crowd& c, uint32_t capacity) {
     keep_all(wider.motion, c.motion, &Move::position, &Move::velocity, &Move::wish, &Move::heading,
              &Move::turn_rate, &Move::feet, &Move::brakes, &Move::polygon, &Move::under, &Move::filed);
     using Mind = CrowdDecision;
-    keep_all(wider.decision, c.decision, &Mind::wanted, &Mind::course, &Mind::looks, &Mind::chosen,
-             &Mind::claim);
+    keep_all(wider.decision, c.decision, &Mind::wanted, &Mind::course, &Mind::aim, &Mind::looks,
+             &Mind::chosen, &Mind::claim);
     keep_all(wider, c, &Crowd::journeys, &Crowd::corners, &Crowd::way_back);
     keep(wider.slots.place, c.slots.place);
     keep(wider.slots.generation, c.slots.generation);

@@ -14,29 +14,28 @@ namespace flaneur {
 Crowd make_crowd(uint32_t capacity) {
     Crowd c;
     c.capacity = capacity;
-    size_t n = capacity;
-    auto resize = [&n](auto&... arrays) { (arrays.resize(n), ...); };
+    auto resize_to = [](size_t n, auto&... arrays) { (arrays.resize(n), ...); };
     CrowdIdentity& who = c.identity;
-    resize(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
+    resize_to(capacity, who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace,
+              who.ahead);
     CrowdMotion& m = c.motion;
-    resize(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
-           m.filed);
+    resize_to(capacity, m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon,
+              m.under, m.filed);
     CrowdDecision& d = c.decision;
-    resize(d.wanted, d.course, d.looks, d.chosen, d.claim);
+    resize_to(capacity, d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize(c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity, s.next_polygon);
-    c.corners.resize(n * k_corners);
-    c.afar.resize(block_count(n));
+    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity,
+              s.next_polygon);
+    c.corners.resize(size_t{capacity} * k_corners);
+    c.afar.resize(block_count(capacity));
     SeenRows& rows = s.seen;
-    n += k_block;
-    resize(rows.x, rows.y, rows.z, rows.velocity_x, rows.velocity_z, rows.radius, rows.ahead_x, rows.ahead_z,
-           rows.course, rows.claim, rows.id);
-    n = capacity;
-    s.requests.reserve(n);
-    c.slots.living.reserve(n);
-    c.slots.left.reserve(n);
-    c.slots.place.assign(n, k_nobody);
-    c.slots.generation.resize(n);
+    resize_to(capacity + k_block, rows.x, rows.y, rows.z);
+    rows.all.resize(capacity);
+    s.requests.reserve(capacity);
+    c.slots.living.reserve(capacity);
+    c.slots.left.reserve(capacity);
+    c.slots.place.assign(capacity, k_nobody);
+    c.slots.generation.resize(capacity);
     // About two cells a walker, at least 32 x 32.
     uint32_t cells = std::max(1024u, std::bit_ceil(capacity * 2));
     s.cells_x = 1u << ((std::bit_width(cells) - 1) / 2);
@@ -99,7 +98,7 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.identity.scale[i] = w.scale;
     c.identity.stair_pace[i] = w.stair_pace;
     c.identity.ahead[i] = w.ahead;
-    c.decision.wanted[i] = c.decision.course[i] = c.decision.chosen[i] = {};
+    c.decision.wanted[i] = c.decision.course[i] = c.decision.aim[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     c.decision.claim[i] = {};
     c.way_back[i] = {};

@@ -84,6 +84,7 @@ struct Journey {
     uint32_t closest_tick = 0;
     uint32_t insists_since = k_never;  // has a claim of its own since that tick,
     Vec2 insists_from;                 // and was here then
+    uint32_t hurries_until = 0;        // tick; has been held up, and keeps less room to those ahead
     Errand errand = Errand::wander;
     PathDue path_due = PathDue::no;
     uint8_t corner = 0, corner_count = 0;  // the path's; `corner` is walked to; equal: no path
@@ -104,22 +105,30 @@ struct Claim {
 struct CrowdDecision {
     std::vector<Vec2> wanted;    // velocity that the errand asks for
     std::vector<Vec2> course;    // unit: to where the path is some metres on; zero of who goes nowhere
+    std::vector<Vec2> aim;       // the corner that the path comes to, or nearer: a point of it
     std::vector<uint8_t> looks;  // 1: stands at its goal, and looks where one looks there
     std::vector<Vec2> chosen;    // velocity that steering allows
     std::vector<Claim> claim;
 };
 
-// What others need to know of everybody to keep clear of them, as it is when a tick begins: in rows, so that
-// lanes take many side by side, and in the order of places, so that those who are near lie near. k_block more
-// than there are walkers.
+// What others go by of one walker: a line of the cache.
+struct Seen {
+    Vec3 position;
+    Vec2 velocity;  // m/s; of one with a claim what it asks for, else what it has
+    Vec2 ahead;     // metres to the middle of the pram that it pushes; zero: of none
+    Vec2 course, aim;
+    float radius = 0;
+    uint32_t id = 0;
+    Claim claim;
+};
+static_assert(sizeof(Seen) == 64);
+
+// What others need to know of everybody to keep clear of them, as it is when a tick begins, in the order of
+// places, so that those who are near lie near. Places are in rows as well, k_block more than there are
+// walkers, so that lanes take many side by side.
 struct SeenRows {
-    std::vector<float> x, y, z;                 // metres
-    std::vector<float> velocity_x, velocity_z;  // m/s; of one with a claim what it asks for, else what it has
-    std::vector<float> radius;
-    std::vector<float> ahead_x, ahead_z;  // metres to the middle of the pram that one pushes; 0: of none
-    std::vector<Vec2> course;
-    std::vector<Claim> claim;
-    std::vector<uint32_t> id;
+    std::vector<float> x, y, z;  // metres
+    std::vector<Seen> all;
 };
 
 // What one who decides goes by.
@@ -128,6 +137,7 @@ struct Intent {
     float most = 0;          // m/s that it may go to get out of others' way
     float waited = 0;        // seconds without getting nearer
     uint32_t insists = 0;    // has a claim of its own since that tick, or k_never
+    bool hurries = false;    // has been held up: see Journey
     bool is_beside = false;  // walks back onto the mesh
 };
 

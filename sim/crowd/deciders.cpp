@@ -144,7 +144,8 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
         oncoming = select(comes, one, oncoming);
         // Who goes the same way ahead, and is slower, is overtaken on the side where there is more room.
         const T ahead = dot(m.between, direction), aside = cross(direction, m.between);
-        auto is_slower = (m.hurry > T(1.0f)) & (ahead > zero) & (abs(aside) < m.radii) & (m.share > zero);
+        auto is_slower =
+            (m.hurry > T(1.0f)) & (ahead > zero) & (abs(aside) < m.radii * T(k_in_front)) & (m.share > zero);
         const T slower = clamp(one - dot(m.velocity, direction) * per_speed, zero, one);
         const T pull = slower * max(one - ahead * T(1 / k_overtakes), zero);
         swerve = swerve + select(is_slower, select(aside > zero, zero - pull, pull), zero);
@@ -195,14 +196,24 @@ void keep_headway_here(Deciders& d) {
 }
 
 Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
-    return avoid<float>(
-        {{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
-        {velocity.x, velocity.z}, side);
+    return avoid<float>({{m.between.x, m.between.z},
+                         {m.velocity.x, m.velocity.z},
+                         m.radii,
+                         m.share,
+                         m.hurry,
+                         m.swath,
+                         m.pace},
+                        {velocity.x, velocity.z}, side);
 }
 float headway_of_one(const Meeting& m, Vec2 direction) {
-    return headway_speed<float>(
-        {{m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.pace},
-        {direction.x, direction.z});
+    return headway_speed<float>({{m.between.x, m.between.z},
+                                 {m.velocity.x, m.velocity.z},
+                                 m.radii,
+                                 m.share,
+                                 m.hurry,
+                                 m.swath,
+                                 m.pace},
+                                {direction.x, direction.z});
 }
 
 }  // namespace flaneur::HWY_NAMESPACE

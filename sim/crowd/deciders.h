@@ -9,11 +9,14 @@
 namespace flaneur {
 
 inline constexpr float k_horizon = 1.5f;  // seconds within which no one shall be met
-inline constexpr float k_margin = 0.04f;  // metres kept between bodies
-inline constexpr float k_meeting_headway = 0.45f;
-inline constexpr float k_headway = 0.9f;  // seconds: a walker needs this long to cover the gap ahead
-inline constexpr float k_depth = 0.72f;   // of a body from front to back, against its width
-inline constexpr int k_prams_near = 64;   // of all sixteen
+inline constexpr float k_margin = 0.06f;  // metres kept between bodies
+inline constexpr float k_depth = 0.8f;    // of a body from front to back, against its width
+// Seconds that a walker needs to cover the gap ahead: to those who go the same way, if it has been held up,
+// and to those who do not.
+inline constexpr float k_headway = 1, k_hurried_headway = 0.3f, k_meeting_headway = 0.45f;
+// How far to either side a body is ahead, of the width of both; and to one who has been held up.
+inline constexpr float k_swath = 0.6f, k_hurried_swath = 0.2f;
+inline constexpr int k_prams_near = 64;  // of all sixteen
 
 // What may not be come near: from a walker on its lane to something else, metres and m/s.
 struct Meeting {
@@ -21,13 +24,14 @@ struct Meeting {
     float radii = 0;         // at which they touch
     float share = 0;         // of the change that the walker makes: 1, a half, or 0: none at all
     float hurry = 0;         // 1 / seconds within which they shall not touch
+    float swath = 0;         // metres to either side within which it is ahead
     float pace = 0;          // 1 / seconds that the walker takes for a gap ahead
     int lane = 0;
 };
 
 // The same of all lanes' k-th neighbours.
 struct MeetingRows {
-    LaneRow x, z, velocity_x, velocity_z, radii, share, hurry, pace;
+    LaneRow x, z, velocity_x, velocity_z, radii, share, hurry, swath, pace;
 };
 
 struct PlaneRows {

@@ -54,14 +54,15 @@ static void add_brake(Contacts& out, Vec2 direction, float nearing, Vec2 wish, V
 }
 
 // A pram is not pushed into anybody; who comes into its way himself is only steered clear of.
-static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, float dt, Contacts& out) {
+static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float dt, Contacts& out) {
+    const Seen& me = c.scratch.seen.all[at];
     const Vec2 velocity = c.motion.velocity[me.id];
     const Vec3 middle = me.position + at_height(me.ahead, 0);
     uint32_t near[k_contacts];
     const int count =
-        find_within(c.scratch, middle, me.at, k_pram_radius + c.widest + mindful_reach(dt), near, k_contacts);
+        find_within(c.scratch, middle, at, k_pram_radius + c.widest + mindful_reach(dt), near, k_contacts);
     for (int k = 0; k < count; ++k) {
-        const Seen other = seen_at(c.scratch.seen, near[k]);
+        const Seen& other = c.scratch.seen.all[near[k]];
         Vec2 away = on_ground(middle - other.position);
         float touching = k_pram_radius + other.radius, d = length(away);
         if (d > touching + mindful_reach(dt) || d < 1e-5f) continue;
@@ -76,15 +77,15 @@ static void add_contacts_of_pram(const Crowd& c, const Seen& me, Vec2 wish, floa
 
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
-static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish, float dt) {
+static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
+    const Seen& me = c.scratch.seen.all[at];
     const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
     uint32_t near[k_contacts];
-    const int count =
-        find_within(c.scratch, me.position, me.at, me.radius + c.widest + mindful_reach(dt), near,
-                    k_contacts);  // more do not fit round one body
+    const int count = find_within(c.scratch, me.position, at, me.radius + c.widest + mindful_reach(dt), near,
+                                  k_contacts);  // more do not fit round one body
     for (int k = 0; k < count; ++k) {
-        const Seen other = seen_at(c.scratch.seen, near[k]);
+        const Seen& other = c.scratch.seen.all[near[k]];
         Vec2 away = on_ground(me.position - other.position);
         float touching = me.radius + other.radius, d2 = length_squared(away);
         if (d2 > (touching + mindful_reach(dt)) * (touching + mindful_reach(dt))) continue;
@@ -101,7 +102,7 @@ static Contacts contacts_of(const Crowd& c, const Seen& me, Vec2 wish, float dt)
         float overlap = touching - k_overlap - d;
         if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
     }
-    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, me, wish, dt, out);
+    if (length_squared(me.ahead) > 0) add_contacts_of_pram(c, at, wish, dt, out);
     float l = length(out.push);
     if (l > k_push) out.push = out.push * (k_push / l);
     return out;
@@ -157,14 +158,14 @@ static float share_within(const Contacts& near, Vec2 v) {
 }
 
 // All but the height of the ground where it comes to.
-static void move_walker(Crowd& c, const Navmesh& mesh, int thread, const Seen& me, float dt) {
-    uint32_t i = me.id;
+static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
+    uint32_t i = c.scratch.seen.all[at].id;
     CrowdMotion& m = c.motion;
     const bool pushes = c.identity.ahead[i] > 0;
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
-    Contacts near = contacts_of(c, me, wish, dt);
+    Contacts near = contacts_of(c, at, wish, dt);
     const bool is_beside = c.way_back[i].polygon != 0;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes && !is_beside)
@@ -265,15 +266,14 @@ void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& wo
     parallel_for(workers, c.slots.living.size(), 256, [&](size_t begin, size_t end, int thread) {
         Together moved;
         for (size_t at = begin; at < end; ++at) {
-            const uint32_t i = c.scratch.seen.id[at], ticks = ticks_due(c, i / k_block, tick);
+            const uint32_t i = c.scratch.seen.all[at].id, ticks = ticks_due(c, i / k_block, tick);
             if (ticks == 0) {
                 c.scratch.next_position[i] = c.motion.position[i];
                 c.scratch.next_velocity[i] = c.motion.velocity[i];
                 c.scratch.next_polygon[i] = c.motion.polygon[i];
                 continue;
             }
-            move_walker(c, mesh, thread, seen_at(c.scratch.seen, static_cast<uint32_t>(at)),
-                        static_cast<float>(ticks) * k_tick);
+            move_walker(c, mesh, thread, static_cast<uint32_t>(at), static_cast<float>(ticks) * k_tick);
             moved.who[moved.count] = i;
             moved.places[moved.count++] = c.scratch.next_position[i];
             if (moved.count == k_together) set_down(c, around, mesh, moved);

@@ -57,12 +57,7 @@ static void look_at(Crowd& c, size_t at) {
     }
     if (c.identity.ahead[i] > 0) ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
     rows.x[at] = p.x, rows.y[at] = p.y, rows.z[at] = p.z;
-    rows.velocity_x[at] = velocity.x, rows.velocity_z[at] = velocity.z;
-    rows.radius[at] = c.identity.radius[i];
-    rows.ahead_x[at] = ahead.x, rows.ahead_z[at] = ahead.z;
-    rows.course[at] = d.course[i];
-    rows.claim[at] = d.claim[i];
-    rows.id[at] = i;
+    rows.all[at] = {p, velocity, ahead, d.course[i], d.aim[i], c.identity.radius[i], i, d.claim[i]};
 }
 
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
@@ -77,10 +72,10 @@ float deepest_overlap(const Crowd& c) {
     const CrowdScratch& s = c.scratch;
     float deepest = -1;
     for (uint32_t at = 0; at < s.cell_first.back(); ++at) {
-        const Seen me = seen_at(s.seen, at);
+        const Seen& me = s.seen.all[at];
         for_seen_near(s, me.position, me.radius + c.widest, [&](uint32_t begin, uint32_t end) {
             for (uint32_t k = begin; k < end; ++k) {
-                const Seen other = seen_at(s.seen, k);
+                const Seen& other = s.seen.all[k];
                 const Vec3 off = other.position - me.position;
                 if (other.id == me.id || std::fabs(off.y) > k_other_level) continue;
                 deepest = std::max(deepest, me.radius + other.radius - length(on_ground(off)));

@@ -27,24 +27,6 @@ inline uint32_t cell_of(const CrowdScratch& s, Filed f) {
            (static_cast<uint32_t>(f.column) & (s.cells_x - 1));
 }
 
-// One walker out of the rows.
-struct Seen {
-    Vec3 position;
-    Vec2 velocity;
-    float radius;
-    uint32_t id, at;
-    Vec2 ahead, course;
-};
-inline Seen seen_at(const SeenRows& rows, uint32_t at) {
-    return {{rows.x[at], rows.y[at], rows.z[at]},
-            {rows.velocity_x[at], rows.velocity_z[at]},
-            rows.radius[at],
-            rows.id[at],
-            at,
-            {rows.ahead_x[at], rows.ahead_z[at]},
-            rows.course[at]};
-}
-
 // Calls visit(begin, end) for pieces of the order that hold all who are within `reach` of `p` on the ground
 // plane, and others; the nearest rows of squares first. The plane is wrapped onto the squares, so that their
 // number follows the crowd's, not the city's: walkers from afar that share one are the caller's to sort out.

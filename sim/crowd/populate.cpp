@@ -10,7 +10,7 @@
 
 namespace flaneur {
 
-static constexpr float k_body_radius = 0.25f;
+static constexpr float k_body_radius = 0.2f;                   // as wide as shoulders are that give way
 static constexpr float k_spacing = 2 * k_body_radius + 0.15f;  // between walkers at the start, metres
 
 // Weidmann 1993: free speeds of pedestrians are nearly normal, with a deviation of 0.26 m/s at a mean

@@ -16,6 +16,10 @@ static constexpr float k_grazes = 0.02f;         // metres beyond its end by whi
 static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
+static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
+static constexpr float k_throng = 0.15f;      // metres between bodies
+static constexpr float k_shuffle = 0.24f;     // m/s, of one who does not turn for it
+static constexpr float k_onward = 0.3f;       // cosine to the course
 static constexpr uint32_t k_most_heirs = 16;
 static constexpr float k_same_way = 0.5f;       // cosine between the courses of two who go together
 static constexpr float k_pram_headway = 0.35f;  // seconds: who meets a pram gets past it
@@ -28,13 +32,13 @@ static bool go_together(Vec2 mine, Vec2 theirs) { return dot(mine, theirs) > k_s
 
 // One's own claim, or a better one of somebody into whose way one has come.
 static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_t insists) {
-    const Seen me = seen_at(rows, d.at[lane]);
+    const Seen& me = rows.all[d.at[lane]];
     Claim claim;
     if (insists != k_never) claim = {insists, me.id, 0};
     for (int k = 0; k < d.near_count[lane]; ++k) {
-        Claim inherited = rows.claim[d.near[lane][k]];
+        Claim inherited = rows.all[d.near[lane][k]].claim;
         if (inherited.since == k_never || ++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
-        const Seen other = seen_at(rows, d.near[lane][k]);
+        const Seen& other = rows.all[d.near[lane][k]];
         Vec2 to_me = on_ground(me.position - other.position);
         float distance = length(to_me), speed = length(other.velocity);
         float gap = distance - me.radius - other.radius;
@@ -121,38 +125,51 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
         if (d.pram_count < k_prams_near)
-            d.prams[d.pram_count++] = {apart,         other.velocity,        radii, share,
-                                       1 / k_horizon, 1 / k_meeting_headway, lane};
+            d.prams[d.pram_count++] = {apart,           other.velocity,        radii, share, 1 / k_horizon,
+                                       k_swath * radii, 1 / k_meeting_headway, lane};
     };
     if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
     if (mine) add(between - me.ahead, k_pram_radius + other.radius);
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
-static void add_neighbours(const SeenRows& rows, const Seen& me, const Claim& claim, int lane, Deciders& d) {
+// Returns whether some of them stand close and none of them comes the other way.
+static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& intent, const Claim& claim,
+                           int lane, Deciders& d) {
+    bool is_close = false, meets = false;
     for (int k = 0; k < d.near_count[lane]; ++k) {
-        const Seen other = seen_at(rows, d.near[lane][k]);
-        float share = share_of(claim, rows.claim[d.near[lane][k]]), hurry = 1 / k_horizon;
+        const Seen& other = rows.all[d.near[lane][k]];
+        float share = share_of(claim, rows.all[d.near[lane][k]].claim), hurry = 1 / k_horizon;
         // Of those who go the same way the one behind makes room for the one ahead, and not the other way
         // round: so of any two one is free to go, and nobody waits for somebody who waits for him.
         const bool has_pram = me.ahead != Vec2{} || other.ahead != Vec2{};
-        float pace = has_pram ? 1 / k_pram_headway : 1 / k_meeting_headway;
+        float swath = k_swath, pace = has_pram ? 1 / k_pram_headway : 1 / k_meeting_headway;
         if (!has_pram && go_together(me.course, other.course)) {
-            hurry = 1 / k_follows, pace = 1 / k_headway;
-            const float before = dot(on_ground(other.position - me.position), me.course + other.course);
-            if (share == 0.5f && before != 0) share = before > 0 ? 1.0f : 0.0f;
+            hurry = 1 / k_follows;
+            pace = intent.hurries ? 1 / k_hurried_headway : 1 / k_headway;
+            swath = intent.hurries ? k_hurried_swath : k_swath;
+            // Whoever is nearer to where both go, by the squares of the distances to their aims.
+            const Vec2 p = on_ground(me.position), q = on_ground(other.position);
+            const float before = dot(p - q, p + q - me.aim - other.aim);
+            if (before != 0) share = before > 0 ? 1.0f : 0.0f;
         }
+        const Vec2 between = on_ground(other.position - me.position);
+        const float radii = me.radius + other.radius;
+        meets |= dot(me.course, other.course) < k_against;
+        is_close |= length_squared(between) < (radii + k_throng) * (radii + k_throng);
         MeetingRows& to = d.neighbours[k];
-        to.x.lanes[lane] = other.position.x - me.position.x;
-        to.z.lanes[lane] = other.position.z - me.position.z;
+        to.x.lanes[lane] = between.x;
+        to.z.lanes[lane] = between.z;
         to.velocity_x.lanes[lane] = other.velocity.x;
         to.velocity_z.lanes[lane] = other.velocity.z;
-        to.radii.lanes[lane] = me.radius + other.radius;
+        to.radii.lanes[lane] = radii;
         to.share.lanes[lane] = share;
         to.hurry.lanes[lane] = hurry;
+        to.swath.lanes[lane] = swath * radii;
         to.pace.lanes[lane] = pace;
         if (has_pram) add_prams(me, other, share, lane, d);
     }
+    return is_close && !meets;
 }
 
 // Lanes of walkers who are not there, and neighbours and planes that some of them have not, do no harm.
@@ -175,14 +192,22 @@ static void set_firm(const HalfPlane (&firm)[k_block][k_firm], const int (&count
         }
 }
 
+// Who steps aside or back in a throng does not turn for it.
+static Vec2 shuffled(Vec2 v, Vec2 course) {
+    const float speed = length(v);
+    if (speed < k_shuffle || course == Vec2{} || dot(v, course) > k_onward * speed) return v;
+    return v * (k_shuffle / speed);
+}
+
 static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     const SeenRows& rows = c.scratch.seen;
     find_nearest(c.scratch, d);
     clear(d);
     HalfPlane firm[k_block][k_firm];
     int firm_count[k_block];
+    bool is_thronged[k_block];
     for (int lane = 0; lane < d.count; ++lane) {
-        const Seen me = seen_at(rows, d.at[lane]);
+        const Seen& me = rows.all[d.at[lane]];
         const Intent& intent = c.scratch.intents[me.id];
         const Vec2 velocity = c.motion.velocity[me.id];
         const Claim claim = claim_of(rows, d, lane, intent.insists);
@@ -192,13 +217,14 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         // Who walks back onto the mesh crosses its border.
         firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
-        add_neighbours(rows, me, claim, lane, d);
+        is_thronged[lane] = add_neighbours(rows, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);
     for (int lane = 0; lane < d.count; ++lane) {
-        const Seen me = seen_at(rows, d.at[lane]);
-        c.decision.chosen[me.id] = {d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
+        const Seen& me = rows.all[d.at[lane]];
+        const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
+        c.decision.chosen[me.id] = is_thronged[lane] ? shuffled(chosen, me.course) : chosen;
     }
 }
 
@@ -207,7 +233,7 @@ void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
         Deciders d;
         for (size_t at = begin; at < end; ++at) {
-            if (decides(c, c.scratch.seen.id[at] / k_block, tick))
+            if (decides(c, c.scratch.seen.all[at].id / k_block, tick))
                 d.at[d.count++] = static_cast<uint32_t>(at);
             if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
         }

@@ -41,6 +41,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     const CrowdDecision& d = c.decision;
     add(k_decision, "wanted", d.wanted[i]);
     add(k_decision, "course", d.course[i]);
+    add(k_decision, "aim", d.aim[i]);
     add(k_decision, "looks", d.looks[i]);
     add(k_decision, "chosen", d.chosen[i]);
     add(k_decision, "claim", d.claim[i]);
@@ -55,6 +56,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_journey, "turned_at", j.turned_at);
     add(k_journey, "closest", j.closest);
     add(k_journey, "closest_tick", j.closest_tick);
+    add(k_journey, "hurries_until", j.hurries_until);
     add(k_journey, "insists_since", j.insists_since);
     add(k_journey, "insists_from", j.insists_from);
     add(k_journey, "errand", j.errand);

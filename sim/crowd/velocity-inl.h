@@ -13,12 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace flaneur::HWY_NAMESPACE {
 
-inline constexpr float k_untangle = 0.3f;       // seconds to end an overlap in
-inline constexpr float k_parallel = 1e-5f;      // slopes
-inline constexpr float k_overtakes = 2.5f;      // metres ahead, of those who are slower
-inline constexpr float k_swerves = 0.6f;        // of the speed
-inline constexpr float k_closer = 0.02f;        // metres that one behind may press into one who goes ahead
-inline constexpr float k_swath = 0.5f;          // of the width of bodies
+inline constexpr float k_untangle = 0.3f;   // seconds to end an overlap in
+inline constexpr float k_parallel = 1e-5f;  // slopes
+inline constexpr float k_overtakes = 3.5f;  // metres ahead, of those who are slower
+inline constexpr float k_in_front = 1.3f;   // of the width of both, to either side: one is to be overtaken
+inline constexpr float k_swerves = 0.95f;   // of the speed
+inline constexpr float k_closer = 0.035f;   // metres that one behind may press into one who goes ahead
 inline constexpr float k_hardly_larger = 0.2f;  // m/s
 inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way
 inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
@@ -27,14 +27,18 @@ inline constexpr float k_give_way = 0.6f;       // of the speed, to that side, f
 template <class T>
 struct Meet {
     V2<T> between, velocity;
-    T radii, share, hurry, pace;
+    T radii, share, hurry, swath, pace;
 };
 template <class T>
 HWY_INLINE Meet<T> meeting(const MeetingRows& rows, size_t lane) {
     auto of = [lane](const LaneRow& r) { return row<T>(r.lanes, lane); };
-    return {{of(rows.x), of(rows.z)}, {of(rows.velocity_x), of(rows.velocity_z)},
-            of(rows.radii),           of(rows.share),
-            of(rows.hurry),           of(rows.pace)};
+    return {{of(rows.x), of(rows.z)},
+            {of(rows.velocity_x), of(rows.velocity_z)},
+            of(rows.radii),
+            of(rows.share),
+            of(rows.hurry),
+            of(rows.swath),
+            of(rows.pace)};
 }
 
 template <class T>
@@ -127,7 +131,7 @@ template <class T>
 HWY_INLINE T headway_speed(Meet<T> m, V2<T> direction) {
     const T zero = T(0.0f), none = T(1e9f);
     const T ahead = dot(m.between, direction), aside = abs(cross(direction, m.between));
-    auto counts = (ahead > zero) & (aside < m.radii * T(k_swath)) & (m.share > zero);
+    auto counts = (ahead > zero) & (aside < m.swath) & (m.share > zero);
     return select(counts, max(zero, (ahead - T(k_depth) * m.radii) * m.pace), none);
 }
 

@@ -22,7 +22,6 @@ namespace {
 // Seconds that ffmpeg may take to finish what it was given.
 constexpr double k_film_patience = 30;
 
-
 // What there is of the pictures when it is time to stop: a film is finished with those that it has.
 Error stopped(const Options& options, Output& output, uint32_t drawn) {
     const TickRange& ticks = options.ticks;

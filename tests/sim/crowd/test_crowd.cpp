@@ -136,9 +136,9 @@ TEST(Crowd, NeighboursAreTheNearest) {
         d.at[0] = at;
         find_nearest(c.scratch, d);
         std::vector<uint32_t> found;
-        for (int k = 0; k < d.near_count[0]; ++k) found.push_back(rows.id[d.near[0][k]]);
+        for (int k = 0; k < d.near_count[0]; ++k) found.push_back(rows.all[d.near[0][k]].id);
         std::sort(found.begin(), found.end());
-        const uint32_t i = rows.id[at];
+        const uint32_t i = rows.all[at].id;
         std::vector<std::pair<float, uint32_t>> all;
         for (uint32_t j = 0; j < c.count; ++j) {
             float d2 = length_squared(on_ground(c.motion.position[j]) - on_ground(c.motion.position[i]));

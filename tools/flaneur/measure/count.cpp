@@ -12,7 +12,6 @@
 namespace flaneur {
 namespace {
 
-
 double seconds_at(uint32_t tick) { return static_cast<double>(tick) / k_ticks_a_second; }
 
 // How far to the right of a line, times its length.

@@ -11,7 +11,6 @@
 namespace flaneur {
 namespace {
 
-
 // Those who are there `share` of a tick after the one before the last, 0 .. 1.
 void find_people(TrackRecord& record, const World& world, float share) {
     const Crowd& crowd = world.crowd;

@@ -59,7 +59,7 @@ Arena make_arena(std::span<const Rectangle> floors) {
 NavmeshSettings arena_mesh() {
     NavmeshSettings settings;
     settings.cell = 0.05f;
-    settings.agent_radius = 0.25f;
+    settings.agent_radius = 0.2f;
     return settings;
 }
 

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double k_speed_window = 0.2;  // seconds before and after
 
-
 using Sightings = std::span<const Sighting>;
 
 Sightings frame_of(const Trajectories& tracks, uint32_t frame) {

@@ -11,8 +11,6 @@
 namespace flaneur {
 namespace {
 
-
-
 // One crowd of the diagram: its mean in the measuring area, and how many a second cross the middle of that
 // for each metre of width.
 struct Stream {

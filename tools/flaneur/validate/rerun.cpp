@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "tools/flaneur/plot/plot.h"
 #include "sim/base/math.h"
+#include "tools/flaneur/plot/plot.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
 
@@ -12,7 +12,6 @@ namespace flaneur {
 namespace {
 
 constexpr float k_beyond = 0.2f, k_end = 4;  // metres
-
 
 float at_share(std::vector<float> values, double share) {
     const auto at = static_cast<size_t>(share * static_cast<double>(values.size() - 1));

@@ -2,15 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/flaneur/plot/plot.h"
 #include "sim/base/math.h"
+#include "tools/flaneur/plot/plot.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
 
 namespace flaneur {
 namespace {
-
-
 
 // "131 s", or how many are out at the end.
 std::string told_leaving(const Play& play) {

@@ -2,16 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/rng.h"
 #include "sim/base/math.h"
+#include "sim/base/rng.h"
 #include "tools/flaneur/plot/plot.h"
 #include "tools/flaneur/validate/play.h"
 #include "tools/flaneur/validate/tests.h"
 
 namespace flaneur {
 namespace {
-
-
 
 ValidationFinding never(std::string what, const std::string& expected) {
     return {std::move(what), expected, "not there in time", Validity::missed};

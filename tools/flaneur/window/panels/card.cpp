@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include "sim/base/math.h"
 #include "tools/flaneur/window/ask/facts.h"
 #include "tools/flaneur/window/ask/gait.h"
 #include "tools/flaneur/window/change/drive.h"
@@ -10,7 +9,6 @@
 
 namespace flaneur {
 namespace {
-
 
 void lay_out_who(const WalkerFacts& f) {
     ImGui::TextUnformatted(told_who(f).c_str());
