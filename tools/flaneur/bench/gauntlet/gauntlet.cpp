@@ -42,7 +42,7 @@ void add_score(GauntletRun& run, const char* part, const std::string& name, doub
     std::fflush(stdout);
 }
 
-double median_of(const Figures& figures, const std::string& stage) {
+[[maybe_unused]] double median_of(const Figures& figures, const std::string& stage) {
     for (const Series& series : figures.series)
         if (series.name == stage) return quantile(series.ms, 0.5);
     return std::nan("");
