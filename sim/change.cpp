@@ -16,9 +16,8 @@ void change_ground(World& w, std::shared_ptr<const Ground> ground, NavmeshPtr me
     prepare_queries(*mesh, thread_count(*w.workers));
     change_mesh(w.crowd, *w.navmesh, *mesh, changed, w.tick);
     change_mesh(w.coming, *mesh);
-    const Leaving leaving = w.crowd.demand.leaving;
-    w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour);
-    w.crowd.demand.leaving = leaving;
+    w.crowd.demand = make_demand(destinations, ground->low, ground->high, *mesh, w.crowd.demand.hour,
+                                 w.crowd.demand.leaving);
     w.navmesh = std::move(mesh);
     w.ground = std::move(ground);
     if (answers_itself) w.around = surroundings_of(*w.ground);

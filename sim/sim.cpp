@@ -78,8 +78,7 @@ Result<void> check(const std::vector<Sending>& sendings) {
             (sending.speed != 0 && !is_within(sending.speed, 0.3f, 2)))
             return Error{
                 "A sending is out of range: areas of one corner or at least three, finite, from 0 s or later "
-                "to "
-                "no earlier than that, groups of at least one, speed 0 or 0.3..2 m/s."};
+                "to no earlier than that, groups of at least one, speed 0 or 0.3..2 m/s."};
     }
     if (people > k_most_sent) return Error{"Flows send a million people at most."};
     return {};

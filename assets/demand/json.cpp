@@ -182,8 +182,8 @@ Result<SentPeople> parse_demand(std::string_view text, const City& city) {
     }
     if (has_groups)
         sent.notes.emplace_back(
-            "who comes in a group comes when the others do, but walks alone: groups do "
-            "not walk together yet");
+            "who comes in a group comes when the others do, but walks alone: groups do not walk together "
+            "yet");
     return sent;
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 
 namespace flaneur {
 

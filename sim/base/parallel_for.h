@@ -30,8 +30,8 @@ void run_loop(Workers& workers, size_t count, size_t grain, LoopBody body);
 
 // body(begin, end, thread) for consecutive chunks of at most `grain` of [0, count); thread <
 // thread_count(workers), and no two chunks run on one `thread` at a time. Returns when all are done.
-// Allocates nothing. `body` must not call parallel_for on the same workers; what it
-// throws comes out of this call, when all are done.
+// Allocates nothing. `body` must not call parallel_for on the same workers; what it throws comes out of this
+// call, when all are done.
 template <class Body>
 void parallel_for(Workers& workers, size_t count, size_t grain, const Body& body) {
     auto call = [](void* context, size_t begin, size_t end, int thread) {

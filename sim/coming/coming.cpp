@@ -5,6 +5,7 @@
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
+#include "sim/base/planar.h"
 #include "sim/base/rng.h"
 #include "sim/base/tick.h"
 #include "sim/crowd/places.h"
@@ -69,16 +70,6 @@ static void let_out(Coming& coming, Crowd& c, uint32_t tick) {
     }
 }
 
-static bool is_inside(const std::vector<Vec2>& corners, Vec2 p) {
-    bool inside = false;
-    for (size_t i = 0, before = corners.size() - 1; i < corners.size(); before = i++) {
-        const Vec2 a = corners[i], b = corners[before];
-        if ((a.z > p.z) != (b.z > p.z) && p.x < a.x + (b.x - a.x) * ((p.z - a.z) / (b.z - a.z)))
-            inside = !inside;
-    }
-    return inside;
-}
-
 // By chance; of a thin area perhaps none.
 static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& mesh, RandomKey key) {
     constexpr uint32_t k_tries = 32;
@@ -90,7 +81,7 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
     for (uint32_t t = 0; t < k_tries; ++t) {
         const Vec2 p{lerp(low.x, high.x, random_unit(key, 2 * t)),
                      lerp(low.z, high.z, random_unit(key, 2 * t + 1))};
-        if (area.corners.size() > 1 && !is_inside(area.corners, p)) continue;
+        if (area.corners.size() > 1 && !is_within(area.corners, p)) continue;
         for (const float up : {k_floors, 1000.0f})
             if (const auto place = nearest(mesh, 0, at_height(p, area.height), {2, up, 2})) return place;
     }

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "sim/base/math.h"
+#include "sim/base/planar.h"
 #include "sim/base/rng.h"
-#include "sim/base/segment.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 

@@ -195,25 +195,17 @@ void keep_headway_here(Deciders& d) {
     for (size_t lane = 0; lane < k_block; lane += lane_count()) keep_headway<Lanes>(d, lane);
 }
 
-Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
-    return avoid<float>({{m.between.x, m.between.z},
-                         {m.velocity.x, m.velocity.z},
-                         m.radii,
-                         m.share,
-                         m.hurry,
-                         m.swath,
-                         m.pace},
-                        {velocity.x, velocity.z}, side);
+static Meet<float> meeting(const Meeting& m) {
+    return {
+        {m.between.x, m.between.z}, {m.velocity.x, m.velocity.z}, m.radii, m.share, m.hurry, m.swath, m.pace};
 }
+
+Plane<float> avoid_one(const Meeting& m, Vec2 velocity, float side) {
+    return avoid(meeting(m), {velocity.x, velocity.z}, side);
+}
+
 float headway_of_one(const Meeting& m, Vec2 direction) {
-    return headway_speed<float>({{m.between.x, m.between.z},
-                                 {m.velocity.x, m.velocity.z},
-                                 m.radii,
-                                 m.share,
-                                 m.hurry,
-                                 m.swath,
-                                 m.pace},
-                                {direction.x, direction.z});
+    return headway_speed(meeting(m), {direction.x, direction.z});
 }
 
 }  // namespace flaneur::HWY_NAMESPACE
@@ -248,16 +240,12 @@ static int add_prams(Deciders& d, float side) {
         int& at = used[m.lane];
         if (at == k_most_planes) continue;
         if (at == rows) {
-            std::fill_n(d.planes[at].x.lanes, k_block, 0.0f);
-            std::fill_n(d.planes[at].z.lanes, k_block, 0.0f);
-            std::fill_n(d.planes[at].offset.lanes, k_block, k_no_offset);
+            for (int lane = 0; lane < k_block; ++lane) set_plane(d.planes[at], lane, k_no_plane);
             ++rows;
         }
         const auto plane =
             kernel::avoid_one(m, {d.velocity_x.lanes[m.lane], d.velocity_z.lanes[m.lane]}, side);
-        d.planes[at].x.lanes[m.lane] = plane.normal.x;
-        d.planes[at].z.lanes[m.lane] = plane.normal.z;
-        d.planes[at++].offset.lanes[m.lane] = plane.offset;
+        set_plane(d.planes[at++], m.lane, {{plane.normal.x, plane.normal.z}, plane.offset});
     }
     return rows;
 }

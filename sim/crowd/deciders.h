@@ -38,6 +38,13 @@ struct PlaneRows {
     LaneRow x, z, offset;  // normal and offset of a HalfPlane; offsets of none are k_no_offset
 };
 inline constexpr float k_no_offset = -1e9f;
+inline constexpr HalfPlane k_no_plane{{0, 0}, k_no_offset};
+
+inline void set_plane(PlaneRows& rows, int lane, const HalfPlane& plane) {
+    rows.x.lanes[lane] = plane.normal.x;
+    rows.z.lanes[lane] = plane.normal.z;
+    rows.offset.lanes[lane] = plane.offset;
+}
 
 struct Deciders {
     int count = 0;

@@ -66,9 +66,10 @@ static NavPoint place_beside(const Navmesh& mesh, int thread, const Attraction& 
 }
 
 Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
-                   float hour) {
+                   float hour, const Leaving& leaving) {
     Demand demand;
     demand.hour = hour;
+    demand.leaving = leaving;
     for (int k = 0; k < k_destination_count; ++k) {
         std::vector<Attraction> found;
         std::vector<float> weights;

@@ -49,7 +49,7 @@ struct Demand {
 // Sets destinations on the mesh, which lies between `low` and `high` on the ground plane; those farther than
 // 3 m from it are left out, as are those on pieces of mesh too small to walk about in.
 Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 high, const Navmesh& mesh,
-                   float hour);
+                   float hour, const Leaving& leaving = k_nobody_leaves);
 
 // How much people want to be at such a place at an hour of the day (0..24, wrapped), against other kinds:
 // homes and work at the rush hours, shops by day, squares and benches in the evening.

@@ -175,8 +175,7 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t capacity, const Leaving& leaving) {
     assert(!folk.empty() || walkers == 0);
     Crowd c = make_crowd(std::max(walkers, capacity));
-    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour);
-    c.demand.leaving = leaving;
+    c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour, leaving);
     if (Result<void> done = set_down(c, ground, around, mesh, workers, walkers, folk, seed); !done)
         return done.error();
     find_first_paths(c, mesh, workers, seed);

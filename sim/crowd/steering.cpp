@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
@@ -36,9 +36,9 @@ static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_
     Claim claim;
     if (insists != k_never) claim = {insists, me.id, 0};
     for (int k = 0; k < d.near_count[lane]; ++k) {
-        Claim inherited = rows.all[d.near[lane][k]].claim;
-        if (inherited.since == k_never || ++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
         const Seen& other = rows.all[d.near[lane][k]];
+        Claim inherited = other.claim;
+        if (inherited.since == k_never || ++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
         Vec2 to_me = on_ground(me.position - other.position);
         float distance = length(to_me), speed = length(other.velocity);
         float gap = distance - me.radius - other.radius;
@@ -139,7 +139,7 @@ static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& i
     bool is_close = false, meets = false;
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen& other = rows.all[d.near[lane][k]];
-        float share = share_of(claim, rows.all[d.near[lane][k]].claim), hurry = 1 / k_horizon;
+        float share = share_of(claim, other.claim), hurry = 1 / k_horizon;
         // Of those who go the same way the one behind makes room for the one ahead, and not the other way
         // round: so of any two one is free to go, and nobody waits for somebody who waits for him.
         const bool has_pram = me.ahead != Vec2{} || other.ahead != Vec2{};
@@ -185,10 +185,7 @@ static void set_firm(const HalfPlane (&firm)[k_block][k_firm], const int (&count
     for (int k = 0; k < d.firm; ++k)
         for (int lane = 0; lane < k_block; ++lane) {
             const bool is_one = lane < d.count && k < counts[lane];
-            const HalfPlane plane = is_one ? firm[lane][k] : HalfPlane{{0, 0}, k_no_offset};
-            d.planes[k].x.lanes[lane] = plane.normal.x;
-            d.planes[k].z.lanes[lane] = plane.normal.z;
-            d.planes[k].offset.lanes[lane] = plane.offset;
+            set_plane(d.planes[k], lane, is_one ? firm[lane][k] : k_no_plane);
         }
 }
 

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "sim/base/math.h"
+#include "sim/base/planar.h"
 #include "sim/base/rng.h"
-#include "sim/base/segment.h"
 #include "sim/gait/curves/fits.h"
 #include "sim/gait/curves/norms.h"
 #include "sim/gait/hands.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "sim/ground/grid.h"
 #include "sim/navigation/navmesh_data.h"
 

@@ -63,8 +63,7 @@ static void look_from_among(World& world, const Options& options) {
     if (options.load != BenchLoad::tick || world.crowd.count == 0) return;
     const bool is_fixed = camera.kind == CameraChoice::Kind::fixed;
     const Vec3 eye = is_fixed ? camera.eye : world.crowd.motion.position[world.crowd.count / 2];
-    const float lod = lod_of(options);
-    if (lod > 0) look_from(world, {&eye, 1}, lod);
+    if (options.lod > 0) look_from(world, {&eye, 1}, options.lod);
 }
 
 // What the stages come to.

@@ -225,7 +225,7 @@ TEST(Trajectories, BrokenFilesAreReadSoundlyOrRefused) {
                 const auto at =
                     static_cast<size_t>(random_unit(key, 2 * k) * static_cast<float>(broken.size()));
                 broken[std::min(at, broken.size() - 1)] =
-                    static_cast<char>(random_unit(key, 2 * k + 1) * 256);
+                    static_cast<char>(static_cast<uint8_t>(random_unit(key, 2 * k + 1) * 256));
             }
             Result<Trajectories> read = read_trajectories(folder.write("broken" + name, broken));
             if (!read) continue;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "sim/gait/shoes.h"
 #include "tests/sim/gait/tried.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/base/math.h"
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/gait/measure/limits.h"
 #include "tools/flaneur/gait/measure/signal.h"

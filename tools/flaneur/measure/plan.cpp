@@ -22,12 +22,6 @@ constexpr const char* k_zone_form =
     " is no zone X,Z/X,Z/X,Z... in metres, such as 0,0/8,0/8,5/0,5, with NAME: before it if it is to have "
     "one";
 
-double crossed(Vec2 a, Vec2 b, Vec2 c) {
-    auto wide = [](float v) { return static_cast<double>(v); };
-    return (wide(b.x) - wide(a.x)) * (wide(c.z) - wide(a.z)) -
-           (wide(b.z) - wide(a.z)) * (wide(c.x) - wide(a.x));
-}
-
 // Whether `p`, on the line through `a` and `b`, lies between them.
 bool is_between(Vec2 a, Vec2 b, Vec2 p) {
     return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.z, b.z) <= p.z &&
@@ -117,20 +111,6 @@ double area_of(std::span<const Vec2> corners) {
     double twice = 0;
     for (size_t i = 2; i < corners.size(); ++i) twice += crossed(corners[0], corners[i - 1], corners[i]);
     return std::fabs(twice) / 2;
-}
-
-// By how many edges lie to one side. An edge holds its lower end and not its upper one, so that zones side by
-// side share nobody.
-bool is_within(std::span<const Vec2> corners, Vec2 place) {
-    bool is_in = false;
-    for (size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const Vec2 a = corners[i], b = corners[j];
-        if ((a.z > place.z) == (b.z > place.z)) continue;
-        const bool is_up = b.z > a.z;
-        const double side = is_up ? crossed(a, b, place) : crossed(b, a, place);
-        if (side > 0) is_in = !is_in;
-    }
-    return is_in;
 }
 
 bool is_simple(std::span<const Vec2> corners) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/planar.h"
 #include "sim/base/result.h"
 #include "sim/base/vec.h"
 
@@ -41,7 +42,6 @@ inline constexpr float k_least_line = 0.05f, k_least_zone = 0.05f;  // metres, s
 float length_of(const CountLine& line);
 // Square metres; 0 of fewer than three corners.
 double area_of(std::span<const Vec2> corners);
-bool is_within(std::span<const Vec2> corners, Vec2 place);
 // Whether no two of its edges cross or touch, but at the corners where they meet.
 bool is_simple(std::span<const Vec2> corners);
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "sim/base/math.h"
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "tools/flaneur/measure/plan.h"
 
 namespace flaneur {

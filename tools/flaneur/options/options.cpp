@@ -99,6 +99,4 @@ Result<std::variant<std::monostate, Options>> parse_options(int argc, char** arg
     return parsed;
 }
 
-float lod_of(const Options& options) { return options.lod.value_or(0); }
-
 }  // namespace flaneur

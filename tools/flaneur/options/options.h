@@ -133,8 +133,8 @@ struct Options {
     bool force = false;  // characters need no more than two legs
 
     // view, render, bench frame and tick: metres from the camera beyond which people step eight ticks at once
-    // (look_from in sim/sim.h); 0: nobody does. See lod_of().
-    std::optional<float> lod;
+    // (look_from in sim/sim.h); 0: nobody does.
+    float lod = 0;
 
     // view, render, bench frame
     std::string device;
@@ -223,8 +223,5 @@ Result<TickRange> parse_ticks(const std::string& text);
 
 // What to do; or, when help was asked for and printed, nothing (monostate).
 Result<std::variant<std::monostate, Options>> parse_options(int argc, char** argv);
-
-// Metres from an eye beyond which people go in less detail; 0, as where it is not asked for: nobody does.
-float lod_of(const Options& options);
 
 }  // namespace flaneur

@@ -89,7 +89,7 @@ std::string record_of(const Options& options) {
     if (s.side) put("--side", *s.side == PassOn::right ? "right" : "left");
     put("--stay", s.stays ? "yes" : "");
     put("--demand", s.demand.empty() ? "" : told_file(s.demand));
-    if (const float lod = lod_of(options); lod > 0) put("--lod", plainly(lod));
+    if (options.lod > 0) put("--lod", plainly(options.lod));
     if (options.camera_path.empty())
         put("--camera", told_camera(s.camera));
     else

@@ -65,7 +65,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.is_overcast = options.scene.is_overcast;
     show.lit_windows = lit_windows(options.scene.hour);
     show.without.on = options.techniques;
-    show.lod = lod_of(options);
+    show.lod = options.lod;
     FLANEUR_ZONE("make meshes");
     prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
     show.has_lamps = is_dark(show);

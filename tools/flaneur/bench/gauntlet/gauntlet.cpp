@@ -42,12 +42,6 @@ void add_score(GauntletRun& run, const char* part, const std::string& name, doub
     std::fflush(stdout);
 }
 
-[[maybe_unused]] double median_of(const Figures& figures, const std::string& stage) {
-    for (const Series& series : figures.series)
-        if (series.name == stage) return quantile(series.ms, 0.5);
-    return std::nan("");
-}
-
 // Whether others use the machine, which makes times longer: said before the first load.
 void note_others(GauntletRun& run) {
     double load = 0;
@@ -138,6 +132,12 @@ void play_walk(GauntletRun& run) {
 }
 
 #ifdef FLANEUR_VULKAN
+double median_of(const Figures& figures, const std::string& stage) {
+    for (const Series& series : figures.series)
+        if (series.name == stage) return quantile(series.ms, 0.5);
+    return std::nan("");
+}
+
 Result<void> play_picture(Options options, int walkers, uint32_t frames, bool is_throng, GauntletRun& run) {
     options.scene.walkers = walkers;
     options.scene.size = {1280, 720};

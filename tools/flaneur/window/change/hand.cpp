@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "sim/base/math.h"
-#include "sim/base/segment.h"
+#include "sim/base/planar.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/panels.h"
