@@ -40,7 +40,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     auto& who = c.identity;
     some(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
     some(c.slots.generation, c.slots.place);
-    all(w.gait.blocks, w.poses, w.trails, c.afar);
+    all(w.gait.blocks, w.poses, w.trails, c.at_once);
     auto& m = c.motion;
     some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
          m.filed);

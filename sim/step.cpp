@@ -51,7 +51,7 @@ void for_runs(size_t begin, size_t end, const In& is_in, const Work& work) {
 void add_idles(World& w) {
     want_idles(w.idles, w.gait);
     advance_plays(w.idles, k_tick);
-    auto is_near = [&](size_t play) { return !w.crowd.afar[w.idles.plays[play].walker / k_block]; };
+    auto is_near = [&](size_t play) { return w.crowd.at_once[w.idles.plays[play].walker / k_block] == 1; };
     parallel_for(*w.workers, w.idles.plays.size(), k_blocks_a_chunk * k_block,
                  [&](size_t begin, size_t end, int) {
                      for_runs(begin, end, is_near,
@@ -104,7 +104,7 @@ void step_pose(World& w) {
     for_due_blocks(w, [&](size_t block, float dt) {
         hold_items(w, block, dt);
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
-        if (!w.crowd.afar[block]) return;
+        if (w.crowd.at_once[block] == 1) return;
         // Until they step again both are the same.
         w.previous_poses[block] = w.poses[block];
         w.previous_trails[block] = w.trails[block];

@@ -168,13 +168,14 @@ void end_body(World& w, uint32_t walker) {
     pose_newcomer(w, walker);
 }
 
-// One afar has gone k_afar_ticks at once, and is shown where it would be by now.
+// One afar has gone several ticks at once, and is shown where it would be by now.
 static Vec3 ahead_of_time(const World& w, size_t walker, float between) {
     const size_t block = walker / k_block;
-    if (!w.crowd.afar[block]) return {};
-    const auto since = static_cast<float>(ticks_since_due(block, w.tick - 1));
+    const uint32_t at_once = w.crowd.at_once[block];
+    if (at_once == 1) return {};
+    const auto since = static_cast<float>(ticks_since_turn(block, w.tick - 1, at_once));
     return at_height(w.crowd.motion.velocity[walker], 0) *
-           ((static_cast<float>(k_afar_ticks) - since - between) * k_tick);
+           ((static_cast<float>(at_once) - since - between) * k_tick);
 }
 
 JointPose joint_between(const World& w, size_t walker, Joint joint, float between) {
@@ -187,7 +188,7 @@ std::optional<PramPlace> pram_between(const World& w, size_t walker, float betwe
     Span own = prams_of(w.gait, walker, walker + 1);
     if (own.begin == own.end) return std::nullopt;
     const Pram& pram = w.gait.prams[own.begin];
-    if (!w.crowd.afar[walker / k_block]) return mixed_place(pram.before, pram.now, between);
+    if (w.crowd.at_once[walker / k_block] == 1) return mixed_place(pram.before, pram.now, between);
     PramPlace place = pram.now;
     place.place = place.place - ahead_of_time(w, walker, between);
     return place;

@@ -125,7 +125,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.driven = c.driven;
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);
-    keep(wider.afar, c.afar);
+    keep(wider.at_once, c.at_once);
     c = std::move(wider);
 }
 

@@ -24,10 +24,9 @@ Crowd make_crowd(uint32_t capacity) {
     CrowdDecision& d = c.decision;
     resize_to(capacity, d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     CrowdScratch& s = c.scratch;
-    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents, s.next_position, s.next_velocity,
-              s.next_polygon);
+    resize_to(capacity, c.journeys, c.way_back, s.order, s.intents);
     c.corners.resize(size_t{capacity} * k_corners);
-    c.afar.resize(block_count(capacity));
+    c.at_once.assign(block_count(capacity), 1);
     SeenRows& rows = s.seen;
     resize_to(capacity + k_block, rows.x, rows.y, rows.z);
     rows.all.resize(capacity);

@@ -1,7 +1,7 @@
 // The walkers: who they are, where they are, and the stages that move them; arrays parted by who reads what.
 //
-// One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Stages read the state of the tick
-// before and write to arrays of their own; `move` writes the next state and swaps it in. So the result
+// One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Of others, stages read what
+// find_neighbours copies as the tick begins, and write to what is a walker's own. So the result
 // depends neither on the number of threads nor on the order of walkers within a stage. Decisions (think,
 // find_neighbours, steer) are taken at 15 Hz, by blocks of k_block slots: block b decides on ticks with
 // tick % 4 == b % 4. Nothing is allocated once a crowd is made.
@@ -27,7 +27,8 @@
 namespace flaneur {
 
 inline constexpr uint32_t k_decision_ticks = 4;  // a walker decides every so many ticks
-inline constexpr uint32_t k_afar_ticks = 8;      // and one afar every so many
+inline constexpr uint32_t k_afar_ticks = 8;      // and one afar every so many,
+inline constexpr uint32_t k_farther_ticks = 16;  // or so many
 inline constexpr int k_corners = 32;             // of a path, at most
 inline constexpr int k_neighbours = 12;          // that a walker minds, at most
 inline constexpr float k_neighbour_reach = 4;    // metres
@@ -151,9 +152,6 @@ struct CrowdScratch {
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
     std::vector<uint32_t> requests;     // walkers whose path is sought
-    std::vector<Vec3> next_position;
-    std::vector<Vec2> next_velocity;
-    std::vector<uint32_t> next_polygon;
 };
 
 // Which slots are taken by whom.
@@ -173,7 +171,8 @@ struct Driven {
 inline constexpr float k_fastest_driven = 4;
 
 // Who looks on. A block of walkers who are all farther than `reach` from every eye is afar: they decide at
-// 7.5 Hz, and then go k_afar_ticks at once. Without eyes nobody is.
+// 7.5 Hz, and then go k_afar_ticks at once; twice as far they do at 3.75 Hz, and go k_farther_ticks. Without
+// eyes nobody is.
 struct Onlookers {
     std::vector<Vec3> eyes;
     float reach = 120;  // metres
@@ -195,9 +194,10 @@ struct Crowd {
     Driven driven;
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
-    std::vector<uint8_t> afar;  // by block
-    uint32_t next_path = 0;     // the walker from which path requests are served next
-    Demand demand;              // what draws them
+    std::vector<uint8_t>
+        at_once;             // by block: ticks that its walkers go in one step: 1, or of those afar more
+    uint32_t next_path = 0;  // the walker from which path requests are served next
+    Demand demand;           // what draws them
     CrowdScratch scratch;
 };
 
@@ -283,18 +283,23 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t walkers, std::span<const Folk> folk, uint64_t seed, float hour = 17.5f,
                        uint32_t capacity = 0, const Leaving& leaving = k_nobody_leaves);
 
-// How long ago it was a block's turn, of k_afar_ticks blocks one after the other.
-inline uint32_t ticks_since_due(size_t block, uint32_t tick) {
-    return (tick - static_cast<uint32_t>(block)) % k_afar_ticks;
+// Those afar take turns by stretches of so many blocks, which lie near each other when a crowd is set down:
+// so those of one turn find each other's ground in the cache.
+inline constexpr size_t k_stretch = 32;
+
+// How long ago it was a block's turn to go so many ticks at once.
+inline uint32_t ticks_since_turn(size_t block, uint32_t tick, uint32_t at_once) {
+    return (tick - static_cast<uint32_t>(block / k_stretch)) % at_once;
 }
-// How many ticks the walkers of a block go in this one: 1, or of those afar k_afar_ticks or none.
+// How many ticks the walkers of a block go in this one; 0: it is not their turn.
 inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
-    if (!crowd.afar[block]) return 1;
-    return ticks_since_due(block, tick) == 0 ? k_afar_ticks : 0;
+    const uint32_t at_once = crowd.at_once[block];
+    return ticks_since_turn(block, tick, at_once) == 0 ? at_once : 0;
 }
 // Whether they decide.
 inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
-    return ticks_since_due(block, tick) % (crowd.afar[block] ? k_afar_ticks : k_decision_ticks) == 0;
+    if (crowd.at_once[block] > 1) return ticks_due(crowd, block, tick) > 0;
+    return (tick - static_cast<uint32_t>(block)) % k_decision_ticks == 0;
 }
 
 // Who is afar; before all that follows.

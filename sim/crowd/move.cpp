@@ -230,9 +230,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
         if (length(on_ground(on_it.position - to.position)) < k_back) to = on_it, c.way_back[i] = {};
     }
     to.position.y = from.position.y;
-    c.scratch.next_position[i] = to.position;
-    c.scratch.next_velocity[i] = v;
-    c.scratch.next_polygon[i] = to.polygon;
+    m.position[i] = to.position;
+    m.velocity[i] = v;
+    m.polygon[i] = to.polygon;
 }
 
 namespace {
@@ -251,11 +251,11 @@ static void set_down(Crowd& c, const Surroundings& around, const Navmesh& mesh, 
     for (size_t k = 0; k < moved.count; ++k) {
         if (!hits[k]) continue;
         const uint32_t i = moved.who[k];
-        Vec3& place = c.scratch.next_position[i];
+        Vec3& place = c.motion.position[i];
         place.y = hits[k]->height;
         c.motion.under[i] = *hits[k];
         if (is_near_steps(mesh, on_ground(place)))
-            c.motion.under[i] = slowing_ground(around, *hits[k], place, c.scratch.next_velocity[i],
+            c.motion.under[i] = slowing_ground(around, *hits[k], place, c.motion.velocity[i],
                                                length(c.decision.chosen[i]), c.identity.stair_pace[i]);
     }
     moved.count = 0;
@@ -266,23 +266,15 @@ void move(Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& wo
     parallel_for(workers, c.slots.living.size(), 256, [&](size_t begin, size_t end, int thread) {
         Together moved;
         for (size_t at = begin; at < end; ++at) {
-            const uint32_t i = c.scratch.seen.all[at].id, ticks = ticks_due(c, i / k_block, tick);
-            if (ticks == 0) {
-                c.scratch.next_position[i] = c.motion.position[i];
-                c.scratch.next_velocity[i] = c.motion.velocity[i];
-                c.scratch.next_polygon[i] = c.motion.polygon[i];
-                continue;
-            }
+            const uint32_t i = c.scratch.order[at], ticks = ticks_due(c, i / k_block, tick);
+            if (ticks == 0) continue;
             move_walker(c, mesh, thread, static_cast<uint32_t>(at), static_cast<float>(ticks) * k_tick);
             moved.who[moved.count] = i;
-            moved.places[moved.count++] = c.scratch.next_position[i];
+            moved.places[moved.count++] = c.motion.position[i];
             if (moved.count == k_together) set_down(c, around, mesh, moved);
         }
         set_down(c, around, mesh, moved);
     });
-    c.motion.position.swap(c.scratch.next_position);
-    c.motion.velocity.swap(c.scratch.next_velocity);
-    c.motion.polygon.swap(c.scratch.next_polygon);
 }
 
 }  // namespace flaneur

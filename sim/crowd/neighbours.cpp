@@ -62,9 +62,15 @@ static void look_at(Crowd& c, size_t at) {
 
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
     const bool anew = tick % k_decision_ticks == 0;
-    if (anew || !c.scratch.is_ordered) order_places(c, workers, anew);
+    const bool is_kept = !anew && c.scratch.is_ordered;
+    if (!is_kept) order_places(c, workers, anew);
+    // Those afar are as they were when they were looked at last, but in their turn and after it.
+    auto is_as_it_was = [&](size_t block) {
+        return is_kept && ticks_due(c, block, tick) == 0 && ticks_due(c, block, tick - 1) == 0;
+    };
     parallel_for(workers, c.slots.living.size(), 1024, [&](size_t begin, size_t end, int) {
-        for (size_t at = begin; at < end; ++at) look_at(c, at);
+        for (size_t at = begin; at < end; ++at)
+            if (!is_as_it_was(c.scratch.order[at] / k_block)) look_at(c, at);
     });
 }
 

@@ -230,8 +230,7 @@ void steer(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick) {
     parallel_for(workers, c.slots.living.size(), 512, [&](size_t begin, size_t end, int) {
         Deciders d;
         for (size_t at = begin; at < end; ++at) {
-            if (decides(c, c.scratch.seen.all[at].id / k_block, tick))
-                d.at[d.count++] = static_cast<uint32_t>(at);
+            if (decides(c, c.scratch.order[at] / k_block, tick)) d.at[d.count++] = static_cast<uint32_t>(at);
             if (d.count == k_block || (at + 1 == end && d.count > 0)) decide(c, mesh, d), d.count = 0;
         }
     });

@@ -69,7 +69,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_journey, "corners",
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));
-    each(FieldName{"afar"}, c.afar[i / k_block]);
+    each(FieldName{"at_once"}, c.at_once[i / k_block]);
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

@@ -217,7 +217,7 @@ void advance_feet(GaitBlock& g, const Stepper& s, bool wants_step, bool slow, co
             approach(rate, wanted, k_quicken * s.dt);
             phase = std::max(phase + rate * s.dt, duty);
             if (phase >= 1) {
-                phase -= 1;
+                phase = std::min(phase - 1, duty - k_just_below);  // however long the tick
                 touch_down(g, s, side);
             } else {
                 swing(g, s, side, (1 - phase) / rate, f);

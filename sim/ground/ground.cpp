@@ -1,6 +1,10 @@
 #include "sim/ground/ground.h"
 
 #include <cassert>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "sim/base/hash.h"
 #include "sim/ground/grid.h"
@@ -24,6 +28,80 @@ static void index_solids(Ground& ground) {
         if (inside(a, b, c) < 0) std::swap(b, c);
         for_cells_of_triangle(ground.solid_grid, a, b, c, visit);
     });
+}
+
+// The area of a convex polygon's part where `side` says that it is positive, and that part.
+template <class Side>
+static int cut(const Vec2* in, int count, Vec2* out, const Side& side) {
+    int kept = 0;
+    for (int i = 0; i < count; ++i) {
+        const Vec2 a = in[i], b = in[i + 1 < count ? i + 1 : 0];
+        const float at_a = side(a), at_b = side(b);
+        if (at_a >= 0) out[kept++] = a;
+        if ((at_a >= 0) != (at_b >= 0)) out[kept++] = a + (b - a) * (at_a / (at_a - at_b));
+    }
+    return kept;
+}
+
+// Square metres of a triangle within a square from `low` on.
+static float area_within(const GridTriangle& t, Vec2 low, float size) {
+    constexpr int k_most = 3 + 4;
+    Vec2 a[k_most]{on_ground(t.a) - low, on_ground(t.b) - low, on_ground(t.c) - low}, b[k_most];
+    int count = cut(a, 3, b, [](Vec2 p) { return p.x; });
+    count = cut(b, count, a, [&](Vec2 p) { return size - p.x; });
+    count = cut(a, count, b, [](Vec2 p) { return p.z; });
+    count = cut(b, count, a, [&](Vec2 p) { return size - p.z; });
+    float twice = 0;
+    for (int i = 1; i + 1 < count; ++i) twice += cross(a[i] - a[0], a[i + 1] - a[0]);
+    return std::fabs(twice) / 2;
+}
+
+static Slab slab_of(const GridTriangle& t) {
+    const Vec3 normal = normalize_or(cross(t.b - t.a, t.c - t.a), {0, 1, 0});
+    Slab plane{{}, {-normal.x / normal.y, -normal.z / normal.y}, t.a.y, normal, t.kind};
+    // All that is level and equally high is one.
+    if (plane.rise != Vec2{}) plane.at = on_ground(t.a);
+    return plane;
+}
+
+// Whether the ground in cell (x, z) is one plane of one kind, without gaps or ground above ground.
+static std::optional<Slab> slab_in(const Ground& ground, int x, int z) {
+    constexpr float k_flat = 1e-4f, k_steepest = 0.2f, k_area = 1e-3f;  // metres, y of normals, square metres
+    const Grid& grid = ground.triangle_grid;
+    const size_t c = static_cast<size_t>(z) * grid.width + x;
+    if (grid.first[c] == grid.first[c + 1]) return {};
+    const Slab plane = slab_of(ground.grid_triangles[grid.items[grid.first[c]]]);
+    if (plane.normal.y < k_steepest) return {};
+    auto is_on_it = [&](Vec3 p) {
+        return std::fabs(plane.height + dot(plane.rise, on_ground(p) - plane.at) - p.y) < k_flat;
+    };
+    const Vec2 low = grid.origin + Vec2{static_cast<float>(x), static_cast<float>(z)} * grid.cell;
+    float area = 0;
+    for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
+        const GridTriangle& t = ground.grid_triangles[grid.items[k]];
+        if (t.kind != plane.kind || !is_on_it(t.a) || !is_on_it(t.b) || !is_on_it(t.c)) return {};
+        area += area_within(t, low, grid.cell);
+    }
+    if (std::fabs(area - grid.cell * grid.cell) > k_area) return {};
+    return plane;
+}
+
+// Each plane once, for all its cells.
+static void find_slabs(Ground& ground) {
+    const Grid& grid = ground.triangle_grid;
+    ground.slabs.clear();
+    std::map<std::tuple<float, float, float, float, float, Surface>, uint32_t> numbers;
+    ground.slab_of_cell.assign(grid.first.size() - 1, k_no_slab);
+    for (int z = 0; z < grid.height; ++z)
+        for (int x = 0; x < grid.width; ++x) {
+            const auto plane = slab_in(ground, x, z);
+            if (!plane) continue;
+            const auto [at, rise, height, normal, kind] = *plane;
+            const auto [known, is_new] = numbers.try_emplace({at.x, at.z, rise.x, rise.z, height, kind},
+                                                             static_cast<uint32_t>(ground.slabs.size()));
+            ground.slab_of_cell[static_cast<size_t>(z) * grid.width + x] = known->second;
+            if (is_new) ground.slabs.push_back(*plane);
+        }
 }
 
 void index_ground(Ground& ground) {
@@ -56,6 +134,7 @@ void index_ground(Ground& ground) {
         ground.grid_triangles.push_back({ground.vertices[index[0]], ground.vertices[index[1]],
                                          ground.vertices[index[2]], ground.kinds[i]});
     }
+    find_slabs(ground);
     ground.wall_grid = make_grid(low - margin, high + margin, k_wall_cell);
     fill_grid(ground.wall_grid, static_cast<uint32_t>(ground.faces.size()), [&](uint32_t i, auto visit) {
         const Face& f = ground.faces[i];

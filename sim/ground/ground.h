@@ -57,6 +57,15 @@ struct GridTriangle {
     Vec3 a, b, c;
     Surface kind = Surface::road;
 };
+// What of the ground lies in a cell, where that is one plane all over: its height at `at` and by how much it
+// rises a metre along x and z.
+inline constexpr uint32_t k_no_slab = ~0u;
+struct Slab {
+    Vec2 at, rise;
+    float height = 0;
+    Vec3 normal{0, 1, 0};
+    Surface kind = Surface::road;
+};
 struct GridWall {
     Vec2 a, along;  // from end to end on the ground plane
     float per_length_squared = 0;
@@ -80,7 +89,9 @@ struct Ground {
     Vec2 low, high;                             // bounds on the ground plane
     Grid triangle_grid, wall_grid, solid_grid;  // triangles; facades and garden walls; solids
     std::vector<GridTriangle> grid_triangles;   // one for each triangle
-    std::vector<GridWall> grid_walls;           // one for each item of wall_grid, side by side in memory
+    std::vector<uint32_t> slab_of_cell;         // of triangle_grid: index into `slabs`, or k_no_slab
+    std::vector<Slab> slabs;
+    std::vector<GridWall> grid_walls;  // one for each item of wall_grid, side by side in memory
 };
 
 // Builds the grids and bounds.

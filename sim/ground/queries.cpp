@@ -27,6 +27,12 @@ static std::optional<GroundHit> ground_in(const Ground& ground, size_t c, Vec3 p
     const Grid& grid = ground.triangle_grid;
     Vec2 p = on_ground(point);
     float highest = point.y + up, best = point.y - down;
+    if (const uint32_t k = ground.slab_of_cell[c]; k != k_no_slab) {
+        const Slab& plane = ground.slabs[k];
+        const float y = plane.height + dot(plane.rise, p - plane.at);
+        if (y > highest || y < best) return std::nullopt;
+        return GroundHit{y, plane.normal, plane.kind};
+    }
     const GridTriangle* found = nullptr;
     for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
         const GridTriangle& t = ground.grid_triangles[grid.items[k]];
@@ -66,11 +72,13 @@ void ground_at(const Ground& ground, std::span<const Vec3> points, float up, flo
         size_t cells[k_batch], count = std::min(k_batch, points.size() - begin);
         for (size_t i = 0; i < count; ++i) {
             cells[i] = cell_under(grid, on_ground(points[begin + i]));
-            if (cells[i] != k_outside) __builtin_prefetch(&grid.first[cells[i]]);
+            if (cells[i] == k_outside) continue;
+            __builtin_prefetch(&ground.slab_of_cell[cells[i]]);
+            __builtin_prefetch(&grid.first[cells[i]]);
         }
         auto for_items = [&](auto visit) {
             for (size_t i = 0; i < count; ++i) {
-                if (cells[i] == k_outside) continue;
+                if (cells[i] == k_outside || ground.slab_of_cell[cells[i]] != k_no_slab) continue;
                 uint32_t first = grid.first[cells[i]], end = grid.first[cells[i] + 1];
                 if (first < end) visit(first, end);
             }

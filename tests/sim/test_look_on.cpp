@@ -1,4 +1,4 @@
-// Simulation level of detail: those afar of every eye go eight ticks at once.
+// Simulation level of detail: those afar of every eye go eight ticks at once, and those farther sixteen.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,8 @@ float deepest(const World& w) {
 TEST(LookOn, ThoseAfarWalkAsFastMeetNobodyAndStayOffWalls) {
     auto w = made(2);
     const Crowd& c = w->crowd;
-    double pace[2] = {};
-    int walking[2] = {}, standing[2] = {};
+    double pace[3] = {};
+    int walking[3] = {};
     for (int tick = 0; tick < 40 * 60; ++tick) {
         step(*w);
         if (tick % 8 != 0) continue;
@@ -52,15 +52,19 @@ TEST(LookOn, ThoseAfarWalkAsFastMeetNobodyAndStayOffWalls) {
             const Vec3 p = c.motion.position[i];
             ASSERT_TRUE(ground_at(*w->ground, p, 0.01f, 0.01f)) << i << " at " << p.x << " " << p.z;
             ASSERT_FALSE(closest_wall(*w->ground, p, 0.2f)) << i << " at " << p.x << " " << p.z;
-            const int afar = c.afar[i / k_block];
+            const uint32_t at_once = c.at_once[i / k_block];
+            const int afar = at_once == k_farther_ticks ? 2 : at_once == k_afar_ticks ? 1 : 0;
             const float speed = length(c.motion.velocity[i]);
-            ++(speed > 0.3f ? walking : standing)[afar];
-            if (speed > 0.3f) pace[afar] += static_cast<double>(speed / c.identity.preferred_speed[i]);
+            if (speed < 0.3f) continue;
+            ++walking[afar];
+            pace[afar] += static_cast<double>(speed / c.identity.preferred_speed[i]);
         }
     }
     ASSERT_GT(walking[0], 1000);
-    ASSERT_GT(walking[1], 10000);
+    ASSERT_GT(walking[1], 5000);
+    ASSERT_GT(walking[2], 5000);
     EXPECT_NEAR(pace[1] / walking[1], pace[0] / walking[0], 0.04);
+    EXPECT_NEAR(pace[2] / walking[2], pace[0] / walking[0], 0.04);
 }
 
 // In whichever order blocks step, on however many threads and with whatever lanes; and from a state kept
@@ -96,7 +100,7 @@ TEST(LookOn, NobodyIsSeenToJump) {
         look_from(*w, {&eye, 1}, k_reach);
         step(*w);
         for (uint32_t i = 0; i < c.count; ++i) {
-            was_afar |= c.afar[i / k_block] != 0;
+            was_afar |= c.at_once[i / k_block] > 1;
             for (const float between : {0.0f, 0.5f, 1.0f}) {
                 const Vec3 hip = joint_between(*w, i, hips, between).position;
                 // A body leads and lags its feet by some, as speed changes.
@@ -140,8 +144,8 @@ TEST(LookOn, WithoutEyesEverybodyIsInFull) {
     plain->crowd.onlookers = {};
     for (int tick = 0; tick < 60; ++tick) step(*w), step(*plain);
     EXPECT_EQ(hash_world(*w), hash_world(*plain));
-    EXPECT_EQ(std::count(w->crowd.afar.begin(), w->crowd.afar.end(), 0),
-              static_cast<std::ptrdiff_t>(w->crowd.afar.size()));
+    EXPECT_EQ(std::count(w->crowd.at_once.begin(), w->crowd.at_once.end(), 1),
+              static_cast<std::ptrdiff_t>(w->crowd.at_once.size()));
 }
 
 }  // namespace

@@ -97,6 +97,45 @@ TEST(Ground, GroundOfManyIsThatOfEach) {
     EXPECT_LT(found, 900u);
 }
 
+// Where a cell is one plane, its triangles are not asked; with holes, kerbs and ground above ground in it,
+// they are.
+TEST(Ground, SlabsAnswerAsTheirTrianglesDo) {
+    Ground holes;
+    add_floor(holes, {0, 0}, {40, 9.2f}, 0, Surface::plaza);
+    add_floor(holes, {0, 9.8f}, {40, 20}, 0, Surface::plaza);  // a gap of 0.6 m
+    add_floor(holes, {10, 2}, {12, 4}, 0, Surface::path);      // and two kinds in one place
+    add_quad(holes, {40, 0, 40}, {40, 0, 20}, {0, 6, 20}, {0, 6, 40}, Surface::grass);
+    index_ground(holes);
+    Ground level = street(), over = bridge();
+    index_ground(level);
+    index_ground(over);
+    for (const Ground* ground : {&holes, &level, &over}) {
+        const auto whole =
+            static_cast<size_t>(std::count_if(ground->slab_of_cell.begin(), ground->slab_of_cell.end(),
+                                              [](uint32_t slab) { return slab != k_no_slab; }));
+        EXPECT_GT(whole, ground->slab_of_cell.size() / 4);
+        EXPECT_LT(whole, ground->slab_of_cell.size());
+        EXPECT_LT(ground->slabs.size(), 20u) << "what is one plane in many cells is kept once";
+        Ground bare = *ground;
+        std::fill(bare.slab_of_cell.begin(), bare.slab_of_cell.end(), k_no_slab);
+        int found = 0;
+        for (uint32_t i = 0; i < 20000; ++i) {
+            const RandomKey key{7, i, 0, Purpose::body};
+            const Vec3 p{lerp(ground->low.x - 1, ground->high.x + 1, random_unit(key, 0)),
+                         6 * random_unit(key, 1),
+                         lerp(ground->low.z - 1, ground->high.z + 1, random_unit(key, 2))};
+            const auto is = ground_at(*ground, p, 0.5f, 3), expected = ground_at(bare, p, 0.5f, 3);
+            ASSERT_EQ(is.has_value(), expected.has_value()) << p.x << " " << p.y << " " << p.z;
+            if (!is) continue;
+            ++found;
+            EXPECT_NEAR(is->height, expected->height, 1e-4f);
+            EXPECT_NEAR(dot(is->normal, expected->normal), 1, 1e-5f);
+            EXPECT_EQ(is->kind, expected->kind);
+        }
+        EXPECT_GT(found, 5000);
+    }
+}
+
 TEST(Ground, GroundChoosesTheLevelWithinReach) {
     Ground ground = street();
     add_floor(ground, {-5, -8}, {5, 8}, 4, Surface::path);  // a bridge
