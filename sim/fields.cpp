@@ -75,6 +75,16 @@ void for_each_word(const FieldName& name, const T& value, const Each& each) {
     } else if constexpr (std::is_same_v<T, NavPoint>) {
         for_each_word(FieldName{"position", &name}, value.position, each);
         for_each_word(FieldName{"polygon", &name}, value.polygon, each);
+    } else if constexpr (std::is_same_v<T, WalkerId>) {
+        for_each_word(FieldName{"index", &name}, value.index, each);
+        for_each_word(FieldName{"generation", &name}, value.generation, each);
+    } else if constexpr (std::is_same_v<T, Stride>) {
+        for_each_word(FieldName{"centre", &name}, value.centre, each);
+        parts(std::initializer_list<Named>{{"radius", value.radius},
+                                           {"heading", value.heading},
+                                           {"side", value.side},
+                                           {"left", value.left}});
+        for_each_word(FieldName{"circles", &name}, value.circles, each);
     } else if constexpr (std::is_same_v<T, Claim>) {
         for_each_word(FieldName{"since", &name}, value.since, each);
         for_each_word(FieldName{"owner", &name}, value.owner, each);

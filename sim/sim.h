@@ -147,6 +147,25 @@ bool let_wander(World& world, WalkerId id);
 // where the ground ahead has a gap or a ledge, as far as that asks for. Nothing changes where it goes, and
 // nothing happens while it jumps already. False if it is gone.
 bool let_jump(World& world, WalkerId id);
+// Ways to go without a goal of one's own, until it is sent or let do something else. All keep off walls and
+// out of others' way as anybody does. One who goes by somebody who is gone stands. Each refuses a walker that
+// is gone, and what its last argument cannot be.
+//
+// After `whom`, some `distance` metres behind, 0.5..20: straight where nothing is between, else by the best
+// way; it hurries a little where it falls behind, and stands where the other does.
+Result<void> let_follow(World& world, WalkerId id, WalkerId whom, float distance = 1.2f);
+// To a goal as by send_to, waiting where `whom`, who may follow it, falls more than `most` metres
+// behind, 1..50.
+Result<void> let_lead(World& world, WalkerId id, WalkerId whom, Vec3 goal, float most = 5);
+// Away from `whom` while that one is nearer than `range` metres, 1..100; then it stands, and looks back.
+Result<void> let_flee(World& world, WalkerId id, WalkerId whom, float range = 10);
+// Straight on until a ray 4 m ahead meets a wall, then where one of a fan of rays is free: see
+// sim/ways/rays.h.
+bool let_ramble(World& world, WalkerId id);
+// Along circles on a convex platform, never straight: see sim/ways/stride.h. `corners` are 3 to 16, in metres
+// on the ground plane; one who is beside it walks there. With another platform, one who staggers goes on on
+// that one.
+Result<void> let_stagger(World& world, WalkerId id, std::span<const Vec2> corners);
 // Whether it stands where it was last sent, or was set down. Where others stand on the goal, next to them
 // is there.
 bool has_arrived(const World& world, WalkerId id);
@@ -156,9 +175,9 @@ void step(World& world);
 
 // Simulation level of detail. From now on those who are farther than `reach` metres from every eye decide at
 // 7.5 Hz instead of 15, and walk and step an eighth of the time, eight ticks at once: blocks of sixteen
-// walkers all of whom are. They still meet nobody and no wall. In equal runs, whose programs tell the same
-// eyes before the same ticks, the world is the same to the last bit. Without eyes, as at the start, everybody
-// is in full.
+// walkers all of whom are. Twice as far they do half of that, sixteen ticks at once. They still meet nobody
+// and no wall. In equal runs, whose programs tell the same eyes before the same ticks, the world is the same
+// to the last bit. Without eyes, as at the start, everybody is in full.
 void look_from(World& world, std::span<const Vec3> eyes, float reach = 120);
 
 struct WalkerMotion {

@@ -6,7 +6,7 @@
 
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
-#include "sim/crowd/pace.h"
+#include "sim/body/pace.h"
 #include "sim/gait/hands.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"

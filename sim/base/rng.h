@@ -24,7 +24,8 @@ enum class Purpose : uint32_t {
     first_step,
     step,
     hold,
-    coming
+    coming,
+    way
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

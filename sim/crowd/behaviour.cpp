@@ -135,7 +135,7 @@ static void arrive(Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
     j.stuck = 0;
     j.insists_since = k_never;
     j.corner = j.corner_count;
-    if (j.errand == Errand::arrive) return;
+    if (j.errand != Errand::wander) return;
     float pause = random_between({seed, i, j.trip, Purpose::pause}, j.stay.least, j.stay.most);
     j.pause_until = tick + static_cast<uint32_t>(pause / k_tick);
     j.path_due = PathDue::to_new_goal;
@@ -188,7 +188,7 @@ static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 co
         j.path_due = PathDue::to_goal;
 }
 
-static Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
+Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     Journey& j = c.journeys[i];
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec2 p = on_ground(c.motion.position[i]);
@@ -283,11 +283,17 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     const bool waits = tick < j.pause_until;
     const bool goes_on = is_beside || is_driven;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;
-    c.decision.wanted[i] = is_beside   ? go_back(c, mesh, thread, i)
-                           : is_driven ? c.driven.wish
-                           : waits     ? Vec2{0, 0}
-                                       : follow_path(c, mesh, thread, i, tick, seed);
-    const Onward on = goes_on || waits ? onward(c, i, c.decision.wanted[i]) : onward_by_path(c, i);
+    WayWish wish{{0, 0}, false};
+    if (is_beside)
+        wish.wanted = go_back(c, mesh, thread, i);
+    else if (is_driven)
+        wish.wanted = c.driven.wish;
+    else if (j.errand == Errand::by_way)
+        wish = wish_by_way(c, mesh, thread, i, tick, seed);
+    else if (!waits)
+        wish = {follow_path(c, mesh, thread, i, tick, seed), true};
+    c.decision.wanted[i] = wish.wanted;
+    const Onward on = wish.is_by_path ? onward_by_path(c, i) : onward(c, i, wish.wanted);
     c.decision.course[i] = on.course;
     c.decision.aim[i] = on.aim;
     const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;

@@ -126,6 +126,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);
     keep(wider.at_once, c.at_once);
+    wider.ways = std::move(c.ways);
     c = std::move(wider);
 }
 

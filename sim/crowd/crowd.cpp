@@ -6,6 +6,7 @@
 
 #include "sim/base/block.h"
 #include "sim/base/hash.h"
+#include "sim/base/spans.h"
 #include "sim/crowd/places.h"
 #include "sim/crowd/values-inl.h"
 
@@ -122,6 +123,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     ++slots.generation[i];
     slots.left.push_back(i);
     c.scratch.is_ordered = false;
+    take_away(c.ways, i);
     if (c.driven.walker == i) c.driven = {};
 }
 
@@ -148,6 +150,16 @@ void let_go(Crowd& c) {
     j.pause_until = 0;
     j.arrived = false;
     c.driven = {};
+}
+
+void go_by_way(Crowd& c, const Way& way) {
+    const uint32_t i = way.walker;
+    c.ways.insert(take_away(c.ways, i), way);
+    Journey next;
+    next.goal = {c.motion.position[i], c.motion.polygon[i]};
+    next.trip = c.journeys[i].trip + 1;
+    next.errand = Errand::by_way;
+    c.journeys[i] = next;
 }
 
 bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }

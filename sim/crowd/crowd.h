@@ -23,6 +23,7 @@
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
+#include "sim/ways/stride.h"
 
 namespace flaneur {
 
@@ -34,7 +35,23 @@ inline constexpr int k_neighbours = 12;          // that a walker minds, at most
 inline constexpr float k_neighbour_reach = 4;    // metres
 
 // What a walker does at its goal.
-enum class Errand : uint8_t { wander, arrive };  // pause and go somewhere else; stand there
+enum class Errand : uint8_t { wander, arrive, by_way };  // pause and go somewhere else; stand there; see Way
+
+// How one goes who goes about no errand of its own.
+struct Way {
+    // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
+    // walls; along circles on a platform.
+    enum class Kind : uint32_t { follow, lead, flee, ramble, stagger };
+    uint32_t walker = 0;
+    Kind kind = Kind::follow;
+    uint32_t waits = 0;  // 1: for the one it leads
+    uint32_t turns = 0;  // so far, of one who rambles
+    WalkerId whom{};     // followed, led, fled from
+    float range = 0;     // metres: kept behind, most ahead, fled
+    float bearing = 0;   // yaw, of one who rambles
+    Stride stride{};
+    Platform platform{};
+};
 
 // Who they are; constant.
 struct CrowdIdentity {
@@ -191,6 +208,7 @@ struct Crowd {
     // Of those from under whose feet the mesh has gone, the place on it that they walk back to; polygon 0: of
     // all others.
     std::vector<NavPoint> way_back;
+    std::vector<Way> ways;  // of those who have one, by walker
     Driven driven;
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
@@ -250,6 +268,11 @@ void make_room(Crowd& crowd, uint32_t capacity);
 // its errand.
 void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
+
+// From now on it goes this way.
+void go_by_way(Crowd& crowd, const Way& way);
+// What bounds the circles of one who staggers.
+Strider strider_of(const Crowd& crowd, uint32_t walker);
 
 // Whether a walker stands at its goal, or next to others who stand there.
 bool has_arrived(const Crowd& crowd, uint32_t walker);

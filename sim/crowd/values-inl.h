@@ -5,6 +5,7 @@
 #include <span>
 
 #include "sim/base/field_name.h"
+#include "sim/base/spans.h"
 #include "sim/crowd/crowd.h"
 
 namespace flaneur {
@@ -70,6 +71,15 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));
     each(FieldName{"at_once"}, c.at_once[i / k_block]);
+    const Span own = span_of(c.ways, i, i + 1);
+    const Way* way = own.begin < own.end ? &c.ways[own.begin] : nullptr;
+    auto add_of_way = [&](std::string_view name, auto Way::*part) {
+        constexpr FieldName k_way{"way"};
+        each(FieldName{name, &k_way}, way ? &(way->*part) : nullptr);
+    };
+    add_of_way("kind", &Way::kind), add_of_way("waits", &Way::waits), add_of_way("turns", &Way::turns);
+    add_of_way("whom", &Way::whom), add_of_way("range", &Way::range), add_of_way("bearing", &Way::bearing);
+    add_of_way("stride", &Way::stride);
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

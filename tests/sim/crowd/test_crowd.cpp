@@ -7,10 +7,10 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/body/pace.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/half_planes.h"
-#include "sim/crowd/pace.h"
 #include "tests/sim/allocations.h"
 #include "tests/sim/small_grounds.h"
 

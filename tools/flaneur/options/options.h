@@ -132,8 +132,8 @@ struct Options {
 
     bool force = false;  // characters need no more than two legs
 
-    // view, render, bench frame and tick: metres from the camera beyond which people step eight ticks at once
-    // (look_from in sim/sim.h); 0: nobody does.
+    // view, render, bench frame and tick: metres from the camera beyond which people step several ticks at
+    // once (look_from in sim/sim.h); 0: nobody does.
     float lod = 0;
 
     // view, render, bench frame

@@ -6,7 +6,7 @@
 
 #include "sim/base/levels.h"
 #include "sim/base/math.h"
-#include "sim/crowd/pace.h"
+#include "sim/body/pace.h"
 #include "tools/extract/convert.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/crowd/pace.h"
+#include "sim/body/pace.h"
 #include "tools/flaneur/gait/bars.h"
 
 namespace flaneur {

@@ -1,4 +1,4 @@
-#include "sim/crowd/pace.h"
+#include "sim/body/pace.h"
 
 #include <algorithm>
 #include <cmath>

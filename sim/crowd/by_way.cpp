@@ -1,0 +1,201 @@
+// Ways to go without an errand: after somebody, with somebody, away from somebody, by rays, along circles.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/math.h"
+#include "sim/base/spans.h"
+#include "sim/crowd/crowd.h"
+#include "sim/crowd/errand.h"
+#include "sim/crowd/places.h"
+#include "sim/ways/rays.h"
+
+namespace flaneur {
+
+static constexpr float k_hastens = 1.25f, k_flees = 1.5f;  // times the preferred speed, at most
+static constexpr float k_catches_up = 1.5f;                // seconds, to be as near as one likes
+static constexpr float k_stale = 1.5f;     // metres that who is followed has gone from where the path leads
+static constexpr float k_comes_up = 0.6f;  // of the distance at which one waits, when it goes on
+static constexpr float k_safe = 1.3f;      // of the range, to which one flees
+static constexpr float k_turns_on_foot = 1.6f;                  // radians a second
+static constexpr float k_off_circle = 0.6f;                     // metres, from which on one finds another
+static constexpr float k_goes_off = 0.3f;                       // metres that others and its legs take it off
+static constexpr float k_least_going = 0.3f;                    // m/s
+static constexpr float k_looks_ahead = 0.5f, k_most_round = 1;  // metres along a circle, and radians at most
+static constexpr float k_degree = 0.017453293f;
+
+namespace {
+
+// One who decides, and what by.
+struct Goer {
+    Crowd& c;
+    const Navmesh& mesh;
+    int thread;
+    uint32_t i, tick;
+    uint64_t seed;
+    Way& way;
+
+    Vec3 at() const { return c.motion.position[i]; }
+    float speed() const { return c.identity.preferred_speed[i]; }
+};
+
+}  // namespace
+
+// How far one comes, straight on, before it would leave the mesh: `reach` metres at most.
+static float clear_way(const Goer& g, float yaw, float reach) {
+    constexpr float k_first = 0.3f, k_aside = 0.05f;  // metres
+    const Vec3 from = g.at();
+    const Vec2 direction = heading_direction(yaw);
+    // Who stands on a border meets it at once.
+    const NavPoint first = move_along(g.mesh, g.thread, {from, g.c.motion.polygon[g.i]},
+                                      from + at_height(direction * k_first, 0));
+    if (length(on_ground(first.position - from) - direction * k_first) > k_aside) return 0;
+    const auto border = first_border(g.mesh, from, from + at_height(direction * reach, 0));
+    if (!border) return reach;
+    const Vec2 inward = inward_of(*border);
+    return dot(on_ground(border->a - from), inward) / std::min(dot(direction, inward), -1e-3f);
+}
+
+// As fast as brings one from `far` to `range` metres behind who goes with `velocity` that way.
+static float following_speed(const Goer& g, float far, Vec2 direction, Vec2 velocity) {
+    const float speed = dot(velocity, direction) + (far - g.way.range) / k_catches_up;
+    return clamp(speed, 0, k_hastens * g.speed());
+}
+
+static WayWish follow(const Goer& g) {
+    const uint32_t whom = g.way.whom.index;
+    const Vec3 there = g.c.motion.position[whom];
+    const Vec2 to = on_ground(there - g.at());
+    const float far = length(to);
+    Journey& j = g.c.journeys[g.i];
+    if (std::fabs(there.y - g.at().y) < k_other_level && is_clear(g.mesh, g.at(), there)) {
+        j.corner = j.corner_count = 0;
+        j.path_due = PathDue::no;
+        const Vec2 direction = normalize_or(to, {0, 0});
+        return {direction * following_speed(g, far, direction, g.c.motion.velocity[whom]), false};
+    }
+    const bool is_stale = length(on_ground(j.goal.position - there)) > k_stale || j.corner >= j.corner_count;
+    if (is_stale && j.path_due == PathDue::no && g.tick >= j.pause_until) {
+        j.goal = {there, g.c.motion.polygon[whom]};
+        j.path_due = PathDue::to_goal;
+    }
+    const Vec2 along = follow_path(g.c, g.mesh, g.thread, g.i, g.tick, g.seed);
+    return {along * (far > 2 * g.way.range ? k_hastens : 1.0f), true};
+}
+
+static WayWish lead(const Goer& g) {
+    const float behind = length(g.c.motion.position[g.way.whom.index] - g.at());
+    if (behind > g.way.range) g.way.waits = 1;
+    if (behind < k_comes_up * g.way.range) g.way.waits = 0;
+    Journey& j = g.c.journeys[g.i];
+    if (g.way.waits || j.arrived) {
+        j.closest_tick = g.tick;  // who waits is not held up
+        return {};
+    }
+    return {follow_path(g.c, g.mesh, g.thread, g.i, g.tick, g.seed), true};
+}
+
+static WayWish flee(const Goer& g) {
+    const Vec2 from = on_ground(g.at() - g.c.motion.position[g.way.whom.index]);
+    const float far = length(from);
+    if (far < g.way.range) g.way.waits = 0;
+    if (far > k_safe * g.way.range) g.way.waits = 1;  // it stands where it is safe
+    if (g.way.waits || far >= k_safe * g.way.range) return {};
+    // As nearly straight away as is free for long, on the way that it goes already if that is as good.
+    const float away = heading_of(normalize_or(from, heading_direction(g.c.motion.heading[g.i])));
+    float best = -1, chosen = away;
+    auto take = [&](float degrees) {
+        const float yaw = away + degrees * k_degree;
+        const float clear = clear_way(g, yaw, k_ray_aside) / k_ray_aside;
+        const float keeps = 0.2f * dot(heading_direction(yaw), heading_direction(g.way.bearing));
+        const float good = clear * (1.2f + sin_cos(degrees * k_degree).cosine) + keeps;
+        if (good > best) best = good, chosen = yaw;
+    };
+    for (int k = -11; k <= 12; ++k) take(15 * static_cast<float>(k));
+    g.way.bearing = wrap_angle(chosen);
+    return {heading_direction(chosen) * (k_flees * g.speed()), false};
+}
+
+static WayWish ramble(const Goer& g) {
+    if (clear_way(g, g.way.bearing, k_ray_ahead) < k_ray_ahead) {
+        const RandomKey key{g.seed, g.i, ++g.way.turns, Purpose::way};
+        const auto turn = free_way(
+            [&](float degrees) {
+                return clear_way(g, g.way.bearing + degrees * k_degree, k_ray_aside) >= k_ray_aside;
+            },
+            key);
+        g.way.bearing = wrap_angle(g.way.bearing + turn.value_or(180) * k_degree);
+    }
+    return {heading_direction(g.way.bearing) * g.speed(), false};
+}
+
+Strider strider_of(const Crowd& c, uint32_t i) {
+    return {.speed = c.identity.preferred_speed[i],
+            .radius = c.identity.radius[i] + k_goes_off,
+            .turns = k_turns_on_foot};
+}
+
+// Straight to where there is room.
+static WayWish get_off_edge(const Goer& g, const Strider& who) {
+    const Vec2 here = on_ground(g.at());
+    const Vec2 to = nearest_with_room(g.way.platform, here, least_circle(who) + who.radius).value_or(here);
+    return {normalize_or(to - here, {0, 0}) * who.speed, false};
+}
+
+// Along its circle; where others or its own legs have taken it off there, or the platform has changed, along
+// another one, from where it is.
+static WayWish stagger(const Goer& g, float seconds) {
+    const Strider who = strider_of(g.c, g.i);
+    const Platform& platform = g.way.platform;
+    const Vec2 here = on_ground(g.at()), velocity = g.c.motion.velocity[g.i];
+    if (room_at(platform, here) < who.radius - k_goes_off / 2) return get_off_edge(g, who);
+    Stride& s = g.way.stride;
+    s.left -= seconds;
+    const float off = std::fabs(length(here - s.centre) - s.radius);
+    const bool is_lost = s.circles == 0 || off > k_off_circle || !is_on(platform, who, s);
+    if (is_lost || s.left <= 0) {
+        const float speed = length(velocity);
+        Stride next = s;
+        next.heading = speed > k_least_going ? heading_of(velocity / speed) : g.c.motion.heading[g.i];
+        next.radius = 0, next.centre = here;
+        const RandomKey key{g.seed, g.i, 0, Purpose::way};
+        const float other = s.circles == 0 && random_unit(key, 2) < 0.5f ? s.side : -s.side;
+        if (turn_to(platform, who, next, other, key) ||
+            (is_lost && turn_to(platform, who, next, -other, key)))
+            s = next;
+        else if (is_lost)
+            return get_off_edge(g, who);
+    }
+    // Towards a place a little ahead on the circle.
+    const Vec2 out = normalize_or(here - s.centre, {0, 0});
+    const SinCos by = sin_cos(s.side * std::min(k_looks_ahead / s.radius, k_most_round));
+    const Vec2 ahead = {out.x * by.cosine - out.z * by.sine, out.z * by.cosine + out.x * by.sine};
+    const Vec2 to = s.centre + ahead * s.radius - here;
+    s.heading = heading_of(normalize_or(to, heading_direction(s.heading)));
+    return {heading_direction(s.heading) * who.speed, false};
+}
+
+WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
+    const Span own = span_of(c.ways, i, i + 1);
+    if (own.begin == own.end) return {};
+    Goer g{c, mesh, thread, i, tick, seed, c.ways[own.begin]};
+    const WalkerId whom = g.way.whom;
+    const bool is_by_whom = g.way.kind <= Way::Kind::flee;
+    if (is_by_whom && (!is_there(c, whom.index) || c.slots.generation[whom.index] != whom.generation))
+        return {};
+    switch (g.way.kind) {
+        case Way::Kind::follow:
+            return follow(g);
+        case Way::Kind::lead:
+            return lead(g);
+        case Way::Kind::flee:
+            return flee(g);
+        case Way::Kind::ramble:
+            return ramble(g);
+        case Way::Kind::stagger:
+            break;
+    }
+    const uint32_t ticks = c.at_once[i / k_block];
+    return stagger(g, static_cast<float>(std::max(ticks, k_decision_ticks)) * k_tick);
+}
+
+}  // namespace flaneur
