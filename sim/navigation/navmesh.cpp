@@ -71,25 +71,31 @@ static const dtQueryFilter& filter_of(const Navmesh& m, By by) {
     return by == By::wheels ? m.wheels : m.filter;
 }
 
-// Whether `p` lies in the polygon seen from above.
-static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p) {
+// Whether `p` lies in the polygon seen from above, or no farther than `slack` metres beside it.
+static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p, float slack = 0) {
     bool left = false, right = false;
     for (int i = 0, j = polygon.vertCount - 1; i < polygon.vertCount; j = i++) {
         const float *a = &tile.verts[polygon.verts[j] * 3], *b = &tile.verts[polygon.verts[i] * 3];
-        float side = cross(Vec2{b[0] - a[0], b[2] - a[2]}, p - Vec2{a[0], a[2]});
-        left |= side < 0;
-        right |= side > 0;
+        const Vec2 along{b[0] - a[0], b[2] - a[2]};
+        const float side = cross(along, p - Vec2{a[0], a[2]}), least = slack > 0 ? slack * length(along) : 0;
+        left |= side < -least;
+        right |= side > least;
     }
     return !(left && right);
 }
 
 NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by) {
+    constexpr float k_rounding = 2e-3f;      // metres
+    constexpr Vec3 k_beside{0.2f, 1, 0.2f};  // likewise, half extents
+    constexpr int k_most_visited = 16;
     const dtMeshTile* tile = nullptr;
     const dtPoly* polygon = nullptr;
     if (dtStatusFailed(m.mesh->getTileAndPolyByRef(from.polygon, &tile, &polygon))) return from;
     if (in_polygon(*tile, *polygon, on_ground(to))) return {to, from.polygon};
 
-    constexpr int k_most_visited = 16;
+    // Next to slivers one may come to lie beside one's polygon. From there Detour goes nowhere, or far off.
+    if (!in_polygon(*tile, *polygon, on_ground(from.position), k_rounding))
+        from = nearest(m, thread, from.position, k_beside).value_or(from);
     NavPoint result = from;
     dtPolyRef visited[k_most_visited];
     int count = 0;

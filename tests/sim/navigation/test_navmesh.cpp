@@ -237,6 +237,34 @@ TEST(Navmesh, MoveAlongNeverLeavesTheMesh) {
 }
 
 // As of a house on a slope, whose foot lies as low as the lowest ground at it.
+// Who is said to be on a polygon that lies a little beside it goes on all the same.
+TEST(Navmesh, MoveAlongGetsAwayFromBesideItsPolygon) {
+    Ground ground = square(60);
+    ground.obstacles.push_back({{3, 0, 4}, 0.5f, {2, 1}});
+    const NavmeshPtr mesh = build(ground);
+    int tried = 0;
+    for (int row = 0; row < 20; ++row) {
+        std::optional<NavPoint> before;
+        for (int k = 0; k < 5000; ++k) {
+            const Vec3 p{static_cast<float>(k) * 0.01f - 25, 0, static_cast<float>(row) * 2.4f - 24};
+            const auto here = nearest(*mesh, 0, p, {0.05f, 1, 0.05f});
+            if (here && before && here->polygon != before->polygon) {
+                const Vec3 beside = here->position + Vec3{0.05f, 0, 0};
+                const auto there = nearest(*mesh, 0, beside + Vec3{0.03f, 0, 0}, {0.005f, 1, 0.005f});
+                if (there && there->polygon == here->polygon) {
+                    const NavPoint moved =
+                        move_along(*mesh, 0, {beside, before->polygon}, beside + Vec3{0.03f, 0, 0});
+                    EXPECT_NEAR(moved.position.x - beside.x, 0.03f, 1e-3f) << p.x << " " << p.z;
+                    EXPECT_EQ(moved.polygon, here->polygon);
+                    ++tried;
+                }
+            }
+            before = here;
+        }
+    }
+    EXPECT_GT(tried, 20);
+}
+
 TEST(Navmesh, WallsStopWalkersHoweverDeepTheirFoot) {
     Ground ground = corridor(20, 4);
     add_wall(ground, {10, -6, -2}, {10, -6, 2}, 8);
