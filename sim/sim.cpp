@@ -233,7 +233,7 @@ Result<void> send_to(World& w, WalkerId id, Vec3 goal) {
     if (!place) return Error{"There is no walkable ground within 2 m of " + at(goal) + "."};
     if (island(*w.navmesh, place->polygon) != island(*w.navmesh, w.crowd.motion.polygon[id.index]))
         return Error{"There is no way to " + at(goal) + " from where the walker is."};
-    take_away(w.crowd.ways, id.index);
+    take_away(w.crowd.wayfarers, id.index);
     w.crowd.journeys[id.index].errand = Errand::arrive;
     send_to(w.crowd, id.index, *place);
     return {};
@@ -241,7 +241,7 @@ Result<void> send_to(World& w, WalkerId id, Vec3 goal) {
 
 bool let_wander(World& w, WalkerId id) {
     if (!is_alive(w, id)) return false;
-    take_away(w.crowd.ways, id.index);
+    take_away(w.crowd.wayfarers, id.index);
     Journey& j = w.crowd.journeys[id.index];
     j.errand = Errand::wander;
     j.arrived = false;
@@ -250,7 +250,7 @@ bool let_wander(World& w, WalkerId id) {
     return true;
 }
 
-static Result<void> go_by(World& w, WalkerId id, Way way, float least, float most) {
+static Result<void> go_by(World& w, WalkerId id, Wayfarer way, float least, float most) {
     if (!is_alive(w, id)) return Error{"That walker is gone."};
     if (!is_alive(w, way.whom)) return Error{"The walker to go by is gone."};
     if (way.whom == id) return Error{"Nobody goes by himself."};
@@ -266,13 +266,14 @@ static Result<void> go_by(World& w, WalkerId id, Way way, float least, float mos
 }
 
 Result<void> let_follow(World& w, WalkerId id, WalkerId whom, float distance) {
-    return go_by(w, id, {.kind = Way::Kind::follow, .whom = whom, .range = distance}, 0.5f, 20);
+    return go_by(w, id, {.kind = Wayfarer::Kind::follow, .whom = whom, .range = distance}, 0.5f, 20);
 }
 
 Result<void> let_lead(World& w, WalkerId id, WalkerId whom, Vec3 goal, float most) {
     if (Result<void> sent = send_to(w, id, goal); !sent) return sent;
     const NavPoint place = w.crowd.journeys[id.index].goal;
-    if (Result<void> led = go_by(w, id, {.kind = Way::Kind::lead, .whom = whom, .range = most}, 1, 50); !led)
+    if (Result<void> led = go_by(w, id, {.kind = Wayfarer::Kind::lead, .whom = whom, .range = most}, 1, 50);
+        !led)
         return led;
     Journey& j = w.crowd.journeys[id.index];
     j.goal = place;
@@ -281,13 +282,14 @@ Result<void> let_lead(World& w, WalkerId id, WalkerId whom, Vec3 goal, float mos
 }
 
 Result<void> let_flee(World& w, WalkerId id, WalkerId whom, float range) {
-    return go_by(w, id, {.kind = Way::Kind::flee, .whom = whom, .range = range}, 1, 100);
+    return go_by(w, id, {.kind = Wayfarer::Kind::flee, .whom = whom, .range = range}, 1, 100);
 }
 
 bool let_ramble(World& w, WalkerId id) {
     if (!is_alive(w, id)) return false;
-    go_by_way(w.crowd,
-              {.walker = id.index, .kind = Way::Kind::ramble, .bearing = w.crowd.motion.heading[id.index]});
+    go_by_way(
+        w.crowd,
+        {.walker = id.index, .kind = Wayfarer::Kind::ramble, .bearing = w.crowd.motion.heading[id.index]});
     return true;
 }
 
@@ -295,11 +297,11 @@ Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     if (!is_alive(w, id)) return Error{"That walker is gone."};
     const Result<Platform> platform = make_platform(corners);
     if (!platform) return platform.error();
-    Way way{.walker = id.index, .kind = Way::Kind::stagger, .platform = *platform};
+    Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::stagger, .platform = *platform};
     const Crowd& c = w.crowd;
-    const auto known = span_of(c.ways, id.index, id.index + 1);
-    if (known.begin < known.end && c.ways[known.begin].kind == way.kind)
-        way.stride = c.ways[known.begin].stride;
+    const auto known = span_of(c.wayfarers, id.index, id.index + 1);
+    if (known.begin < known.end && c.wayfarers[known.begin].kind == way.kind)
+        way.stride = c.wayfarers[known.begin].stride;
     const Strider who = strider_of(c, id.index);
     if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]), least_circle(who) + who.radius))
         return Error{"The platform is too small for this walker to turn on."};

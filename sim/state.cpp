@@ -59,7 +59,7 @@ template <class W, class Each>
 void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.slots.living, head.living);
     each(w.crowd.slots.left, head.left);
-    each(w.crowd.ways, head.ways);
+    each(w.crowd.wayfarers, head.ways);
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
@@ -89,7 +89,7 @@ Head head_of(const World& w) {
     head.widest = c.widest;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
-    head.ways = size(c.ways);
+    head.ways = size(c.wayfarers);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
     head.canes = size(w.gait.canes);
     head.prams = size(w.gait.prams);

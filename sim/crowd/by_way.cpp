@@ -32,7 +32,7 @@ struct Goer {
     int thread;
     uint32_t i, tick;
     uint64_t seed;
-    Way& way;
+    Wayfarer& way;
 
     Vec3 at() const { return c.motion.position[i]; }
     float speed() const { return c.identity.preferred_speed[i]; }
@@ -175,23 +175,23 @@ static WayWish stagger(const Goer& g, float seconds) {
 }
 
 WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
-    const Span own = span_of(c.ways, i, i + 1);
+    const Span own = span_of(c.wayfarers, i, i + 1);
     if (own.begin == own.end) return {};
-    Goer g{c, mesh, thread, i, tick, seed, c.ways[own.begin]};
+    Goer g{c, mesh, thread, i, tick, seed, c.wayfarers[own.begin]};
     const WalkerId whom = g.way.whom;
-    const bool is_by_whom = g.way.kind <= Way::Kind::flee;
+    const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee;
     if (is_by_whom && (!is_there(c, whom.index) || c.slots.generation[whom.index] != whom.generation))
         return {};
     switch (g.way.kind) {
-        case Way::Kind::follow:
+        case Wayfarer::Kind::follow:
             return follow(g);
-        case Way::Kind::lead:
+        case Wayfarer::Kind::lead:
             return lead(g);
-        case Way::Kind::flee:
+        case Wayfarer::Kind::flee:
             return flee(g);
-        case Way::Kind::ramble:
+        case Wayfarer::Kind::ramble:
             return ramble(g);
-        case Way::Kind::stagger:
+        case Wayfarer::Kind::stagger:
             break;
     }
     const uint32_t ticks = c.at_once[i / k_block];

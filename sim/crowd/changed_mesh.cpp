@@ -126,7 +126,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);
     keep(wider.at_once, c.at_once);
-    wider.ways = std::move(c.ways);
+    wider.wayfarers = std::move(c.wayfarers);
     c = std::move(wider);
 }
 

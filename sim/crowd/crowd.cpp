@@ -123,7 +123,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     ++slots.generation[i];
     slots.left.push_back(i);
     c.scratch.is_ordered = false;
-    take_away(c.ways, i);
+    take_away(c.wayfarers, i);
     if (c.driven.walker == i) c.driven = {};
 }
 
@@ -152,9 +152,9 @@ void let_go(Crowd& c) {
     c.driven = {};
 }
 
-void go_by_way(Crowd& c, const Way& way) {
+void go_by_way(Crowd& c, const Wayfarer& way) {
     const uint32_t i = way.walker;
-    c.ways.insert(take_away(c.ways, i), way);
+    c.wayfarers.insert(take_away(c.wayfarers, i), way);
     Journey next;
     next.goal = {c.motion.position[i], c.motion.polygon[i]};
     next.trip = c.journeys[i].trip + 1;

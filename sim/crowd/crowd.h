@@ -35,10 +35,14 @@ inline constexpr int k_neighbours = 12;          // that a walker minds, at most
 inline constexpr float k_neighbour_reach = 4;    // metres
 
 // What a walker does at its goal.
-enum class Errand : uint8_t { wander, arrive, by_way };  // pause and go somewhere else; stand there; see Way
+enum class Errand : uint8_t {
+    wander,
+    arrive,
+    by_way
+};  // pause and go somewhere else; stand there; see Wayfarer
 
 // How one goes who goes about no errand of its own.
-struct Way {
+struct Wayfarer {
     // After somebody; to its goal, waiting for somebody who comes along; away from somebody; by rays among
     // walls; along circles on a platform.
     enum class Kind : uint32_t { follow, lead, flee, ramble, stagger };
@@ -208,7 +212,7 @@ struct Crowd {
     // Of those from under whose feet the mesh has gone, the place on it that they walk back to; polygon 0: of
     // all others.
     std::vector<NavPoint> way_back;
-    std::vector<Way> ways;  // of those who have one, by walker
+    std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     Driven driven;
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
@@ -270,7 +274,7 @@ void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
 
 // From now on it goes this way.
-void go_by_way(Crowd& crowd, const Way& way);
+void go_by_way(Crowd& crowd, const Wayfarer& way);
 // What bounds the circles of one who staggers.
 Strider strider_of(const Crowd& crowd, uint32_t walker);
 

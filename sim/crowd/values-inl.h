@@ -71,15 +71,17 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));
     each(FieldName{"at_once"}, c.at_once[i / k_block]);
-    const Span own = span_of(c.ways, i, i + 1);
-    const Way* way = own.begin < own.end ? &c.ways[own.begin] : nullptr;
-    auto add_of_way = [&](std::string_view name, auto Way::*part) {
+    const Span own = span_of(c.wayfarers, i, i + 1);
+    const Wayfarer* way = own.begin < own.end ? &c.wayfarers[own.begin] : nullptr;
+    auto add_of_way = [&](std::string_view name, auto Wayfarer::*part) {
         constexpr FieldName k_way{"way"};
         each(FieldName{name, &k_way}, way ? &(way->*part) : nullptr);
     };
-    add_of_way("kind", &Way::kind), add_of_way("waits", &Way::waits), add_of_way("turns", &Way::turns);
-    add_of_way("whom", &Way::whom), add_of_way("range", &Way::range), add_of_way("bearing", &Way::bearing);
-    add_of_way("stride", &Way::stride);
+    add_of_way("kind", &Wayfarer::kind), add_of_way("waits", &Wayfarer::waits),
+        add_of_way("turns", &Wayfarer::turns);
+    add_of_way("whom", &Wayfarer::whom), add_of_way("range", &Wayfarer::range),
+        add_of_way("bearing", &Wayfarer::bearing);
+    add_of_way("stride", &Wayfarer::stride);
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

@@ -91,7 +91,7 @@ tools/flaneur/load: assets, assets/demand, assets/cache, assets/files, assets/gl
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
-tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/crowd, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
+tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay

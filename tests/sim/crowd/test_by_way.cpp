@@ -204,7 +204,7 @@ TEST(ByWay, IsEqualOnAnyThreadsTakenBackAndAfterARemoval) {
         }
         run(*w, 5);
         remove_walker(*w, all[7]);
-        EXPECT_EQ(w->crowd.ways.size(), 19u);
+        EXPECT_EQ(w->crowd.wayfarers.size(), 19u);
         std::vector<std::byte> bytes;
         save_state(*w, bytes);
         run(*w, 8);
@@ -230,7 +230,7 @@ TEST(ByWay, WhatCannotBeIsRefused) {
     EXPECT_FALSE(let_ramble(*w, b));
     ASSERT_TRUE(let_ramble(*w, a));
     ASSERT_TRUE(let_wander(*w, a));
-    EXPECT_TRUE(w->crowd.ways.empty()) << "it goes about its errands again";
+    EXPECT_TRUE(w->crowd.wayfarers.empty()) << "it goes about its errands again";
 }
 
 }  // namespace
