@@ -250,39 +250,42 @@ bool let_wander(World& w, WalkerId id) {
     return true;
 }
 
-static Result<void> go_by(World& w, WalkerId id, Wayfarer way, float least, float most) {
+// Whether it can go by somebody, at a range of `least` to `most` metres.
+static Result<void> check_way(const World& w, WalkerId id, const Wayfarer& way, float least, float most) {
     if (!is_alive(w, id)) return Error{"That walker is gone."};
     if (!is_alive(w, way.whom)) return Error{"The walker to go by is gone."};
     if (way.whom == id) return Error{"Nobody goes by himself."};
-    if (!is_within(way.range, least, most)) {
-        char text[96];
-        std::snprintf(text, sizeof text, "%g m is out of range: %g to %g m.", static_cast<double>(way.range),
-                      static_cast<double>(least), static_cast<double>(most));
-        return Error{text};
-    }
-    way.walker = id.index;
+    if (is_within(way.range, least, most)) return {};
+    char text[96];
+    std::snprintf(text, sizeof text, "%g m is out of range: %g to %g m.", static_cast<double>(way.range),
+                  static_cast<double>(least), static_cast<double>(most));
+    return Error{text};
+}
+
+Result<void> let_follow(World& w, WalkerId id, WalkerId whom, float distance) {
+    const Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::follow, .whom = whom, .range = distance};
+    if (Result<void> can = check_way(w, id, way, 0.5f, 20); !can) return can;
     go_by_way(w.crowd, way);
     return {};
 }
 
-Result<void> let_follow(World& w, WalkerId id, WalkerId whom, float distance) {
-    return go_by(w, id, {.kind = Wayfarer::Kind::follow, .whom = whom, .range = distance}, 0.5f, 20);
-}
-
 Result<void> let_lead(World& w, WalkerId id, WalkerId whom, Vec3 goal, float most) {
+    const Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::lead, .whom = whom, .range = most};
+    if (Result<void> can = check_way(w, id, way, 1, 50); !can) return can;
     if (Result<void> sent = send_to(w, id, goal); !sent) return sent;
-    const NavPoint place = w.crowd.journeys[id.index].goal;
-    if (Result<void> led = go_by(w, id, {.kind = Wayfarer::Kind::lead, .whom = whom, .range = most}, 1, 50);
-        !led)
-        return led;
     Journey& j = w.crowd.journeys[id.index];
+    const NavPoint place = j.goal;
+    go_by_way(w.crowd, way);
     j.goal = place;
     j.path_due = PathDue::to_goal;
     return {};
 }
 
 Result<void> let_flee(World& w, WalkerId id, WalkerId whom, float range) {
-    return go_by(w, id, {.kind = Wayfarer::Kind::flee, .whom = whom, .range = range}, 1, 100);
+    const Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::flee, .whom = whom, .range = range};
+    if (Result<void> can = check_way(w, id, way, 1, 100); !can) return can;
+    go_by_way(w.crowd, way);
+    return {};
 }
 
 bool let_ramble(World& w, WalkerId id) {

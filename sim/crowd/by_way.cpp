@@ -87,10 +87,7 @@ static WayWish lead(const Goer& g) {
     if (behind > g.way.range) g.way.waits = 1;
     if (behind < k_comes_up * g.way.range) g.way.waits = 0;
     Journey& j = g.c.journeys[g.i];
-    if (g.way.waits || j.arrived) {
-        j.closest_tick = g.tick;  // who waits is not held up
-        return {};
-    }
+    if (g.way.waits || j.arrived) return {};
     return {follow_path(g.c, g.mesh, g.thread, g.i, g.tick, g.seed), true};
 }
 
@@ -174,14 +171,7 @@ static WayWish stagger(const Goer& g, float seconds) {
     return {heading_direction(s.heading) * who.speed, false};
 }
 
-WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
-    const Span own = span_of(c.wayfarers, i, i + 1);
-    if (own.begin == own.end) return {};
-    Goer g{c, mesh, thread, i, tick, seed, c.wayfarers[own.begin]};
-    const WalkerId whom = g.way.whom;
-    const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee;
-    if (is_by_whom && (!is_there(c, whom.index) || c.slots.generation[whom.index] != whom.generation))
-        return {};
+static WayWish wish_of(const Goer& g) {
     switch (g.way.kind) {
         case Wayfarer::Kind::follow:
             return follow(g);
@@ -194,8 +184,22 @@ WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint3
         case Wayfarer::Kind::stagger:
             break;
     }
-    const uint32_t ticks = c.at_once[i / k_block];
-    return stagger(g, static_cast<float>(std::max(ticks, k_decision_ticks)) * k_tick);
+    const uint32_t ticks = std::max<uint32_t>(g.c.at_once[g.i / k_block], k_decision_ticks);
+    return stagger(g, static_cast<float>(ticks) * k_tick);
+}
+
+WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
+    const Span own = span_of(c.wayfarers, i, i + 1);
+    if (own.begin == own.end) return {};
+    const Goer g{c, mesh, thread, i, tick, seed, c.wayfarers[own.begin]};
+    const WalkerId whom = g.way.whom;
+    const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee,
+               is_gone = is_by_whom &&
+                         (!is_there(c, whom.index) || c.slots.generation[whom.index] != whom.generation);
+    const WayWish wish = is_gone ? WayWish{} : wish_of(g);
+    // Who goes by no path has nothing to be held up on.
+    if (!wish.is_by_path) c.journeys[i].closest_tick = tick, c.journeys[i].insists_since = k_never;
+    return wish;
 }
 
 }  // namespace flaneur

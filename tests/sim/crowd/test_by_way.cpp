@@ -224,6 +224,7 @@ TEST(ByWay, WhatCannotBeIsRefused) {
     EXPECT_FALSE(let_follow(*w, a, b, 0));
     EXPECT_FALSE(let_flee(*w, a, b, std::nanf("")));
     EXPECT_FALSE(let_lead(*w, a, b, {1, 0, 1}, 1000));
+    EXPECT_TRUE(has_arrived(*w, a)) << "what is refused changes nothing";
     EXPECT_FALSE(let_stagger(*w, a, {}));
     remove_walker(*w, b);
     EXPECT_FALSE(let_follow(*w, a, b));
