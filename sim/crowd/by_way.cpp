@@ -15,6 +15,7 @@ static constexpr float k_hastens = 1.25f, k_flees = 1.5f;  // times the preferre
 static constexpr float k_catches_up = 1.5f;                // seconds, to be as near as one likes
 static constexpr float k_stale = 1.5f;     // metres that who is followed has gone from where the path leads
 static constexpr float k_comes_up = 0.6f;  // of the distance at which one waits, when it goes on
+static constexpr float k_keeps_on = 0.6f;  // of what a clear way is worth, so that nobody dithers in a corner
 static constexpr float k_safe = 1.3f;      // of the range, to which one flees
 static constexpr float k_turns_on_foot = 1.6f;                  // radians a second
 static constexpr float k_off_circle = 0.6f;                     // metres, from which on one finds another
@@ -97,14 +98,14 @@ static WayWish flee(const Goer& g) {
     if (far < g.way.range) g.way.waits = 0;
     if (far > k_safe * g.way.range) g.way.waits = 1;  // it stands where it is safe
     if (g.way.waits || far >= k_safe * g.way.range) return {};
-    // As nearly straight away as is free for long, on the way that it goes already if that is as good.
+    // As nearly straight away as is free for long, on the way that it goes already if that is about as good.
     const float away = heading_of(normalize_or(from, heading_direction(g.c.motion.heading[g.i])));
     float best = -1, chosen = away;
     auto take = [&](float degrees) {
         const float yaw = away + degrees * k_degree;
         const float clear = clear_way(g, yaw, k_ray_aside) / k_ray_aside;
-        const float keeps = 0.2f * dot(heading_direction(yaw), heading_direction(g.way.bearing));
-        const float good = clear * (1.2f + sin_cos(degrees * k_degree).cosine) + keeps;
+        const float keeps = k_keeps_on * dot(heading_direction(yaw), heading_direction(g.way.bearing));
+        const float good = clear * (1.2f + sin_cos(degrees * k_degree).cosine + keeps);
         if (good > best) best = good, chosen = yaw;
     };
     for (int k = -11; k <= 12; ++k) take(15 * static_cast<float>(k));
