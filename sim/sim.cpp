@@ -282,7 +282,12 @@ Result<void> let_lead(World& w, WalkerId id, WalkerId whom, Vec3 goal, float mos
 }
 
 Result<void> let_flee(World& w, WalkerId id, WalkerId whom, float range) {
-    const Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::flee, .whom = whom, .range = range};
+    const Wayfarer way{.walker = id.index,
+                       .kind = Wayfarer::Kind::flee,
+                       .waits = 1,
+                       .whom = whom,
+                       .range = range,
+                       .bearing = is_alive(w, id) ? w.crowd.motion.heading[id.index] : 0};
     if (Result<void> can = check_way(w, id, way, 1, 100); !can) return can;
     go_by_way(w.crowd, way);
     return {};

@@ -157,7 +157,7 @@ Result<void> let_follow(World& world, WalkerId id, WalkerId whom, float distance
 // To a goal as by send_to, waiting where `whom`, who may follow it, falls more than `most` metres
 // behind, 1..50.
 Result<void> let_lead(World& world, WalkerId id, WalkerId whom, Vec3 goal, float most = 5);
-// Away from `whom` while that one is nearer than `range` metres, 1..100; then it stands, and looks back.
+// Away from `whom` while that one is nearer than `range` metres, 1..100; then it stands.
 Result<void> let_flee(World& world, WalkerId id, WalkerId whom, float range = 10);
 // Straight on until a ray 4 m ahead meets a wall, then where one of a fan of rays is free: see
 // sim/ways/rays.h.

@@ -1,10 +1,10 @@
 // The walkers: who they are, where they are, and the stages that move them; arrays parted by who reads what.
 //
-// One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Of others, stages read what
-// find_neighbours copies as the tick begins, and write to what is a walker's own. So the result
-// depends neither on the number of threads nor on the order of walkers within a stage. Decisions (think,
-// find_neighbours, steer) are taken at 15 Hz, by blocks of k_block slots: block b decides on ticks with
-// tick % 4 == b % 4. Nothing is allocated once a crowd is made.
+// One tick (1/60 s) is think, find_neighbours, steer, move, in this order. Of others, think reads
+// what the last tick left, steer and move what find_neighbours copied; all write what is their walker's own.
+// So the result depends neither on the number of threads nor on the order of walkers within a stage.
+// Decisions (think, find_neighbours, steer) are taken at 15 Hz, by blocks of k_block slots: block b decides
+// on ticks with tick % 4 == b % 4. Nothing is allocated once a crowd is made.
 #pragma once
 
 #include <algorithm>

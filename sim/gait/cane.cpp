@@ -6,6 +6,7 @@
 #include "sim/base/math.h"
 #include "sim/gait/curves/fits.h"
 #include "sim/gait/hands.h"
+#include "sim/gait/rows.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
@@ -341,10 +342,13 @@ void swing(const Bearer& b, Cane& c, bool lands) {
 // A tick of being carried, until there is ground again, or the foot has come down to which it could go.
 void carry(const Bearer& b, Cane& c) {
     const FootBlock& foot = b.g.feet[k_left];
-    const float dt = b.s.dt;
-    Vec3 by = carried(b, c) - c.tip, behind = c.velocity - at_height(b.s.velocity, 0);
-    c.velocity += (by * k_stiffness - behind * 2) * (k_stiffness * dt);
-    move_tip(b, c, c.tip + c.velocity * dt);
+    const int steps = spring_steps(b.s.dt);
+    const float dt = b.s.dt / static_cast<float>(steps);
+    for (int k = 0; k < steps; ++k) {
+        const Vec3 by = carried(b, c) - c.tip, behind = c.velocity - at_height(b.s.velocity, 0);
+        c.velocity += (by * k_stiffness - behind * 2) * (k_stiffness * dt);
+        move_tip(b, c, c.tip + c.velocity * dt);
+    }
     c.share = 1;
     c.to = c.goal = c.tip;
     if (!b.s.replans) return;

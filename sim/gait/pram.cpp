@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/base/math.h"
+#include "sim/gait/rows.h"
 #include "sim/gait/steps.h"
 
 namespace flaneur {
@@ -156,10 +157,14 @@ PramPlace mixed_place(const PramPlace& a, const PramPlace& b, float t) {
 void advance_pram(Pram& pram, const Stepper& s) {
     pram.before = pram.now;
     float aside = wished_aside(pram, s, pram.handle.z + k_pram_behind * pram.scale);
-    pram.aside_rate += ((aside - pram.aside) * k_follows - 2 * pram.aside_rate) * (k_follows * s.dt);
-    pram.aside += pram.aside_rate * s.dt;
+    const int steps = spring_steps(s.dt);
+    const float dt = s.dt / static_cast<float>(steps);
+    for (int k = 0; k < steps; ++k) {
+        pram.aside_rate += ((aside - pram.aside) * k_follows - 2 * pram.aside_rate) * (k_follows * dt);
+        pram.aside += pram.aside_rate * dt;
+    }
     set_on_ground(pram, s, true);
-    pram.slope += (pram.now.pitch - pram.slope) * (k_settles * s.dt);
+    pram.slope += (pram.now.pitch - pram.slope) * std::min(k_settles * s.dt, 1.0f);
     Vec3 by = pram.now.place - pram.before.place;
     float rolled = dot(on_ground(by), heading_direction(pram.now.yaw)) / (k_pram_rear * pram.scale);
     float turned = wrap_angle(pram.now.wheel + rolled);

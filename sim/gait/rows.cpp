@@ -62,7 +62,9 @@ void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows
 }
 
 void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt) {
-    HWY_DYNAMIC_DISPATCH(advance_heights_here)(gait, people, steppers, dt);
+    const int steps = spring_steps(dt);
+    for (int k = 0; k < steps; ++k)
+        HWY_DYNAMIC_DISPATCH(advance_heights_here)(gait, people, steppers, dt / static_cast<float>(steps));
 }
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers) {

@@ -30,6 +30,11 @@ void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows
 
 // A tick of GaitBlock::base, rise and sink, of a block: bodies ride on the ground that their feet find, and
 // no higher than their legs will reach.
+// In how many steps springs go `dt` seconds, so that none of them swings up however long a tick is.
+inline int spring_steps(float dt) {
+    constexpr float k_longest = 0.04f;  // seconds
+    return dt > k_longest ? static_cast<int>(dt / k_longest) + 1 : 1;
+}
 void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers);

@@ -133,6 +133,12 @@ TEST(LookOn, FeetOfThoseAfarSwingWithinTheirTime) {
                 ASSERT_LT(foot.phase[i % k_block], 1) << i << " at " << tick;
             }
             ASSERT_TRUE(std::isfinite(w.crowd.motion.position[i].x)) << i << " at " << tick;
+            // Nor does a hip swing through the ground, on steps up and down, where children dip far at
+            // sixteen ticks.
+            const float hip = joint_pose(w.poses, i, hips).position.y - w.crowd.motion.position[i].y;
+            const float height = w.kinds[w.crowd.identity.body[i]].body.height * w.crowd.identity.scale[i];
+            ASSERT_GT(hip, 0) << i << " at " << tick;
+            ASSERT_LT(hip, 0.9f * height) << i << " at " << tick;
         }
     }
 }

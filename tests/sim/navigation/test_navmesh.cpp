@@ -236,7 +236,6 @@ TEST(Navmesh, MoveAlongNeverLeavesTheMesh) {
     }
 }
 
-// As of a house on a slope, whose foot lies as low as the lowest ground at it.
 // Who is said to be on a polygon that lies a little beside it goes on all the same.
 TEST(Navmesh, MoveAlongGetsAwayFromBesideItsPolygon) {
     Ground ground = square(60);
@@ -265,6 +264,7 @@ TEST(Navmesh, MoveAlongGetsAwayFromBesideItsPolygon) {
     EXPECT_GT(tried, 20);
 }
 
+// As of a house on a slope, whose foot lies as low as the lowest ground at it.
 TEST(Navmesh, WallsStopWalkersHoweverDeepTheirFoot) {
     Ground ground = corridor(20, 4);
     add_wall(ground, {10, -6, -2}, {10, -6, 2}, 8);
