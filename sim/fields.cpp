@@ -85,6 +85,8 @@ void for_each_word(const FieldName& name, const T& value, const Each& each) {
                                            {"side", value.side},
                                            {"left", value.left}});
         for_each_word(FieldName{"circles", &name}, value.circles, each);
+    } else if constexpr (std::is_same_v<T, Platform>) {
+        each(name, 'h', static_cast<uint32_t>(hash_bytes(1, &value, sizeof value)));
     } else if constexpr (std::is_same_v<T, Claim>) {
         for_each_word(FieldName{"since", &name}, value.since, each);
         for_each_word(FieldName{"owner", &name}, value.owner, each);

@@ -273,21 +273,15 @@ Result<void> let_lead(World& w, WalkerId id, WalkerId whom, Vec3 goal, float mos
     const Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::lead, .whom = whom, .range = most};
     if (Result<void> can = check_way(w, id, way, 1, 50); !can) return can;
     if (Result<void> sent = send_to(w, id, goal); !sent) return sent;
-    Journey& j = w.crowd.journeys[id.index];
-    const NavPoint place = j.goal;
+    const NavPoint place = w.crowd.journeys[id.index].goal;
     go_by_way(w.crowd, way);
-    j.goal = place;
-    j.path_due = PathDue::to_goal;
+    send_to(w.crowd, id.index, place);
     return {};
 }
 
 Result<void> let_flee(World& w, WalkerId id, WalkerId whom, float range) {
-    const Wayfarer way{.walker = id.index,
-                       .kind = Wayfarer::Kind::flee,
-                       .waits = 1,
-                       .whom = whom,
-                       .range = range,
-                       .bearing = is_alive(w, id) ? w.crowd.motion.heading[id.index] : 0};
+    const Wayfarer way{
+        .walker = id.index, .kind = Wayfarer::Kind::flee, .waits = 1, .whom = whom, .range = range};
     if (Result<void> can = check_way(w, id, way, 1, 100); !can) return can;
     go_by_way(w.crowd, way);
     return {};
@@ -295,9 +289,7 @@ Result<void> let_flee(World& w, WalkerId id, WalkerId whom, float range) {
 
 bool let_ramble(World& w, WalkerId id) {
     if (!is_alive(w, id)) return false;
-    go_by_way(
-        w.crowd,
-        {.walker = id.index, .kind = Wayfarer::Kind::ramble, .bearing = w.crowd.motion.heading[id.index]});
+    go_by_way(w.crowd, {.walker = id.index, .kind = Wayfarer::Kind::ramble});
     return true;
 }
 

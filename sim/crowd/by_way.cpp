@@ -22,7 +22,6 @@ static constexpr float k_off_circle = 0.6f;                     // metres, from 
 static constexpr float k_goes_off = 0.3f;                       // metres that others and its legs take it off
 static constexpr float k_least_going = 0.3f;                    // m/s
 static constexpr float k_looks_ahead = 0.5f, k_most_round = 1;  // metres along a circle, and radians at most
-static constexpr float k_degree = 0.017453293f;
 
 namespace {
 
@@ -96,16 +95,16 @@ static WayWish flee(const Goer& g) {
     const Vec2 from = on_ground(g.at() - g.c.motion.position[g.way.whom.index]);
     const float far = length(from);
     if (far < g.way.range) g.way.waits = 0;
-    if (far > k_safe * g.way.range) g.way.waits = 1;  // it stands where it is safe
-    if (g.way.waits || far >= k_safe * g.way.range) return {};
+    if (far >= k_safe * g.way.range) g.way.waits = 1;  // it stands where it is safe
+    if (g.way.waits) return {};
     // As nearly straight away as is free for long, on the way that it goes already if that is about as good.
     const float away = heading_of(normalize_or(from, heading_direction(g.c.motion.heading[g.i])));
     float best = -1, chosen = away;
     auto take = [&](float degrees) {
-        const float yaw = away + degrees * k_degree;
+        const float yaw = away + degrees * k_radians;
         const float clear = clear_way(g, yaw, k_ray_aside) / k_ray_aside;
         const float keeps = k_keeps_on * dot(heading_direction(yaw), heading_direction(g.way.bearing));
-        const float good = clear * (1.2f + sin_cos(degrees * k_degree).cosine + keeps);
+        const float good = clear * (1.2f + sin_cos(degrees * k_radians).cosine + keeps);
         if (good > best) best = good, chosen = yaw;
     };
     for (int k = -11; k <= 12; ++k) take(15 * static_cast<float>(k));
@@ -118,10 +117,10 @@ static WayWish ramble(const Goer& g) {
         const RandomKey key{g.seed, g.i, ++g.way.turns, Purpose::way};
         const auto turn = free_way(
             [&](float degrees) {
-                return clear_way(g, g.way.bearing + degrees * k_degree, k_ray_aside) >= k_ray_aside;
+                return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside) >= k_ray_aside;
             },
             key);
-        g.way.bearing = wrap_angle(g.way.bearing + turn.value_or(180) * k_degree);
+        g.way.bearing = wrap_angle(g.way.bearing + turn.value_or(180) * k_radians);
     }
     return {heading_direction(g.way.bearing) * g.speed(), false};
 }

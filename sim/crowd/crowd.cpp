@@ -154,7 +154,7 @@ void let_go(Crowd& c) {
 
 void go_by_way(Crowd& c, const Wayfarer& way) {
     const uint32_t i = way.walker;
-    c.wayfarers.insert(take_away(c.wayfarers, i), way);
+    c.wayfarers.insert(take_away(c.wayfarers, i), way)->bearing = c.motion.heading[i];
     Journey next;
     next.goal = {c.motion.position[i], c.motion.polygon[i]};
     next.trip = c.journeys[i].trip + 1;

@@ -81,7 +81,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
         add_of_way("turns", &Wayfarer::turns);
     add_of_way("whom", &Wayfarer::whom), add_of_way("range", &Wayfarer::range),
         add_of_way("bearing", &Wayfarer::bearing);
-    add_of_way("stride", &Wayfarer::stride);
+    add_of_way("stride", &Wayfarer::stride), add_of_way("platform", &Wayfarer::platform);
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

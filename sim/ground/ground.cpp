@@ -30,7 +30,7 @@ static void index_solids(Ground& ground) {
     });
 }
 
-// The area of a convex polygon's part where `side` says that it is positive, and that part.
+// Writes the part of a convex polygon where `side` is not negative; returns how many corners it has.
 template <class Side>
 static int cut(const Vec2* in, int count, Vec2* out, const Side& side) {
     int kept = 0;
@@ -58,10 +58,10 @@ static float area_within(const GridTriangle& t, Vec2 low, float size) {
 
 static Slab slab_of(const GridTriangle& t) {
     const Vec3 normal = normalize_or(cross(t.b - t.a, t.c - t.a), {0, 1, 0});
-    Slab plane{{}, {-normal.x / normal.y, -normal.z / normal.y}, t.a.y, normal, t.kind};
+    Slab slab{{}, {-normal.x / normal.y, -normal.z / normal.y}, t.a.y, normal, t.kind};
     // All that is level and equally high is one.
-    if (plane.rise != Vec2{}) plane.at = on_ground(t.a);
-    return plane;
+    if (slab.rise != Vec2{}) slab.at = on_ground(t.a);
+    return slab;
 }
 
 // Whether the ground in cell (x, z) is one plane of one kind, without gaps or ground above ground.
@@ -70,23 +70,23 @@ static std::optional<Slab> slab_in(const Ground& ground, int x, int z) {
     const Grid& grid = ground.triangle_grid;
     const size_t c = static_cast<size_t>(z) * grid.width + x;
     if (grid.first[c] == grid.first[c + 1]) return {};
-    const Slab plane = slab_of(ground.grid_triangles[grid.items[grid.first[c]]]);
-    if (plane.normal.y < k_steepest) return {};
+    const Slab slab = slab_of(ground.grid_triangles[grid.items[grid.first[c]]]);
+    if (slab.normal.y < k_steepest) return {};
     auto is_on_it = [&](Vec3 p) {
-        return std::fabs(plane.height + dot(plane.rise, on_ground(p) - plane.at) - p.y) < k_flat;
+        return std::fabs(slab.height + dot(slab.rise, on_ground(p) - slab.at) - p.y) < k_flat;
     };
     const Vec2 low = grid.origin + Vec2{static_cast<float>(x), static_cast<float>(z)} * grid.cell;
     float area = 0;
     for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
         const GridTriangle& t = ground.grid_triangles[grid.items[k]];
-        if (t.kind != plane.kind || !is_on_it(t.a) || !is_on_it(t.b) || !is_on_it(t.c)) return {};
+        if (t.kind != slab.kind || !is_on_it(t.a) || !is_on_it(t.b) || !is_on_it(t.c)) return {};
         area += area_within(t, low, grid.cell);
     }
     if (std::fabs(area - grid.cell * grid.cell) > k_area) return {};
-    return plane;
+    return slab;
 }
 
-// Each plane once, for all its cells.
+// Each slab once, for all its cells.
 static void find_slabs(Ground& ground) {
     const Grid& grid = ground.triangle_grid;
     ground.slabs.clear();
@@ -94,13 +94,13 @@ static void find_slabs(Ground& ground) {
     ground.slab_of_cell.assign(grid.first.size() - 1, k_no_slab);
     for (int z = 0; z < grid.height; ++z)
         for (int x = 0; x < grid.width; ++x) {
-            const auto plane = slab_in(ground, x, z);
-            if (!plane) continue;
-            const auto [at, rise, height, normal, kind] = *plane;
+            const auto slab = slab_in(ground, x, z);
+            if (!slab) continue;
+            const auto [at, rise, height, normal, kind] = *slab;
             const auto [known, is_new] = numbers.try_emplace({at.x, at.z, rise.x, rise.z, height, kind},
                                                              static_cast<uint32_t>(ground.slabs.size()));
             ground.slab_of_cell[static_cast<size_t>(z) * grid.width + x] = known->second;
-            if (is_new) ground.slabs.push_back(*plane);
+            if (is_new) ground.slabs.push_back(*slab);
         }
 }
 
