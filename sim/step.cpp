@@ -78,8 +78,12 @@ void step_gait(World& w) {
     for_due_blocks(w, [&](size_t block, float dt) {
         const size_t end = std::min<size_t>(w.crowd.count, (block + 1) * k_block);
         for_runs(block * k_block, end, there, [&](size_t first, size_t last) {
-            advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
-            reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+            if (w.crowd.at_once[block] > 1) {
+                advance_gait_afar(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+            } else {
+                advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+                reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
+            }
             advance_holds(w.gait, first, last, root, w.seed, w.tick, dt);
             for (size_t i = first; i < last; ++i) m.feet[i] = footwork(w.gait, i, m.position[i]);
         });

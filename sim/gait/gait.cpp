@@ -192,49 +192,112 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed) {
     gait.blocks[walker / k_block].standing[walker % k_block] = 0;  // wants to do nothing meanwhile
 }
 
-void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
-                  uint64_t seed, uint32_t tick, float dt) {
-    auto stepper_of = [&](size_t i, Vec2 facing) {
-        const auto walker = static_cast<uint32_t>(i);
-        Stepper stepper = stepper_at(gait, i, around, root.position[i], root.heading[i], facing);
-        stepper.velocity = root.velocity[i];
-        stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
-        stepper.turn_rate = root.turn_rate[i];
-        if (root.brakes && root.brakes[i] > 0) stepper.brakes = root.brakes[i];
-        stepper.dt = dt;
-        stepper.chance = {seed, walker, tick, Purpose::step};
-        stepper.replans = (tick + i) % 3 == 0;
-        // Every two seconds, not all at once.
-        stepper.glances = (tick + i * 37) % 120 == 0;
-        return stepper;
-    };
-    for (size_t first = begin; first < end;) {
-        const size_t block = first / k_block, last = std::min(end, (block + 1) * k_block);
-        GaitBlock& g = gait.blocks[block];
-        const PersonBlock& people = gait.people[block];
-        StepperRows rows{};
-        for (size_t i = first; i < last; ++i) set_rows(rows, g, root, i);
-        find_misfits(g, people, rows);
-        advance_paces(g, people, rows, dt);
-        for (; first < last; ++first) {
-            const auto i = static_cast<uint32_t>(first);
-            const RandomKey look{seed, i, tick, Purpose::look};
-            const size_t lane = first % k_block;
-            const Stepper stepper = stepper_of(first, {rows.facing_x[lane], rows.facing_z[lane]});
-            advance_walker(g, rows, stepper, look);
-            set_feet(rows, g, stepper.lane);
-        }
-        advance_heights(g, people, rows, dt);
+namespace {
+
+// What a tick is of.
+struct Tick {
+    const RootMotion& root;
+    const Surroundings& around;
+    uint64_t seed;
+    uint32_t number;
+    float dt;
+};
+
+Stepper stepper_in(const Tick& tick, const Gait& gait, size_t i, Vec2 facing) {
+    const RootMotion& root = tick.root;
+    Stepper stepper = stepper_at(gait, i, tick.around, root.position[i], root.heading[i], facing);
+    stepper.velocity = root.velocity[i];
+    stepper.wish = root.wish ? root.wish[i] : root.velocity[i];
+    stepper.turn_rate = root.turn_rate[i];
+    if (root.brakes && root.brakes[i] > 0) stepper.brakes = root.brakes[i];
+    stepper.dt = tick.dt;
+    stepper.chance = {tick.seed, static_cast<uint32_t>(i), tick.number, Purpose::step};
+    stepper.replans = (tick.number + i) % 3 == 0;
+    // Every two seconds, not all at once.
+    stepper.glances = (tick.number + i * 37) % 120 == 0;
+    return stepper;
+}
+
+void advance_block(Gait& gait, size_t first, size_t last, const Tick& tick) {
+    GaitBlock& g = gait.blocks[first / k_block];
+    const PersonBlock& people = gait.people[first / k_block];
+    StepperRows rows{};
+    for (size_t i = first; i < last; ++i) set_rows(rows, g, tick.root, i);
+    find_misfits(g, people, rows);
+    advance_paces(g, people, rows, tick.dt);
+    for (size_t i = first; i < last; ++i) {
+        const RandomKey look{tick.seed, static_cast<uint32_t>(i), tick.number, Purpose::look};
+        const size_t lane = i % k_block;
+        const Stepper stepper = stepper_in(tick, gait, i, {rows.facing_x[lane], rows.facing_z[lane]});
+        advance_walker(g, rows, stepper, look);
+        set_feet(rows, g, stepper.lane);
     }
+    advance_heights(g, people, rows, tick.dt);
+}
+
+void advance_block_afar(Gait& gait, size_t first, size_t last, const Tick& tick) {
+    GaitBlock& g = gait.blocks[first / k_block];
+    const PersonBlock& people = gait.people[first / k_block];
+    StepperRows rows{};
+    alignas(64) float height[k_block] = {};
+    for (size_t i = first; i < last; ++i) {
+        const size_t lane = i % k_block;
+        const Vec3 at = tick.root.position[i];
+        set_rows(rows, g, tick.root, i);
+        height[lane] = at.y;
+        g.x[lane] = at.x;
+        g.z[lane] = at.z;
+        g.heading[lane] = tick.root.heading[i];
+    }
+    find_misfits(g, people, rows);
+    advance_paces(g, people, rows, tick.dt);
+    advance_afar(g, people, rows, height, tick.dt);
+    for (size_t i = first; i < last; ++i) {
+        const size_t lane = i % k_block;
+        for (Side side : {k_left, k_right}) g.feet[side].swinging[lane] = rows.swings[side][lane] > 0.5f;
+        g.standing[lane] = length(tick.root.velocity[i]) <= k_standing_speed;
+        g.first[lane] = g.relaxed[lane] = g.restless[lane] = -1;
+    }
+}
+
+// Calls work(first, last) for each block of walkers [begin, end).
+template <class Work>
+void for_blocks(size_t begin, size_t end, const Work& work) {
+    while (begin < end) {
+        const size_t last = std::min(end, (begin / k_block + 1) * k_block);
+        work(begin, last);
+        begin = last;
+    }
+}
+
+void advance_items(Gait& gait, size_t begin, size_t end, const Tick& tick) {
+    auto stepper_of = [&](uint32_t walker) {
+        return stepper_in(tick, gait, walker, heading_direction(tick.root.heading[walker]));
+    };
     for (Span canes = canes_of(gait, begin, end); canes.begin < canes.end; ++canes.begin) {
         Cane& cane = gait.canes[canes.begin];
-        const Vec2 facing = heading_direction(root.heading[cane.walker]);
-        advance_cane(gait, cane, stepper_of(cane.walker, facing));
+        advance_cane(gait, cane, stepper_of(cane.walker));
     }
     for (Span prams = prams_of(gait, begin, end); prams.begin < prams.end; ++prams.begin) {
         Pram& pram = gait.prams[prams.begin];
-        advance_pram(pram, stepper_of(pram.walker, heading_direction(root.heading[pram.walker])));
+        advance_pram(pram, stepper_of(pram.walker));
     }
+}
+
+}  // namespace
+
+void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
+                  uint64_t seed, uint32_t number, float dt) {
+    const Tick tick{root, around, seed, number, dt};
+    for_blocks(begin, end, [&](size_t first, size_t last) { advance_block(gait, first, last, tick); });
+    advance_items(gait, begin, end, tick);
+}
+
+void advance_gait_afar(Gait& gait, size_t begin, size_t end, const RootMotion& root,
+                       const Surroundings& around, uint64_t seed, uint32_t number, float dt) {
+    const Tick tick{root, around, seed, number, dt};
+    for_blocks(begin, end, [&](size_t first, size_t last) { advance_block_afar(gait, first, last, tick); });
+    advance_items(gait, begin, end, tick);
 }
 
 Footwork footwork(const Gait& gait, size_t walker, Vec3 root) {

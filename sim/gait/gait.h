@@ -76,6 +76,11 @@ void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 void advance_gait(Gait& gait, size_t begin, size_t end, const RootMotion& root, const Surroundings& around,
                   uint64_t seed, uint32_t tick, float dt);
 
+// The same for those who are seen from far away, however long the tick: feet are where an even walk over
+// ground that rises evenly has them, and bodies ride on it. Who jumps or leans on a wall ceases to.
+void advance_gait_afar(Gait& gait, size_t begin, size_t end, const RootMotion& root,
+                       const Surroundings& around, uint64_t seed, uint32_t tick, float dt);
+
 // Of a walker whose root is at `root`.
 Footwork footwork(const Gait& gait, size_t walker, Vec3 root);
 

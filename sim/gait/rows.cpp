@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "sim/gait/afar-inl.h"
 #include "sim/gait/height-inl.h"
 #include "sim/gait/pace-inl.h"
 
@@ -21,6 +22,11 @@ void advance_heights_here(GaitBlock& g, const PersonBlock& p, const StepperRows&
     for (size_t lane = 0; lane < k_block; lane += lane_count()) advance_heights<Lanes>(g, p, s, dt, lane);
 }
 
+void advance_afar_here(GaitBlock& g, const PersonBlock& p, StepperRows& s, const float* height, float dt) {
+    for (size_t lane = 0; lane < k_block; lane += lane_count())
+        advance_afar<Lanes>(g, p, s, height, dt, lane);
+}
+
 }  // namespace flaneur::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -32,6 +38,7 @@ namespace kernel = HWY_NAMESPACE;
 HWY_EXPORT(advance_paces_here);
 HWY_EXPORT(find_misfits_here);
 HWY_EXPORT(advance_heights_here);
+HWY_EXPORT(advance_afar_here);
 
 float duty_factor(float v) { return kernel::duty_factor(v); }
 float run_frequency(float v, float leg) { return kernel::run_frequency(v, leg); }
@@ -62,9 +69,12 @@ void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows
 }
 
 void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt) {
-    const int steps = spring_steps(dt);
-    for (int k = 0; k < steps; ++k)
-        HWY_DYNAMIC_DISPATCH(advance_heights_here)(gait, people, steppers, dt / static_cast<float>(steps));
+    HWY_DYNAMIC_DISPATCH(advance_heights_here)(gait, people, steppers, dt);
+}
+
+void advance_afar(GaitBlock& gait, const PersonBlock& people, StepperRows& steppers, const float* height,
+                  float dt) {
+    HWY_DYNAMIC_DISPATCH(advance_afar_here)(gait, people, steppers, height, dt);
 }
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers) {

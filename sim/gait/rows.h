@@ -28,14 +28,20 @@ void set_feet(StepperRows& rows, const GaitBlock& gait, int lane);
 // of the swing.
 void advance_paces(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
 
-// A tick of GaitBlock::base, rise and sink, of a block: bodies ride on the ground that their feet find, and
-// no higher than their legs will reach.
 // In how many steps springs go `dt` seconds, so that none of them swings up however long a tick is.
 inline int spring_steps(float dt) {
     constexpr float k_longest = 0.04f;  // seconds
     return dt > k_longest ? static_cast<int>(dt / k_longest) + 1 : 1;
 }
+
+// A tick of GaitBlock::base, rise and sink, of a block: bodies ride on the ground that their feet find, and
+// no higher than their legs will reach.
 void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
+
+// A tick of the feet and heights of a block seen from far away, after advance_paces: see advance_gait_afar.
+// `height` is where the ground is, by lane. Also says in the rows which feet swing.
+void advance_afar(GaitBlock& gait, const PersonBlock& people, StepperRows& steppers, const float* height,
+                  float dt);
 
 void find_misfits(const GaitBlock& gait, const PersonBlock& people, StepperRows& steppers);
 // Of one foot anew, where it was set down since.

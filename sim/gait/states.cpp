@@ -13,7 +13,6 @@
 namespace flaneur {
 
 static constexpr float k_slack = 0.13f, k_stopping_slack = 0.08f;  // metres that a standing foot may be off
-static constexpr float k_slowest = 0.62f;                          // cycles/s while a foot is in the air
 static constexpr float
     k_steep_steps = 0.8f,
     k_steep_from = 0.14f;  // and by so many more for each metre climbed or come down in one walked beyond
@@ -54,7 +53,7 @@ float wrap_difference(float d) { return d >= -0.5f && d < 0.5f ? d : d - std::fl
 float wanted_frequency(const GaitBlock& g, const Stepper& s, float speed, const Misfit (&off)[2]) {
     int lane = s.lane;
     float stride = stride_length(std::max(speed, 0.05f), s.leg_length) * s.person.stride[lane];
-    stride *= lerp(0.62f, 1.0f, std::max(g.course[lane], 0.0f));
+    stride *= lerp(k_short_stride, 1.0f, std::max(g.course[lane], 0.0f));
     if (g.tread[lane] > 0) {
         stride = sets_both_feet(s.leg_length) ? g.tread[lane] : 2 * g.tread[lane];
         bool climbs = std::fabs(g.rise[lane]) > k_climbs;

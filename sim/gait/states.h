@@ -6,7 +6,9 @@
 
 namespace flaneur {
 
-inline constexpr float k_rest = 0.16f;  // phase of a foot that stands
+inline constexpr float k_rest = 0.16f;          // phase of a foot that stands
+inline constexpr float k_slowest = 0.62f;       // cycles/s while a foot is in the air
+inline constexpr float k_short_stride = 0.62f;  // of one ahead, of who goes aside or back
 
 // One tick of one walker. Chance is drawn under `chance`, which changes every two seconds.
 void advance_walker(GaitBlock& gait, const StepperRows& rows, const Stepper& stepper, RandomKey chance);
