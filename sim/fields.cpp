@@ -187,6 +187,9 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("came", 'u', coming.came);
     add("gone", 'u', coming.left);
     add("queue", 'h', hash(coming.queue));
+    add("slow", 'h', hash(c.traffic.slow));
+    add("getting_slow", 'h', hash(c.traffic.coming));
+    add("traffic_done", 'u', c.traffic.done);
     add("driven", 'U', c.driven.walker);
     for_each_word(FieldName{"driven_wish", &k_crowd}, c.driven.walker == k_nobody ? nullptr : &c.driven.wish,
                   each);

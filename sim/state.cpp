@@ -11,13 +11,13 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x33'74'73'2e'72'75'6c'66;  // "flur.st3"
+constexpr uint64_t k_mark = 0x34'74'73'2e'72'75'6c'66;  // "flur.st4"
 
 // What is new in these has to be listed below, if the next tick depends on it.
-static_assert(sizeof(CrowdIdentity) == 7 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
+static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 7 + 10 + 6 + 4) + 32 +
-                                   sizeof(Onlookers) + 24);
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 10 + 10 + 6 + 4) + 32 +
+                                   sizeof(Onlookers) + 24 + sizeof(Traffic));
 
 // Before all else; how many of each follow.
 struct Head {
@@ -25,7 +25,7 @@ struct Head {
     uint32_t tick = 0, count = 0, next_path = 0;
     float widest = 0;
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
-    uint32_t ways = 0, unused = 0;                                                   // no gap at the end
+    uint32_t ways = 0, traffic = 0;
     uint32_t queue = 0, queue_next = 0, numbered = 0, gone = 0, came = 0, lost = 0;  // of Coming
 };
 static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 88);
@@ -39,9 +39,10 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     auto some = [&](auto&... arrays) { (each(arrays, size_t{count}), ...); };
     all(w.gait.people);
     auto& who = c.identity;
-    some(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead);
+    some(who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace, who.ahead,
+         who.room, who.patience, who.linger);
     some(c.slots.generation, c.slots.place);
-    all(w.gait.blocks, w.poses, w.trails, c.at_once);
+    all(w.gait.blocks, w.poses, w.trails, c.at_once, c.traffic.slow, c.traffic.coming);
     auto& m = c.motion;
     some(m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon, m.under,
          m.filed);
@@ -87,6 +88,7 @@ Head head_of(const World& w) {
     const Crowd& c = w.crowd;
     Head head{.world = state_mark(w), .tick = w.tick, .count = c.count, .next_path = c.next_path};
     head.widest = c.widest;
+    head.traffic = c.traffic.done;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
     head.ways = size(c.wayfarers);
@@ -201,6 +203,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
         read(corners.data(), corners.size_bytes());
     }
     c.scratch.is_ordered = false;
+    c.traffic.done = head->traffic;
+    restore(c.traffic, *w.navmesh);
     w.previous_poses = w.poses;
     w.previous_trails = w.trails;
     if (w.roam) w.roam->previous_frames = w.roam->frames;

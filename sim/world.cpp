@@ -17,12 +17,22 @@ namespace flaneur {
 static constexpr float k_pushing_pace = 0.93f, k_fastest_pushing = 1.45f;
 static constexpr float k_pram_middle = 0.5f;  // metres from the handle
 
+Personality personality_of(const World& world, uint32_t walker) {
+    const Crowd& c = world.crowd;
+    const Kind& kind = world.kinds[c.identity.body[walker]];
+    return draw_personality(kind.age, kind.woman,
+                            {world.seed, walker, c.slots.generation[walker], Purpose::personality});
+}
+
 static Manner manner_of(const World& world, uint32_t walker) {
     const Crowd& c = world.crowd;
     const Kind& kind = world.kinds[c.identity.body[walker]];
     Manner middle = manner_at_age(kind.age);
     middle.postures = postures_at_age(kind.age, kind.woman);
-    return draw_manner(middle, {world.seed, walker, c.slots.generation[walker], Purpose::style});
+    const uint32_t generation = c.slots.generation[walker];
+    Manner manner = draw_manner(middle, {world.seed, walker, generation, Purpose::style});
+    add_personality(manner, personality_of(world, walker));
+    return manner;
 }
 
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, const WorldOptions& options,
@@ -74,6 +84,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
         bodies.push_back(kind.body);
         float leg = leg_length(kind.body);
         Folk folk{kind.share, usual_speed(kind.age, kind.woman, leg), fastest_walk(leg), stair_pace(leg)};
+        folk.age = kind.age, folk.woman = kind.woman;
         if (kind.body.pram != Vec3{}) {
             folk.speed *= k_pushing_pace;
             folk.most = std::min(folk.most, k_fastest_pushing);

@@ -14,6 +14,7 @@
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
 #include "sim/body/body.h"
+#include "sim/body/personality.h"
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
@@ -97,6 +98,9 @@ void drive_roam(World& world);
 // Gait, pose and idles of a walker that came, or is gone, in slot `walker`.
 void start_body(World& world, uint32_t walker);
 void end_body(World& world, uint32_t walker);
+
+// What kind of person a walker is.
+Personality personality_of(const World& world, uint32_t walker);
 
 // A joint `between` 0, the tick before the last, and 1, the last.
 JointPose joint_between(const World& world, size_t walker, Joint joint, float between);

@@ -25,7 +25,8 @@ enum class Purpose : uint32_t {
     step,
     hold,
     coming,
-    way
+    way,
+    personality
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

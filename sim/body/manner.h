@@ -51,6 +51,8 @@ struct Manner {
     // How much one step differs from the next: standard deviation of its time, as a share, and of the way
     // that a foot lands beside its line, in the person's height.
     float unevenness = 0;
+    float curiosity = 0.3f;  // of every two seconds, in how many the head turns to something aside
+    float touches = 0.5f;    // how likely it is one of those who trail a hand along walls
     float limp = 0;  // share by which a step of the left foot is quicker, one of the right foot slower
     // How often each posture is taken, against the others. All 0: hands hang.
     std::array<float, k_posture_count> postures{};

@@ -12,28 +12,30 @@ namespace flaneur {
 static constexpr float k_stroll_reach = 150, k_least_stroll = 25;  // metres, from start to goal
 static constexpr size_t k_paths_a_tick = 32;                       // at least, and
 static constexpr uint32_t k_for_each_path = 4096;                  // one for so many walkers
-static constexpr float k_corner_touch = 0.1f;                      // a corner this near is passed, metres;
-static constexpr float k_corner_reach = 0.5f;   // this near it is if the next one is in view,
-static constexpr float k_corner_view = 2.5f;    // and so it is this near if one is level with it
-static constexpr float k_goal_reach = 0.4f;     // a goal this near is reached
-static constexpr float k_far_off = 3.5f;        // from the stretch, metres: another path is sought
-static constexpr float k_progress = 0.3f;       // metres nearer that count as progress
-static constexpr uint32_t k_patience = 3 * 60;  // ticks without progress
-static constexpr uint8_t k_most_stuck = 3;      // replans before the goal is given up
-static constexpr int k_widened = 2;             // corners ahead that are widened
-static constexpr float k_least_onward = 0.8f;   // cosine between the ways to it and to the corner
-static constexpr uint32_t k_waits = 30;         // ticks without progress: others are at the corner
-static constexpr uint32_t k_held_up = 110;      // ticks without progress after which one hurries,
-static constexpr uint32_t k_hurries = 10 * 60;  // for so many ticks
-static constexpr float k_own_half = 0.45f;      // of the room from a corner to the border across from it
-static constexpr uint32_t k_insist = 20 * 60;   // ticks that one insists, at most,
-static constexpr float k_past = 3;              // and metres that it gets on
-static constexpr float k_haste = 1.1f;          // times the preferred speed, at most, of one who gets out of
-static constexpr float k_least_haste = 0.3f;    // others' way; m/s
-static constexpr float k_course = 3;            // metres ahead, of a course
-static constexpr uint32_t k_retry = 60;         // ticks until a path that was not there is sought again
-static constexpr float k_back_ahead = 0.4f;     // seconds
-static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
+static constexpr uint32_t k_traffic_ticks = 20 * 60;  // how often it is looked at where people crowd,
+static constexpr float k_traffic_share = 1 / 300.0f;  // and what of it is put in a tick: all in five seconds
+static constexpr float k_corner_touch = 0.1f;         // a corner this near is passed, metres;
+static constexpr float k_corner_reach = 0.5f;         // this near it is if the next one is in view,
+static constexpr float k_corner_view = 2.5f;          // and so it is this near if one is level with it
+static constexpr float k_goal_reach = 0.4f;           // a goal this near is reached
+static constexpr float k_far_off = 3.5f;              // from the stretch, metres: another path is sought
+static constexpr float k_progress = 0.3f;             // metres nearer that count as progress
+static constexpr uint32_t k_patience = 3 * 60;        // ticks without progress
+static constexpr uint8_t k_most_stuck = 3;            // replans before the goal is given up
+static constexpr int k_widened = 2;                   // corners ahead that are widened
+static constexpr float k_least_onward = 0.8f;         // cosine between the ways to it and to the corner
+static constexpr uint32_t k_waits = 30;               // ticks without progress: others are at the corner
+static constexpr float k_held_up = 110;               // ticks without progress after which one hurries,
+static constexpr uint32_t k_hurries = 10 * 60;        // for so many ticks
+static constexpr float k_own_half = 0.45f;     // of the room from a corner to the border across from it
+static constexpr uint32_t k_insist = 20 * 60;  // ticks that one insists, at most,
+static constexpr float k_past = 3;             // and metres that it gets on
+static constexpr float k_haste = 1.1f;         // times the preferred speed, at most, of one who gets out of
+static constexpr float k_least_haste = 0.3f;   // others' way; m/s
+static constexpr float k_course = 3;           // metres ahead, of a course
+static constexpr uint32_t k_retry = 60;        // ticks until a path that was not there is sought again
+static constexpr float k_back_ahead = 0.4f;    // seconds
+static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
 static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
 
@@ -115,7 +117,7 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
     if (j.path_due == PathDue::to_new_goal) choose_goal(c, mesh, thread, i, tick, seed);
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     NavPoint here{c.motion.position[i], c.motion.polygon[i]};
-    int n = find_path(mesh, thread, here, j.goal, corners, k_corners, by_of(c, i));
+    int n = find_path(mesh, c.traffic, thread, here, j.goal, corners, k_corners, by_of(c, i));
     j.corner = 0;
     j.corner_count = static_cast<uint8_t>(n);
     j.path_start = j.turned_at = on_ground(here.position);
@@ -130,13 +132,14 @@ void plan_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t t
 }
 
 // Stands at its goal, or as near as it gets.
-static void arrive(Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
+static void arrive(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
     j.arrived = true;
     j.stuck = 0;
     j.insists_since = k_never;
     j.corner = j.corner_count;
     if (j.errand != Errand::wander) return;
-    float pause = random_between({seed, i, j.trip, Purpose::pause}, j.stay.least, j.stay.most);
+    float pause =
+        random_between({seed, i, j.trip, Purpose::pause}, j.stay.least, j.stay.most) * c.identity.linger[i];
     j.pause_until = tick + static_cast<uint32_t>(pause / k_tick);
     j.path_due = PathDue::to_new_goal;
 }
@@ -147,7 +150,7 @@ static float goal_reach(const Crowd& c, uint32_t i) { return k_goal_reach + c.id
 // At the end of the path: the goal, or as far as a path of bounded length reached.
 static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
     Vec2 p = on_ground(c.motion.position[i]);
-    if (length(on_ground(j.goal.position) - p) <= 2 * goal_reach(c, i)) return arrive(j, i, tick, seed);
+    if (length(on_ground(j.goal.position) - p) <= 2 * goal_reach(c, i)) return arrive(c, j, i, tick, seed);
     j.path_due = PathDue::to_goal;
     if (length(p - j.path_start) >= 1) return;
     // A path that got no nearer will not next time either.
@@ -156,7 +159,8 @@ static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint
 }
 
 // Others stand where it would pass, or it has strayed: another path, right of way, or another goal.
-static void get_unstuck(Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t tick, uint64_t seed) {
+static void get_unstuck(const Crowd& c, Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t tick,
+                        uint64_t seed) {
     j.closest_tick = tick;
     j.path_due = PathDue::to_goal;
     ++j.stuck;
@@ -166,7 +170,7 @@ static void get_unstuck(Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t t
     j.stuck = 0;
     if (at_goal) {
         j.path_due = PathDue::no;
-        arrive(j, i, tick, seed);
+        arrive(c, j, i, tick, seed);
     } else if (j.errand == Errand::wander) {
         j.path_due = PathDue::to_new_goal;
     }
@@ -214,11 +218,12 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
                 j.closest = distance;
                 j.closest_tick = tick;
             }
-            if (tick - j.closest_tick > k_held_up) j.hurries_until = tick + k_hurries;
+            if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
+                j.hurries_until = tick + k_hurries;
             float off = distance_to_segment(p, j.stretch_start, here);
             if (tick - j.closest_tick > k_patience || off > k_far_off) {
                 bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
-                get_unstuck(j, i, p, at_goal, tick, seed);
+                get_unstuck(c, j, i, p, at_goal, tick, seed);
             }
             float speed = c.identity.preferred_speed[i];
             if (last) speed = std::min(speed, distance / 0.7f);
@@ -302,10 +307,29 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                             .waited = static_cast<float>(tick - j.closest_tick) * k_tick,
                             .insists = j.insists_since,
                             .hurries = tick < j.hurries_until,
+                            .room = c.identity.room[i],
                             .is_beside = is_beside};
 }
 
+// How full it is, of every polygon: half of what it was and half of what it is, so that nobody turns about
+// for one who passes. Rather smaller places count with what lies about them.
+static void watch_traffic(Crowd& c, const Navmesh& mesh) {
+    constexpr float k_least_area = 12;  // square metres
+    constexpr float k_worth = 1.05f;
+    Traffic& t = c.traffic;
+    std::fill(t.coming.begin(), t.coming.end(), 0.0f);
+    for (const WalkerId id : c.slots.living) t.coming[number_of(mesh, c.motion.polygon[id.index])] += 1;
+    for (size_t p = 0; p < t.coming.size(); ++p) {
+        const float now = slowness(t.coming[p] / std::max(t.areas[p], k_least_area)),
+                    times = 0.5f * (now + t.slow[p]);
+        t.coming[p] = times < k_worth ? 1 : times;
+    }
+    begin(t, mesh);
+}
+
 void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint64_t seed) {
+    if (tick % k_traffic_ticks == 0 && tick > 0) watch_traffic(c, mesh);
+    go_on(c.traffic, mesh, k_traffic_share);
     // Paths, for the first walkers due from where the last tick stopped.
     c.scratch.requests.clear();
     uint32_t last = c.next_path;

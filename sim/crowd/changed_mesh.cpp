@@ -91,6 +91,7 @@ static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh,
 
 void change_mesh(Crowd& c, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
                  uint32_t tick) {
+    c.traffic = make_traffic(to);
     const NavmeshPassage p = passage(from, to);
     for (uint32_t i = 0; i < c.count; ++i) {
         if (!is_there(c, i)) continue;
@@ -106,7 +107,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     auto keep_all = [&](auto& to, auto& from, auto... arrays) { (keep(to.*arrays, from.*arrays), ...); };
     using Who = CrowdIdentity;
     keep_all(wider.identity, c.identity, &Who::preferred_speed, &Who::radius, &Who::lateral, &Who::body,
-             &Who::scale, &Who::stair_pace, &Who::ahead);
+             &Who::scale, &Who::stair_pace, &Who::ahead, &Who::room, &Who::patience, &Who::linger);
     using Move = CrowdMotion;
     keep_all(wider.motion, c.motion, &Move::position, &Move::velocity, &Move::wish, &Move::heading,
              &Move::turn_rate, &Move::feet, &Move::brakes, &Move::polygon, &Move::under, &Move::filed);
@@ -122,6 +123,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.widest = c.widest;
     wider.next_path = c.next_path;
     wider.demand = std::move(c.demand);
+    wider.traffic = std::move(c.traffic);
     wider.driven = c.driven;
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);

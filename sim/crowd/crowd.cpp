@@ -18,7 +18,7 @@ Crowd make_crowd(uint32_t capacity) {
     auto resize_to = [](size_t n, auto&... arrays) { (arrays.resize(n), ...); };
     CrowdIdentity& who = c.identity;
     resize_to(capacity, who.preferred_speed, who.radius, who.lateral, who.body, who.scale, who.stair_pace,
-              who.ahead);
+              who.ahead, who.room, who.patience, who.linger);
     CrowdMotion& m = c.motion;
     resize_to(capacity, m.position, m.velocity, m.wish, m.heading, m.turn_rate, m.feet, m.brakes, m.polygon,
               m.under, m.filed);
@@ -98,6 +98,9 @@ uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     c.identity.scale[i] = w.scale;
     c.identity.stair_pace[i] = w.stair_pace;
     c.identity.ahead[i] = w.ahead;
+    c.identity.room[i] = w.room;
+    c.identity.patience[i] = w.patience;
+    c.identity.linger[i] = w.linger;
     c.decision.wanted[i] = c.decision.course[i] = c.decision.aim[i] = c.decision.chosen[i] = {};
     c.decision.looks[i] = 0;
     c.decision.claim[i] = {};
@@ -197,6 +200,12 @@ uint64_t hash_crowd(const Crowd& c) {
         if (is_there(c, i))
             for_each_value(c, i, [&](const FieldName&, const auto& value) { h = hash_value(h, value); });
     if (c.driven.walker != k_nobody) h = hash_value(h, c.driven);
+    const Traffic& traffic = c.traffic;
+    if (traffic.costs || traffic.done > 0) {
+        h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));
+        h = hash_bytes(h, traffic.coming.data(), traffic.coming.size() * sizeof(float));
+        h = hash_value(h, traffic.done);
+    }
     return h;
 }
 

@@ -23,6 +23,7 @@
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
+#include "sim/navigation/traffic.h"
 #include "sim/ways/stride.h"
 
 namespace flaneur {
@@ -66,6 +67,9 @@ struct CrowdIdentity {
     std::vector<float> scale;            // of that body
     std::vector<float> stair_pace;       // share of others' pace on stairs
     std::vector<float> ahead;  // metres from there to the middle of the pram that one pushes, 0: none
+    // Shares of what others have (see sim/body/personality.h): the room that one keeps to those ahead, the
+    // time that one bears to be held up, and stays where one stops.
+    std::vector<float> room, patience, linger;
 };
 
 // The square of the ground plane in which one is looked for: where one was when all were filed last.
@@ -160,6 +164,7 @@ struct Intent {
     float waited = 0;        // seconds without getting nearer
     uint32_t insists = 0;    // has a claim of its own since that tick, or k_never
     bool hurries = false;    // has been held up: see Journey
+    float room = 1;          // see CrowdIdentity
     bool is_beside = false;  // walks back onto the mesh
 };
 
@@ -220,6 +225,7 @@ struct Crowd {
         at_once;             // by block: ticks that its walkers go in one step: 1, or of those afar more
     uint32_t next_path = 0;  // the walker from which path requests are served next
     Demand demand;           // what draws them
+    Traffic traffic;         // where they crowd
     CrowdScratch scratch;
 };
 
@@ -238,11 +244,11 @@ struct Walker {
     float lateral = 0.3f;
     uint32_t body = 0;
     float scale = 1;
-    float stair_pace = 1, ahead = 0;  // see CrowdIdentity
+    float stair_pace = 1, ahead = 0, room = 1, patience = 1, linger = 1;  // see CrowdIdentity
     Errand errand = Errand::wander;
 };
 
-// An empty crowd with room for `capacity` walkers.
+// An empty crowd with room for `capacity` walkers; its demand and traffic are its maker's.
 Crowd make_crowd(uint32_t capacity);
 
 inline bool is_there(const Crowd& crowd, uint32_t slot) { return crowd.slots.place[slot] != k_nobody; }
@@ -287,6 +293,8 @@ struct Folk {
     float speed = 1.34f;              // the mean that they prefer, metres a second
     float most = 1.9f;                // nobody prefers to go faster
     float stair_pace = 1, ahead = 0;  // see CrowdIdentity
+    float age = 30;                   // years: with sex it shifts what they are like
+    bool woman = false;
 };
 
 // One of them by chance: all but its place.

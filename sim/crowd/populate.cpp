@@ -5,6 +5,7 @@
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/base/zone.h"
+#include "sim/body/personality.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 
@@ -90,12 +91,18 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     float drawn = random_unit(key, 0) * total, before = 0;
     Walker w;
     while (w.body + 1 < folk.size() && drawn >= (before += folk[w.body].share)) ++w.body;
-    w.preferred_speed = clamp(folk[w.body].speed * (1 + k_speed_deviation * random_normal(key, 1)),
-                              k_least_speed, folk[w.body].most);
+    const Folk& own = folk[w.body];
+    const Personality personality =
+        draw_personality(own.age, own.woman, {key.seed, key.walker, key.when, Purpose::personality});
+    const float pace = pace_score(personality, random_normal(key, 1));
+    w.preferred_speed = clamp(own.speed * (1 + k_speed_deviation * pace), k_least_speed, own.most);
+    w.room = room_share(personality);
+    w.patience = patience_share(personality);
+    w.linger = linger_share(personality);
     w.radius = k_body_radius;
     w.scale = random_between(key, 0.95f, 1.05f, 2);
-    w.stair_pace = folk[w.body].stair_pace;
-    w.ahead = folk[w.body].ahead * w.scale;
+    w.stair_pace = own.stair_pace;
+    w.ahead = own.ahead * w.scale;
     key.purpose = Purpose::lateral;
     w.lateral = random_between(key, 0.15f, 2.2f);
     return w;
@@ -175,6 +182,7 @@ Result<Crowd> populate(const Ground& ground, const Surroundings& around,
                        uint32_t capacity, const Leaving& leaving) {
     assert(!folk.empty() || walkers == 0);
     Crowd c = make_crowd(std::max(walkers, capacity));
+    c.traffic = make_traffic(mesh);
     c.demand = make_demand(destinations, ground.low, ground.high, mesh, hour, leaving);
     if (Result<void> done = set_down(c, ground, around, mesh, workers, walkers, folk, seed); !done)
         return done.error();

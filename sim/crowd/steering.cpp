@@ -146,7 +146,7 @@ static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& i
         float swath = k_swath, pace = has_pram ? 1 / k_pram_headway : 1 / k_meeting_headway;
         if (!has_pram && go_together(me.course, other.course)) {
             hurry = 1 / k_follows;
-            pace = intent.hurries ? 1 / k_hurried_headway : 1 / k_headway;
+            pace = (intent.hurries ? 1 / k_hurried_headway : 1 / k_headway) / intent.room;
             swath = intent.hurries ? k_hurried_swath : k_swath;
             // Whoever is nearer to where both go, by the squares of the distances to their aims.
             const Vec2 p = on_ground(me.position), q = on_ground(other.position);

@@ -24,6 +24,9 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_who, "lateral", who.lateral[i]);
     add(k_who, "body", who.body[i]);
     add(k_who, "scale", who.scale[i]);
+    add(k_who, "room", who.room[i]);
+    add(k_who, "patience", who.patience[i]);
+    add(k_who, "linger", who.linger[i]);
     const CrowdMotion& m = c.motion;
     add(k_motion, "position", m.position[i]);
     add(k_motion, "velocity", m.velocity[i]);

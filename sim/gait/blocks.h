@@ -142,6 +142,8 @@ struct alignas(64) PersonBlock {
     float unevenness[k_block];  // see Manner: share of a step's time,
     float stray[k_block];       // and metres beside its line
     float limp[k_block];        // see Manner
+    float curiosity[k_block];   // see Manner
+    float touches[k_block];     // see Manner
     float height[k_block];
     float girth[4][k_block];                   // see Girth, in its order
     float postures[k_posture_count][k_block];  // see Manner; those that wear and bags leave

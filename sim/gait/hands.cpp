@@ -11,8 +11,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_people = 0.5f;                       // share of the people who touch walls at all
-constexpr float k_mood = 0.7f;                         // share of the time that these do
+constexpr float k_mood = 0.7f;                         // share of the time that who touches walls does
 constexpr uint32_t k_mood_ticks = 480;                 // how long a mood lasts
 constexpr uint32_t k_ask_ticks = 8;                    // an idle hand looks for a wall every so many ticks
 constexpr float k_start_speed = 1.4f;                  // m/s; a faster walker does not begin to touch,
@@ -129,8 +128,9 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
                      uint64_t seed, uint32_t tick, float dt) {
     for (size_t i = begin; i < end; ++i) {
         auto walker = static_cast<uint32_t>(i);
-        float style = random_unit({seed, walker, 0, Purpose::touch});
-        if (style >= k_people) continue;
+        const float style = random_unit({seed, walker, 0, Purpose::touch}),
+                    touches = gait.people[i / k_block].touches[i % k_block];
+        if (style >= touches) continue;
         GaitBlock& g = gait.blocks[i / k_block];
         int lane = static_cast<int>(i % k_block);
         bool busy = g.hands[k_left].reach[lane] > 0 || g.hands[k_right].reach[lane] > 0;
@@ -143,7 +143,7 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
 
         auto arm = [&](Side side) {
             return arm_of(g, gait.people[i / k_block], lane, side, root.position[i], root.heading[i], speed,
-                          style / k_people);
+                          style / touches);
         };
         Side side = g.hands[k_right].reach[lane] > 0 ? k_right : k_left;
         if (!busy) {

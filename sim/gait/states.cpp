@@ -317,7 +317,9 @@ void advance_look(GaitBlock& g, const Stepper& s, RandomKey chance) {
     coming = clamp(coming, -k_farthest_look, k_farthest_look);
     float turns = smoothstep(0.03f, 0.25f, std::fabs(coming));
     float& interest = g.interest[s.lane];
-    if (s.glances) interest = random_unit(chance) < 0.3f ? random_between(chance, -0.55f, 0.55f, 1) : 0;
+    if (s.glances)
+        interest =
+            random_unit(chance) < s.person.curiosity[s.lane] ? random_between(chance, -0.55f, 0.55f, 1) : 0;
     float& look = g.look[s.lane];
     float change = (coming + interest * (1 - turns) - look) * lerp(3.5f, 9.0f, turns);
     look += clamp(change, -k_fastest_look, k_fastest_look) * s.dt;

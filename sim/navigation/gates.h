@@ -39,10 +39,12 @@ inline float cost_to_gate(const Gates& g, Vec3 place, uint32_t polygon, uint32_t
     return g.costs[polygon] * length(g.middles[gate] - place);
 }
 
-// Calls visit(gate, other gate, polygon) for all pairs of gates of a polygon, the smaller first.
+inline uint32_t polygons_of(const Gates& g) { return static_cast<uint32_t>(g.first.size()) - 1; }
+
+// Calls visit(gate, other gate, polygon) for all pairs of gates of polygons [begin, end), the smaller first.
 template <class Visit>
-void for_pairs_of_gates(const Gates& g, Visit visit) {
-    for (uint32_t p = 0; p + 1 < g.first.size(); ++p)
+void for_pairs_of_gates(const Gates& g, uint32_t begin, uint32_t end, Visit visit) {
+    for (uint32_t p = begin; p < end; ++p)
         for (uint32_t i = g.first[p]; i < g.first[p + 1]; ++i)
             for (uint32_t j = i + 1; j < g.first[p + 1]; ++j) visit(g.of[i], g.of[j], p);
 }

@@ -13,7 +13,7 @@ static constexpr size_t k_most_gates = 1 << 14;  // of a way, without allocating
 // that gates taken out before leave it.
 static std::vector<std::vector<uint32_t>> join_gates(const Gates& g, const std::vector<uint32_t>& rank_of) {
     std::vector<std::vector<uint32_t>> to(rank_of.size()), children(rank_of.size());
-    for_pairs_of_gates(g, [&](uint32_t a, uint32_t b, uint32_t) {
+    for_pairs_of_gates(g, 0, polygons_of(g), [&](uint32_t a, uint32_t b, uint32_t) {
         to[std::min(rank_of[a], rank_of[b])].push_back(std::max(rank_of[a], rank_of[b]));
     });
     std::vector<uint32_t> joined;
@@ -56,17 +56,24 @@ static uint32_t shortcut_between(const Shortcuts& s, uint32_t low, uint32_t high
     return static_cast<uint32_t>(std::lower_bound(first, last, high) - s.to.begin());
 }
 
-ShortcutCosts find_costs(const Gates& g, const Shortcuts& s, bool wheels) {
-    ShortcutCosts c;
+void forget_costs(const Shortcuts& s, ShortcutCosts& c) {
     c.costs.assign(s.to.size(), k_no_way);
     c.through.assign(s.to.size(), k_no_gate);
-    for_pairs_of_gates(g, [&](uint32_t a, uint32_t b, uint32_t polygon) {
+}
+
+void put_in_polygons(const Gates& g, const Shortcuts& s, ShortcutCosts& c, uint32_t begin, uint32_t end,
+                     bool wheels, std::span<const float> slow) {
+    for_pairs_of_gates(g, begin, end, [&](uint32_t a, uint32_t b, uint32_t polygon) {
         if (wheels && g.steps[polygon]) return;
         const auto [low, high] = std::minmax(s.rank_of[a], s.rank_of[b]);
         float& cost = c.costs[shortcut_between(s, low, high)];
-        cost = std::min(cost, cost_to_gate(g, g.middles[a], polygon, b));
+        const float times = slow.empty() ? 1 : slow[polygon];
+        cost = std::min(cost, times * cost_to_gate(g, g.middles[a], polygon, b));
     });
-    for (uint32_t r = 0; r + 1 < s.first.size(); ++r) {
+}
+
+void put_in_ranks(const Shortcuts& s, ShortcutCosts& c, uint32_t begin, uint32_t end) {
+    for (uint32_t r = begin; r < end; ++r) {
         for (uint32_t i = s.first[r]; i < s.first[r + 1]; ++i) {
             if (c.costs[i] >= k_no_way) continue;
             uint32_t k = s.first[s.to[i]];  // of a shortcut between the two that `r` is joined to
@@ -77,6 +84,13 @@ ShortcutCosts find_costs(const Gates& g, const Shortcuts& s, bool wheels) {
             }
         }
     }
+}
+
+ShortcutCosts find_costs(const Gates& g, const Shortcuts& s, bool wheels, std::span<const float> slow) {
+    ShortcutCosts c;
+    forget_costs(s, c);
+    put_in_polygons(g, s, c, 0, polygons_of(g), wheels, slow);
+    put_in_ranks(s, c, 0, static_cast<uint32_t>(s.gate_of.size()));
     return c;
 }
 

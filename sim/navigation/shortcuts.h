@@ -37,8 +37,15 @@ struct ShortcutCosts {
     std::vector<float> costs;
     std::vector<uint32_t> through;
 };
-// `wheels`: no way leads over steps.
-ShortcutCosts find_costs(const Gates& gates, const Shortcuts& shortcuts, bool wheels);
+// `wheels`: no way leads over steps. `slow`, one a polygon, is what costs there are times; none: 1.
+ShortcutCosts find_costs(const Gates& gates, const Shortcuts& shortcuts, bool wheels,
+                         std::span<const float> slow = {});
+// The same bit by bit. First without costs; then those of the ways straight on through polygons [begin, end);
+// once all of these are put in, through ranks [begin, end), in rising order.
+void forget_costs(const Shortcuts& shortcuts, ShortcutCosts& costs);
+void put_in_polygons(const Gates& gates, const Shortcuts& shortcuts, ShortcutCosts& costs, uint32_t begin,
+                     uint32_t end, bool wheels, std::span<const float> slow);
+void put_in_ranks(const Shortcuts& shortcuts, ShortcutCosts& costs, uint32_t begin, uint32_t end);
 
 // The cheapest ways from one end to the gates up the tree, by depth.
 struct Climb {

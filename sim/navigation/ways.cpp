@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "sim/navigation/navmesh_data.h"
+#include "sim/navigation/traffic.h"
 
 namespace flaneur {
 
@@ -43,12 +44,13 @@ static void find_doorways(const Gates& g, std::span<const uint32_t> way, uint32_
     }
 }
 
-int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity, By by) {
+static int find_path(const Navmesh& m, const ShortcutCosts* slow, int thread, NavPoint from, NavPoint to,
+                     Vec3* corners, int capacity, By by) {
     if (!m.mesh->isValidPolyRef(from.polygon) || !m.mesh->isValidPolyRef(to.polygon) || capacity <= 0)
         return 0;
     WaySearch& search = *m.searches[thread];
     const bool wheels = by == By::wheels && !m.wheel_costs.costs.empty();
-    const ShortcutCosts& costs = wheels ? m.wheel_costs : m.costs;
+    const ShortcutCosts& costs = wheels ? m.wheel_costs : slow ? *slow : m.costs;
     WayEnds ends{from.position, to.position, polygon_number(m, from.polygon), polygon_number(m, to.polygon)};
     std::span<const uint32_t> way;
     auto look = [&] {
@@ -66,6 +68,15 @@ int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* co
     }
     find_doorways(m.gates, way, ends.from_polygon, search.doorways);
     return pull_string(search.doorways, ends.from, ends.to, corners, capacity);
+}
+
+int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* corners, int capacity, By by) {
+    return find_path(m, nullptr, thread, from, to, corners, capacity, by);
+}
+
+int find_path(const Navmesh& m, const Traffic& traffic, int thread, NavPoint from, NavPoint to, Vec3* corners,
+              int capacity, By by) {
+    return find_path(m, traffic.costs.get(), thread, from, to, corners, capacity, by);
 }
 
 }  // namespace flaneur

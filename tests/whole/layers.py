@@ -21,7 +21,7 @@ sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
 sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ik
 sim/animation: sim/base, sim/pose
-sim/crowd: sim/base, sim/ground, sim/navigation, sim/ways
+sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/surface: sim/base
 sim: sim/animation, sim/base, sim/body, sim/coming, sim/crowd, sim/gait, sim/ground, sim/hands, sim/navigation, sim/pose, sim/surface

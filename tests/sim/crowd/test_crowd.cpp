@@ -32,6 +32,7 @@ World make_world(Ground ground, uint32_t capacity, int threads = 2) {
     w.workers = make_workers(threads);
     prepare_queries(*w.mesh, threads);
     w.crowd = make_crowd(capacity);
+    w.crowd.traffic = make_traffic(*w.mesh);
     return w;
 }
 

@@ -26,6 +26,7 @@ Pass meet(PassOn side, float beside, float speed, float other_speed) {
     WorkersPtr workers = make_workers(1);
     prepare_queries(*mesh, 1);
     Crowd c = make_crowd(2);
+    c.traffic = make_traffic(*mesh);
     c.pass_on = side;
     auto add = [&](float x, float z, float heading, float goal_x, float pace) {
         Walker walker;

@@ -271,8 +271,9 @@ TEST(Pram, IsPushedFromBehind) {
 }
 
 // Every third pushes one.
-std::unique_ptr<World> people_on(Ground ground, int threads = 1, uint32_t walkers = 36) {
+std::unique_ptr<World> people_on(Ground ground, int threads = 1, uint32_t walkers = 36, uint64_t seed = 1) {
     WorldOptions options;
+    options.seed = seed;
     options.walkers = walkers;
     options.capacity = walkers + 8;
     options.threads = threads;
@@ -328,9 +329,9 @@ TEST(PramsInACrowd, TakeNoSteps) {
 
 // Bodies keep off prams, prams off each other and off walls, and all get on.
 TEST(PramsInACrowd, HaveRoom) {
-    for (bool is_street : {true, false}) {
-        auto w = people_on(is_street ? street() : square(24), 1, 40);
-        size_t pairs = 0, deep = 0, prams = 0, in_walls = 0;
+    size_t deep = 0, prams = 0, in_walls = 0;
+    for (const auto& [is_street, seed] : {std::pair{true, 1}, {false, 1}, {true, 2}, {false, 2}}) {
+        auto w = people_on(is_street ? street() : square(24), 1, 40, static_cast<uint64_t>(seed));
         std::vector<Vec3> start(w->crowd.count);
         std::vector<float> gone(w->crowd.count, 0);
         for (int t = 0; t < 3600; ++t) {
@@ -349,28 +350,19 @@ TEST(PramsInACrowd, HaveRoom) {
                 for (uint32_t k = 0; k < w->crowd.count; ++k) {
                     if (k == i) continue;
                     const float d = length(on_ground(w->crowd.motion.position[k] - middle));
-                    ++pairs;
                     deep += d < k_pram_radius + w->crowd.identity.radius[k] - 0.1f;
                 }
             }
             for (uint32_t i = 0; i < w->crowd.count; ++i)
                 gone[i] += length(on_ground(w->crowd.motion.position[i] - was[i]));
         }
-        float pushed = 0, least = 1e9f;
-        for (const Pram& pram : w->gait.prams) {
-            pushed += gone[pram.walker];
-            least = std::min(least, gone[pram.walker]);
-        }
-        const double share = 100 * double(deep) / double(prams);
-        std::printf(
-            "somebody is 0.1 m into a pram for %.2f %% of its time, it is in a wall for %.2f %%; "
-            "pushers go %.1f m on average, %.1f at least\n",
-            share, 100 * double(in_walls) / double(prams), double(pushed) / double(w->gait.prams.size()),
-            double(least));
-        EXPECT_LT(share, 2);
-        EXPECT_LT(in_walls * 100, prams);
-        EXPECT_GT(least, 5);
+        for (const Pram& pram : w->gait.prams) EXPECT_GT(gone[pram.walker], 5);
     }
+    const double into = 100 * double(deep) / double(prams), walls = 100 * double(in_walls) / double(prams);
+    std::printf("somebody is 0.1 m into a pram for %.2f %% of its time, it is in a wall for %.2f %%\n", into,
+                walls);
+    EXPECT_LT(into, 1);
+    EXPECT_LT(walls, 1.5);
 }
 
 TEST(PramsInACrowd, ComeAndGoWithTheirPushers) {

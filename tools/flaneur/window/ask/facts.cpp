@@ -1,6 +1,9 @@
 #include "tools/flaneur/window/ask/facts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "sim/base/tick.h"
 
@@ -77,6 +80,7 @@ WalkerFacts quick_facts_of(const Show& show, uint32_t walker) {
     } else {
         f.name = character.name;
     }
+    f.personality = personality_of(world, walker);
     find_doing(world, f);
     return f;
 }
@@ -97,6 +101,25 @@ std::string told_who(const WalkerFacts& f) {
     const bool is_child = f.age < k_grown_up;
     const char* sex = f.is_woman ? (is_child ? "Girl" : "Woman") : (is_child ? "Boy" : "Man");
     return std::string(sex) + ", " + std::to_string(static_cast<int>(f.age + 0.5f));
+}
+
+std::string told_nature(const Personality& p) {
+    constexpr float k_tells = 0.7f;  // standard scores
+    struct {
+        float score;
+        const char *more, *less;
+    } traits[] = {{p.extraversion, "outgoing", "reserved"},
+                  {p.agreeableness, "obliging", "headstrong"},
+                  {p.conscientiousness, "dutiful", "easy-going"},
+                  {p.neuroticism, "anxious", "calm"},
+                  {p.openness, "curious", "incurious"}};
+    std::ranges::stable_sort(traits, std::greater{}, [](const auto& t) { return std::fabs(t.score); });
+    std::string told;
+    for (const auto& trait : {traits[0], traits[1]}) {
+        if (std::fabs(trait.score) < k_tells) break;
+        told.append(told.empty() ? "" : ", ").append(trait.score > 0 ? trait.more : trait.less);
+    }
+    return told;
 }
 
 std::string told_doing(const WalkerFacts& f) {

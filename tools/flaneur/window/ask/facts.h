@@ -5,6 +5,7 @@
 #include <string>
 
 #include "assets/city.h"
+#include "sim/body/personality.h"
 #include "tools/flaneur/view/show.h"
 
 namespace flaneur {
@@ -27,6 +28,7 @@ struct WalkerFacts {
     std::string name;           // of the file, if it is not built in
     float age = 0, height = 0;  // years, metres
     bool is_woman = false;
+    Personality personality;
     bool cane = false, pram = false, phone = false, glasses = false;
     Bag bag = Bag::none;
     float speed = 0, preferred = 0;  // m/s
@@ -45,6 +47,8 @@ WalkerFacts quick_facts_of(const Show& show, uint32_t walker);
 
 // "Girl, 11", or whose character it is.
 std::string told_who(const WalkerFacts& facts);
+// "outgoing, anxious": what it is more than most, at most two words of it; empty: like most.
+std::string told_nature(const Personality& personality);
 // "stays for 12 s more"
 std::string told_doing(const WalkerFacts& facts);
 const char* told(Bag bag);

@@ -22,6 +22,8 @@ void lay_out_who(const WalkerFacts& f) {
     add(f.pram, "a pram"), add(f.cane, "a cane"), add(f.bag != Bag::none, told(f.bag));
     add(f.phone, "a phone"), add(f.glasses, "glasses");
     if (!has.empty()) ImGui::TextUnformatted(has.c_str());
+    if (const std::string nature = told_nature(f.personality); !nature.empty())
+        ImGui::TextUnformatted(nature.c_str());
 }
 
 void lay_out_way(const WalkerFacts& f) {
