@@ -96,7 +96,7 @@ tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
-tools/flaneur/window/ask: assets, renderer, sim/base, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
+tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/navigation, tools/flaneur/options
 tools/flaneur/window/frame:
