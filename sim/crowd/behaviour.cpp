@@ -32,6 +32,7 @@ static constexpr uint32_t k_insist = 20 * 60;  // ticks that one insists, at mos
 static constexpr float k_past = 3;             // and metres that it gets on
 static constexpr float k_haste = 1.1f;         // times the preferred speed, at most, of one who gets out of
 static constexpr float k_least_haste = 0.3f;   // others' way; m/s
+static constexpr float k_back_within = 2;      // metres ahead, in which one comes back from the road
 static constexpr float k_course = 3;           // metres ahead, of a course
 static constexpr uint32_t k_retry = 60;        // ticks until a path that was not there is sought again
 static constexpr float k_back_ahead = 0.4f;    // seconds
@@ -231,6 +232,12 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             if (!last && distance < k_corner_view && tick - j.closest_tick > k_waits) {
                 const Vec2 on = normalize_or(on_ground(corners[j.corner + 1]) - p, {0, 0});
                 return normalize_or(to / std::max(distance, 1e-4f) + on, on) * speed;
+            }
+            // Pushed off the kerb: back to where the way leads, not along it on the road.
+            if (c.motion.under[i].kind == Surface::road && distance > k_back_within) {
+                const Vec2 along = here - j.stretch_start;
+                const Vec2 beside = j.stretch_start + along * closest_on(j.stretch_start, here, p);
+                return normalize_or(beside + normalize_or(along, {0, 0}) * k_back_within - p, {0, 0}) * speed;
             }
             return to * (speed / std::max(distance, 1e-4f));
         }
