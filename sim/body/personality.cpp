@@ -6,17 +6,26 @@
 
 namespace flaneur {
 
-Personality draw_personality(float age, bool woman, RandomKey key) {
+Personality usual_personality(float age, bool woman) {
     const float decades = (clamp(age, 16, 80) - 40) * 0.1f, sex = woman ? 0.5f : -0.5f;
-    auto draw = [&](float mean, uint32_t index) { return clamp(mean + random_normal(key, index), -3, 3); };
-    return {.openness = draw(0, 0),
-            .conscientiousness = draw(0.15f * decades + 0.1f * sex, 1),
-            .extraversion = draw(0.1f * sex, 2),
-            .agreeableness = draw(0.12f * decades + 0.15f * sex, 3),
-            .neuroticism = draw(0.4f * sex - (woman ? 0.1f : 0.0f) * decades, 4)};
+    return {.openness = 0,
+            .conscientiousness = 0.15f * decades + 0.1f * sex,
+            .extraversion = 0.1f * sex,
+            .agreeableness = 0.12f * decades + 0.15f * sex,
+            .neuroticism = 0.4f * sex - (woman ? 0.1f : 0.0f) * decades};
 }
 
-float pace_score(const Personality& p, float own) {
+Personality draw_personality(float age, bool woman, RandomKey key) {
+    const Personality usual = usual_personality(age, woman);
+    auto draw = [&](float mean, uint32_t index) { return clamp(mean + random_normal(key, index), -3, 3); };
+    return {.openness = draw(usual.openness, 0),
+            .conscientiousness = draw(usual.conscientiousness, 1),
+            .extraversion = draw(usual.extraversion, 2),
+            .agreeableness = draw(usual.agreeableness, 3),
+            .neuroticism = draw(usual.neuroticism, 4)};
+}
+
+float pace_score(const Personality& p, const Personality& usual, float own) {
     // A half of people differ from the other half by 1.6 standard scores: 0.06 m/s of 0.26.
     constexpr float k_extraversion = 0.145f, k_conscientiousness = 0.145f, k_openness = 0.07f,
                     k_neuroticism = -0.1f;
@@ -24,16 +33,18 @@ float pace_score(const Personality& p, float own) {
                              k_openness * k_openness + k_neuroticism * k_neuroticism;
     // So that people spread as before.
     static const float k_rest = std::sqrt(1 - k_told);
-    return k_extraversion * p.extraversion + k_conscientiousness * p.conscientiousness +
-           k_openness * p.openness + k_neuroticism * p.neuroticism + k_rest * own;
+    return k_extraversion * (p.extraversion - usual.extraversion) +
+           k_conscientiousness * (p.conscientiousness - usual.conscientiousness) +
+           k_openness * (p.openness - usual.openness) + k_neuroticism * (p.neuroticism - usual.neuroticism) +
+           k_rest * own;
 }
 
 float room_share(const Personality& p) {
-    return clamp(1 + 0.07f * (p.neuroticism - p.extraversion), 0.75f, 1.3f);
+    return clamp(1 + 0.05f * (p.neuroticism - p.extraversion), 0.85f, 1.2f);
 }
 
 float patience_share(const Personality& p) {
-    return clamp(1 + 0.2f * p.agreeableness + 0.1f * p.conscientiousness, 0.5f, 1.7f);
+    return clamp(1 + 0.1f * p.agreeableness + 0.05f * p.conscientiousness, 0.8f, 1.4f);
 }
 
 float linger_share(const Personality& p) {

@@ -18,19 +18,20 @@ struct Personality {
 // Psychology 84, 2003); women are more neurotic by 0.4 and more agreeable by 0.15 (Schmitt et al., the same
 // 94, 2008). The factors are drawn one by one.
 Personality draw_personality(float age, bool woman, RandomKey key);
+Personality usual_personality(float age, bool woman);
 
-// How much faster than others of their kind they like to walk, in standard deviations of these. Extraverted,
-// conscientious and open people walk faster, neurotic ones slower; who is extraverted by 0.06 m/s (Stephan et
-// al., Social Psychological and Personality Science 9, 2018). All else that makes one quick or slow is `own`,
-// a standard score.
-float pace_score(const Personality& personality, float own);
+// How much faster than others of their age and sex, who are usually such, they like to walk, in standard
+// deviations of these. Extraverted, conscientious and open people walk faster, neurotic ones slower; who is
+// extraverted by 0.06 m/s (Stephan et al., Social Psychological and Personality Science 9, 2018). All else
+// that makes one quick or slow is `own`, a standard score.
+float pace_score(const Personality& personality, const Personality& usual, float own);
 
-// Factor on the room that one keeps to those ahead, 0.75..1.3: the neurotic and the introverted keep more of
+// Factor on the room that one keeps to those ahead, 0.85..1.2: the neurotic and the introverted keep more of
 // it (as anxious people do to strangers: Sorokowska et al., J. Cross-Cultural Psychology 48, 2017). How much
 // is judged.
 float room_share(const Personality& personality);
 
-// Factor on the time for which one bears to be held up before one presses on, 0.5..1.7: the agreeable and the
+// Factor on the time for which one bears to be held up before one presses on, 0.8..1.4: the agreeable and the
 // conscientious wait, as who is judged assertive in crowds is neither (Guy et al., Symposium on Computer
 // Animation 2011). How much is judged.
 float patience_share(const Personality& personality);

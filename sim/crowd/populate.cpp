@@ -94,7 +94,7 @@ Walker draw_walker(std::span<const Folk> folk, RandomKey key) {
     const Folk& own = folk[w.body];
     const Personality personality =
         draw_personality(own.age, own.woman, {key.seed, key.walker, key.when, Purpose::personality});
-    const float pace = pace_score(personality, random_normal(key, 1));
+    const float pace = pace_score(personality, usual_personality(own.age, own.woman), random_normal(key, 1));
     w.preferred_speed = clamp(own.speed * (1 + k_speed_deviation * pace), k_least_speed, own.most);
     w.room = room_share(personality);
     w.patience = patience_share(personality);

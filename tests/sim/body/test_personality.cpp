@@ -39,9 +39,10 @@ TEST(Personality, ThePaceSpreadsAsBeforeAndTheOutgoingWalkFaster) {
     uint32_t outgoing_count = 0;
     for (uint32_t i = 0; i < k_people; ++i) {
         const Personality p = draw_personality(40, i % 2 == 0, key_of(i));
-        const double score = pace_score(p, random_normal(key_of(i, Purpose::body), 1));
+        const double score =
+            pace_score(p, usual_personality(40, i % 2 == 0), random_normal(key_of(i, Purpose::body), 1));
         sum += score, squares += score * score;
-        if (p.extraversion > 0)
+        if (p.extraversion > usual_personality(40, i % 2 == 0).extraversion)
             outgoing += score, ++outgoing_count;
         else
             others += score;
@@ -55,10 +56,10 @@ TEST(Personality, WhatShowsOfItIsOneOnTheWholeAndBounded) {
     double room = 0, patience = 0, linger = 0;
     for (uint32_t i = 0; i < k_people; ++i) {
         const Personality p = draw_personality(40, i % 2 == 0, key_of(i));
-        ASSERT_GE(room_share(p), 0.75f);
-        ASSERT_LE(room_share(p), 1.3f);
-        ASSERT_GE(patience_share(p), 0.5f);
-        ASSERT_LE(patience_share(p), 1.7f);
+        ASSERT_GE(room_share(p), 0.85f);
+        ASSERT_LE(room_share(p), 1.2f);
+        ASSERT_GE(patience_share(p), 0.8f);
+        ASSERT_LE(patience_share(p), 1.4f);
         ASSERT_GE(linger_share(p), 0.6f);
         ASSERT_LE(linger_share(p), 1.5f);
         room += room_share(p), patience += patience_share(p), linger += linger_share(p);
