@@ -180,7 +180,7 @@ static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, cons
 
 // Whether there was room.
 static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::span<const Folk> folk,
-                   const Entrant& e, uint64_t seed) {
+                   const Entrant& e, uint32_t tick, uint64_t seed) {
     Walker w = draw_entrant_body(c, folk, e, seed);
     Vec3 at = w.place.position;
     if (const auto hit = ground_at(around, at, 1, 2)) at.y = hit->height;
@@ -192,7 +192,7 @@ static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::sp
     const auto door = e.by_door && w.ahead == 0 ? door_at(around, at, out * -1) : std::nullopt;
     if (door && (is_in_use(c, *door) || !is_room(at + at_height(out * k_step, 0)))) return false;
     const uint32_t i = add_walker(c, around, w);
-    door ? come_by_door(c, i, *door) : appear(c, i);
+    door ? come_by_door(c, i, *door, tick) : appear(c, i);
     if (e.is_sent) {
         send_to(c, i, e.goal);
         c.journeys[i].leaves = true;
@@ -228,7 +228,7 @@ static void let_in_those_due(Coming& coming, Crowd& c, const Surroundings& aroun
         const bool has_to_choose = !e.is_sent && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
             is_in = c.slots.living.size() < c.capacity && e.place.polygon &&
-                    let_in(coming, c, around, folk, e, seed);
+                    let_in(coming, c, around, folk, e, tick, seed);
         ++e.tries;
         if (!is_in) queue[kept++] = e;
     }

@@ -21,13 +21,20 @@ static void set_passage(Crowd& c, const Passage& passage) {
     c.passages.insert(take_away(c.passages, passage.walker), passage);
 }
 
-void come_by_door(Crowd& c, uint32_t i, const Door& door) {
+// Others make way for one who goes through a door, since it cannot step aside there.
+static void insist(Crowd& c, uint32_t i, uint32_t tick) {
+    c.journeys[i].insists_since = tick;
+    c.journeys[i].insists_from = on_ground(c.motion.position[i]);
+}
+
+void come_by_door(Crowd& c, uint32_t i, const Door& door, uint32_t tick) {
     Vec3& place = c.motion.position[i];
     c.way_back[i] = {place, c.motion.polygon[i]};
     place = door.at + at_height(door.way * k_door_depth, 0);
     c.motion.filed[i] = filed_at(place);
     c.scratch.is_ordered = false;
     set_passage(c, {i, Kind::in, k_shown, door});
+    insist(c, i, tick);
 }
 
 void appear(Crowd& c, uint32_t i) { set_passage(c, {i, Kind::appear, 0, {}}); }
@@ -58,6 +65,7 @@ static bool leave_by_door(Crowd& c, const Surroundings& around, uint32_t i, uint
     }
     c.way_back[i] = {c.motion.position[i], c.motion.polygon[i]};
     set_passage(c, {i, Kind::out, k_shown, *door});
+    insist(c, i, tick);
     return true;
 }
 
@@ -80,8 +88,11 @@ void step_passages(Crowd& c) {
     std::erase_if(c.passages, [&](const Passage& p) {
         if (p.kind == Kind::appear) return p.shown >= k_shown;
         if (p.kind == Kind::vanish) return false;
-        return !c.way_back[p.walker].polygon ||
-               depth_in(p.door, on_ground(c.motion.position[p.walker])) < -k_farthest;
+        if (c.way_back[p.walker].polygon &&
+            depth_in(p.door, on_ground(c.motion.position[p.walker])) >= -k_farthest)
+            return false;
+        c.journeys[p.walker].insists_since = k_never;
+        return true;
     });
 }
 

@@ -11,7 +11,7 @@
 namespace flaneur {
 
 // Puts a walker that has just come in behind the door, from where it goes to where it stands now.
-void come_by_door(Crowd& crowd, uint32_t walker, const Door& door);
+void come_by_door(Crowd& crowd, uint32_t walker, const Door& door, uint32_t tick);
 // Or lets it come into sight where it stands.
 void appear(Crowd& crowd, uint32_t walker);
 
