@@ -1,5 +1,8 @@
 #include "assets/city.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/base/hash.h"
 
 namespace flaneur {
@@ -27,6 +30,13 @@ Vec2 half_footprint(const Prop& prop) {
         default:
             return {0.12f, 0.12f};
     }
+}
+
+Vec2 door_on(Vec2 a, Vec2 b, Vec2 place) {
+    const float width = std::max(length(b - a), 1e-3f), along = dot(place - a, b - a) / (width * width);
+    const float bays = std::max(1.0f, std::round(width / k_bay_width));
+    const float bay = std::min(std::max(0.0f, std::floor(along * bays)), bays - 1);
+    return lerp(a, b, (bay + 0.5f) / bays);
 }
 
 void index_city(City& city) {

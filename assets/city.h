@@ -118,6 +118,11 @@ struct City {
     std::vector<std::string> notes;  // what an import skipped or repaired, a counted sentence each
 };
 
+// Facades are fitted with bays about so wide, metres, each with a window or a door in its middle.
+inline constexpr float k_bay_width = 2.7f;
+// Of the facade from `a` to `b`, where the door is that one has before one at `place`.
+Vec2 door_on(Vec2 a, Vec2 b, Vec2 place);
+
 // Makes the ground's solids of the scenery, and indexes it. To be called once, after the arrays are filled;
 // props may be added, and moved onto the ground, until list_obstacles is called.
 void index_city(City& city);

@@ -119,6 +119,7 @@ struct WalkerDraw {
     float heading = 0;       // yaw about +y, 0 faces +z, radians
     float phase = -1;        // of the stride, [0, 1), as PersonMesh::strides has them; below 0: stands
     uint32_t id = 0;         // below 2^24: what Image::ids tells of it
+    uint8_t presence = 255;  // how much of it is seen, in pixels of each 4x4: 255 all, 0 nothing
 };
 
 // The ground about a place, as a plane. There is none where the normal is zero.

@@ -75,6 +75,9 @@ void for_each_word(const FieldName& name, const T& value, const Each& each) {
     } else if constexpr (std::is_same_v<T, NavPoint>) {
         for_each_word(FieldName{"position", &name}, value.position, each);
         for_each_word(FieldName{"polygon", &name}, value.polygon, each);
+    } else if constexpr (std::is_same_v<T, Door>) {
+        for_each_word(FieldName{"at", &name}, value.at, each);
+        for_each_word(FieldName{"way", &name}, value.way, each);
     } else if constexpr (std::is_same_v<T, WalkerId>) {
         for_each_word(FieldName{"index", &name}, value.index, each);
         for_each_word(FieldName{"generation", &name}, value.generation, each);

@@ -6,6 +6,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/spans.h"
+#include "sim/coming/passages.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -242,6 +243,7 @@ Result<void> send_to(World& w, WalkerId id, Vec3 goal) {
 bool let_wander(World& w, WalkerId id) {
     if (!is_alive(w, id)) return false;
     take_away(w.crowd.wayfarers, id.index);
+    turn_back(w.crowd, id.index);
     Journey& j = w.crowd.journeys[id.index];
     j.errand = Errand::wander;
     j.arrived = false;
@@ -328,9 +330,14 @@ void look_from(World& w, std::span<const Vec3> eyes, float reach) {
 std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
     if (!is_alive(w, id)) return std::nullopt;
     const CrowdMotion& m = w.crowd.motion;
-    uint32_t i = id.index;
-    return WalkerMotion{m.position[i], m.velocity[i], m.heading[i], w.crowd.identity.body[i],
-                        w.crowd.identity.scale[i]};
+    const uint32_t i = id.index;
+    const Passage* passage = passage_of(w.crowd, i);
+    return WalkerMotion{m.position[i],
+                        m.velocity[i],
+                        m.heading[i],
+                        w.crowd.identity.body[i],
+                        w.crowd.identity.scale[i],
+                        passage ? presence(*passage, 1) : 1};
 }
 
 ComingCount coming_count(const World& w) {

@@ -96,6 +96,8 @@ struct WorldOptions {
     std::vector<Destination> destinations{};  // where those go who wander; none: they stroll
     // How many of those who wander leave at the destinations they get to, by their kind; as many come in at
     // such places. Else nobody comes or goes but by add_walker and remove_walker. k_usual_leaving is usual.
+    // They do so by doors, a metre behind whose wall they begin and end, or, where no wall would hide them,
+    // within half a second where they are: WalkerMotion::presence says how much of them to draw.
     Leaving leaving = k_nobody_leaves;
     // People who are sent at their time, and leave where they are sent; beside `walkers`, and as far as
     // `capacity` lets them in.
@@ -185,7 +187,8 @@ struct WalkerMotion {
     Vec2 velocity{};    // m/s over the ground plane
     float heading = 0;  // where the body faces: yaw about +y, in [-pi, pi]
     uint32_t kind = 0;
-    float scale = 1;  // of the kind's body
+    float scale = 1;     // of the kind's body
+    float presence = 1;  // how much of it is to be seen, 0..1: see WorldOptions::leaving
 };
 // After the last tick. None if the walker is gone.
 std::optional<WalkerMotion> motion_of(const World& world, WalkerId id);

@@ -16,7 +16,7 @@ constexpr uint64_t k_mark = 0x34'74'73'2e'72'75'6c'66;  // "flur.st4"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (4 + 10 + 10 + 6 + 4) + 32 +
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (5 + 10 + 10 + 6 + 4) + 32 +
                                    sizeof(Onlookers) + 24 + sizeof(Traffic));
 
 // Before all else; how many of each follow.
@@ -25,10 +25,10 @@ struct Head {
     uint32_t tick = 0, count = 0, next_path = 0;
     float widest = 0;
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
-    uint32_t ways = 0, traffic = 0;
+    uint32_t ways = 0, passages = 0, traffic = 0, unused = 0;                        // no gap at the end
     uint32_t queue = 0, queue_next = 0, numbered = 0, gone = 0, came = 0, lost = 0;  // of Coming
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 88);
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 96);
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -61,6 +61,7 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.slots.living, head.living);
     each(w.crowd.slots.left, head.left);
     each(w.crowd.wayfarers, head.ways);
+    each(w.crowd.passages, head.passages);
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
@@ -92,6 +93,7 @@ Head head_of(const World& w) {
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
     head.ways = size(c.wayfarers);
+    head.passages = size(c.passages);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));
     head.canes = size(w.gait.canes);
     head.prams = size(w.gait.prams);

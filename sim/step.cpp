@@ -74,19 +74,34 @@ void step_gait(World& w) {
     CrowdMotion& m = w.crowd.motion;
     RootMotion root{m.position.data(),  m.velocity.data(), m.heading.data(),
                     m.turn_rate.data(), m.wish.data(),     m.brakes.data()};
-    auto there = [&](size_t i) { return is_there(w.crowd, static_cast<uint32_t>(i)); };
+    auto step_some = [&](size_t first, size_t last, const Surroundings& around, float dt, bool is_afar) {
+        if (is_afar) {
+            advance_gait_afar(w.gait, first, last, root, around, w.seed, w.tick, dt);
+        } else {
+            advance_gait(w.gait, first, last, root, around, w.seed, w.tick, dt);
+            reach_for_walls(w.gait, first, last, root, around, w.seed, w.tick, dt);
+        }
+        advance_holds(w.gait, first, last, root, w.seed, w.tick, dt);
+        for (size_t i = first; i < last; ++i) m.feet[i] = footwork(w.gait, i, m.position[i]);
+    };
     for_due_blocks(w, [&](size_t block, float dt) {
-        const size_t end = std::min<size_t>(w.crowd.count, (block + 1) * k_block);
-        for_runs(block * k_block, end, there, [&](size_t first, size_t last) {
-            if (w.crowd.at_once[block] > 1) {
-                advance_gait_afar(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
-            } else {
-                advance_gait(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
-                reach_for_walls(w.gait, first, last, root, w.around, w.seed, w.tick, dt);
-            }
-            advance_holds(w.gait, first, last, root, w.seed, w.tick, dt);
-            for (size_t i = first; i < last; ++i) m.feet[i] = footwork(w.gait, i, m.position[i]);
-        });
+        const size_t begin = block * k_block, end = std::min<size_t>(w.crowd.count, begin + k_block);
+        const bool is_afar = w.crowd.at_once[block] > 1;
+        const Span own = span_of(w.crowd.passages, begin, end);
+        auto is_by_itself = [&](size_t i) {
+            return own.begin < own.end && passage_by_door(w.crowd, static_cast<uint32_t>(i));
+        };
+        auto there = [&](size_t i) {
+            return is_there(w.crowd, static_cast<uint32_t>(i)) && !is_by_itself(i);
+        };
+        for_runs(begin, end, there,
+                 [&](size_t first, size_t last) { step_some(first, last, w.around, dt, is_afar); });
+        for (size_t k = own.begin; k < own.end; ++k) {
+            const Passage& passage = w.crowd.passages[k];
+            if (!is_by_door(passage)) continue;
+            const Indoors indoors{w.around, passage.door};
+            step_some(passage.walker, passage.walker + 1, surroundings_of(indoors), dt, is_afar);
+        }
     });
 }
 

@@ -124,9 +124,11 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
 
 static void start_feet(World& w, uint32_t walker) {
     const CrowdIdentity& who = w.crowd.identity;
+    const Passage* passage = passage_by_door(w.crowd, walker);
+    const Indoors indoors{w.around, passage ? passage->door : Door{}};
     start_walker(w.gait, walker, w.kinds[who.body[walker]].body, who.scale[walker],
-                 w.crowd.motion.position[walker], w.crowd.motion.heading[walker], w.around, w.seed,
-                 manner_of(w, walker));
+                 w.crowd.motion.position[walker], w.crowd.motion.heading[walker],
+                 passage ? surroundings_of(indoors) : w.around, w.seed, manner_of(w, walker));
 }
 
 Result<void> set_down(World& world, Compound compound) {

@@ -22,6 +22,14 @@ std::optional<Vec3> standing(const OsmImport& in, Vec2 p) {
     return at;
 }
 
+// Where one stands before the door that a house has in this face about `place`, or else right before that:
+// doors are drawn in the middle of bays.
+std::optional<Vec3> before_door(const OsmImport& in, const Face& face, Vec2 place, Vec2 out) {
+    const Vec2 door = door_on(on_ground(face.a), on_ground(face.b), place);
+    if (std::optional<Vec3> at = standing(in, door + out * k_before_door)) return at;
+    return standing(in, place + out * k_before_door);
+}
+
 // The same at `p` or around it within `radius`, the nearest first.
 std::optional<Vec3> standing_near(const OsmImport& in, Vec2 p, float radius) {
     if (std::optional<Vec3> at = standing(in, p)) return at;
@@ -65,10 +73,12 @@ void add_entrances(OsmImport& in, std::vector<uint8_t>& has_door) {
             closest_wall(in.city.ground, at_height(p, terrain_at(in.plan, p) + 1), 1);
         if (!wall) continue;
         Vec2 out = on_ground(wall->normal);
-        std::optional<Vec3> at = standing(in, on_ground(wall->point) + out * k_before_door);
         std::optional<RayHit> face =
             raycast(in.city.ground, wall->point + wall->normal * 0.1f, -wall->normal, 0.2f);
-        if (!at || !face || face->what != RayHit::What::face) continue;
+        if (!face || face->what != RayHit::What::face) continue;
+        const std::optional<Vec3> at =
+            before_door(in, in.city.ground.faces[face->index], on_ground(wall->point), out);
+        if (!at) continue;
         uint32_t building = in.city.ground.faces[face->index].building;
         if (building >= has_door.size()) continue;
         has_door[building] = 1;
@@ -105,7 +115,7 @@ void add_doors(OsmImport& in, const std::vector<uint8_t>& has_door) {
         const Face& face = in.city.ground.faces[doors[i].face];
         Vec2 a = on_ground(face.a), b = on_ground(face.b);
         Vec2 out = normalize_or(Vec2{a.z - b.z, b.x - a.x}, {1, 0});
-        std::optional<Vec3> at = standing(in, lerp(a, b, 0.5f) + out * k_before_door);
+        const std::optional<Vec3> at = before_door(in, face, lerp(a, b, 0.5f), out);
         if (at) add(in, DestinationKind::door, *at, -out, door_weight(in.city.buildings[i]));
     }
 }
@@ -127,8 +137,11 @@ void add_shop(OsmImport& in, Vec2 p, float weight, size_t doors) {
         closest_wall(in.city.ground, at_height(p, terrain_at(in.plan, p) + 1), 20);
     if (!wall) return;
     Vec2 out = on_ground(wall->normal);
-    if (std::optional<Vec3> at = standing(in, on_ground(wall->point) + out * k_before_door))
-        add(in, DestinationKind::shop, *at, -out, weight);
+    const Vec2 place = on_ground(wall->point);
+    const bool is_house = wall->face != ~0u && in.city.ground.faces[wall->face].kind == FaceKind::facade;
+    const std::optional<Vec3> at = is_house ? before_door(in, in.city.ground.faces[wall->face], place, out)
+                                            : standing(in, place + out * k_before_door);
+    if (at) add(in, DestinationKind::shop, *at, -out, weight);
 }
 
 bool is_stop(const OsmTags& tags) {

@@ -30,7 +30,8 @@ void find_contacts(const CrowdInput& input, const WalkerDraw& walker, std::span<
         !sees_sphere(view, walker.centre, walker.radius))
         return;
     const float size = pixels_of(view, walker.centre, walker.radius);
-    const float shown = std::clamp((size - gone) / (whole - gone), 0.0f, 1.0f);
+    const float shown =
+        std::clamp((size - gone) / (whole - gone), 0.0f, 1.0f) * (static_cast<float>(walker.presence) / 255);
     if (!(shown > 0)) return;
     const GroundBelow& ground_below = grounds[own];
     const PersonRanges& person = input.people[walker.mesh];

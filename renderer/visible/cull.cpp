@@ -26,6 +26,17 @@ ImpostorInstance impostor_of(const WalkerDraw& walker, uint32_t first_cell) {
     return out;
 }
 
+// The pixels of a square of 4x4 that are the first ones hidden, so that those left are spread evenly.
+uint16_t first_hidden(int count) {
+    constexpr uint8_t order[16] = {0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12};  // Bayer's
+    uint32_t hidden = 0;
+    for (int i = 0; i < count; ++i) hidden |= 1u << order[i];
+    return static_cast<uint16_t>(hidden);
+}
+
+// The pixels in which one who is only partly there is not seen.
+uint16_t absent(const WalkerDraw& walker) { return first_hidden((255 - walker.presence) * 17 / 256); }
+
 // A stable counting sort of the walkers by `levels_of(walker)`, which is asked on every thread: how many of
 // each bucket come before a chunk says where its own go.
 template <class LevelsOf>
@@ -45,7 +56,7 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelsOf&& levels
         for (size_t i = begin; i < end; ++i) {
             const WalkerDraw& walker = input.walkers[i];
             Levels& levels = out.levels[i];
-            levels = is_drawable(input, walker) ? levels_of(walker) : Levels{};
+            levels = is_drawable(input, walker) && absent(walker) != 0xffff ? levels_of(walker) : Levels{};
             if (levels.fine == k_unseen) continue;
             ++counts[bucket_of(walker, levels.fine)];
             if (levels.coarse != levels.fine) ++counts[bucket_of(walker, levels.coarse)];
@@ -86,8 +97,10 @@ void sort_into_draws(const CrowdInput& input, CrowdDraws& out, LevelsOf&& levels
                 }
             };
             if (levels.fine == k_unseen) continue;
-            put(levels.fine, levels.hidden);
-            if (levels.coarse != levels.fine) put(levels.coarse, static_cast<uint16_t>(~levels.hidden));
+            const uint16_t never = absent(walker);
+            put(levels.fine, levels.hidden | never);
+            if (levels.coarse != levels.fine)
+                put(levels.coarse, static_cast<uint16_t>(~levels.hidden | never));
         }
     });
 }
@@ -112,19 +125,13 @@ bool is_impostor(const CrowdInput& input, const WalkerDraw& walker, float pixels
 // Who fills as much of the picture as this eye's companion does is seen longest: a little finer than others.
 constexpr float k_companion = 1.15f;
 
+constexpr uint8_t k_casts = 128;  // presence from which on one throws a shadow, all of it
+
 // All by one level.
 Levels whole(const CrowdInput& input, const WalkerDraw& walker, uint32_t level) {
     if (level != k_impostor_level)
         level = std::min(level, static_cast<uint32_t>(input.people[walker.mesh].lods.size() - 1));
     return {static_cast<uint8_t>(level), static_cast<uint8_t>(level), 0};
-}
-
-// The pixels of a square of 4x4 that are the first ones hidden, so that those left are spread evenly.
-uint16_t first_hidden(int count) {
-    constexpr uint8_t order[16] = {0, 10, 2, 8, 5, 15, 7, 13, 1, 11, 3, 9, 4, 14, 6, 12};  // Bayer's
-    uint32_t hidden = 0;
-    for (int i = 0; i < count; ++i) hidden |= 1u << order[i];
-    return static_cast<uint16_t>(hidden);
 }
 
 Levels levels_at(const CrowdInput& input, const WalkerDraw& walker, float pixels) {
@@ -185,7 +192,7 @@ void cull_crowd(const CrowdInput& input, const View& view, CrowdDraws& out) {
 void cull_shadow_casters(const CrowdInput& input, const View& view, const ShadowBox& box, glm::vec3 to_sun,
                          float reach, CrowdDraws& out) {
     sort_into_draws(input, out, [&](const WalkerDraw& walker) -> Levels {
-        if (!(glm::length(walker.centre - view.eye) <= reach) ||
+        if (walker.presence < k_casts || !(glm::length(walker.centre - view.eye) <= reach) ||
             !casts_into(box, walker.centre, walker.radius))
             return {};
         const BodySphere both = with_shadow(walker.centre, walker.radius, to_sun);

@@ -8,6 +8,7 @@
 #include "sim/base/planar.h"
 #include "sim/base/rng.h"
 #include "sim/base/tick.h"
+#include "sim/coming/passages.h"
 #include "sim/crowd/places.h"
 
 namespace flaneur {
@@ -15,6 +16,7 @@ namespace flaneur {
 static constexpr uint32_t k_most_tries = 256;    // to come in, of all who wait, at a time
 static constexpr uint32_t k_tries_a_place = 75;  // in five seconds
 static constexpr float k_spare = 0.15f;          // metres between one who comes in and others, at least
+static constexpr float k_step = 0.6f;            // metres, before a threshold
 static constexpr float k_floors = 3;  // metres above and below an area's height; farther if need be
 
 uint32_t kept_people(const Coming& coming, const Crowd& c) {
@@ -57,12 +59,13 @@ static void add_entrant(Coming& coming, const Entrant& entrant) {
     if (coming.queue.size() < coming.queue.capacity()) coming.queue.push_back(entrant);
 }
 
-// Those who leave are gone; for each who wandered another is due.
-static void let_out(Coming& coming, Crowd& c, uint32_t tick) {
+// Those who leave are gone once they are out of sight; for each who wandered another is due.
+static void let_out(Coming& coming, Crowd& c, const Surroundings& around, uint32_t tick) {
     for (uint32_t i = 0; i < c.count; ++i) {
         const Journey& j = c.journeys[i];
         if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i))
             continue;
+        if (!has_left(c, around, i, tick)) continue;
         if (j.errand == Errand::wander) add_entrant(coming, {.number = coming.numbered++});
         remove_walker(c, i);
         coming.gone.push_back(i);
@@ -177,12 +180,19 @@ static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, cons
 
 // Whether there was room.
 static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::span<const Folk> folk,
-                   const Entrant& e, uint64_t seed) {
+                   const Entrant& e, uint32_t tick, uint64_t seed) {
     Walker w = draw_entrant_body(c, folk, e, seed);
     Vec3 at = w.place.position;
     if (const auto hit = ground_at(around, at, 1, 2)) at.y = hit->height;
-    if (!is_free(coming, c, footprint(at, w.heading, w.radius, w.ahead), w.ahead)) return false;
+    auto is_room = [&](Vec3 place) {
+        return is_free(coming, c, footprint(place, w.heading, w.radius, w.ahead), w.ahead);
+    };
+    if (!is_room(at)) return false;
+    const Vec2 out = heading_direction(e.heading);
+    const auto door = e.by_door && w.ahead == 0 ? door_at(around, at, out * -1) : std::nullopt;
+    if (door && (is_in_use(c, *door) || !is_room(at + at_height(out * k_step, 0)))) return false;
     const uint32_t i = add_walker(c, around, w);
+    door ? come_by_door(c, i, *door, tick) : appear(c, i);
     if (e.is_sent) {
         send_to(c, i, e.goal);
         c.journeys[i].leaves = true;
@@ -199,6 +209,7 @@ static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const
                                         {seed, e.number, e.tries, Purpose::coming});
     if (!chosen) return false;
     e.place = chosen->place;
+    e.by_door = is_entrance(chosen->kind);
     e.heading = length_squared(chosen->facing) > 0 ? heading_of(chosen->facing) : 0;
     return true;
 }
@@ -217,7 +228,7 @@ static void let_in_those_due(Coming& coming, Crowd& c, const Surroundings& aroun
         const bool has_to_choose = !e.is_sent && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
             is_in = c.slots.living.size() < c.capacity && e.place.polygon &&
-                    let_in(coming, c, around, folk, e, seed);
+                    let_in(coming, c, around, folk, e, tick, seed);
         ++e.tries;
         if (!is_in) queue[kept++] = e;
     }
@@ -229,10 +240,11 @@ void come_and_go(Coming& coming, Crowd& c, const Surroundings& around, const Nav
                  std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
     coming.gone.clear();
     coming.arrivals.clear();
+    step_passages(c);
     if (tick % k_decision_ticks != 0 || !comes_and_goes(coming, c)) return;
     // The order still holds those who go now.
     const bool was_ordered = c.scratch.is_ordered;
-    let_out(coming, c, tick);
+    let_out(coming, c, around, tick);
     c.scratch.is_ordered = was_ordered;
     call_sent(coming, mesh, tick, seed);
     let_in_those_due(coming, c, around, mesh, workers, folk, tick, seed);
@@ -252,7 +264,7 @@ void change_mesh(Coming& coming, const Navmesh& mesh) {
 
 uint64_t hash_coming(const Coming& coming) {
     const uint32_t numbers[] = {coming.next, coming.numbered, coming.left, coming.came, coming.lost};
-    static_assert(sizeof(Entrant) == 13 * 4, "has no padding");
+    static_assert(sizeof(Entrant) == 14 * 4, "has no padding");
     const uint64_t h = hash_bytes(1, numbers, sizeof numbers);
     return hash_bytes(h, coming.queue.data(), coming.queue.size() * sizeof(Entrant));
 }

@@ -1,5 +1,5 @@
 // Coming and going: who leaves the crowd where places let people leave, who comes in there instead, and those
-// whom somebody sends.
+// whom somebody sends. How that looks is in passages.h.
 //
 // Who wanders and gets to a destination may leave there, by Demand::leaving; then another is due to come in
 // at such a place near the crowd's home, so that as many stay. One who is sent comes in at its time, goes
@@ -26,6 +26,7 @@ struct Entrant {
     uint32_t number = 0;   // of all who were ever to come in: chance goes by it
     uint32_t tries = 0;    // how often there was no room
     uint32_t is_sent = 0;  // 1: by a sending
+    uint32_t by_door = 0;  // 1: comes out of a house or a shop
 };
 
 struct Coming {
@@ -46,8 +47,9 @@ bool comes_and_goes(const Coming& coming, const Crowd& crowd);
 // Room for all who may wait to come in, so that nothing is allocated later. Allocates.
 void make_room(Coming& coming, const Crowd& crowd);
 
-// Those who leave are gone, and others come in, who are drawn from the folk; before all else in a tick. Says
-// whom it was in `gone` and `arrivals`. It is done at 15 Hz, when all are put in the order of places anyway.
+// Those who leave begin to, or are gone if they are out of sight, and others come in, who are drawn from the
+// folk; before all else in a tick. Says who is gone and who has come in `gone` and `arrivals`. It is done at
+// 15 Hz, when all are put in the order of places anyway.
 void come_and_go(Coming& coming, Crowd& crowd, const Surroundings& around, const Navmesh& mesh,
                  Workers& workers, std::span<const Folk> folk, uint32_t tick, uint64_t seed);
 

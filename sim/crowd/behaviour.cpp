@@ -18,6 +18,7 @@ static constexpr float k_corner_touch = 0.1f;         // a corner this near is p
 static constexpr float k_corner_reach = 0.5f;         // this near it is if the next one is in view,
 static constexpr float k_corner_view = 2.5f;          // and so it is this near if one is level with it
 static constexpr float k_goal_reach = 0.4f;           // a goal this near is reached
+static constexpr float k_threshold_reach = 0.2f;      // and a threshold
 static constexpr float k_far_off = 3.5f;              // from the stretch, metres: another path is sought
 static constexpr float k_progress = 0.3f;             // metres nearer that count as progress
 static constexpr uint32_t k_patience = 3 * 60;        // ticks without progress
@@ -36,6 +37,9 @@ static constexpr float k_back_within = 2;      // metres ahead, in which one com
 static constexpr float k_course = 3;           // metres ahead, of a course
 static constexpr uint32_t k_retry = 60;        // ticks until a path that was not there is sought again
 static constexpr float k_back_ahead = 0.4f;    // seconds
+static constexpr uint8_t k_door_tries = 4;     // until one leaves where it stands
+static constexpr float k_by_door = 1.1f;       // m/s, at most, of one who goes through a door
+static constexpr float k_door_ahead = 0.4f;    // metres, that it looks ahead
 static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
 static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
@@ -79,6 +83,7 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
     constexpr uint32_t k_tries = 6;
     Journey& j = c.journeys[i];
     j.arrived = j.leaves = false;
+    j.door_tries = 0;
     uint32_t trip = ++j.trip, home = island(mesh, c.motion.polygon[i]);
     NavPoint here{c.motion.position[i], c.motion.polygon[i]};
     j.facing = {0, 0};
@@ -89,6 +94,8 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
         if (c.identity.ahead[i] == 0) j.facing = chosen->facing;
         j.stay = stay_at(chosen->kind, chosen->leaves);
         j.leaves = chosen->leaves;
+        // Nor through it.
+        if (j.leaves && is_entrance(chosen->kind) && c.identity.ahead[i] == 0) j.door_tries = k_door_tries;
         return;
     }
     float farthest = -1;
@@ -145,8 +152,10 @@ static void arrive(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64
     j.path_due = PathDue::to_new_goal;
 }
 
-// A pram is there before who pushes it.
-static float goal_reach(const Crowd& c, uint32_t i) { return k_goal_reach + c.identity.ahead[i]; }
+// A pram is there before who pushes it, and who leaves by a door gets right before it.
+static float goal_reach(const Crowd& c, uint32_t i) {
+    return c.journeys[i].door_tries > 0 ? k_threshold_reach : k_goal_reach + c.identity.ahead[i];
+}
 
 // At the end of the path: the goal, or as far as a path of bounded length reached.
 static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint64_t seed) {
@@ -259,6 +268,15 @@ static Vec2 go_back(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
     return normalize_or(to, {0, 0}) * c.identity.preferred_speed[i];
 }
 
+// Straight through a door.
+static Vec2 go_through(const Crowd& c, uint32_t i, const Passage& passage) {
+    const Door& door = passage.door;
+    const Vec2 here = on_ground(c.motion.position[i]);
+    const float on = passage.kind == Passage::Kind::out ? k_door_ahead : -k_door_ahead;
+    const Vec2 aim = on_ground(door.at) + door.way * (depth_in(door, here) + on);
+    return normalize_or(aim - here, {0, 0}) * std::min(c.identity.preferred_speed[i], k_by_door);
+}
+
 namespace {
 // See CrowdDecision.
 struct Onward {
@@ -296,7 +314,10 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     const bool goes_on = is_beside || is_driven;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;
     WayWish wish{{0, 0}, false};
-    if (is_beside)
+    const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
+    if (passage)
+        wish.wanted = go_through(c, i, *passage);
+    else if (is_beside)
         wish.wanted = go_back(c, mesh, thread, i);
     else if (is_driven)
         wish.wanted = c.driven.wish;

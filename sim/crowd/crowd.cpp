@@ -32,6 +32,7 @@ Crowd make_crowd(uint32_t capacity) {
     resize_to(capacity + k_block, rows.x, rows.y, rows.z);
     rows.all.resize(capacity);
     s.requests.reserve(capacity);
+    c.passages.reserve(capacity);
     c.slots.living.reserve(capacity);
     c.slots.left.reserve(capacity);
     c.slots.place.assign(capacity, k_nobody);
@@ -127,10 +128,34 @@ void remove_walker(Crowd& c, uint32_t i) {
     slots.left.push_back(i);
     c.scratch.is_ordered = false;
     take_away(c.wayfarers, i);
+    take_away(c.passages, i);
     if (c.driven.walker == i) c.driven = {};
 }
 
+const Passage* passage_of(const Crowd& c, uint32_t i) {
+    const Span own = span_of(c.passages, i, i + 1);
+    return own.begin < own.end ? &c.passages[own.begin] : nullptr;
+}
+
+const Passage* passage_by_door(const Crowd& c, uint32_t i) {
+    const Passage* passage = passage_of(c, i);
+    return passage && is_by_door(*passage) ? passage : nullptr;
+}
+
+bool is_in_doorway(const Crowd& c, uint32_t i) {
+    const Passage* p = passage_by_door(c, i);
+    return p && is_within(p->door, c.motion.position[i]);
+}
+
+void turn_back(Crowd& c, uint32_t i) {
+    const Span own = span_of(c.passages, i, i + 1);
+    if (own.begin == own.end) return;
+    Passage& p = c.passages[own.begin];
+    p.kind = is_by_door(p) ? Passage::Kind::in : Passage::Kind::appear;
+}
+
 void send_to(Crowd& c, uint32_t i, NavPoint goal) {
+    turn_back(c, i);
     Journey& j = c.journeys[i];
     Journey next;
     next.goal = goal;
@@ -142,6 +167,7 @@ void send_to(Crowd& c, uint32_t i, NavPoint goal) {
 
 void drive(Crowd& c, uint32_t i) {
     let_go(c);
+    turn_back(c, i);
     c.driven = {i, {0, 0}};
     c.journeys[i].insists_since = k_never;
 }
@@ -157,6 +183,7 @@ void let_go(Crowd& c) {
 
 void go_by_way(Crowd& c, const Wayfarer& way) {
     const uint32_t i = way.walker;
+    turn_back(c, i);
     c.wayfarers.insert(take_away(c.wayfarers, i), way)->bearing = c.motion.heading[i];
     Journey next;
     next.goal = {c.motion.position[i], c.motion.polygon[i]};

@@ -21,6 +21,7 @@
 #include "sim/crowd/demand.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
@@ -57,6 +58,17 @@ struct Wayfarer {
     Stride stride{};
     Platform platform{};
 };
+
+// How one comes in or leaves: through a door, or, where nothing would hide it, by coming into sight and going
+// out of it where it is (sim/coming/passages.h).
+struct Passage {
+    enum class Kind : uint32_t { in, out, appear, vanish };
+    uint32_t walker = 0;
+    Kind kind = Kind::appear;
+    uint32_t shown = 0;  // how much of it is seen, of k_shown
+    Door door{};         // of who goes through one
+};
+inline constexpr uint32_t k_shown = 32;  // ticks until one who appears or vanishes has
 
 // Who they are; constant.
 struct CrowdIdentity {
@@ -116,7 +128,8 @@ struct Journey {
     uint8_t corner = 0, corner_count = 0;  // the path's; `corner` is walked to; equal: no path
     uint8_t stuck = 0;                     // replans in a row that did not help
     bool arrived = false;                  // is at its goal, or as near as those who stand there let it
-    bool leaves = false;                   // the crowd, when it has arrived and stood there
+    bool leaves = false;                   // the crowd, when it has arrived and stood there,
+    uint8_t door_tries = 0;                // by the door that it faces, if it gets before it in so many tries
 };
 
 // The right of way of one who does not get on: whose own it is, and since when. Who stands in such a one's
@@ -214,9 +227,10 @@ struct Crowd {
     std::vector<Journey> journeys;
     std::vector<Vec3> corners;  // k_corners a walker: the path ahead
     CrowdDecision decision;
-    // Of those from under whose feet the mesh has gone, the place on it that they walk back to; polygon 0: of
-    // all others.
+    // Of those from under whose feet the mesh has gone, and who go through a door, the place on it that they
+    // walk back to, or came from; polygon 0: of all others.
     std::vector<NavPoint> way_back;
+    std::vector<Passage> passages;    // of those who come in or leave just now, by walker
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     Driven driven;
     PassOn pass_on = PassOn::right;
@@ -273,6 +287,17 @@ void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span
 
 // Room for `capacity` walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(Crowd& crowd, uint32_t capacity);
+
+inline bool is_by_door(const Passage& passage) {
+    return passage.kind == Passage::Kind::in || passage.kind == Passage::Kind::out;
+}
+// Of one who comes in or leaves just now, and of one who does so by a door; null: of all others.
+const Passage* passage_of(const Crowd& crowd, uint32_t walker);
+const Passage* passage_by_door(const Crowd& crowd, uint32_t walker);
+// Whether it is in a doorway, where it passes what is wall and no ground to all others.
+bool is_in_doorway(const Crowd& crowd, uint32_t walker);
+// Who is about to leave stays, and comes back.
+void turn_back(Crowd& crowd, uint32_t walker);
 
 // From now on the walker goes as `driven.wish` says, and others make way as for anybody; and it goes on about
 // its errand.

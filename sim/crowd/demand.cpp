@@ -55,10 +55,6 @@ static int kind_at(const float (&shares)[k_destination_count], float drawn) {
     return kind;
 }
 
-static bool is_entrance(DestinationKind kind) {
-    return kind == DestinationKind::door || kind == DestinationKind::shop;
-}
-
 static NavPoint place_beside(const Navmesh& mesh, int thread, const Attraction& a, int kind, RandomKey key) {
     Vec2 aside =
         heading_direction(random_between(key, -k_pi, k_pi, 2)) * (k_spread[kind] * random_unit(key, 3));

@@ -18,6 +18,10 @@ namespace flaneur {
 enum class DestinationKind : uint8_t { door, shop, bench, stop, edge, square };
 inline constexpr int k_destination_count = 6;
 
+inline bool is_entrance(DestinationKind kind) {
+    return kind == DestinationKind::door || kind == DestinationKind::shop;
+}
+
 struct Destination {
     DestinationKind kind = DestinationKind::door;
     Vec3 position;     // on the ground, where one stands

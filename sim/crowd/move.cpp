@@ -167,6 +167,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, at, wish, dt);
     const bool is_beside = c.way_back[i].polygon != 0;
+    const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes && !is_beside)
         for (Vec2 way : {wish, m.velocity[i]}) {
@@ -204,6 +205,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
         step = best_velocity(near.planes, near.count, near.count, length(step), step);
     auto go_on = [&](Vec2 way) {
         const Vec3 wanted = from.position + at_height(way * dt, 0);
+        if (passage) return NavPoint{kept_in_line(passage->door, from.position, wanted), from.polygon};
         return is_beside ? NavPoint{wanted, from.polygon} : move_along(mesh, thread, from, wanted, by);
     };
     NavPoint to = go_on(step);
@@ -225,7 +227,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
         float r = length(real);
         v = r > speed ? real * (speed / r) : real;
     }
-    if (is_beside) {
+    if (is_beside && !(passage && passage->kind == Passage::Kind::out)) {
         const NavPoint on_it = move_along(mesh, thread, c.way_back[i], to.position, by);
         if (length(on_ground(on_it.position - to.position)) < k_back) to = on_it, c.way_back[i] = {};
     }

@@ -70,6 +70,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add(k_journey, "stuck", j.stuck);
     add(k_journey, "arrived", j.arrived);
     add(k_journey, "leaves", j.leaves);
+    add(k_journey, "door_tries", j.door_tries);
     add(k_journey, "corners",
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));
@@ -85,6 +86,13 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     add_of_way("whom", &Wayfarer::whom), add_of_way("range", &Wayfarer::range),
         add_of_way("bearing", &Wayfarer::bearing);
     add_of_way("stride", &Wayfarer::stride), add_of_way("platform", &Wayfarer::platform);
+    const Passage* passage = passage_of(c, i);
+    auto add_of_passage = [&](std::string_view name, auto Passage::*part) {
+        constexpr FieldName k_passage{"passage"};
+        each(FieldName{name, &k_passage}, passage ? &(passage->*part) : nullptr);
+    };
+    add_of_passage("kind", &Passage::kind), add_of_passage("shown", &Passage::shown),
+        add_of_passage("door", &Passage::door);
     add(k_journey, "way_back", c.way_back[i].polygon ? &c.way_back[i] : nullptr);
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "renderer/visible/contacts.h"
@@ -74,6 +75,47 @@ TEST(Cull, CountsMatchBruteForceAndOrderIsStable) {
         for (uint32_t palette : expected[bucket]) EXPECT_EQ(out.instances[instance++].palette, palette);
     }
     EXPECT_EQ(out.draws.size(), draw);
+}
+
+// Who is only partly there is drawn in so many pixels, whatever its level; and a shadow is all there or not.
+TEST(Cull, PresenceIsDrawnInSharesOfPixels) {
+    const std::vector<PersonRanges> people = two_kinds();
+    const View view = make_view({.eye = {0, 1, -6}, .target = {0, 1, 0}}, 1280, 720);
+    const glm::vec3 to_sun = glm::normalize(glm::vec3(0.4f, 0.42f, 0.8f));
+    const ShadowBox box = fit_shadow(view, to_sun, {0, 90}, 2048);
+    int last = 0;
+    for (int presence = 0; presence < 256; ++presence) {
+        std::vector<WalkerDraw> walkers = ring_of_walkers(1);
+        walkers[0].presence = static_cast<uint8_t>(presence);
+        CrowdDraws out, casters;
+        const CrowdInput input{walkers, people, walkers.size() * k_palette_joints};
+        cull_crowd(input, view, out);
+        cull_shadow_casters(input, view, box, to_sun, 90, casters);
+        const int drawn = out.instances.empty() ? 0 : 16 - std::popcount(out.instances[0].hidden);
+        EXPECT_NEAR(drawn, 16.0 * presence / 255, 1);
+        EXPECT_GE(drawn, last);
+        EXPECT_EQ(casters.instances.size(), presence >= 128 ? 1u : 0u);
+        last = drawn;
+    }
+    EXPECT_EQ(last, 16);
+}
+
+// Between two levels both leave out those pixels.
+TEST(Cull, PresenceHoldsBetweenLevels) {
+    const std::vector<PersonRanges> people = two_kinds();
+    std::vector<WalkerDraw> walkers = ring_of_walkers(1500);
+    const View view = make_view({}, 1280, 720);
+    auto pixels_drawn = [&](uint8_t presence) {
+        for (WalkerDraw& walker : walkers) walker.presence = presence;
+        CrowdDraws out;
+        cull_crowd({walkers, people, walkers.size() * k_palette_joints}, view, out);
+        std::vector<int> drawn(walkers.size() * k_palette_joints);
+        for (const WalkerInstance& one : out.instances)
+            drawn[one.palette] += 16 - std::popcount(one.hidden & 0xffffu);
+        return drawn;
+    };
+    const std::vector<int> half = pixels_drawn(128), whole = pixels_drawn(255);
+    for (size_t i = 0; i < whole.size(); ++i) EXPECT_EQ(half[i], whole[i] == 16 ? 8 : 0);
 }
 
 TEST(Cull, ManyThreadsListWhatOneLists) {

@@ -73,7 +73,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/crowd, sim/pose
+tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:

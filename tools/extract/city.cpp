@@ -111,6 +111,8 @@ void add_ground(CityMesh& mesh, const City& city) {
     }
 }
 
+static_assert(k_bay == k_bay_width);
+
 // Which bay of which facade has the door that a destination stands before; -1: none.
 std::vector<int> find_doors(const City& city) {
     constexpr float k_before = 1.6f;

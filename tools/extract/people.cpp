@@ -5,6 +5,7 @@
 
 #include "assets/outfit.h"
 #include "sim/base/levels.h"
+#include "sim/coming/passages.h"
 #include "sim/without.h"
 #include "sim/world.h"
 #include "tools/extract/convert.h"
@@ -168,9 +169,13 @@ void extract_people(const World& world, const std::vector<Character>& characters
             std::ranges::copy(worn.tints, draw.instance.tints);
             const GaitBlock& gait = world.gait.blocks[i / k_block];
             draw.heading = gait.heading[i % k_block];
+            draw.presence = 255;
             draw.phase = gait.amplitude[i % k_block] > k_walks ? gait.phase[i % k_block] : -1;
         }
     });
+    for (const Passage& passage : crowd.passages)
+        frame.walkers[passage.walker].presence =
+            static_cast<uint8_t>(255 * presence(passage, between) + 0.5f);
     frame.posed.clear();
     for (uint32_t i = 0; i < crowd.count; ++i) {
         uint32_t& first = frame.walkers[i].instance.palette;

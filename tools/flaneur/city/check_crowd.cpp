@@ -99,9 +99,11 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
             Watch& watch = watches[i];
             Vec3 p = c.motion.position[i];
             auto under = ground_at(city.ground, p, 0.3f, 0.5f);
-            if (!under || std::fabs(under->height - p.y) > 0.02f)
+            const bool passes = is_in_doorway(c, i);
+            if (!passes && (!under || std::fabs(under->height - p.y) > 0.02f))
                 count(watch.lost, lost, i, under ? "in the air" : "no ground");
-            if (closest_wall(city.ground, p + Vec3{0, 1, 0}, k_wall)) count(watch.in_wall, in_wall, i, "");
+            if (!passes && closest_wall(city.ground, p + Vec3{0, 1, 0}, k_wall))
+                count(watch.in_wall, in_wall, i, "");
             if (tick < c.journeys[i].pause_until || length(on_ground(p) - watch.anchor) > k_still) {
                 watch.anchor = on_ground(p);
                 watch.since = tick;
