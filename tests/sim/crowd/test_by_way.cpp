@@ -106,6 +106,34 @@ TEST(ByWay, OneFleesToWhereItIsSafeAndNotIntoWalls) {
     EXPECT_LT(length(motion_of(*w, shy)->velocity), 0.05f);
 }
 
+// Where nobody is in the way: half as fast again as one likes to walk, on whichever way one is led.
+TEST(ByWay, WhoFleesAndWhoFallsBehindGoFasterThanTheyLikeTo) {
+    WorldPtr w = world_on(corridor(120, 8), 4);
+    const WalkerId hound = add(*w, {2, 0, 0}, 2), hare = add(*w, {6, 0, 0}, 1.2f);
+    ASSERT_TRUE(let_follow(*w, hound, hare));
+    ASSERT_TRUE(let_flee(*w, hare, hound, 40));
+    float fastest = 0, mean = 0;
+    for (int tick = 0; tick < 12 * 60; ++tick) {
+        step(*w);
+        const float speed = length(motion_of(*w, hare)->velocity);
+        fastest = std::max(fastest, speed);
+        if (tick >= 6 * 60) mean += speed / (6 * 60);
+    }
+    EXPECT_NEAR(mean, 1.5f * 1.2f, 0.04f);
+    EXPECT_LT(fastest, 1.5f * 1.2f + 0.05f);
+
+    w = world_on(corridor(120, 8), 4);
+    const WalkerId guide = add(*w, {20, 0, 0}, 1.4f), late = add(*w, {2, 0, 0}, 1.2f);
+    ASSERT_TRUE(send_to(*w, guide, {118, 0, 0}));
+    ASSERT_TRUE(let_follow(*w, late, guide));
+    mean = 0;
+    for (int tick = 0; tick < 12 * 60; ++tick) {
+        step(*w);
+        if (tick >= 6 * 60) mean += length(motion_of(*w, late)->velocity) / (6 * 60);
+    }
+    EXPECT_NEAR(mean, 1.25f * 1.2f, 0.03f);
+}
+
 // Thirty by rays in a walled field with a cube: ten minutes, and nobody meets a wall or somebody else.
 TEST(ByWay, ThoseWhoRambleGoOnAndMeetNothing) {
     Ground field = square(40);
