@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/base/rng.h"
 #include "sim/base/spans.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
@@ -113,14 +114,14 @@ static WayWish flee(const Goer& g) {
 }
 
 static WayWish ramble(const Goer& g) {
-    if (clear_way(g, g.way.bearing, k_ray_ahead) < k_ray_ahead) {
-        const RandomKey key{g.seed, g.i, ++g.way.turns, Purpose::way};
-        const auto turn = free_way(
-            [&](float degrees) {
-                return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside) >= k_ray_aside;
-            },
-            key);
-        g.way.bearing = wrap_angle(g.way.bearing + turn.value_or(180) * k_radians);
+    const float ahead = clear_way(g, g.way.bearing, k_ray_ahead);
+    if (ahead < k_ray_ahead) {
+        auto clear = [&](float degrees) {
+            return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside);
+        };
+        const auto free = free_way(clear, {g.seed, g.i, ++g.way.turns, Purpose::way});
+        const float turn = free ? *free : longest_way(clear, ahead);
+        g.way.bearing = wrap_angle(g.way.bearing + turn * k_radians);
     }
     return {heading_direction(g.way.bearing) * g.speed(), false};
 }

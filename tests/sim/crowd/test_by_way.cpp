@@ -163,6 +163,29 @@ TEST(ByWay, ThoseWhoRambleGoOnAndMeetNothing) {
     for (size_t k = 0; k < all.size(); ++k) EXPECT_GT(highs[k] - lows[k], 25) << k << " sees the field";
 }
 
+// Where no ray of the fan is free, one goes from wall to wall all the same.
+TEST(ByWay, ThoseWhoRambleInASmallRoomGoAboutInIt) {
+    for (const float size : {2.2f, 3.0f, 4.5f}) {
+        WorldPtr w = world_on(square(size), 2);
+        const WalkerId id = add(*w, {0.2f, 0, 0.1f}, 1.2f, 0.3f);
+        ASSERT_TRUE(let_ramble(*w, id));
+        float way = 0, turned = 0, was = 0;
+        Vec2 low{9, 9}, high{-9, -9};
+        for (int tick = 0; tick < 120 * 60; ++tick) {
+            step(*w);
+            const auto m = motion_of(*w, id);
+            way += length(m->velocity) / 60;
+            const float bearing = w->crowd.wayfarers[0].bearing;
+            turned += std::fabs(wrap_angle(bearing - was)) > 0.01f, was = bearing;
+            low = {std::min(low.x, m->position.x), std::min(low.z, m->position.z)};
+            high = {std::max(high.x, m->position.x), std::max(high.z, m->position.z)};
+        }
+        EXPECT_GT(way / 120, size < 2.5f ? 0.45f : 0.6f) << size << ": metres a second, of 1.2";
+        EXPECT_LT(turned, 150) << size << ": in two minutes";
+        EXPECT_GT(std::min(high.x - low.x, high.z - low.z), 0.5f * size) << size << ": sees the room";
+    }
+}
+
 // With a body's own inertia, among others, on a platform that is exchanged.
 TEST(ByWay, ThoseWhoStaggerStayOnTheirPlatformAndDoNotGoStraight) {
     WorldPtr w = world_on(square(60), 12);
