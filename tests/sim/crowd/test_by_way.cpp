@@ -220,7 +220,7 @@ TEST(ByWay, ThoseWhoStaggerStayOnTheirPlatformAndDoNotGoStraight) {
             }
         }
     }
-    EXPECT_GT(way / 12 / 240, 0.7) << "metres a second";
+    EXPECT_GT(way / 12 / 240, 0.65) << "metres a second";
     EXPECT_LT(straight, counted / 20);
     EXPECT_NEAR(to_right / (to_right + to_left), 0.5, 0.15) << "to both sides";
     const Vec2 small[] = {{0, 0}, {0.6f, 0}, {0.6f, 0.6f}, {0, 0.6f}};
