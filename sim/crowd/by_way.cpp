@@ -39,7 +39,10 @@ struct Goer {
 
 }  // namespace
 
-static RandomKey key_of(const Goer& g, uint32_t when) { return {g.seed, g.i, when, Purpose::way}; }
+// Each way that one is led has chances of its own.
+static RandomKey key_of(const Goer& g, uint32_t when) {
+    return {mix(g.seed ^ g.c.journeys[g.i].trip), g.i, when, Purpose::way};
+}
 
 // How far one comes, straight on, before it would leave the mesh: `reach` metres at most.
 static float clear_way(const Goer& g, float yaw, float reach) {

@@ -227,6 +227,35 @@ TEST(ByWay, ThoseWhoStaggerStayOnTheirPlatformAndDoNotGoStraight) {
     EXPECT_FALSE(let_stagger(*w, all[0], small));
 }
 
+// Neither for one walker's next way nor for who takes its slot.
+TEST(ByWay, ChanceDoesNotBeginAnewWithEachWay) {
+    auto made = [] { return world_on(square(12), 2); };
+    auto add_one = [](World& w) { return add(w, {0, 0, 0}, 1.2f, 0.5f); };
+    const Vec2 corners[] = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
+    for (const bool staggers : {false, true}) {
+        auto begin = [&](World& w, WalkerId id) {
+            return staggers ? static_cast<bool>(let_stagger(w, id, corners)) : let_ramble(w, id);
+        };
+        auto goes_to = [&](World& w, WalkerId id) {
+            run(w, 20);
+            return at(w, id);
+        };
+        WorldPtr once = made(), again = made(), anew = made();
+        const WalkerId a = add_one(*once), b = add_one(*again);
+        ASSERT_TRUE(begin(*once, a));
+        ASSERT_TRUE(begin(*again, b));
+        ASSERT_TRUE(let_ramble(*again, b));
+        ASSERT_TRUE(begin(*again, b));
+        remove_walker(*anew, add_one(*anew));
+        const WalkerId c = add_one(*anew);
+        ASSERT_TRUE(begin(*anew, c));
+        EXPECT_EQ(c.index, a.index);
+        const Vec2 first = goes_to(*once, a);
+        EXPECT_GT(length(goes_to(*again, b) - first), 0.1f) << staggers;
+        EXPECT_GT(length(goes_to(*anew, c) - first), 0.1f) << staggers;
+    }
+}
+
 TEST(ByWay, IsEqualOnAnyThreadsTakenBackAndAfterARemoval) {
     uint64_t expected = 0;
     for (const int threads : {1, 3}) {
