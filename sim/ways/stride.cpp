@@ -20,8 +20,8 @@ float largest_circle(const Platform& platform, Vec2 place, float heading, float 
     const Vec2 to_middle = right_of(heading) * side;
     float largest = std::numeric_limits<float>::infinity();
     for (int i = 0; i < platform.count; ++i) {
-        const auto& [inward, offset] = platform.edges[i];
-        const float room = dot(place, inward) - offset - radius, nears = 1 - dot(to_middle, inward);
+        const Platform::Edge& edge = platform.edges[i];
+        const float room = room_at(edge, place) - radius, nears = 1 - dot(to_middle, edge.inward);
         if (room < 0) return room;
         if (nears > 1e-6f) largest = std::min(largest, room / nears);
     }

@@ -151,6 +151,26 @@ TEST(Stride, LargestCirclesTouchAnEdge) {
     }
 }
 
+// As far as places themselves are told apart, at sharp corners too.
+TEST(Stride, TheNearestPlaceWithRoomIsExactAKilometreAway) {
+    for (uint32_t n = 0; n < 300; ++n) {
+        const RandomKey key{8, n, 0, Purpose::city};
+        // On whole metres, so that both are the same platform.
+        const float wide = 1 + static_cast<float>(n % 3), deep = 10 + static_cast<float>(n % 17);
+        const Vec2 from{2 + wide, static_cast<float>(n % 20) - 10}, far{1024, -2048};
+        const Vec2 here[] = {{0, 0}, {wide, 0}, {wide / 2, deep}};
+        Vec2 there[3];
+        for (int k = 0; k < 3; ++k) there[k] = here[k] + far;
+        const float room = random_between(key, 0.1f, 0.3f);
+        const auto near_by = nearest_with_room(*make_platform(here), from, room),
+                   away = nearest_with_room(*make_platform(there), from + far, room);
+        ASSERT_TRUE(near_by) << n;
+        ASSERT_TRUE(away) << n;
+        EXPECT_LT(length(*away - far - *near_by), 3e-3f) << n << " " << deep;
+        EXPECT_GT(room_at(*make_platform(there), *away), room - 5e-4f) << n;
+    }
+}
+
 TEST(Stride, PlatformsAreConvexAndGoRoundOnce) {
     const Vec2 dart[] = {{0, 0}, {4, 0}, {1, 1}, {0, 4}};
     EXPECT_FALSE(make_platform(dart));
