@@ -83,10 +83,8 @@ void for_each_word(const FieldName& name, const T& value, const Each& each) {
         for_each_word(FieldName{"generation", &name}, value.generation, each);
     } else if constexpr (std::is_same_v<T, Stride>) {
         for_each_word(FieldName{"centre", &name}, value.centre, each);
-        parts(std::initializer_list<Named>{{"radius", value.radius},
-                                           {"heading", value.heading},
-                                           {"side", value.side},
-                                           {"left", value.left}});
+        parts(std::initializer_list<Named>{
+            {"radius", value.radius}, {"side", value.side}, {"left", value.left}});
         for_each_word(FieldName{"circles", &name}, value.circles, each);
     } else if constexpr (std::is_same_v<T, Platform>) {
         each(name, 'h', static_cast<uint32_t>(hash_bytes(1, &value, sizeof value)));

@@ -305,7 +305,7 @@ Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     if (known.begin < known.end && c.wayfarers[known.begin].kind == way.kind)
         way.stride = c.wayfarers[known.begin].stride;
     const Strider who = strider_of(c, id.index);
-    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]), least_circle(who) + who.radius))
+    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]), least_circle(who) + kept_clear(who)))
         return Error{"The platform is too small for this walker to turn on."};
     go_by_way(w.crowd, way);
     return {};

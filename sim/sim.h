@@ -161,8 +161,8 @@ Result<void> let_follow(World& world, WalkerId id, WalkerId whom, float distance
 Result<void> let_lead(World& world, WalkerId id, WalkerId whom, Vec3 goal, float most = 5);
 // Away from `whom` while that one is nearer than `range` metres, 1..100; then it stands.
 Result<void> let_flee(World& world, WalkerId id, WalkerId whom, float range = 10);
-// Straight on until a ray 4 m ahead meets a wall, then where one of a fan of rays is free: see
-// sim/ways/rays.h.
+// Straight on until a ray 4 m ahead meets a wall, then where one of a fan of rays is free for 5 m; where none
+// is, on to a metre from the wall, and then where the longest leads: see sim/ways/rays.h.
 bool let_ramble(World& world, WalkerId id);
 // Along circles on a convex platform, never straight: see sim/ways/stride.h. `corners` are 3 to 16, in metres
 // on the ground plane; one who is beside it walks there. With another platform, one who staggers goes on on

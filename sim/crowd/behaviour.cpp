@@ -329,8 +329,10 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     const Onward on = wish.is_by_path ? onward_by_path(c, i) : onward(c, i, wish.wanted);
     c.decision.course[i] = on.course;
     c.decision.aim[i] = on.aim;
-    const float most = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
-    c.scratch.intents[i] = {.wanted = c.decision.wanted[i],
+    const float to_make_way = std::max(c.identity.preferred_speed[i], k_least_haste) * k_haste;
+    // As fast as it wants to, who flees or hastens.
+    const float most = std::max(to_make_way, length(wish.wanted));
+    c.scratch.intents[i] = {.wanted = wish.wanted,
                             .most = is_driven ? k_fastest_driven : most,
                             .waited = static_cast<float>(tick - j.closest_tick) * k_tick,
                             .insists = j.insists_since,

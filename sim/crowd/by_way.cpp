@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/base/rng.h"
 #include "sim/base/spans.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
@@ -17,11 +18,9 @@ static constexpr float k_stale = 1.5f;     // metres that who is followed has go
 static constexpr float k_comes_up = 0.6f;  // of the distance at which one waits, when it goes on
 static constexpr float k_keeps_on = 0.6f;  // of what a clear way is worth, so that nobody dithers in a corner
 static constexpr float k_safe = 1.3f;      // of the range, to which one flees
-static constexpr float k_turns_on_foot = 1.6f;                  // radians a second
-static constexpr float k_off_circle = 0.6f;                     // metres, from which on one finds another
-static constexpr float k_goes_off = 0.3f;                       // metres that others and its legs take it off
-static constexpr float k_least_going = 0.3f;                    // m/s
-static constexpr float k_looks_ahead = 0.5f, k_most_round = 1;  // metres along a circle, and radians at most
+static constexpr float k_turns_on_foot = 1.6f;  // radians a second
+static constexpr float k_goes_off = 0.3f;       // metres that others and its legs take it off a circle
+static constexpr float k_least_going = 0.3f;    // m/s
 
 namespace {
 
@@ -39,6 +38,11 @@ struct Goer {
 };
 
 }  // namespace
+
+// Each way that one is led has chances of its own.
+static RandomKey key_of(const Goer& g, uint32_t when) {
+    return {mix(g.seed ^ g.c.journeys[g.i].trip), g.i, when, Purpose::way};
+}
 
 // How far one comes, straight on, before it would leave the mesh: `reach` metres at most.
 static float clear_way(const Goer& g, float yaw, float reach) {
@@ -113,62 +117,35 @@ static WayWish flee(const Goer& g) {
 }
 
 static WayWish ramble(const Goer& g) {
-    if (clear_way(g, g.way.bearing, k_ray_ahead) < k_ray_ahead) {
-        const RandomKey key{g.seed, g.i, ++g.way.turns, Purpose::way};
-        const auto turn = free_way(
-            [&](float degrees) {
-                return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside) >= k_ray_aside;
-            },
-            key);
-        g.way.bearing = wrap_angle(g.way.bearing + turn.value_or(180) * k_radians);
+    const float ahead = clear_way(g, g.way.bearing, k_ray_ahead);
+    if (ahead < k_ray_ahead) {
+        auto clear = [&](float degrees) {
+            return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside);
+        };
+        const auto free = free_way(clear, key_of(g, ++g.way.turns));
+        const float turn = free ? *free : longest_way(clear, ahead);
+        g.way.bearing = wrap_angle(g.way.bearing + turn * k_radians);
     }
     return {heading_direction(g.way.bearing) * g.speed(), false};
 }
 
 Strider strider_of(const Crowd& c, uint32_t i) {
     return {.speed = c.identity.preferred_speed[i],
-            .radius = c.identity.radius[i] + k_goes_off,
-            .turns = k_turns_on_foot};
-}
-
-// Straight to where there is room.
-static WayWish get_off_edge(const Goer& g, const Strider& who) {
-    const Vec2 here = on_ground(g.at());
-    const Vec2 to = nearest_with_room(g.way.platform, here, least_circle(who) + who.radius).value_or(here);
-    return {normalize_or(to - here, {0, 0}) * who.speed, false};
+            .radius = c.identity.radius[i],
+            .turns = k_turns_on_foot,
+            .goes_off = k_goes_off};
 }
 
 // Along its circle; where others or its own legs have taken it off there, or the platform has changed, along
 // another one, from where it is.
 static WayWish stagger(const Goer& g, float seconds) {
     const Strider who = strider_of(g.c, g.i);
-    const Platform& platform = g.way.platform;
-    const Vec2 here = on_ground(g.at()), velocity = g.c.motion.velocity[g.i];
-    if (room_at(platform, here) < who.radius - k_goes_off / 2) return get_off_edge(g, who);
-    Stride& s = g.way.stride;
-    s.left -= seconds;
-    const float off = std::fabs(length(here - s.centre) - s.radius);
-    const bool is_lost = s.circles == 0 || off > k_off_circle || !is_on(platform, who, s);
-    if (is_lost || s.left <= 0) {
-        const float speed = length(velocity);
-        Stride next = s;
-        next.heading = speed > k_least_going ? heading_of(velocity / speed) : g.c.motion.heading[g.i];
-        next.radius = 0, next.centre = here;
-        const RandomKey key{g.seed, g.i, 0, Purpose::way};
-        const float other = s.circles == 0 && random_unit(key, 2) < 0.5f ? s.side : -s.side;
-        if (turn_to(platform, who, next, other, key) ||
-            (is_lost && turn_to(platform, who, next, -other, key)))
-            s = next;
-        else if (is_lost)
-            return get_off_edge(g, who);
-    }
-    // Towards a place a little ahead on the circle.
-    const Vec2 out = normalize_or(here - s.centre, {0, 0});
-    const SinCos by = sin_cos(s.side * std::min(k_looks_ahead / s.radius, k_most_round));
-    const Vec2 ahead = {out.x * by.cosine - out.z * by.sine, out.z * by.cosine + out.x * by.sine};
-    const Vec2 to = s.centre + ahead * s.radius - here;
-    s.heading = heading_of(normalize_or(to, heading_direction(s.heading)));
-    return {heading_direction(s.heading) * who.speed, false};
+    const Vec2 velocity = g.c.motion.velocity[g.i];
+    const float speed = length(velocity);
+    const float heading = speed > k_least_going ? heading_of(velocity / speed) : g.c.motion.heading[g.i];
+    const Vec2 way =
+        stride_on(g.way.platform, who, g.way.stride, on_ground(g.at()), heading, seconds, key_of(g, 0));
+    return {way * who.speed, false};
 }
 
 static WayWish wish_of(const Goer& g) {

@@ -36,34 +36,46 @@ Result<Platform> make_platform(std::span<const Vec2> corners) {
     return platform;
 }
 
+float room_at(const Platform::Edge& edge, Vec2 place) {
+    return static_cast<float>(wide(place.x) * wide(edge.inward.x) + wide(place.z) * wide(edge.inward.z) -
+                              wide(edge.offset));
+}
+
 float room_at(const Platform& platform, Vec2 place) {
     float room = std::numeric_limits<float>::max();
-    for (int i = 0; i < platform.count; ++i)
-        room = std::min(room, dot(place, platform.edges[i].inward) - platform.edges[i].offset);
+    for (int i = 0; i < platform.count; ++i) room = std::min(room, room_at(platform.edges[i], place));
     return room;
 }
 
 std::optional<Vec2> nearest_with_room(const Platform& platform, Vec2 place, float room) {
-    constexpr float k_rounding = 1e-4f;  // metres
-    if (room_at(platform, place) >= room) return place;
+    constexpr float k_rounding = 1e-5f;  // metres
+    // All against `place`: there a platform a kilometre away is as exact as any.
+    float missing[k_platform_edges];
+    bool is_missing = false;
+    for (int i = 0; i < platform.count; ++i) {
+        missing[i] = room - room_at(platform.edges[i], place);
+        is_missing |= missing[i] > 0;
+    }
+    if (!is_missing) return place;
     // It lies on one edge of what is left of the platform, or where two of them meet.
     std::optional<Vec2> best;
-    auto take = [&](Vec2 p) {
-        if (room_at(platform, p) < room - k_rounding) return;
-        if (!best || length_squared(p - place) < length_squared(*best - place)) best = p;
+    auto take = [&](Vec2 way) {
+        for (int i = 0; i < platform.count; ++i)
+            if (dot(way, platform.edges[i].inward) < missing[i] - k_rounding * (1 + length(way))) return;
+        if (!best || length_squared(way) < length_squared(*best)) best = way;
     };
     for (int i = 0; i < platform.count; ++i) {
-        const auto& [a, a_offset] = platform.edges[i];
-        take(place + a * (a_offset + room - dot(place, a)));
+        const Vec2 a = platform.edges[i].inward;
+        take(a * missing[i]);
         for (int j = 0; j < i; ++j) {
-            const auto& [b, b_offset] = platform.edges[j];
+            const Vec2 b = platform.edges[j].inward;
             const float det = cross(a, b);
             if (std::fabs(det) < 1e-6f) continue;
-            const float at_a = a_offset + room, at_b = b_offset + room;
-            take({(at_a * b.z - at_b * a.z) / det, (a.x * at_b - b.x * at_a) / det});
+            take(Vec2{missing[i] * b.z - missing[j] * a.z, a.x * missing[j] - b.x * missing[i]} / det);
         }
     }
-    return best;
+    if (!best) return {};
+    return place + *best;
 }
 
 }  // namespace flaneur

@@ -24,7 +24,8 @@ struct Platform {
 // corners that turn the other way or not at all, or numbers that are not finite.
 Result<Platform> make_platform(std::span<const Vec2> corners);
 
-// Metres from a place on it to the nearest edge; less than 0 beside it.
+// Metres from a place on it to an edge, and to the nearest; less than 0 beside it.
+float room_at(const Platform::Edge& edge, Vec2 place);
 float room_at(const Platform& platform, Vec2 place);
 
 // The place nearest to `place` that is at least `room` from every edge; `place` itself where it is. None

@@ -15,19 +15,20 @@ struct Strider {
     float speed = 1;           // m/s, for ever
     float radius = 0.2f;       // of the body, metres
     float turns = 6.2831853f;  // radians a second, at most: no circle is narrower than speed / turns
+    float goes_off = 0;        // metres that others and its legs may take it off a circle
 };
 inline float least_circle(const Strider& who) { return who.speed / who.turns; }
+// Metres from the edge of a platform that all of its circles keep.
+inline float kept_clear(const Strider& who) { return who.radius + who.goes_off; }
 
-// Where one is: on a circle, seen from its middle.
+// The circle that one goes along.
 struct Stride {
     Vec2 centre;
     float radius = 0;      // metres
-    float heading = 0;     // yaw as in WalkerMotion: the way that it goes
     float side = 1;        // +1: the middle is to the right, -1: to the left
     float left = 0;        // seconds until the next circle
     uint32_t circles = 0;  // so far
 };
-Vec2 place_of(const Stride& stride);
 
 // The largest radius of a circle through `place` that has its middle `side` of the way with that heading, and
 // lies on the platform with a body of `radius` all along: the least, over edges, of (d - radius) / (1 + side
@@ -37,22 +38,16 @@ float largest_circle(const Platform& platform, Vec2 place, float heading, float 
 
 // Whether all of its circle lies on the platform.
 bool is_on(const Platform& platform, const Strider& who, const Stride& stride);
+// Whether one at `place` goes along its circle, and has not been taken off it.
+bool is_along(const Stride& stride, Vec2 place);
 
-// On the platform at `place` or as near as there is room to turn, on its first circle. None where the
-// platform is too small to turn on.
-std::optional<Stride> begin_stride(const Platform& platform, const Strider& who, Vec2 place, float heading,
-                                   RandomKey key);
-
-// `seconds` later: on along the circle, onto the next one when its time has come: with a radius in (0,
-// largest], for a time in (0, 10] s, whatever the other is. Where there is no room for the narrowest on the
-// other side it stays on its own. A circle that the platform, which may have changed, does not hold any more
-// ends at once; who has no room there to turn to either side is carried by it to where there is. False, and
-// nothing happens, where there is none.
-bool advance_stride(const Platform& platform, const Strider& who, Stride& stride, float seconds,
-                    RandomKey key);
-
-// The next circle from where one is now: `advance_stride` calls it. False where there is room for none on
-// that side.
-bool turn_to(const Platform& platform, const Strider& who, Stride& stride, float side, RandomKey key);
+// Which way one goes on, a unit vector, who is at `place`, goes with that heading and has gone on for
+// `seconds`: along its circle; where its time has come along the next one, with a radius in (0, largest], for
+// a time in (0, 10] s, whatever the other is. Where there is no room for the narrowest on the other side it
+// stays on its own. A circle that the platform, which may have changed, does not hold any more, or off which
+// one has been taken, ends at once; who has no room there to turn to either side goes onto the narrowest
+// where there is. (0, 0) where there is none.
+Vec2 stride_on(const Platform& platform, const Strider& who, Stride& stride, Vec2 place, float heading,
+               float seconds, RandomKey key);
 
 }  // namespace flaneur

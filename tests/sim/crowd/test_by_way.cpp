@@ -106,6 +106,34 @@ TEST(ByWay, OneFleesToWhereItIsSafeAndNotIntoWalls) {
     EXPECT_LT(length(motion_of(*w, shy)->velocity), 0.05f);
 }
 
+// Where nobody is in the way: half as fast again as one likes to walk, on whichever way one is led.
+TEST(ByWay, WhoFleesAndWhoFallsBehindGoFasterThanTheyLikeTo) {
+    WorldPtr w = world_on(corridor(120, 8), 4);
+    const WalkerId hound = add(*w, {2, 0, 0}, 2), hare = add(*w, {6, 0, 0}, 1.2f);
+    ASSERT_TRUE(let_follow(*w, hound, hare));
+    ASSERT_TRUE(let_flee(*w, hare, hound, 40));
+    float fastest = 0, mean = 0;
+    for (int tick = 0; tick < 12 * 60; ++tick) {
+        step(*w);
+        const float speed = length(motion_of(*w, hare)->velocity);
+        fastest = std::max(fastest, speed);
+        if (tick >= 6 * 60) mean += speed / (6 * 60);
+    }
+    EXPECT_NEAR(mean, 1.5f * 1.2f, 0.04f);
+    EXPECT_LT(fastest, 1.5f * 1.2f + 0.05f);
+
+    w = world_on(corridor(120, 8), 4);
+    const WalkerId guide = add(*w, {20, 0, 0}, 1.4f), late = add(*w, {2, 0, 0}, 1.2f);
+    ASSERT_TRUE(send_to(*w, guide, {118, 0, 0}));
+    ASSERT_TRUE(let_follow(*w, late, guide));
+    mean = 0;
+    for (int tick = 0; tick < 12 * 60; ++tick) {
+        step(*w);
+        if (tick >= 6 * 60) mean += length(motion_of(*w, late)->velocity) / (6 * 60);
+    }
+    EXPECT_NEAR(mean, 1.25f * 1.2f, 0.03f);
+}
+
 // Thirty by rays in a walled field with a cube: ten minutes, and nobody meets a wall or somebody else.
 TEST(ByWay, ThoseWhoRambleGoOnAndMeetNothing) {
     Ground field = square(40);
@@ -133,6 +161,29 @@ TEST(ByWay, ThoseWhoRambleGoOnAndMeetNothing) {
     }
     EXPECT_GT(way / 30 / 600, 1.0) << "metres a second, of 1.3";
     for (size_t k = 0; k < all.size(); ++k) EXPECT_GT(highs[k] - lows[k], 25) << k << " sees the field";
+}
+
+// Where no ray of the fan is free, one goes from wall to wall all the same.
+TEST(ByWay, ThoseWhoRambleInASmallRoomGoAboutInIt) {
+    for (const float size : {2.2f, 3.0f, 4.5f}) {
+        WorldPtr w = world_on(square(size), 2);
+        const WalkerId id = add(*w, {0.2f, 0, 0.1f}, 1.2f, 0.3f);
+        ASSERT_TRUE(let_ramble(*w, id));
+        float way = 0, turned = 0, was = 0;
+        Vec2 low{9, 9}, high{-9, -9};
+        for (int tick = 0; tick < 120 * 60; ++tick) {
+            step(*w);
+            const auto m = motion_of(*w, id);
+            way += length(m->velocity) / 60;
+            const float bearing = w->crowd.wayfarers[0].bearing;
+            turned += std::fabs(wrap_angle(bearing - was)) > 0.01f, was = bearing;
+            low = {std::min(low.x, m->position.x), std::min(low.z, m->position.z)};
+            high = {std::max(high.x, m->position.x), std::max(high.z, m->position.z)};
+        }
+        EXPECT_GT(way / 120, size < 2.5f ? 0.45f : 0.6f) << size << ": metres a second, of 1.2";
+        EXPECT_LT(turned, 150) << size << ": in two minutes";
+        EXPECT_GT(std::min(high.x - low.x, high.z - low.z), 0.5f * size) << size << ": sees the room";
+    }
 }
 
 // With a body's own inertia, among others, on a platform that is exchanged.
@@ -169,11 +220,40 @@ TEST(ByWay, ThoseWhoStaggerStayOnTheirPlatformAndDoNotGoStraight) {
             }
         }
     }
-    EXPECT_GT(way / 12 / 240, 0.7) << "metres a second";
+    EXPECT_GT(way / 12 / 240, 0.65) << "metres a second";
     EXPECT_LT(straight, counted / 20);
     EXPECT_NEAR(to_right / (to_right + to_left), 0.5, 0.15) << "to both sides";
     const Vec2 small[] = {{0, 0}, {0.6f, 0}, {0.6f, 0.6f}, {0, 0.6f}};
     EXPECT_FALSE(let_stagger(*w, all[0], small));
+}
+
+// Neither for one walker's next way nor for who takes its slot.
+TEST(ByWay, ChanceDoesNotBeginAnewWithEachWay) {
+    auto made = [] { return world_on(square(12), 2); };
+    auto add_one = [](World& w) { return add(w, {0, 0, 0}, 1.2f, 0.5f); };
+    const Vec2 corners[] = {{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
+    for (const bool staggers : {false, true}) {
+        auto begin = [&](World& w, WalkerId id) {
+            return staggers ? static_cast<bool>(let_stagger(w, id, corners)) : let_ramble(w, id);
+        };
+        auto goes_to = [&](World& w, WalkerId id) {
+            run(w, 20);
+            return at(w, id);
+        };
+        WorldPtr once = made(), again = made(), anew = made();
+        const WalkerId a = add_one(*once), b = add_one(*again);
+        ASSERT_TRUE(begin(*once, a));
+        ASSERT_TRUE(begin(*again, b));
+        ASSERT_TRUE(let_ramble(*again, b));
+        ASSERT_TRUE(begin(*again, b));
+        remove_walker(*anew, add_one(*anew));
+        const WalkerId c = add_one(*anew);
+        ASSERT_TRUE(begin(*anew, c));
+        EXPECT_EQ(c.index, a.index);
+        const Vec2 first = goes_to(*once, a);
+        EXPECT_GT(length(goes_to(*again, b) - first), 0.1f) << staggers;
+        EXPECT_GT(length(goes_to(*anew, c) - first), 0.1f) << staggers;
+    }
 }
 
 TEST(ByWay, IsEqualOnAnyThreadsTakenBackAndAfterARemoval) {
