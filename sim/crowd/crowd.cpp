@@ -143,10 +143,21 @@ void drive(Crowd& c, uint32_t i) {
     c.journeys[i].insists_since = k_never;
 }
 
+// Of those who go by a way only who leads goes to a goal.
+static bool has_goal(const Crowd& c, uint32_t i) {
+    if (c.journeys[i].errand != Errand::by_way) return true;
+    const Span own = span_of(c.wayfarers, i, i + 1);
+    return own.begin < own.end && c.wayfarers[own.begin].kind == Wayfarer::Kind::lead;
+}
+
 void let_go(Crowd& c) {
     if (c.driven.walker == k_nobody) return;
     Journey& j = c.journeys[c.driven.walker];
-    if (j.path_due == PathDue::no) j.path_due = PathDue::to_goal;
+    // From where it is now. Who follows sees for himself whether he needs one.
+    if (!has_goal(c, c.driven.walker))
+        j.corner = j.corner_count;
+    else if (j.path_due == PathDue::no)
+        j.path_due = PathDue::to_goal;
     j.pause_until = 0;
     j.arrived = false;
     c.driven = {};
@@ -162,7 +173,7 @@ void go_by_way(Crowd& c, const Wayfarer& way) {
     c.journeys[i] = next;
 }
 
-bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }
+bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived && has_goal(c, i); }
 
 void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
                 uint32_t tick, uint64_t seed) {

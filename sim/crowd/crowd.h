@@ -246,6 +246,11 @@ struct Walker {
 Crowd make_crowd(uint32_t capacity);
 
 inline bool is_there(const Crowd& crowd, uint32_t slot) { return crowd.slots.place[slot] != k_nobody; }
+// Whether that one is, and not another who took the slot.
+inline bool is_there(const Crowd& crowd, WalkerId id) {
+    return id.index < crowd.count && is_there(crowd, id.index) &&
+           crowd.slots.generation[id.index] == id.generation;
+}
 
 // Whether a body of `radius` fits in at `place` without touching anybody.
 bool has_room(const Crowd& crowd, Vec3 place, float radius);
@@ -278,7 +283,7 @@ void go_by_way(Crowd& crowd, const Wayfarer& way);
 // What bounds the circles of one who staggers.
 Strider strider_of(const Crowd& crowd, uint32_t walker);
 
-// Whether a walker stands at its goal, or next to others who stand there.
+// Whether a walker stands at its goal, or next to others who stand there. Who is led by no goal never does.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
 // The walkers who share a body.
