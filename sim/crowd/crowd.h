@@ -172,6 +172,8 @@ struct CrowdScratch {
     std::vector<uint32_t> tallies;      // of each square, by each of those who sort
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
+    std::vector<uint8_t> woken;         // by block: 1: it was afar until this tick
+    float strays = 0;                   // metres from where one was filed, at most
     std::vector<uint32_t> requests;     // walkers whose path is sought
 };
 
@@ -274,7 +276,8 @@ void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span
 void make_room(Crowd& crowd, uint32_t capacity);
 
 // From now on the walker goes as `driven.wish` says, and others make way as for anybody; and it goes on about
-// its errand.
+// its errand. One of those afar does when the step is over that its block has taken: k_farther_ticks, at
+// most.
 void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
 
@@ -330,6 +333,7 @@ inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
 }
 // Whether they decide.
 inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
+    if (crowd.scratch.woken[block]) return true;
     if (crowd.at_once[block] > 1) return ticks_due(crowd, block, tick) > 0;
     return (tick - static_cast<uint32_t>(block)) % k_decision_ticks == 0;
 }
