@@ -213,11 +213,7 @@ Result<WalkerId> add_walker(World& w, const WalkerOptions& o) {
     return w.crowd.slots.living.back();
 }
 
-bool is_alive(const World& w, WalkerId id) {
-    const CrowdSlots& slots = w.crowd.slots;
-    return id.index < w.crowd.count && is_there(w.crowd, id.index) &&
-           slots.generation[id.index] == id.generation;
-}
+bool is_alive(const World& w, WalkerId id) { return is_there(w.crowd, id); }
 
 bool remove_walker(World& w, WalkerId id) {
     if (!is_alive(w, id)) return false;
@@ -295,6 +291,22 @@ bool let_ramble(World& w, WalkerId id) {
     return true;
 }
 
+// Whether the walker can go where it would on the platform: to each of its corners, as near as it comes.
+static Result<void> check_ground(const World& w, WalkerId id, const Platform& platform,
+                                 std::span<const Vec2> corners, const Strider& who) {
+    constexpr Vec3 k_near{0.5f, 5, 0.5f};  // metres
+    const Crowd& c = w.crowd;
+    const float height = c.motion.position[id.index].y;
+    const uint32_t home = island(*w.navmesh, c.motion.polygon[id.index]);
+    for (const Vec2 corner : corners) {
+        const Vec3 place = at_height(*nearest_with_room(platform, corner, kept_clear(who)), height);
+        const auto found = nearest(*w.navmesh, 0, place, k_near);
+        if (!found || island(*w.navmesh, found->polygon) != home)
+            return Error{"The walker cannot get to all of the platform: not to " + at(place) + "."};
+    }
+    return {};
+}
+
 Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     if (!is_alive(w, id)) return Error{"That walker is gone."};
     const Result<Platform> platform = make_platform(corners);
@@ -305,8 +317,10 @@ Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     if (known.begin < known.end && c.wayfarers[known.begin].kind == way.kind)
         way.stride = c.wayfarers[known.begin].stride;
     const Strider who = strider_of(c, id.index);
-    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]), least_circle(who) + kept_clear(who)))
+    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]),
+                           least_circle(who) + kept_clear(who)))
         return Error{"The platform is too small for this walker to turn on."};
+    if (Result<void> can = check_ground(w, id, *platform, corners, who); !can) return can;
     go_by_way(w.crowd, way);
     return {};
 }
@@ -318,7 +332,7 @@ bool let_jump(World& w, WalkerId id) {
 }
 
 bool has_arrived(const World& w, WalkerId id) {
-    return is_alive(w, id) && w.crowd.journeys[id.index].errand == Errand::arrive &&
+    return is_alive(w, id) && w.crowd.journeys[id.index].errand != Errand::wander &&
            has_arrived(w.crowd, id.index);
 }
 

@@ -165,8 +165,8 @@ Result<void> let_flee(World& world, WalkerId id, WalkerId whom, float range = 10
 // is, on to a metre from the wall, and then where the longest leads: see sim/ways/rays.h.
 bool let_ramble(World& world, WalkerId id);
 // Along circles on a convex platform, never straight: see sim/ways/stride.h. `corners` are 3 to 16, in metres
-// on the ground plane; one who is beside it walks there. With another platform, one who staggers goes on on
-// that one.
+// on the ground plane, walkable and joined to where the walker is; one who is beside it walks there. With
+// another platform, one who staggers goes on on that one.
 Result<void> let_stagger(World& world, WalkerId id, std::span<const Vec2> corners);
 // Whether it stands where it was last sent, or was set down. Where others stand on the goal, next to them
 // is there.

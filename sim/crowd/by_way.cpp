@@ -14,8 +14,9 @@ namespace flaneur {
 
 static constexpr float k_hastens = 1.25f, k_flees = 1.5f;  // times the preferred speed, at most
 static constexpr float k_catches_up = 1.5f;                // seconds, to be as near as one likes
-static constexpr float k_stale = 1.5f;     // metres that who is followed has gone from where the path leads
-static constexpr float k_comes_up = 0.6f;  // of the distance at which one waits, when it goes on
+static constexpr float k_stale = 1.5f;  // metres that who is followed has gone from where the path leads
+static constexpr uint32_t k_asks_again = 60;  // ticks from the last progress on, for a path to who is near
+static constexpr float k_comes_up = 0.6f;     // of the distance at which one waits, when it goes on
 static constexpr float k_keeps_on = 0.6f;  // of what a clear way is worth, so that nobody dithers in a corner
 static constexpr float k_safe = 1.3f;      // of the range, to which one flees
 static constexpr float k_turns_on_foot = 1.6f;  // radians a second
@@ -77,7 +78,9 @@ static WayWish follow(const Goer& g) {
         const Vec2 direction = normalize_or(to, {0, 0});
         return {direction * following_speed(g, far, direction, g.c.motion.velocity[whom]), false};
     }
-    const bool is_stale = length(on_ground(j.goal.position - there)) > k_stale || j.corner >= j.corner_count;
+    // At the end of one that did not bring him into view he does not ask at every turn.
+    const bool is_over = j.corner >= j.corner_count && g.tick - j.closest_tick > k_asks_again;
+    const bool is_stale = is_over || length(on_ground(j.goal.position - there)) > k_stale;
     if (is_stale && j.path_due == PathDue::no && g.tick >= j.pause_until) {
         j.goal = {there, g.c.motion.polygon[whom]};
         j.path_due = PathDue::to_goal;
@@ -170,9 +173,7 @@ WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint3
     if (own.begin == own.end) return {};
     const Goer g{c, mesh, thread, i, tick, seed, c.wayfarers[own.begin]};
     const WalkerId whom = g.way.whom;
-    const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee,
-               is_gone = is_by_whom &&
-                         (!is_there(c, whom.index) || c.slots.generation[whom.index] != whom.generation);
+    const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee, is_gone = is_by_whom && !is_there(c, whom);
     const WayWish wish = is_gone ? WayWish{} : wish_of(g);
     // Who goes by no path has nothing to be held up on.
     if (!wish.is_by_path) c.journeys[i].closest_tick = tick, c.journeys[i].insists_since = k_never;

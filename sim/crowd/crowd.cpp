@@ -28,6 +28,7 @@ Crowd make_crowd(uint32_t capacity) {
     resize_to(capacity, c.journeys, c.way_back, s.order, s.intents);
     c.corners.resize(size_t{capacity} * k_corners);
     c.at_once.assign(block_count(capacity), 1);
+    s.woken.assign(block_count(capacity), 0);
     SeenRows& rows = s.seen;
     resize_to(capacity + k_block, rows.x, rows.y, rows.z);
     rows.all.resize(capacity);
@@ -73,8 +74,18 @@ static uint32_t take_slot(Crowd& c) {
 // Who takes a slot after another goes elsewhere than that one would have.
 static constexpr uint32_t k_trips_apart = 1 << 12;
 
+static bool is_empty(const Crowd& c, size_t block) {
+    const size_t past = std::min<size_t>(c.count, (block + 1) * k_block);
+    for (size_t i = block * k_block; i < past; ++i)
+        if (is_there(c, static_cast<uint32_t>(i))) return false;
+    return true;
+}
+
 uint32_t add_walker(Crowd& c, const Surroundings& around, const Walker& w) {
     assert(w.place.polygon != 0 && w.preferred_speed > 0 && w.radius >= k_least_radius);
+    const uint32_t slot = c.slots.left.empty() ? c.count : c.slots.left.back();
+    // Nobody's time passes there: who comes need not wait for a turn of those who were there before.
+    if (is_empty(c, slot / k_block)) c.at_once[slot / k_block] = 1;
     uint32_t i = take_slot(c);
     Vec3 p = w.place.position;
     c.motion.under[i] = {};
@@ -172,10 +183,21 @@ void drive(Crowd& c, uint32_t i) {
     c.journeys[i].insists_since = k_never;
 }
 
+// Of those who go by a way only who leads goes to a goal.
+static bool has_goal(const Crowd& c, uint32_t i) {
+    if (c.journeys[i].errand != Errand::by_way) return true;
+    const Span own = span_of(c.wayfarers, i, i + 1);
+    return own.begin < own.end && c.wayfarers[own.begin].kind == Wayfarer::Kind::lead;
+}
+
 void let_go(Crowd& c) {
     if (c.driven.walker == k_nobody) return;
     Journey& j = c.journeys[c.driven.walker];
-    if (j.path_due == PathDue::no) j.path_due = PathDue::to_goal;
+    // From where it is now. Who follows sees for himself whether he needs one.
+    if (!has_goal(c, c.driven.walker))
+        j.corner = j.corner_count;
+    else if (j.path_due == PathDue::no)
+        j.path_due = PathDue::to_goal;
     j.pause_until = 0;
     j.arrived = false;
     c.driven = {};
@@ -192,7 +214,7 @@ void go_by_way(Crowd& c, const Wayfarer& way) {
     c.journeys[i] = next;
 }
 
-bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived; }
+bool has_arrived(const Crowd& c, uint32_t i) { return c.journeys[i].arrived && has_goal(c, i); }
 
 void step_crowd(Crowd& crowd, const Surroundings& around, const Navmesh& mesh, Workers& workers,
                 uint32_t tick, uint64_t seed) {

@@ -190,6 +190,8 @@ struct CrowdScratch {
     std::vector<uint32_t> tallies;      // of each square, by each of those who sort
     bool is_ordered = false;            // nobody came or went since
     std::vector<Intent> intents;        // by walker
+    std::vector<uint8_t> woken;         // by block: 1: it was afar until this tick
+    float strays = 0;                   // metres from where one was filed, at most
     std::vector<uint32_t> requests;     // walkers whose path is sought
 };
 
@@ -266,6 +268,11 @@ struct Walker {
 Crowd make_crowd(uint32_t capacity);
 
 inline bool is_there(const Crowd& crowd, uint32_t slot) { return crowd.slots.place[slot] != k_nobody; }
+// Whether that one is, and not another who took the slot.
+inline bool is_there(const Crowd& crowd, WalkerId id) {
+    return id.index < crowd.count && is_there(crowd, id.index) &&
+           crowd.slots.generation[id.index] == id.generation;
+}
 
 // Whether a body of `radius` fits in at `place` without touching anybody.
 bool has_room(const Crowd& crowd, Vec3 place, float radius);
@@ -300,7 +307,8 @@ bool is_in_doorway(const Crowd& crowd, uint32_t walker);
 void turn_back(Crowd& crowd, uint32_t walker);
 
 // From now on the walker goes as `driven.wish` says, and others make way as for anybody; and it goes on about
-// its errand.
+// its errand. One of those afar does when the step is over that its block has taken: k_farther_ticks, at
+// most.
 void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
 
@@ -309,7 +317,7 @@ void go_by_way(Crowd& crowd, const Wayfarer& way);
 // What bounds the circles of one who staggers.
 Strider strider_of(const Crowd& crowd, uint32_t walker);
 
-// Whether a walker stands at its goal, or next to others who stand there.
+// Whether a walker stands at its goal, or next to others who stand there. Who is led by no goal never does.
 bool has_arrived(const Crowd& crowd, uint32_t walker);
 
 // The walkers who share a body.
@@ -358,6 +366,7 @@ inline uint32_t ticks_due(const Crowd& crowd, size_t block, uint32_t tick) {
 }
 // Whether they decide.
 inline bool decides(const Crowd& crowd, size_t block, uint32_t tick) {
+    if (crowd.scratch.woken[block]) return true;
     if (crowd.at_once[block] > 1) return ticks_due(crowd, block, tick) > 0;
     return (tick - static_cast<uint32_t>(block)) % k_decision_ticks == 0;
 }

@@ -34,10 +34,13 @@ void look_on(Crowd& c, Workers& workers, uint32_t tick) {
         for (size_t block = begin; block < end; ++block) {
             // Only between two steps, and at a turn of those that it joins, so that nobody's time passes
             // twice.
+            c.scratch.woken[block] = 0;
             const uint32_t turn = ticks_since_turn(block, tick, k_farther_ticks);
             if (turn % std::max<uint32_t>(c.at_once[block], k_afar_ticks) != 0) continue;
             const uint32_t most = turn == 0 ? k_farther_ticks : k_afar_ticks;
-            c.at_once[block] = static_cast<uint8_t>(std::min(ticks_at_once(c, block), most));
+            const uint32_t ticks = std::min(ticks_at_once(c, block), most);
+            c.scratch.woken[block] = ticks < c.at_once[block] && ticks == 1;
+            c.at_once[block] = static_cast<uint8_t>(ticks);
         }
     });
 }

@@ -22,7 +22,7 @@ static constexpr float k_slow = 0.05f, k_foresees = 0.05f;      // m/s, seconds
 static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;  // metres, of one with a pram
 static constexpr float k_back = 0.02f;    // metres from the mesh at which one is on it again
 static constexpr size_t k_together = 64;  // walkers whose ground is asked for at once
-static constexpr int k_contacts = 48;
+static constexpr int k_contacts = k_most_planes, k_within = 256;  // who count, of those within reach
 
 namespace {
 
@@ -36,6 +36,17 @@ struct Contacts {
 };
 
 }  // namespace
+
+// Only what one who goes no faster than `fastest` may come to: in a throng, in the many ticks of who is afar,
+// far more are within reach.
+static void add_plane(Contacts& out, const HalfPlane& plane, float fastest) {
+    if (plane.offset > -fastest && out.count < k_contacts) out.planes[out.count++] = plane;
+}
+
+// m/s that one comes to in a step, at most.
+static float fastest_of(Vec2 wish, Vec2 velocity) {
+    return std::max(length(wish), length(velocity)) + k_push + k_rounding;
+}
 
 // Metres between bodies within which one minds others who goes so many seconds at once.
 static float mindful_reach(float dt) { return std::max(k_sees_coming, k_nearing * dt); }
@@ -58,9 +69,9 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
     const Seen& me = c.scratch.seen.all[at];
     const Vec2 velocity = c.motion.velocity[me.id];
     const Vec3 middle = me.position + at_height(me.ahead, 0);
-    uint32_t near[k_contacts];
+    uint32_t near[k_within];
     const int count =
-        find_within(c.scratch, middle, at, k_pram_radius + c.widest + mindful_reach(dt), near, k_contacts);
+        find_within(c.scratch, middle, at, k_pram_radius + c.widest + mindful_reach(dt), near, k_within);
     for (int k = 0; k < count; ++k) {
         const Seen& other = c.scratch.seen.all[near[k]];
         Vec2 away = on_ground(middle - other.position);
@@ -70,8 +81,8 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
         float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
         float nearing = fastest_within(room, dt) + std::max(leaves, 0.0f);
         add_brake(out, direction, nearing, wish, velocity);
-        if (d < touching + k_nearing * dt && out.count < k_contacts)
-            out.planes[out.count++] = {direction, -0.5f * room / dt};
+        if (d < touching + k_nearing * dt)
+            add_plane(out, {direction, -0.5f * room / dt}, fastest_of(wish, velocity));
     }
 }
 
@@ -81,9 +92,9 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
     const Seen& me = c.scratch.seen.all[at];
     const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
-    uint32_t near[k_contacts];
-    const int count = find_within(c.scratch, me.position, at, me.radius + c.widest + mindful_reach(dt), near,
-                                  k_contacts);  // more do not fit round one body
+    uint32_t near[k_within];
+    const int count =
+        find_within(c.scratch, me.position, at, me.radius + c.widest + mindful_reach(dt), near, k_within);
     for (int k = 0; k < count; ++k) {
         const Seen& other = c.scratch.seen.all[near[k]];
         Vec2 away = on_ground(me.position - other.position);
@@ -98,7 +109,7 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
         float nearing = fastest_within(room, dt) + std::max(leaves, 0.0f);
         add_brake(out, direction, nearing, wish, velocity);
         if (d > touching + k_nearing * dt) continue;
-        out.planes[out.count++] = {direction, -0.5f * gap / dt};
+        add_plane(out, {direction, -0.5f * gap / dt}, fastest_of(wish, velocity));
         float overlap = touching - k_overlap - d;
         if (overlap > 0) out.push += direction * (0.5f * overlap / dt);
     }

@@ -60,10 +60,17 @@ static void look_at(Crowd& c, size_t at) {
     rows.all[at] = {p, velocity, ahead, d.course[i], d.aim[i], c.identity.radius[i], i, d.claim[i]};
 }
 
+// Metres that anybody may be from where all were filed last: those afar go all of a step at once.
+static float farthest_strayed(const Crowd& c) {
+    const uint8_t most = *std::max_element(c.at_once.begin(), c.at_once.end());
+    return k_tick * std::max(k_decision_ticks * k_fastest, most * k_fastest_afar);
+}
+
 void find_neighbours(Crowd& c, Workers& workers, uint32_t tick) {
     const bool anew = tick % k_decision_ticks == 0;
     const bool is_kept = !anew && c.scratch.is_ordered;
     if (!is_kept) order_places(c, workers, anew);
+    c.scratch.strays = farthest_strayed(c);
     // Those afar are as they were when they were looked at last, but in their turn and after it.
     auto is_as_it_was = [&](size_t block) {
         return is_kept && ticks_due(c, block, tick) == 0 && ticks_due(c, block, tick - 1) == 0;

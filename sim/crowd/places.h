@@ -7,9 +7,10 @@
 
 namespace flaneur {
 
-inline constexpr size_t k_sorters = 4;        // who sort side by side, whatever the number of threads
-inline constexpr float k_seen_cell = 3;       // metres
-inline constexpr float k_strays = 0.45f;      // metres from where one was filed, at most
+inline constexpr size_t k_sorters = 4;   // who sort side by side, whatever the number of threads
+inline constexpr float k_seen_cell = 3;  // metres
+// m/s: who is driven, or flees and is afar, and is pushed.
+inline constexpr float k_fastest = 4.5f, k_fastest_afar = 3.5f;
 inline constexpr float k_other_level = 1.8f;  // metres above or below: not in the way
 
 // Puts everybody in the order of places; `anew`: by where they are now, else by where they were filed last.
@@ -32,7 +33,7 @@ inline uint32_t cell_of(const CrowdScratch& s, Filed f) {
 // number follows the crowd's, not the city's: walkers from afar that share one are the caller's to sort out.
 template <class Visit>
 void for_seen_near(const CrowdScratch& s, Vec3 p, float reach, Visit visit) {
-    const float far = reach + k_strays;
+    const float far = reach + s.strays;
     const int low_z = seen_column(p.z - far), high_z = seen_column(p.z + far), middle = seen_column(p.z);
     const uint32_t a = static_cast<uint32_t>(seen_column(p.x - far)) & (s.cells_x - 1),
                    b = static_cast<uint32_t>(seen_column(p.x + far)) & (s.cells_x - 1);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/isa.h"
+#include "sim/crowd/places.h"
 #include "sim/state.h"
 #include "sim/world.h"
 #include "tests/sim/small_grounds.h"
@@ -148,6 +149,88 @@ TEST(LookOn, FeetOfThoseAfarSwingWithinTheirTime) {
     EXPECT_GT(least, 0.44f);
     EXPECT_LT(most, 0.58f);
     EXPECT_LT(longest, 0.56f);
+}
+
+// Five to a square metre, more than anybody near minds, all of whom go sixteen ticks at once.
+TEST(LookOn, AThrongAfarDoesNotPressIntoItself) {
+    Ground ground = square(11);
+    index_ground(ground);
+    WorldOptions options;
+    options.capacity = 484;
+    options.threads = 2;
+    auto made = make_world(std::make_shared<const Ground>(std::move(ground)), options);
+    ASSERT_TRUE(made) << made.error().message;
+    World& w = **made;
+    for (int k = 0; k < 484; ++k) {
+        const Vec3 place{0.45f * static_cast<float>(k % 22) - 4.7f, 0,
+                         0.45f * static_cast<float>(k / 22) - 4.7f};
+        ASSERT_TRUE(add_walker(w, {.place = place, .speed = 1.8f, .radius = 0.2f, .wanders = true})) << k;
+    }
+    const Vec3 eye{5000, 0, 0};
+    look_from(w, {&eye, 1});
+    float most = 0;
+    for (int tick = 0; tick < 60 * 60; ++tick) {
+        step(w);
+        if (tick % 4 == 0) most = std::max(most, deepest(w));
+    }
+    EXPECT_LT(most, k_most_overlap + 0.002f);
+}
+
+// Who flees, and goes all of a step at once, is looked for where it is.
+TEST(LookOn, NobodyStraysFartherFromItsSquareThanOthersLook) {
+    Ground ground = square(90);
+    index_ground(ground);
+    auto made = make_world(std::make_shared<const Ground>(std::move(ground)), {.capacity = 2});
+    ASSERT_TRUE(made) << made.error().message;
+    World& w = **made;
+    const auto hare = add_walker(w, {.place = Vec3{-40, 0, 1}, .speed = 2.0f}),
+               hound = add_walker(w, {.place = Vec3{-43, 0, 0}, .speed = 2.0f});
+    ASSERT_TRUE(hare && hound);
+    ASSERT_TRUE(let_flee(w, *hare, *hound, 80));
+    const Vec3 eye{5000, 0, 0};
+    look_from(w, {&eye, 1});
+    float most = 0;
+    for (int tick = 0; tick < 25 * 60; ++tick) {
+        step(w);
+        const Vec2 p = on_ground(w.crowd.motion.position[hare->index]);
+        const Filed filed = w.crowd.motion.filed[hare->index];
+        const Vec2 low = Vec2{static_cast<float>(filed.column), static_cast<float>(filed.row)} * k_seen_cell;
+        const float beside =
+            std::max({low.x - p.x, p.x - low.x - k_seen_cell, low.z - p.z, p.z - low.z - k_seen_cell});
+        ASSERT_LE(beside, w.crowd.scratch.strays) << tick;
+        most = std::max(most, beside);
+    }
+    EXPECT_GT(most, 0.5f);
+}
+
+// Alone in its block it does not wait for the turn of those who were there before; nor does a block that
+// comes near keep what it decided afar.
+TEST(LookOn, WhoComesAndWhoComesNearActAtOnce) {
+    auto w = made(1, 32);
+    Crowd& c = w->crowd;
+    const Vec3 eye{5000, 0, 0};
+    look_from(*w, {&eye, 1}, k_reach);
+    for (int tick = 0; tick < 40; ++tick) step(*w);
+    ASSERT_EQ(c.at_once[0], k_farther_ticks);
+    const std::vector<WalkerId> all = c.slots.living;
+    for (uint32_t i = 0; i < k_block; ++i)
+        ASSERT_TRUE(remove_walker(
+            *w, *std::find_if(all.begin(), all.end(), [&](WalkerId id) { return id.index == i; })));
+    step(*w);
+    const auto id = add_walker(*w, {.place = Vec3{0, 0, 0}, .wanders = true});
+    ASSERT_TRUE(id);
+    ASSERT_LT(id->index, k_block);
+    EXPECT_EQ(c.at_once[0], 1);
+
+    // The other block, with an eye next to it: in the tick in which it is near it decides.
+    look_from(*w, {}, k_reach);
+    for (int tick = 0; tick < 16 && c.at_once[1] > 1; ++tick) {
+        step(*w);
+        if (c.at_once[1] == 1) {
+            EXPECT_TRUE(decides(c, 1, w->tick - 1)) << tick;
+        }
+    }
+    EXPECT_EQ(c.at_once[1], 1);
 }
 
 TEST(LookOn, WithoutEyesEverybodyIsInFull) {

@@ -74,6 +74,8 @@ TEST(ByWay, OneLeadsAtThePaceOfWhoComesAlong) {
     EXPECT_LT(farthest, 7);
     EXPECT_GT(farthest, 4) << "it waits only when it has to";
     EXPECT_NEAR(at(*w, guide).x, 55, 1);
+    EXPECT_TRUE(has_arrived(*w, guide));
+    EXPECT_FALSE(has_arrived(*w, guest)) << "it was sent nowhere";
     EXPECT_LT(apart(*w, guide, guest), 2);
     EXPECT_FALSE(let_lead(*w, guide, guest, {500, 0, 0})) << "there is no ground";
 }
@@ -297,6 +299,21 @@ TEST(ByWay, IsEqualOnAnyThreadsTakenBackAndAfterARemoval) {
     }
 }
 
+TEST(ByWay, WhoIsLetGoAsksForAPathOnlyToGoByOne) {
+    WorldPtr w = world_on(square(20), 3);
+    const WalkerId one = add(*w, {-5, 0, -5});
+    ASSERT_TRUE(let_ramble(*w, one));
+    drive(w->crowd, one.index);
+    run(*w, 1);
+    let_go(w->crowd);
+    EXPECT_EQ(w->crowd.journeys[one.index].path_due, PathDue::no) << "it goes by none";
+    ASSERT_TRUE(send_to(*w, one, {5, 0, 5}));
+    run(*w, 1);
+    drive(w->crowd, one.index);
+    let_go(w->crowd);
+    EXPECT_EQ(w->crowd.journeys[one.index].path_due, PathDue::to_goal) << "it does";
+}
+
 TEST(ByWay, WhatCannotBeIsRefused) {
     WorldPtr w = world_on(square(20), 3);
     const WalkerId a = add(*w, {0, 0, 0}), b = add(*w, {3, 0, 0});
@@ -306,6 +323,11 @@ TEST(ByWay, WhatCannotBeIsRefused) {
     EXPECT_FALSE(let_lead(*w, a, b, {1, 0, 1}, 1000));
     EXPECT_TRUE(has_arrived(*w, a)) << "what is refused changes nothing";
     EXPECT_FALSE(let_stagger(*w, a, {}));
+    const Vec2 away[] = {{40, 40}, {50, 40}, {50, 50}, {40, 50}};
+    EXPECT_FALSE(let_stagger(*w, a, away)) << "there is no ground";
+    const Vec2 half[] = {{0, 0}, {15, 0}, {15, 5}, {0, 5}};
+    EXPECT_FALSE(let_stagger(*w, a, half)) << "half of it is behind a wall";
+    EXPECT_TRUE(has_arrived(*w, a)) << "what is refused changes nothing";
     remove_walker(*w, b);
     EXPECT_FALSE(let_follow(*w, a, b));
     EXPECT_FALSE(let_ramble(*w, b));
