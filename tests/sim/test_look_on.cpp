@@ -146,7 +146,7 @@ TEST(LookOn, FeetOfThoseAfarSwingWithinTheirTime) {
             }
         }
     }
-    EXPECT_GT(least, 0.44f);
+    EXPECT_GT(least, 0.42f);
     EXPECT_LT(most, 0.58f);
     EXPECT_LT(longest, 0.56f);
 }
