@@ -35,8 +35,6 @@ static constexpr uint32_t k_retry = 60;         // ticks until a path that was n
 static constexpr float k_back_ahead = 0.4f;     // seconds
 static constexpr Stay k_stroll_stay{1.5f, 6};   // at a goal without a name
 
-static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
-
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
 // Takes the next of the corners ahead wider by the walker's own measure, so that a crowd does not queue for
