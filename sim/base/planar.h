@@ -22,6 +22,19 @@ inline double crossed(Vec2 a, Vec2 b, Vec2 c) {
            (wide(b.z) - wide(a.z)) * (wide(c.x) - wide(a.x));
 }
 
+// Calls keep(corner) for those of what lies of a polygon where `side` is not negative (Sutherland & Hodgman,
+// CACM 17, 1974); side(place) is linear. Of one that is not convex, edges that fold back may be left, which
+// have no area.
+template <class Side, class Keep>
+void cut(std::span<const Vec2> polygon, const Side& side, const Keep& keep) {
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 a = polygon[i], b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const float at_a = side(a), at_b = side(b);
+        if (at_a >= 0) keep(a);
+        if ((at_a >= 0) != (at_b >= 0)) keep(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+}
+
 // Whether a place lies in a polygon, either way round: by how many edges lie to one side. An edge holds its
 // lower end and not its upper one, so that polygons side by side share nobody.
 inline bool is_within(std::span<const Vec2> corners, Vec2 place) {

@@ -42,8 +42,6 @@ static constexpr float k_by_door = 1.1f;       // m/s, at most, of one who goes 
 static constexpr float k_door_ahead = 0.4f;    // metres, that it looks ahead
 static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
-static By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
-
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
 // Takes the next of the corners ahead wider by the walker's own measure, so that a crowd does not queue for

@@ -19,9 +19,9 @@ static constexpr uint32_t k_asks_again = 60;  // ticks from the last progress on
 static constexpr float k_comes_up = 0.6f;     // of the distance at which one waits, when it goes on
 static constexpr float k_keeps_on = 0.6f;  // of what a clear way is worth, so that nobody dithers in a corner
 static constexpr float k_safe = 1.3f;      // of the range, to which one flees
-static constexpr float k_turns_on_foot = 1.6f;  // radians a second
-static constexpr float k_goes_off = 0.3f;       // metres that others and its legs take it off a circle
-static constexpr float k_least_going = 0.3f;    // m/s
+static constexpr float k_turns_on_foot = 1.6f, k_turns_with_pram = 0.7f;  // radians a second
+static constexpr float k_goes_off = 0.3f;     // metres that others and its legs take it off a circle
+static constexpr float k_least_going = 0.3f;  // m/s
 
 namespace {
 
@@ -36,6 +36,7 @@ struct Goer {
 
     Vec3 at() const { return c.motion.position[i]; }
     float speed() const { return c.identity.preferred_speed[i]; }
+    float ahead() const { return c.identity.ahead[i]; }
 };
 
 }  // namespace
@@ -45,24 +46,43 @@ static RandomKey key_of(const Goer& g, uint32_t when) {
     return {mix(g.seed ^ g.c.journeys[g.i].trip), g.i, when, Purpose::way};
 }
 
-// How far one comes, straight on, before it would leave the mesh: `reach` metres at most.
-static float clear_way(const Goer& g, float yaw, float reach) {
-    constexpr float k_first = 0.3f, k_aside = 0.05f;  // metres
+// Whether nothing turns one aside who goes `way`: nor steps, with wheels.
+static bool comes_along(const Goer& g, Vec2 way) {
+    constexpr float k_aside = 0.05f;  // metres
     const Vec3 from = g.at();
-    const Vec2 direction = heading_direction(yaw);
-    // Who stands on a border meets it at once.
-    const NavPoint first = move_along(g.mesh, g.thread, {from, g.c.motion.polygon[g.i]},
-                                      from + at_height(direction * k_first, 0));
-    if (length(on_ground(first.position - from) - direction * k_first) > k_aside) return 0;
-    const auto border = first_border(g.mesh, from, from + at_height(direction * reach, 0));
-    if (!border) return reach;
-    const Vec2 inward = inward_of(*border);
-    return dot(on_ground(border->a - from), inward) / std::min(dot(direction, inward), -1e-3f);
+    const NavPoint to = move_along(g.mesh, g.thread, {from, g.c.motion.polygon[g.i]},
+                                   from + at_height(way, 0), by_of(g.c, g.i));
+    return length(on_ground(to.position - from) - way) <= k_aside;
 }
 
-// As fast as brings one from `far` to `range` metres behind who goes with `velocity` that way.
+// How far one comes, straight on, before it would leave the mesh: `reach` metres at most. A pram is there
+// before who pushes it, and must have room where it turns to.
+static float clear_way(const Goer& g, float yaw, float reach) {
+    constexpr float k_first = 0.3f;  // metres
+    const Vec3 from = g.at();
+    const Vec2 direction = heading_direction(yaw);
+    const float front = g.ahead() > 0 ? g.ahead() + k_pram_reach : 0;
+    // Who stands on a border meets it at once.
+    if (!comes_along(g, direction * std::max(k_first, front))) return 0;
+    const auto border = first_border(g.mesh, from, from + at_height(direction * (reach + front), 0));
+    if (!border) return reach;
+    const Vec2 inward = inward_of(*border);
+    const float way = dot(on_ground(border->a - from), inward) / std::min(dot(direction, inward), -1e-3f);
+    return std::max(way - front, 0.0f);
+}
+
+// Whether one comes there straight on, with a pram as well.
+static bool is_clear_to(const Goer& g, Vec3 there) {
+    if (!is_clear(g.mesh, g.at(), there)) return false;
+    if (g.ahead() == 0) return true;
+    const Vec2 to_pram = heading_direction(g.c.motion.heading[g.i]) * g.ahead();
+    return is_clear(g.mesh, g.at() + at_height(to_pram, 0), there) &&
+           comes_along(g, on_ground(there - g.at()));
+}
+
+// As fast as brings one, or its pram, from `far` to `range` metres behind who goes with `velocity` that way.
 static float following_speed(const Goer& g, float far, Vec2 direction, Vec2 velocity) {
-    const float speed = dot(velocity, direction) + (far - g.way.range) / k_catches_up;
+    const float speed = dot(velocity, direction) + (far - g.ahead() - g.way.range) / k_catches_up;
     return clamp(speed, 0, k_hastens * g.speed());
 }
 
@@ -72,7 +92,7 @@ static WayWish follow(const Goer& g) {
     const Vec2 to = on_ground(there - g.at());
     const float far = length(to);
     Journey& j = g.c.journeys[g.i];
-    if (std::fabs(there.y - g.at().y) < k_other_level && is_clear(g.mesh, g.at(), there)) {
+    if (std::fabs(there.y - g.at().y) < k_other_level && is_clear_to(g, there)) {
         j.corner = j.corner_count = 0;
         j.path_due = PathDue::no;
         const Vec2 direction = normalize_or(to, {0, 0});
@@ -133,9 +153,10 @@ static WayWish ramble(const Goer& g) {
 }
 
 Strider strider_of(const Crowd& c, uint32_t i) {
+    const float ahead = c.identity.ahead[i];
     return {.speed = c.identity.preferred_speed[i],
-            .radius = c.identity.radius[i],
-            .turns = k_turns_on_foot,
+            .radius = ahead > 0 ? ahead + k_pram_radius : c.identity.radius[i],
+            .turns = ahead > 0 ? k_turns_with_pram : k_turns_on_foot,
             .goes_off = k_goes_off};
 }
 

@@ -249,6 +249,8 @@ struct Crowd {
 inline constexpr float k_most_overlap = 0.04f;
 
 inline constexpr float k_pram_radius = 0.4f;  // metres, that others keep clear of round its middle
+inline constexpr float k_pram_reach =
+    0.2f;  // metres that it reaches ahead of that beyond the mesh's own margin
 
 inline constexpr float k_least_radius = 0.1f, k_widest_radius = 0.5f;  // of bodies, metres
 

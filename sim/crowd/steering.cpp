@@ -77,7 +77,6 @@ static HalfPlane pass_end(Vec2 velocity, Vec2 away, float distance, Vec2 inward,
 // The middle of a pram comes no nearer to borders than it can stop from, and not farther beyond: a turn may
 // have brought it there.
 static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, int count) {
-    constexpr float k_front = 0.2f;   // metres that its wheels reach farther ahead than the mesh's own margin
     constexpr float k_beyond = 0.6f;  // metres: else it is the border of another part of the mesh
     BorderLine lines[k_borders];
     Vec3 middle = me.position + at_height(me.ahead, 0);
@@ -88,7 +87,7 @@ static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, 
         float along = dot(p, ab) / length_squared(ab), inside = dot(p, inward);
         bool is_mine = dot(on_ground(me.position) - a, inward) > 0;
         if (along < 0 || along > 1 || inside < -k_beyond || !is_mine) continue;
-        planes[count++] = {inward, -border_speed(std::max(inside - k_front, 0.0f))};
+        planes[count++] = {inward, -border_speed(std::max(inside - k_pram_reach, 0.0f))};
     }
     return count;
 }

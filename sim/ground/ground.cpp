@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "sim/base/hash.h"
+#include "sim/base/planar.h"
 #include "sim/ground/grid.h"
 
 namespace flaneur {
@@ -30,30 +31,42 @@ static void index_solids(Ground& ground) {
     });
 }
 
-// Writes the part of a convex polygon where `side` is not negative; returns how many corners it has.
+// A triangle, and what is left of it when it is cut.
+struct SquarePart {
+    static constexpr size_t k_most = 3 + 4 + 3;
+    Vec2 corners[k_most];
+    size_t count = 0;
+};
+
 template <class Side>
-static int cut(const Vec2* in, int count, Vec2* out, const Side& side) {
-    int kept = 0;
-    for (int i = 0; i < count; ++i) {
-        const Vec2 a = in[i], b = in[i + 1 < count ? i + 1 : 0];
-        const float at_a = side(a), at_b = side(b);
-        if (at_a >= 0) out[kept++] = a;
-        if ((at_a >= 0) != (at_b >= 0)) out[kept++] = a + (b - a) * (at_a / (at_a - at_b));
-    }
-    return kept;
+static SquarePart part_of(const SquarePart& piece, const Side& side) {
+    SquarePart part;
+    cut({piece.corners, piece.count}, side, [&](Vec2 p) { part.corners[part.count++] = p; });
+    return part;
 }
 
-// Square metres of a triangle within a square from `low` on.
-static float area_within(const GridTriangle& t, Vec2 low, float size) {
-    constexpr int k_most = 3 + 4;
-    Vec2 a[k_most]{on_ground(t.a) - low, on_ground(t.b) - low, on_ground(t.c) - low}, b[k_most];
-    int count = cut(a, 3, b, [](Vec2 p) { return p.x; });
-    count = cut(b, count, a, [&](Vec2 p) { return size - p.x; });
-    count = cut(a, count, b, [](Vec2 p) { return p.z; });
-    count = cut(b, count, a, [&](Vec2 p) { return size - p.z; });
+// What of a triangle lies in a square from `low` on, against that.
+static SquarePart part_in_square(const GridTriangle& t, Vec2 low, float size) {
+    SquarePart part{{on_ground(t.a) - low, on_ground(t.b) - low, on_ground(t.c) - low}, 3};
+    part = part_of(part, [](Vec2 p) { return p.x; });
+    part = part_of(part, [&](Vec2 p) { return size - p.x; });
+    part = part_of(part, [](Vec2 p) { return p.z; });
+    return part_of(part, [&](Vec2 p) { return size - p.z; });
+}
+
+static float square_metres(const SquarePart& piece) {
+    const Vec2* p = piece.corners;
     float twice = 0;
-    for (int i = 1; i + 1 < count; ++i) twice += cross(a[i] - a[0], a[i + 1] - a[0]);
+    for (size_t i = 1; i + 1 < piece.count; ++i) twice += cross(p[i] - p[0], p[i + 1] - p[0]);
     return std::fabs(twice) / 2;
+}
+
+// Square metres that a piece has in common with a triangle.
+static float overlap(SquarePart piece, const GridTriangle& t, Vec2 low) {
+    const Vec2 corners[] = {on_ground(t.a) - low, on_ground(t.b) - low, on_ground(t.c) - low};
+    for (size_t k = 0; k < 3 && piece.count > 0; ++k)
+        piece = part_of(piece, [&](Vec2 p) { return inside(corners[k], corners[(k + 1) % 3], p); });
+    return square_metres(piece);
 }
 
 static Slab slab_of(const GridTriangle& t) {
@@ -76,13 +89,17 @@ static std::optional<Slab> slab_in(const Ground& ground, int x, int z) {
         return std::fabs(slab.height + dot(slab.rise, on_ground(p) - slab.at) - p.y) < k_flat;
     };
     const Vec2 low = grid.origin + Vec2{static_cast<float>(x), static_cast<float>(z)} * grid.cell;
-    float area = 0;
+    float area = 0, twice_covered = 0;
     for (uint32_t k = grid.first[c]; k < grid.first[c + 1]; ++k) {
         const GridTriangle& t = ground.grid_triangles[grid.items[k]];
         if (t.kind != slab.kind || !is_on_it(t.a) || !is_on_it(t.b) || !is_on_it(t.c)) return {};
-        area += area_within(t, low, grid.cell);
+        const SquarePart piece = part_in_square(t, low, grid.cell);
+        area += square_metres(piece);
+        for (uint32_t j = grid.first[c]; j < k; ++j)
+            twice_covered += overlap(piece, ground.grid_triangles[grid.items[j]], low);
     }
-    if (std::fabs(area - grid.cell * grid.cell) > k_area) return {};
+    // A gap may be as large as what lies on something else.
+    if (std::fabs(area - grid.cell * grid.cell) > k_area || twice_covered > k_area) return {};
     return slab;
 }
 

@@ -162,8 +162,9 @@ TEST(LookOn, AThrongAfarDoesNotPressIntoItself) {
     ASSERT_TRUE(made) << made.error().message;
     World& w = **made;
     for (int k = 0; k < 484; ++k) {
-        const Vec3 place{0.45f * static_cast<float>(k % 22) - 4.7f, 0,
-                         0.45f * static_cast<float>(k / 22) - 4.7f};
+        const int row = k / 22, column = k % 22;
+        const Vec3 place{0.45f * static_cast<float>(column) - 4.7f, 0,
+                         0.45f * static_cast<float>(row) - 4.7f};
         ASSERT_TRUE(add_walker(w, {.place = place, .speed = 1.8f, .radius = 0.2f, .wanders = true})) << k;
     }
     const Vec3 eye{5000, 0, 0};

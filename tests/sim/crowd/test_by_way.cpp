@@ -299,6 +299,55 @@ TEST(ByWay, IsEqualOnAnyThreadsTakenBackAndAfterARemoval) {
     }
 }
 
+// What goes ahead of one keeps off walls, off whom one follows and on its platform.
+TEST(ByWay, PramsHaveRoomOnAnyWay) {
+    Ground field = square(24);
+    index_ground(field);
+    WorldOptions options;
+    options.capacity = 3;
+    options.threads = 1;
+    Kind pushes{standard_body(1.7f)};
+    pushes.body.pram = standard_pram(pushes.body);
+    options.kinds = {Kind{standard_body(1.7f)}, pushes};
+    const Vec2 corners[] = {{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
+    for (const int way : {0, 1, 2}) {
+        auto made = make_world_on(field, options);
+        ASSERT_TRUE(made) << made.error().message;
+        World& w = **made;
+        const auto id = add_walker(w, {.place = Vec3{1, 0, 1}, .kind = 1, .speed = 1.2f}),
+                   other = add_walker(w, {.place = Vec3{8, 0, 1}, .kind = 0, .speed = 1.0f});
+        ASSERT_TRUE(id && other);
+        if (way == 0) {
+            ASSERT_TRUE(let_ramble(w, *id));
+        } else if (way == 1) {
+            ASSERT_TRUE(let_stagger(w, *id, corners));
+        } else {
+            ASSERT_TRUE(let_follow(w, *id, *other, 1));
+        }
+        const auto platform = make_platform(corners);
+        float went = 0, least_room = 9, nearest_wall = 9;
+        for (int tick = 0; tick < 120 * 60; ++tick) {
+            step(w);
+            const auto m = motion_of(w, *id);
+            const Vec2 pram =
+                on_ground(m->position) + heading_direction(m->heading) * w.crowd.identity.ahead[id->index];
+            went += length(m->velocity) / 60;
+            if (tick > 10 * 60) least_room = std::min(least_room, room_at(*platform, pram));
+            nearest_wall = std::min(nearest_wall, 12 - std::max(std::fabs(pram.x), std::fabs(pram.z)));
+        }
+        const Vec2 between = at(w, *other) - at(w, *id);
+        EXPECT_GT(nearest_wall, 1.3f) << way;
+        if (way == 1) {
+            EXPECT_GT(least_room, 0.2f) << "all of it is on the platform";
+        }
+        if (way == 2) {
+            EXPECT_NEAR(length(between), w.crowd.identity.ahead[id->index] + 1, 0.15f);
+        } else {
+            EXPECT_GT(went / 120, 0.65f) << way << ": metres a second, of 1.2";
+        }
+    }
+}
+
 TEST(ByWay, WhoIsLetGoAsksForAPathOnlyToGoByOne) {
     WorldPtr w = world_on(square(20), 3);
     const WalkerId one = add(*w, {-5, 0, -5});

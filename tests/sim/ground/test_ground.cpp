@@ -282,5 +282,18 @@ TEST(Ground, HashSeesEveryArray) {
     EXPECT_TRUE(changed([](Ground& c) { c.obstacles[0].yaw = 1; }));
 }
 
+// In one square of the grid both are as large.
+TEST(Ground, WhatLiesTwiceOnItDoesNotHideAGap) {
+    for (const float at : {-1.5f, -0.5f, 0.5f, 1.5f}) {
+        Ground ground;
+        add_floor(ground, {-10, -10}, {at + 0.1f, 10}, 0, Surface::plaza);
+        add_floor(ground, {at, -10}, {at + 0.2f, 10}, 0, Surface::plaza);
+        add_floor(ground, {at + 0.3f, -10}, {10, 10}, 0, Surface::plaza);
+        index_ground(ground);
+        EXPECT_TRUE(ground_at(ground, {at + 0.15f, 0, 0.5f}, 1, 1)) << at;
+        EXPECT_FALSE(ground_at(ground, {at + 0.25f, 0, 0.5f}, 1, 1)) << at;
+    }
+}
+
 }  // namespace
 }  // namespace flaneur

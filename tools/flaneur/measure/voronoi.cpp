@@ -14,16 +14,11 @@ namespace {
 constexpr int k_sides = 24;
 constexpr float k_shortest = 0.01f;  // metres, of an edge that cuts
 
-// What of a polygon lies where dot(normal, p) <= most (Sutherland & Hodgman, CACM 17, 1974). Of one that is
-// not convex, edges that fold back may be left, which have no area.
-void cut(std::vector<Vec2>& polygon, std::vector<Vec2>& scratch, Vec2 normal, float most) {
+// Leaves what of a polygon lies where dot(normal, p) <= most.
+void cut_by(std::vector<Vec2>& polygon, std::vector<Vec2>& scratch, Vec2 normal, float most) {
     scratch.clear();
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2 a = polygon[i], b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-        const float over_a = dot(normal, a) - most, over_b = dot(normal, b) - most;
-        if (over_a <= 0) scratch.push_back(a);
-        if ((over_a <= 0) != (over_b <= 0)) scratch.push_back(lerp(a, b, over_a / (over_a - over_b)));
-    }
+    cut(
+        polygon, [&](Vec2 p) { return most - dot(normal, p); }, [&](Vec2 p) { scratch.push_back(p); });
     std::swap(polygon, scratch);
 }
 
@@ -45,7 +40,7 @@ void make_cell(std::span<const Vec2> others, std::vector<Vec2>& cell, std::vecto
         const float apart = length(other);
         if (apart >= 2 * reach) break;
         if (apart < 1e-4f) continue;
-        cut(cell, scratch, other, length_squared(other) / 2);
+        cut_by(cell, scratch, other, length_squared(other) / 2);
         reach = farthest(cell);
     }
 }
@@ -95,7 +90,7 @@ std::vector<Vec2> part_within(std::span<const Vec2> polygon, std::span<const Vec
         const Vec2 a = convex[k], b = convex[(k + 1) % convex.size()];
         if (length_squared(b - a) < k_shortest * k_shortest) continue;  // rounding turns it any way
         const Vec2 out = turned > 0 ? Vec2{b.z - a.z, a.x - b.x} : Vec2{a.z - b.z, b.x - a.x};
-        cut(part, scratch, out, dot(out, a));
+        cut_by(part, scratch, out, dot(out, a));
     }
     return part;
 }
@@ -131,7 +126,7 @@ double voronoi_density(std::span<const Vec2> zone, std::span<const Vec2> people)
         for (size_t k = 0; k < cell.size() && !part.empty(); ++k) {
             const Vec2 a = cell[k], b = cell[k + 1 < cell.size() ? k + 1 : 0];
             const Vec2 out{b.z - a.z, a.x - b.x};
-            cut(part, scratch, out, dot(out, a));
+            cut_by(part, scratch, out, dot(out, a));
         }
         sum += area_of(part) / whole;
     }
