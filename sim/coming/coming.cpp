@@ -14,7 +14,7 @@
 namespace flaneur {
 
 static constexpr uint32_t k_most_tries = 256;    // to come in, of all who wait, at a time
-static constexpr uint32_t k_tries_a_place = 75;  // in five seconds
+static constexpr uint32_t k_tries_a_place = 15;  // in a second
 static constexpr float k_spare = 0.15f;          // metres between one who comes in and others, at least
 static constexpr float k_step = 0.6f;            // metres, before a threshold
 static constexpr float k_floors = 3;  // metres above and below an area's height; farther if need be

@@ -4,7 +4,7 @@
 // Who wanders and gets to a destination may leave there, by Demand::leaving; then another is due to come in
 // at such a place near the crowd's home, so that as many stay. One who is sent comes in at its time, goes
 // where it is sent and leaves there. Whoever finds no room where it is to come in waits for it; who wanders
-// tries another place after five seconds.
+// tries another place after a second.
 #pragma once
 
 #include <cstdint>
