@@ -81,7 +81,8 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
         low = {std::min(low.x, corner.x), std::min(low.z, corner.z)};
         high = {std::max(high.x, corner.x), std::max(high.z, corner.z)};
     }
-    for (uint32_t t = 0; t < k_tries; ++t) {
+    const uint32_t tries = area.corners.size() > 1 ? k_tries : 1;
+    for (uint32_t t = 0; t < tries; ++t) {
         const Vec2 p{lerp(low.x, high.x, random_unit(key, 2 * t)),
                      lerp(low.z, high.z, random_unit(key, 2 * t + 1))};
         if (area.corners.size() > 1 && !is_within(area.corners, p)) continue;
@@ -94,7 +95,9 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
 static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
                                            uint64_t seed) {
     constexpr uint32_t k_tries = 8;
-    for (uint32_t t = 0; t < k_tries; ++t) {
+    const bool is_one_way = sending.from.corners.size() == 1 && sending.to.corners.size() == 1;
+    const uint32_t tries = is_one_way ? 1 : k_tries;
+    for (uint32_t t = 0; t < tries; ++t) {
         const auto place = place_in(sending.from, mesh, {seed, number, 2 * t, Purpose::coming}),
                    goal = place_in(sending.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});
         if (!place || !goal || island(mesh, place->polygon) != island(mesh, goal->polygon)) continue;

@@ -62,7 +62,8 @@ static void look_at(Crowd& c, size_t at) {
 
 // Metres that anybody may be from where all were filed last: those afar go all of a step at once.
 static float farthest_strayed(const Crowd& c) {
-    const uint8_t most = *std::max_element(c.at_once.begin(), c.at_once.end());
+    uint8_t most = 1;
+    for (const uint8_t ticks : c.at_once) most = std::max(most, ticks);
     return k_tick * std::max(k_decision_ticks * k_fastest, most * k_fastest_afar);
 }
 

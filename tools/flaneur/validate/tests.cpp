@@ -18,7 +18,7 @@ constexpr ValidationTest k_tests[] = {
     {"R5", "premovement times", "room 8 x 5 m, exit 1 m, 10 people who set off after 10 to 100 s",
      test_premovement},
     {"R6", "round a corner", "20 people round the corner of a corridor 2 m wide", test_corner},
-    {"R7", "speeds by age", "50 adults of 20 to 80 years, half of them women, alone over 20 m", test_ages},
+    {"R7", "speeds by age", "400 adults of 20 to 80 years, half of them women, alone over 20 m", test_ages},
     {"R9", "many exits and few", "room 30 x 20 m, 1000 people, exits of 1 m: four, then two", test_exits},
     {"R12", "bottlenecks", "room 10 x 10 m, 150 people, necks of 0.8 to 2.4 m", test_bottleneck},
     {"R15", "a large crowd round a corner",

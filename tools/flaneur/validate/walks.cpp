@@ -143,7 +143,7 @@ Result<Findings> test_corner(ValidationNotes&) {
 }
 
 Result<Findings> test_ages(ValidationNotes&) {
-    constexpr uint32_t k_people = 50;
+    constexpr uint32_t k_people = 400;  // RiMEA asks for 50, whose means tell nothing by age
     constexpr float k_apart = 2.5f;
     const Rectangle floor[] = {{{-3, -2}, {26, k_apart * k_people + 2}}};
     PlayOptions options{.seconds = 45};
@@ -174,7 +174,7 @@ Result<Findings> test_ages(ValidationNotes&) {
     double sum = 0, squares = 0, groups[3] = {}, counts[3] = {};
     for (uint32_t i = 0; i < k_people; ++i) {
         if (!played->fates[i].left || passed[i] < 0)
-            return Findings{never("50 adults over 20 m", "all within 45 s")};
+            return Findings{never("400 adults over 20 m", "all within 45 s")};
         speeds[i] = 20 / wide(*played->fates[i].left - passed[i]);
         sum += speeds[i];
         const auto group = static_cast<size_t>((ages[i] - 20) / 20);
