@@ -313,9 +313,8 @@ Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     if (!platform) return platform.error();
     Wayfarer way{.walker = id.index, .kind = Wayfarer::Kind::stagger, .platform = *platform};
     const Crowd& c = w.crowd;
-    const auto known = span_of(c.wayfarers, id.index, id.index + 1);
-    if (known.begin < known.end && c.wayfarers[known.begin].kind == way.kind)
-        way.stride = c.wayfarers[known.begin].stride;
+    const Wayfarer* known = own_of(c.wayfarers, id.index);
+    if (known && known->kind == way.kind) way.stride = known->stride;
     const Strider who = strider_of(c, id.index);
     if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]),
                            least_circle(who) + kept_clear(who)))

@@ -22,6 +22,13 @@ Span span_of(const std::vector<Item>& items, size_t begin, size_t end) {
     return {static_cast<size_t>(first - items.begin()), static_cast<size_t>(last - items.begin())};
 }
 
+// What a walker has; null: nothing. `items` is such a list, const or not.
+template <class List>
+auto own_of(List& items, size_t walker) -> decltype(items.data()) {
+    const Span own = span_of(items, walker, walker + 1);
+    return own.begin < own.end ? &items[own.begin] : nullptr;
+}
+
 // Takes away what a walker had; where its next one goes.
 template <class Item>
 typename std::vector<Item>::iterator take_away(std::vector<Item>& items, size_t walker) {

@@ -73,6 +73,8 @@ static void let_out(Coming& coming, Crowd& c, const Surroundings& around, uint32
     }
 }
 
+static bool is_one_place(const SentPlace& area) { return area.corners.size() == 1; }
+
 // By chance; of a thin area perhaps none.
 static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& mesh, RandomKey key) {
     constexpr uint32_t k_tries = 32;
@@ -81,11 +83,11 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
         low = {std::min(low.x, corner.x), std::min(low.z, corner.z)};
         high = {std::max(high.x, corner.x), std::max(high.z, corner.z)};
     }
-    const uint32_t tries = area.corners.size() > 1 ? k_tries : 1;
+    const uint32_t tries = is_one_place(area) ? 1 : k_tries;
     for (uint32_t t = 0; t < tries; ++t) {
         const Vec2 p{lerp(low.x, high.x, random_unit(key, 2 * t)),
                      lerp(low.z, high.z, random_unit(key, 2 * t + 1))};
-        if (area.corners.size() > 1 && !is_within(area.corners, p)) continue;
+        if (!is_one_place(area) && !is_within(area.corners, p)) continue;
         for (const float up : {k_floors, 1000.0f})
             if (const auto place = nearest(mesh, 0, at_height(p, area.height), {2, up, 2})) return place;
     }
@@ -95,8 +97,7 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
 static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
                                            uint64_t seed) {
     constexpr uint32_t k_tries = 8;
-    const bool is_one_way = sending.from.corners.size() == 1 && sending.to.corners.size() == 1;
-    const uint32_t tries = is_one_way ? 1 : k_tries;
+    const uint32_t tries = is_one_place(sending.from) && is_one_place(sending.to) ? 1 : k_tries;
     for (uint32_t t = 0; t < tries; ++t) {
         const auto place = place_in(sending.from, mesh, {seed, number, 2 * t, Purpose::coming}),
                    goal = place_in(sending.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});

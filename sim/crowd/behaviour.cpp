@@ -184,9 +184,7 @@ static void get_unstuck(const Crowd& c, Journey& j, uint32_t i, Vec2 p, bool at_
     }
 }
 
-static float distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
-    return length(a + (b - a) * closest_on(a, b, p) - p);
-}
+static Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) { return a + (b - a) * closest_on(a, b, p); }
 
 // On from a corner to the next one.
 static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 corner, uint32_t tick) {
@@ -228,7 +226,8 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             }
             if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
                 j.hurries_until = tick + k_hurries;
-            float off = distance_to_segment(p, j.stretch_start, here);
+            const Vec2 beside = nearest_on(j.stretch_start, here, p);
+            const float off = length(beside - p);
             if (tick - j.closest_tick > k_patience || off > k_far_off) {
                 bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
                 get_unstuck(c, j, i, p, at_goal, tick, seed);
@@ -242,9 +241,8 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             }
             // Pushed off the kerb: back to where the way leads, not along it on the road.
             if (c.motion.under[i].kind == Surface::road && distance > k_back_within) {
-                const Vec2 along = here - j.stretch_start;
-                const Vec2 beside = j.stretch_start + along * closest_on(j.stretch_start, here, p);
-                return normalize_or(beside + normalize_or(along, {0, 0}) * k_back_within - p, {0, 0}) * speed;
+                const Vec2 along = normalize_or(here - j.stretch_start, {0, 0});
+                return normalize_or(beside + along * k_back_within - p, {0, 0}) * speed;
             }
             return to * (speed / std::max(distance, 1e-4f));
         }

@@ -190,9 +190,9 @@ static WayWish wish_of(const Goer& g) {
 }
 
 WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
-    const Span own = span_of(c.wayfarers, i, i + 1);
-    if (own.begin == own.end) return {};
-    const Goer g{c, mesh, thread, i, tick, seed, c.wayfarers[own.begin]};
+    Wayfarer* way = own_of(c.wayfarers, i);
+    if (!way) return {};
+    const Goer g{c, mesh, thread, i, tick, seed, *way};
     const WalkerId whom = g.way.whom;
     const bool is_by_whom = g.way.kind <= Wayfarer::Kind::flee, is_gone = is_by_whom && !is_there(c, whom);
     const WayWish wish = is_gone ? WayWish{} : wish_of(g);

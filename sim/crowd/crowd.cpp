@@ -143,10 +143,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     if (c.driven.walker == i) c.driven = {};
 }
 
-const Passage* passage_of(const Crowd& c, uint32_t i) {
-    const Span own = span_of(c.passages, i, i + 1);
-    return own.begin < own.end ? &c.passages[own.begin] : nullptr;
-}
+const Passage* passage_of(const Crowd& c, uint32_t i) { return own_of(c.passages, i); }
 
 const Passage* passage_by_door(const Crowd& c, uint32_t i) {
     const Passage* passage = passage_of(c, i);
@@ -159,10 +156,8 @@ bool is_in_doorway(const Crowd& c, uint32_t i) {
 }
 
 void turn_back(Crowd& c, uint32_t i) {
-    const Span own = span_of(c.passages, i, i + 1);
-    if (own.begin == own.end) return;
-    Passage& p = c.passages[own.begin];
-    p.kind = is_by_door(p) ? Passage::Kind::in : Passage::Kind::appear;
+    if (Passage* p = own_of(c.passages, i))
+        p->kind = is_by_door(*p) ? Passage::Kind::in : Passage::Kind::appear;
 }
 
 void send_to(Crowd& c, uint32_t i, NavPoint goal) {
@@ -186,8 +181,8 @@ void drive(Crowd& c, uint32_t i) {
 // Of those who go by a way only who leads goes to a goal.
 static bool has_goal(const Crowd& c, uint32_t i) {
     if (c.journeys[i].errand != Errand::by_way) return true;
-    const Span own = span_of(c.wayfarers, i, i + 1);
-    return own.begin < own.end && c.wayfarers[own.begin].kind == Wayfarer::Kind::lead;
+    const Wayfarer* way = own_of(c.wayfarers, i);
+    return way && way->kind == Wayfarer::Kind::lead;
 }
 
 void let_go(Crowd& c) {
@@ -250,7 +245,7 @@ uint64_t hash_crowd(const Crowd& c) {
             for_each_value(c, i, [&](const FieldName&, const auto& value) { h = hash_value(h, value); });
     if (c.driven.walker != k_nobody) h = hash_value(h, c.driven);
     const Traffic& traffic = c.traffic;
-    if (traffic.costs || traffic.done > 0) {
+    if (traffic.is_slow || traffic.done > 0) {
         h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));
         h = hash_bytes(h, traffic.coming.data(), traffic.coming.size() * sizeof(float));
         h = hash_value(h, traffic.done);

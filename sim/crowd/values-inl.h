@@ -75,8 +75,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
         std::span<const Vec3>(c.corners.data() + size_t{i} * k_corners + j.corner,
                               size_t{j.corner_count} - j.corner));
     each(FieldName{"at_once"}, c.at_once[i / k_block]);
-    const Span own = span_of(c.wayfarers, i, i + 1);
-    const Wayfarer* way = own.begin < own.end ? &c.wayfarers[own.begin] : nullptr;
+    const Wayfarer* way = own_of(c.wayfarers, i);
     auto add_of_way = [&](std::string_view name, auto Wayfarer::*part) {
         constexpr FieldName k_way{"way"};
         each(FieldName{name, &k_way}, way ? &(way->*part) : nullptr);

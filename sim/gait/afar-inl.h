@@ -112,6 +112,8 @@ HWY_INLINE void advance_afar(GaitBlock& g, const PersonBlock& p, StepperRows& s,
     auto moves = row<T>(s.moves, lane) > T(0.5f);
     auto keep = [&](T value, float* to) { store(select(moves, value, row<T>(to, lane)), to + lane); };
     T leg = row<T>(p.joints[left_upper_leg][1], lane);
+    find_facing<T>(s, lane);
+    advance_paces<T>(g, p, s, seconds, lane);
     AfarStride<T> w = stride_afar<T>(g, p, s, lane);
     auto goes = w.speed > T(k_standing_speed);
     keep(select(w.speed * w.speed > T(k_run * k_gravity) * leg, one, zero), g.running);

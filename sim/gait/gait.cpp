@@ -251,8 +251,6 @@ void advance_block_afar(Gait& gait, size_t first, size_t last, const Tick& tick)
         g.z[lane] = at.z;
         g.heading[lane] = tick.root.heading[i];
     }
-    find_misfits(g, people, rows);
-    advance_paces(g, people, rows, tick.dt);
     advance_afar(g, people, rows, height, tick.dt);
     for (size_t i = first; i < last; ++i) {
         const size_t lane = i % k_block;

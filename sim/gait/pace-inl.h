@@ -129,10 +129,15 @@ HWY_INLINE MisfitOf<T> misfit(const GaitBlock& g, const PersonBlock& p, const St
 }
 
 template <class T>
-HWY_INLINE void find_misfits(const GaitBlock& g, const PersonBlock& p, StepperRows& s, size_t lane) {
+HWY_INLINE void find_facing(StepperRows& s, size_t lane) {
     SinCosOf<T> facing = sin_cos(row<T>(s.heading, lane));
     store(facing.sine, s.facing_x + lane);
     store(facing.cosine, s.facing_z + lane);
+}
+
+template <class T>
+HWY_INLINE void find_misfits(const GaitBlock& g, const PersonBlock& p, StepperRows& s, size_t lane) {
+    find_facing<T>(s, lane);
     for (int side = 0; side < 2; ++side) {
         MisfitOf<T> off = misfit<T>(g, p, s, side, lane);
         store(off.distance, s.distance[side] + lane);

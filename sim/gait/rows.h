@@ -38,8 +38,8 @@ inline int spring_steps(float dt) {
 // no higher than their legs will reach.
 void advance_heights(GaitBlock& gait, const PersonBlock& people, const StepperRows& steppers, float dt);
 
-// A tick of the feet and heights of a block seen from far away, after advance_paces: see advance_gait_afar.
-// `height` is where the ground is, by lane. Also says in the rows which feet swing.
+// A tick of the paces, feet and heights of a block seen from far away: see advance_gait_afar. `height` is
+// where the ground is, by lane. Also says in the rows where bodies face and which feet swing.
 void advance_afar(GaitBlock& gait, const PersonBlock& people, StepperRows& steppers, const float* height,
                   float dt);
 

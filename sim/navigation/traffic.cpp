@@ -9,16 +9,14 @@
 
 namespace flaneur {
 
-static bool is_slow(std::span<const float> slow) {
+static bool is_any_slow(std::span<const float> slow) {
     return std::ranges::any_of(slow, [](float times) { return times > 1; });
 }
-
-uint32_t polygon_count(const Navmesh& m) { return polygons_of(m.gates); }
 
 uint32_t number_of(const Navmesh& m, uint32_t polygon) { return polygon_number(m, polygon); }
 
 static std::vector<float> polygon_areas(const Navmesh& m) {
-    std::vector<float> areas(polygon_count(m));
+    std::vector<float> areas(polygons_of(m.gates));
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
         const dtPoly& polygon = tile.polys[p];
         const Vec2 first = on_ground(tile_vertex(tile, polygon.verts[0]));
@@ -33,9 +31,14 @@ static std::vector<float> polygon_areas(const Navmesh& m) {
 
 Traffic make_traffic(const Navmesh& mesh) {
     Traffic t;
-    t.slow.assign(polygon_count(mesh), 1);
+    t.slow.assign(polygons_of(mesh.gates), 1);
     t.coming = t.slow;
     t.areas = polygon_areas(mesh);
+    for (auto* costs : {&t.costs, &t.coming_costs}) {
+        *costs = std::make_shared<ShortcutCosts>();
+        (*costs)->costs.reserve(mesh.shortcuts.to.size());
+        (*costs)->through.reserve(mesh.shortcuts.to.size());
+    }
     return t;
 }
 
@@ -47,15 +50,14 @@ float slowness(float density) {
 }
 
 void begin(Traffic& t, const Navmesh& m) {
-    if (!t.costs && !is_slow(t.coming)) return;
-    if (!t.coming_costs) t.coming_costs = std::make_shared<ShortcutCosts>();
+    if (!t.is_slow && !is_any_slow(t.coming)) return;
     forget_costs(m.shortcuts, *t.coming_costs);
     t.done = 1;
 }
 
 // Steps [begin, end) of the work: first polygon by polygon, then rank by rank.
 static void put_in(Traffic& t, const Navmesh& m, uint32_t begin, uint32_t end) {
-    const uint32_t polygons = polygon_count(m);
+    const uint32_t polygons = polygons_of(m.gates);
     put_in_polygons(m.gates, m.shortcuts, *t.coming_costs, std::min(begin, polygons), std::min(end, polygons),
                     false, t.coming);
     put_in_ranks(m.shortcuts, *t.coming_costs, std::max(begin, polygons) - polygons,
@@ -63,7 +65,7 @@ static void put_in(Traffic& t, const Navmesh& m, uint32_t begin, uint32_t end) {
 }
 
 static uint32_t all_steps(const Navmesh& m) {
-    return polygon_count(m) + static_cast<uint32_t>(m.shortcuts.gate_of.size());
+    return polygons_of(m.gates) + static_cast<uint32_t>(m.shortcuts.gate_of.size());
 }
 
 void go_on(Traffic& t, const Navmesh& m, float share) {
@@ -76,15 +78,13 @@ void go_on(Traffic& t, const Navmesh& m, float share) {
     t.done = 0;
     t.slow = t.coming;
     std::swap(t.costs, t.coming_costs);
-    if (!is_slow(t.slow)) t.costs = nullptr;
+    t.is_slow = is_any_slow(t.slow);
 }
 
 void restore(Traffic& t, const Navmesh& m) {
-    t.costs = t.coming_costs = nullptr;
-    if (is_slow(t.slow))
-        t.costs = std::make_shared<ShortcutCosts>(find_costs(m.gates, m.shortcuts, false, t.slow));
+    t.is_slow = is_any_slow(t.slow);
+    if (t.is_slow) *t.costs = find_costs(m.gates, m.shortcuts, false, t.slow);
     if (t.done == 0) return;
-    t.coming_costs = std::make_shared<ShortcutCosts>();
     forget_costs(m.shortcuts, *t.coming_costs);
     put_in(t, m, 0, t.done - 1);
 }

@@ -15,25 +15,26 @@ struct ShortcutCosts;
 
 // Of whoever goes on feet. What it says follows from `slow`, `coming` and `done` alone.
 struct Traffic {
-    // By polygon_count: how many times as long a metre takes as where nobody is, 1 or more; in use, and being
+    // By number_of: how many times as long a metre takes as where nobody is, 1 or more; in use, and being
     // put in.
     std::vector<float> slow, coming;
     std::vector<float> areas;                            // of each polygon on the ground plane, square metres
     uint32_t done = 0;                                   // of the work of putting it in; 0: nothing is
-    std::shared_ptr<ShortcutCosts> costs, coming_costs;  // of both; null: nowhere is it slow
+    bool is_slow = false;                                // anywhere, as it is in use
+    std::shared_ptr<ShortcutCosts> costs, coming_costs;  // of both, as far as they are put in
 };
 
 // Nowhere is it slow. Allocates.
 Traffic make_traffic(const Navmesh& mesh);
 
-uint32_t polygon_count(const Navmesh& mesh);
-// The number of a polygon of the mesh, below that.
+// The number of a polygon of the mesh.
 uint32_t number_of(const Navmesh& mesh, uint32_t polygon);
 // What the time for a metre is times, where so many people a square metre walk: 1 up to half a one, then as
 // their speed falls (Weidmann 1993), 5 at most.
 float slowness(float density);
 
-// Begins to put in what `traffic.coming` says; nothing else may be under way.
+// Begins to put in what `traffic.coming` says; nothing else may be under way. This, and going on, allocates
+// nothing.
 void begin(Traffic& traffic, const Navmesh& mesh);
 // Goes on with it, by a `share` of all the work, above 0; once all is done it is in use. Nothing is under
 // way: does nothing.

@@ -76,7 +76,8 @@ int find_path(const Navmesh& m, int thread, NavPoint from, NavPoint to, Vec3* co
 
 int find_path(const Navmesh& m, const Traffic& traffic, int thread, NavPoint from, NavPoint to, Vec3* corners,
               int capacity, By by) {
-    return find_path(m, traffic.costs.get(), thread, from, to, corners, capacity, by);
+    return find_path(m, traffic.is_slow ? traffic.costs.get() : nullptr, thread, from, to, corners, capacity,
+                     by);
 }
 
 }  // namespace flaneur

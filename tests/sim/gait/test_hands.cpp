@@ -282,7 +282,7 @@ TEST(Hands, TouchTheWallsOfAnAlley) {
             }
         }
     }
-    EXPECT_GT(resting, 100);  // of those few who are of that kind
+    EXPECT_GT(resting, 200);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "sim/sim.h"
 #include "sim/state.h"
 #include "sim/world.h"
+#include "tests/sim/allocations.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {
@@ -18,6 +19,12 @@ Ground field() {
     add_solid_box(g, {-9, 0, -22}, {9, 3, 22});
     index_ground(g);
     return g;
+}
+
+NavmeshPtr mesh_of(const Ground& ground) {
+    NavmeshPtr mesh = std::move(build_navmesh(ground, {}, 1)).value();
+    prepare_queries(*mesh, 1);
+    return mesh;
 }
 
 struct Way {
@@ -46,9 +53,7 @@ void crowd_at(Traffic& t, const Navmesh& mesh, float low_z, float times) {
 }
 
 TEST(Traffic, TheWayLeadsRoundAThrongAndBackWhenItIsGone) {
-    const Ground ground = field();
-    NavmeshPtr mesh = std::move(build_navmesh(ground, {}, 1)).value();
-    prepare_queries(*mesh, 1);
+    const NavmeshPtr mesh = mesh_of(field());
     Traffic traffic = make_traffic(*mesh);
     const Way free = way_of(*mesh, traffic);
     ASSERT_GT(free.count, 1);
@@ -70,14 +75,12 @@ TEST(Traffic, TheWayLeadsRoundAThrongAndBackWhenItIsGone) {
     begin(traffic, *mesh);
     while (traffic.done > 0) go_on(traffic, *mesh, 1);
     EXPECT_GT(way_of(*mesh, traffic).highest, 21);
-    EXPECT_FALSE(traffic.costs);
+    EXPECT_FALSE(traffic.is_slow);
 }
 
 // A throng on a detour that is much longer still is not worth it.
 TEST(Traffic, ALittleThrongIsNotWorthADetour) {
-    const Ground ground = field();
-    NavmeshPtr mesh = std::move(build_navmesh(ground, {}, 1)).value();
-    prepare_queries(*mesh, 1);
+    const NavmeshPtr mesh = mesh_of(field());
     Traffic traffic = make_traffic(*mesh);
     crowd_at(traffic, *mesh, 22, 1.1f);
     begin(traffic, *mesh);
@@ -86,9 +89,7 @@ TEST(Traffic, ALittleThrongIsNotWorthADetour) {
 }
 
 TEST(Traffic, IsTheSameWhereItIsTakenBackHalfWay) {
-    const Ground ground = field();
-    NavmeshPtr mesh = std::move(build_navmesh(ground, {}, 1)).value();
-    prepare_queries(*mesh, 1);
+    const NavmeshPtr mesh = mesh_of(field());
     Traffic traffic = make_traffic(*mesh);
     crowd_at(traffic, *mesh, 22, 5);
     begin(traffic, *mesh);
@@ -111,6 +112,19 @@ TEST(Traffic, AMetreTakesAsLongAsWeidmannsPeopleDo) {
     EXPECT_NEAR(slowness(2), 2.1f, 0.1f);
     EXPECT_EQ(slowness(5), 5);
     EXPECT_EQ(slowness(100), 5);
+}
+
+TEST(Traffic, AllocatesNothingInATick) {
+    const NavmeshPtr mesh = mesh_of(field());
+    Traffic traffic = make_traffic(*mesh);
+    for (const float times : {5.0f, 3.0f, 1.0f}) {
+        crowd_at(traffic, *mesh, 22, times);
+        const size_t before = allocations();
+        begin(traffic, *mesh);
+        while (traffic.done > 0) go_on(traffic, *mesh, 0.1f);
+        EXPECT_EQ(allocations(), before) << times;
+        EXPECT_EQ(traffic.is_slow, times > 1);
+    }
 }
 
 // Those who set out while many stand in the shorter way take the longer one.
