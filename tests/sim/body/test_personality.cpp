@@ -87,7 +87,7 @@ TEST(Personality, IsOneInTheCrowdAndInTheBody) {
         EXPECT_EQ(w.crowd.identity.room[i], room_share(p)) << i;
         EXPECT_EQ(w.crowd.identity.patience[i], patience_share(p)) << i;
         EXPECT_EQ(w.crowd.identity.linger[i], linger_share(p)) << i;
-        Manner middle, own;
+        Manner own;
         add_personality(own, p);
         EXPECT_EQ(w.gait.people[i / k_block].curiosity[i % k_block], own.curiosity) << i;
     }
