@@ -1,5 +1,6 @@
 // Where walkers want to go: goals, paths, and the velocity along them.
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
@@ -25,7 +26,8 @@ static constexpr uint32_t k_patience = 3 * 60;        // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;            // replans before the goal is given up
 static constexpr int k_widened = 2;                   // corners ahead that are widened
 static constexpr float k_least_onward = 0.8f;         // cosine between the ways to it and to the corner
-static constexpr uint32_t k_waits = 30;               // ticks without progress: others are at the corner
+static constexpr uint32_t k_waits = 30;               // ticks without progress: others are at the corner,
+static constexpr float k_turns = 0.3f;                // where the way turns by some 35 degrees at least
 static constexpr float k_held_up = 110;               // ticks without progress after which one hurries,
 static constexpr uint32_t k_hurries = 10 * 60;        // for so many ticks
 static constexpr float k_own_half = 0.45f;     // of the room from a corner to the border across from it
@@ -44,29 +46,18 @@ static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
-// Takes the next of the corners ahead wider by the walker's own measure, so that a crowd does not queue for
-// the same inch. The path turns about a corner's inner side, so its outer side is free; the mesh, the kind of
-// ground and a clear view along both stretches have the last word.
-static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k) {
-    Journey& j = c.journeys[i];
-    if (k + 1 >= j.corner_count) return;
+// Takes corner k of a path elsewhere, or less far so; the mesh, the kind of ground and a clear view along
+// both stretches have the last word. `in`: the way that led to it.
+static void shift_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k, Vec2 in, Vec2 by) {
+    const Journey& j = c.journeys[i];
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec3& corner = corners[k];
-    const Vec3 here = k > j.corner ? corners[k - 1] : c.motion.position[i], next = corners[k + 1];
-    const Vec2 in = normalize_or(on_ground(corner) - j.turned_at, {0, 0}),
-               out = normalize_or(on_ground(next - corner), {0, 0});
-    const Vec2 outward = normalize_or(in - out, {0, 0});  // away from the inner side
-    j.turned_at = on_ground(corner);
-    auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+    const auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
     if (!place) return;
+    const Vec3 here = k > j.corner ? corners[k - 1] : c.motion.position[i], next = corners[k + 1];
     const bool cheap = is_cheap(surface_of(mesh, place->polygon));
-    // Of a narrow place one's own half: who comes from the other side turns about its other border.
-    const float lateral = c.identity.lateral[i];
-    const NavPoint across =
-        move_along(mesh, thread, *place, corner + at_height(outward * (2 * lateral), 0), by_of(c, i));
-    const float most = k_own_half * length(on_ground(across.position - corner));
     for (float share : {1.0f, 0.4f, 0.1f}) {
-        const Vec3 wanted = corner + at_height(outward * (std::min(lateral, most) * share), 0);
+        const Vec3 wanted = corner + at_height(by * share, 0);
         const NavPoint moved = move_along(mesh, thread, *place, wanted, by_of(c, i));
         const Vec2 way = on_ground(moved.position - here);
         if (dot(way, in) < k_least_onward * length(way)) continue;
@@ -75,6 +66,44 @@ static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, 
         corner = moved.position;
         return;
     }
+}
+
+// The path turns about a corner's inner side: which way its outer side is, that is free.
+static Vec2 outward_of(Vec2 in, Vec2 out) { return normalize_or(in - out, {0, 0}); }
+
+// Takes the next of the corners ahead wider by the walker's own measure, so that a crowd does not queue for
+// the same inch.
+static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k) {
+    Journey& j = c.journeys[i];
+    if (k + 1 >= j.corner_count) return;
+    const Vec3* corners = &c.corners[size_t{i} * k_corners];
+    const Vec3 corner = corners[k];
+    const Vec2 in = normalize_or(on_ground(corner) - j.turned_at, {0, 0}),
+               out = normalize_or(on_ground(corners[k + 1] - corner), {0, 0});
+    const Vec2 outward = outward_of(in, out);
+    j.turned_at = on_ground(corner);
+    const auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+    if (!place) return;
+    // Of a narrow place one's own half: who comes from the other side turns about its other border.
+    const float lateral = c.identity.lateral[i];
+    const NavPoint across =
+        move_along(mesh, thread, *place, corner + at_height(outward * (2 * lateral), 0), by_of(c, i));
+    const float most = k_own_half * length(on_ground(across.position - corner));
+    shift_corner(c, mesh, thread, i, k, in, outward * std::min(lateral, most));
+}
+
+// Others are at the corner ahead: it is taken as far out as one is, in one's own lane.
+static void keep_lane_at_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i) {
+    Journey& j = c.journeys[i];
+    const Vec3* corners = &c.corners[size_t{i} * k_corners];
+    const Vec2 here = on_ground(c.motion.position[i]), corner = on_ground(corners[j.corner]),
+               in = normalize_or(corner - j.stretch_start, {0, 0}),
+               out = normalize_or(on_ground(corners[j.corner + 1]) - corner, {0, 0});
+    const Vec2 outward = outward_of(in, out);
+    const float across = cross(outward, in);
+    if (std::fabs(across) < k_turns) return;
+    shift_corner(c, mesh, thread, i, j.corner, in, outward * (cross(here - corner, in) / across));
+    j.closest = length(on_ground(corners[j.corner]) - here);
 }
 
 static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
@@ -226,6 +255,11 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             }
             if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
                 j.hurries_until = tick + k_hurries;
+            const uint32_t since = tick - j.closest_tick;
+            if (!last && since >= k_waits && since < k_waits + k_decision_ticks) {
+                keep_lane_at_corner(c, mesh, thread, i);
+                here = on_ground(corners[j.corner]), to = here - p, distance = length(to);
+            }
             const Vec2 beside = nearest_on(j.stretch_start, here, p);
             const float off = length(beside - p);
             if (tick - j.closest_tick > k_patience || off > k_far_off) {

@@ -129,7 +129,7 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
     const V2<T> velocity = pair_of<T>(d.velocity_x, d.velocity_z, lane);
     V2<T> wish = pair_of<T>(d.wish_x, d.wish_z, lane);
     const T zero = T(0.0f), one = T(1.0f);
-    T oncoming = zero, swerve = zero;
+    T oncoming = zero, swerve = zero, clears = zero;
     const T per_speed = one / max(sqrt(dot(wish, wish)), T(1e-3f));
     const V2<T> direction = wish * per_speed;
     for (int k = 0; k < d.rows; ++k) {
@@ -142,14 +142,22 @@ HWY_INLINE void set_out(Deciders& d, float side, size_t lane) {
         store(select(minds, plane.offset, T(k_no_offset)), rows.offset.lanes + lane);
         auto comes = (dot(m.velocity, wish) < zero) & (dot(m.between, wish) > zero);
         oncoming = select(comes, one, oncoming);
-        // Who goes the same way ahead, and is slower, is overtaken on the side where there is more room.
         const T ahead = dot(m.between, direction), aside = cross(direction, m.between);
+        const T nearing = clamp(zero - dot(m.velocity, direction), zero, one) *
+                          clamp(one - ahead * T(1 / k_sees), zero, one) *
+                          max(one - abs(aside) * T(1 / k_in_line), zero);
+        clears =
+            clears + select(ahead > zero, select(aside > T(side * k_usual), zero - nearing, nearing), zero);
+        // Who goes the same way ahead, and is slower, is overtaken on the side where there is more room.
         auto is_slower =
             (m.hurry > T(1.0f)) & (ahead > zero) & (abs(aside) < m.radii * T(k_in_front)) & (m.share > zero);
         const T slower = clamp(one - dot(m.velocity, direction) * per_speed, zero, one);
         const T pull = slower * max(one - ahead * T(1 / k_overtakes), zero);
         swerve = swerve + select(is_slower, select(aside > zero, zero - pull, pull), zero);
     }
+    // Who makes room for a stream that comes overtakes nobody on its side.
+    const T room = row<T>(d.makes_room.lanes, lane);
+    swerve = select(swerve * room < zero, zero, swerve) + T(k_makes_room) * room + T(k_clears) * clears;
     // Those who do not get on in a jam give way, ever more, until two streams have sorted themselves.
     const T waited = clamp(row<T>(d.waited.lanes, lane) - T(k_patience), zero, T(2.0f));
     const T aside = oncoming * (T(k_keep_side) + T(k_give_way) * waited) * T(side) +

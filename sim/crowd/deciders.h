@@ -50,6 +50,8 @@ struct Deciders {
     int count = 0;
     uint32_t at[k_block];  // in SeenRows
     LaneRow velocity_x, velocity_z, wish_x, wish_z, most, waited;
+    LaneRow
+        makes_room;  // 1: to the right of its course, for those who come the other way far ahead; -1: left
     int near_count[k_block];
     uint32_t near[k_block][k_neighbours];  // in SeenRows
     int rows = 0;                          // of neighbours

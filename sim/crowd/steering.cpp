@@ -21,7 +21,11 @@ static constexpr float k_throng = 0.15f;      // metres between bodies
 static constexpr float k_shuffle = 0.24f;     // m/s, of one who does not turn for it
 static constexpr float k_onward = 0.3f;       // cosine to the course
 static constexpr uint32_t k_most_heirs = 16;
-static constexpr float k_same_way = 0.5f;       // cosine between the courses of two who go together
+static constexpr float k_same_way = 0.5f;  // cosine between the courses of two who go together
+static constexpr float k_thronged = 1.3f;  // metres, within which all are whom one in a throng minds;
+static constexpr float k_looks_ahead = 8, k_looks_aside = 0.5f;  // and where it looks who comes,
+static constexpr float k_beside = 0.3f;         // who are so far to the usual side, on the whole, or not
+static constexpr int k_looked_at = 256;         // people
 static constexpr float k_pram_headway = 0.35f;  // seconds: who meets a pram gets past it
 static constexpr float k_follows = 0.6f;        // seconds within which one shall not touch one ahead
 static constexpr int k_firm = 2 * k_borders;
@@ -176,7 +180,9 @@ static void clear(Deciders& d) {
     d.rows = d.pram_count = 0;
     for (int lane = 0; lane < d.count; ++lane) d.rows = std::max(d.rows, d.near_count[lane]);
     for (int k = 0; k < d.rows; ++k) d.neighbours[k] = {};
-    for (LaneRow* row : {&d.velocity_x, &d.velocity_z, &d.wish_x, &d.wish_z, &d.most, &d.waited}) *row = {};
+    for (LaneRow* row :
+         {&d.velocity_x, &d.velocity_z, &d.wish_x, &d.wish_z, &d.most, &d.waited, &d.makes_room})
+        *row = {};
 }
 
 static void set_firm(const HalfPlane (&firm)[k_block][k_firm], const int (&counts)[k_block], Deciders& d) {
@@ -195,6 +201,31 @@ static Vec2 shuffled(Vec2 v, Vec2 course) {
     return v * (k_shuffle / speed);
 }
 
+// One in a throng has no eyes for those who come the other way but over others' heads. It makes room for them
+// before they meet, or both streams would fill all the way there is: see Deciders::makes_room. `side` is the
+// usual one, 1 or -1.
+static float side_to_make_room(const CrowdScratch& s, const Deciders& d, int lane, float side) {
+    const Seen& me = s.seen.all[d.at[lane]];
+    if (d.near_count[lane] < k_neighbours || me.course == Vec2{}) return 0;
+    for (int k = 0; k < k_neighbours; ++k) {
+        const Vec2 off = on_ground(s.seen.all[d.near[lane][k]].position - me.position);
+        if (length_squared(off) > k_thronged * k_thronged) return 0;
+    }
+    uint32_t ahead[k_looked_at];
+    const float half = k_looks_ahead / 2;
+    const int count =
+        find_within(s, me.position + at_height(me.course * half, 0), d.at[lane], half, ahead, k_looked_at);
+    float aside = 0, come = 0;
+    for (int k = 0; k < count; ++k) {
+        const Seen& other = s.seen.all[ahead[k]];
+        const float off = cross(me.course, on_ground(other.position - me.position));
+        if (std::fabs(off) > k_looks_aside || dot(other.course, me.course) > k_against) continue;
+        aside += off, come += 1;
+    }
+    if (come == 0) return 0;
+    return aside * side > k_beside * come ? -side : side;
+}
+
 static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     const SeenRows& rows = c.scratch.seen;
     find_nearest(c.scratch, d);
@@ -202,6 +233,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     HalfPlane firm[k_block][k_firm];
     int firm_count[k_block];
     bool is_thronged[k_block];
+    const float side = c.pass_on == PassOn::right ? 1.0f : -1.0f;
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen& me = rows.all[d.at[lane]];
         const Intent& intent = c.scratch.intents[me.id];
@@ -211,12 +243,13 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.velocity_x.lanes[lane] = velocity.x, d.velocity_z.lanes[lane] = velocity.z;
         d.wish_x.lanes[lane] = intent.wanted.x, d.wish_z.lanes[lane] = intent.wanted.z;
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
+        d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
         firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
         is_thronged[lane] = add_neighbours(rows, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
-    choose_velocities(d, c.pass_on == PassOn::right ? 1.0f : -1.0f);
+    choose_velocities(d, side);
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen& me = rows.all[d.at[lane]];
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};

@@ -20,7 +20,12 @@ inline constexpr float k_in_front = 1.3f;   // of the width of both, to either s
 inline constexpr float k_swerves = 0.95f;   // of the speed
 inline constexpr float k_closer = 0.035f;   // metres that one behind may press into one who goes ahead
 inline constexpr float k_hardly_larger = 0.2f;  // m/s
-inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way
+inline constexpr float k_keep_side = 0.15f;     // of the speed, where others come the other way,
+inline constexpr float k_clears = 0.6f;         // and, from each of them that one would meet,
+inline constexpr float k_sees = 4;              // as near as that, metres,
+inline constexpr float k_in_line = 1;           // and so little aside;
+inline constexpr float k_usual = 0.2f;          // to the usual side, unless they are so far on that
+inline constexpr float k_makes_room = 0.4f;     // of the speed, where they come far ahead of a throng
 inline constexpr float k_patience = 0.7f;       // seconds without getting nearer before one gives way
 inline constexpr float k_give_way = 0.6f;       // of the speed, to that side, for each second of that
 

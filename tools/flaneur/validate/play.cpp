@@ -76,6 +76,7 @@ void sample(const Cast& cast, Play& play, uint32_t frame) {
 
 Result<Play> play(const Arena& arena, std::span<const Guest> guests, const PlayOptions& options) {
     Result<WorldPtr> world = make_world_on(arena.ground, {.capacity = static_cast<uint32_t>(guests.size()),
+                                                          .seed = options.seed,
                                                           .threads = 1,
                                                           .kinds = options.kinds,
                                                           .navmesh = arena_mesh()});

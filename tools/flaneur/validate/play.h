@@ -35,6 +35,7 @@ inline constexpr float k_moving = 0.2f;  // m/s
 struct PlayOptions {
     float seconds = 60;         // at most: it ends when all have left
     uint32_t sample_ticks = 0;  // between two frames of `tracks`; divides 60; 0: none
+    uint64_t seed = 1;
     std::vector<Kind> kinds{{standard_body(1.72f)}};
     // Before each tick, with those who are there, in the order of the guests; gone ones have the id that they
     // had.

@@ -11,7 +11,9 @@
 namespace flaneur {
 namespace {
 
-constexpr float k_beyond = 0.2f, k_end = 4;  // metres
+constexpr float k_beyond = 0.2f, k_end = 4;    // metres
+constexpr float k_more = 60;                   // seconds
+constexpr double k_first = 0.2, k_last = 0.8;  // of the time that is looked at
 
 float at_share(std::vector<float> values, double share) {
     const auto at = static_cast<size_t>(share * static_cast<double>(values.size() - 1));
@@ -34,6 +36,16 @@ Rectangle box_of(const Trajectories& tracks) {
     return widened({{at_share(all.x, k_least), at_share(all.z, k_least)},
                     {at_share(all.x, 1 - k_least), at_share(all.z, 1 - k_least)}},
                    k_beyond);
+}
+
+// All of the width, the middle 4 m of the length.
+Rectangle middle_of(const Rectangle& box) {
+    const float middle = (box.low.x + box.high.x) / 2;
+    return {{middle - 2, box.low.z}, {middle + 2, box.high.z}};
+}
+
+double seconds_of(const Trajectories& tracks) {
+    return (tracks.sightings.back().frame - tracks.sightings.front().frame) / wide(tracks.fps);
 }
 
 using Ways = std::map<uint32_t, std::vector<Sighting>>;
@@ -121,37 +133,59 @@ bool is_corridor(const Trajectories& measured) {
     });
 }
 
+namespace {
+
+// A corridor walked once more by people of chance `seed`.
+struct Rerun {
+    MeanFlow mean;
+    size_t left = 0;
+};
+
+Result<Rerun> rerun(const Trajectories& tracks, const Rectangle& box, std::span<const Guest> guests,
+                    uint64_t seed) {
+    const Rectangle floor[] = {{{box.low.x - k_end, box.low.z}, {box.high.x + k_end, box.high.z}}};
+    const double lasts = seconds_of(tracks);
+    Result<Play> played =
+        play(make_arena(floor), guests,
+             {.seconds = static_cast<float>(lasts) + k_more, .sample_ticks = 6, .seed = seed});
+    if (!played) return played.error();
+    played->tracks.area = tracks.area;
+    return Rerun{mean_of(flow_samples(played->tracks, middle_of(box), 1, k_first * lasts, k_last * lasts)),
+                 count_left(*played)};
+}
+
+}  // namespace
+
 Result<Findings> test_rerun(ValidationNotes& notes) {
+    constexpr uint64_t k_runs = 4;
     Findings findings;
     for (const Measured& measured : notes.measured) {
         if (!is_corridor(measured.tracks)) continue;
         Trajectories tracks = along_x(measured.tracks);
         const Rectangle box = box_of(tracks);
         tracks.area = area_or_box(tracks);
-        const Rectangle floor[] = {{{box.low.x - k_end, box.low.z}, {box.high.x + k_end, box.high.z}}};
         const std::vector<Guest> guests = guests_of(tracks, box);
-        const double begins = tracks.sightings.front().frame / wide(tracks.fps),
-                     lasts = tracks.sightings.back().frame / wide(tracks.fps) - begins;
-        Result<Play> played =
-            play(make_arena(floor), guests, {.seconds = static_cast<float>(lasts) + 60, .sample_ticks = 6});
-        if (!played) return played.error();
-        played->tracks.area = tracks.area;
-        // All of the width, the middle 4 m of the length, in the middle six tenths of the time.
-        const float middle = (box.low.x + box.high.x) / 2;
-        const Rectangle zone{{middle - 2, box.low.z}, {middle + 2, box.high.z}};
-        const double first = 0.2 * lasts, last = 0.8 * lasts;
-        const MeanFlow theirs = mean_of(flow_samples(tracks, zone, 1, begins + first, begins + last));
-        const MeanFlow ours = mean_of(flow_samples(played->tracks, zone, 1, first, last));
+        const double lasts = seconds_of(tracks), begins = tracks.sightings.front().frame / wide(tracks.fps);
+        const MeanFlow theirs = mean_of(
+            flow_samples(tracks, middle_of(box), 1, begins + k_first * lasts, begins + k_last * lasts));
+        double speed = 0, density = 0;
+        size_t fewest = guests.size();
+        for (uint64_t seed = 1; seed <= k_runs; ++seed) {
+            Result<Rerun> ours = rerun(tracks, box, guests, seed);
+            if (!ours) return ours.error();
+            speed += ours->mean.speed / k_runs;
+            density += ours->mean.density / k_runs;
+            fewest = std::min(fewest, ours->left);
+        }
         auto told = [&](const char* what, double is, double was, const char* unit) {
             findings.push_back({what + (" in " + measured.name), told_number(was, unit) + " +- 15 %",
                                 told_number(is, unit), verdict_of(std::fabs(is / was - 1) <= 0.15)});
         };
-        told("mean speed", ours.speed, theirs.speed, "m/s");
-        told("density", ours.density, theirs.density, "/m2");
-        const size_t left = count_left(*played);
+        told("mean speed", speed, theirs.speed, "m/s");
+        told("density", density, theirs.density, "/m2");
         findings.push_back({"who gets through " + measured.name,
-                            std::to_string(guests.size()) + " within a minute more", std::to_string(left),
-                            verdict_of(left == guests.size())});
+                            std::to_string(guests.size()) + " within a minute more", std::to_string(fewest),
+                            verdict_of(fewest == guests.size())});
     }
     return findings;
 }
