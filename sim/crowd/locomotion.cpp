@@ -28,6 +28,7 @@ static constexpr float k_some = 25 * k_radians,
                        k_far = 110 * k_radians;  // to turn, slows one down: begins, ends
 static constexpr float k_eases = 0.45f;          // 1/s, of the speed, for a small turn
 static constexpr float k_small_turn = 45 * k_radians, k_large_turn = 115 * k_radians;
+static constexpr float k_climbs = 0.3f;  // of the speed, at least, however steep it is
 static constexpr float k_runs = 2,
                        k_stair_run = 0.9f;  // m/s from which on one runs; and on stairs, of what is beyond
 // 1/s, of the speed to lose, with which one brakes over a foot that has come down; m/s2, at least.
@@ -108,7 +109,8 @@ Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace) {
     if (under.kind == Surface::steps) return wish * (stair_speed(speed, stair_pace) / speed);
     if (under.normal.y > 0.99999f || under.normal.y < 0.1f) return wish;
     float rise = -dot(wish, {under.normal.x, under.normal.z}) / (speed * under.normal.y);
-    return wish * std::min(1.0f, exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)));
+    // Tobler's hiking function, to where one climbs as on stairs.
+    return wish * clamp(exponential(-3.5f * (std::fabs(rise + 0.05f) - 0.05f)), k_climbs, 1);
 }
 
 // How one slows down to a wish: whether one finishes the step before, and Motion::brakes.

@@ -20,7 +20,8 @@ struct Motion {
 };
 
 // What is left of a wished velocity (m/s) on the ground `under` a walker: uphill, and downhill beyond 10 %,
-// speed falls as in Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), with s the rise along the way; on
+// speed falls as in Tobler's hiking function (1993), exp(-3.5 |s + 0.05|), with s the rise along the way, but
+// no farther than to 0.3, from where on one climbs as on stairs; on
 // steps to `stair_pace` times 0.42 of the wish, within 0.5-0.6 m/s, more of a run's (see stair_speed).
 Vec2 wish_on(const GroundHit& under, Vec2 wish, float stair_pace = 1);
 

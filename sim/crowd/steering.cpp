@@ -15,6 +15,7 @@ static constexpr float k_border_reach = 1;       // metres
 static constexpr float k_grazes = 0.02f;         // metres beyond its end by which one still touches a border
 static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
+static constexpr float k_pinched = 0.02f, k_opposite = -0.8f;  // metres; cosine between two borders
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
 static constexpr float k_throng = 0.15f;      // metres between bodies
@@ -96,6 +97,18 @@ static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, 
     return count;
 }
 
+// Whether one stands where two borders all but cross each other, as simplified ones sometimes do: one gets
+// past there, as far as the mesh itself lets one.
+static bool is_pinched(const HalfPlane* planes, int count) {
+    const float near = border_speed(k_pinched);
+    for (int a = 0; a < count; ++a)
+        for (int b = 0; b < a; ++b)
+            if (planes[a].offset + near > 0 && planes[b].offset + near > 0 &&
+                dot(planes[a].normal, planes[b].normal) < k_opposite)
+                return true;
+    return false;
+}
+
 // What keeps one on the mesh.
 static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane* planes) {
     int count = 0;
@@ -119,6 +132,7 @@ static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
+    if (is_pinched(planes, count)) count = 0;
     return length_squared(me.ahead) > 0 ? keep_pram_in(mesh, me, planes, count) : count;
 }
 

@@ -140,7 +140,7 @@ TEST(Passages, TheFloorGoesOnBehindTheDoor) {
             if (!is_by_door(p)) continue;
             EXPECT_NEAR(w->crowd.motion.position[p.walker].y, 0, 1e-4f);
             const float hips_up = joint_between(*w, p.walker, hips, 1).position.y;
-            EXPECT_GT(hips_up, 0.8f) << "tick " << tick;
+            EXPECT_GT(hips_up, 0.75f) << "tick " << tick;  // as low as a long first step
             EXPECT_LT(hips_up, 1.1f) << "tick " << tick;
             for (const Joint toes : {left_toes, right_toes})
                 EXPECT_LT(joint_between(*w, p.walker, toes, 1).position.y, 0.35f) << "tick " << tick;
