@@ -97,22 +97,12 @@ static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, 
     return count;
 }
 
-// Whether one stands where two borders all but cross each other, as simplified ones sometimes do: one gets
-// past there, as far as the mesh itself lets one.
-static bool is_pinched(const HalfPlane* planes, int count) {
-    const float near = border_speed(k_pinched);
-    for (int a = 0; a < count; ++a)
-        for (int b = 0; b < a; ++b)
-            if (planes[a].offset + near > 0 && planes[b].offset + near > 0 &&
-                dot(planes[a].normal, planes[b].normal) < k_opposite)
-                return true;
-    return false;
-}
-
 // What keeps one on the mesh.
 static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane* planes) {
     int count = 0;
     BorderLine lines[k_borders];
+    bool is_pinched = false;
+    Vec2 touched{};  // inward of a border that one touches
     const Vec2 p = on_ground(me.position);
     const int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
@@ -126,13 +116,19 @@ static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane
         float to_line = dot(p - a, inward);
         if (!tip) {
             planes[count++] = {inward, -border_speed(distance)};
+            if (distance < k_pinched) {
+                is_pinched |= dot(inward, touched) < k_opposite;
+                touched = inward;
+            }
         } else if (to_line > 0 && runs_into(p, velocity, a, ab)) {
             planes[count++] = pass_end(velocity, away, distance, inward, to_line, t <= 0 ? ab * -1 : ab);
         } else {
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
-    if (is_pinched(planes, count)) count = 0;
+    // Two borders may all but cross each other, as simplified ones sometimes do: one gets past there, as far
+    // as the mesh itself lets one.
+    if (is_pinched) count = 0;
     return length_squared(me.ahead) > 0 ? keep_pram_in(mesh, me, planes, count) : count;
 }
 

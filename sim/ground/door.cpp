@@ -16,6 +16,7 @@ static constexpr float k_threshold = 0.25f;  // metres up or down from whoever s
 static constexpr float k_before = 0.45f;     // metres before the wall from which on one is in the doorway
 static constexpr float k_clear = 0.25f;      // metres before the wall that one keeps beside the door
 static constexpr float k_some = 0.05f;
+static constexpr float k_farthest_in = k_door_depth + k_room - 2 * k_some;  // that one may be pushed
 
 float depth_in(const Door& door, Vec2 place) { return dot(place - on_ground(door.at), door.way); }
 
@@ -69,6 +70,7 @@ Vec3 kept_in_line(const Door& door, Vec3 from, Vec3 to) {
     float depth = depth_in(door, on_ground(to));
     if (std::fabs(aside) > k_door_half)
         depth = std::min(depth, std::max(was, k_door_half - std::fabs(aside) - k_clear));
+    depth = std::min(depth, std::max(was, k_farthest_in));
     const Vec2 place = on_ground(door.at) + door.way * depth + side_of(door) * aside;
     return at_height(place, to.y);
 }

@@ -23,8 +23,8 @@ std::optional<Door> door_at(const Surroundings& around, Vec3 place, Vec2 facing)
 float depth_in(const Door& door, Vec2 place);
 float aside_in(const Door& door, Vec2 place);
 
-// Where one comes to who goes from one place to another by the door: no farther to its side than it was, and
-// not into the wall beside it.
+// Where one comes to who goes from one place to another by the door: no farther to its side than it was, not
+// into the wall beside it, and not deeper into the house than is_within says.
 Vec3 kept_in_line(const Door& door, Vec3 from, Vec3 to);
 
 // Whether a place on the ground is on the straight way by the door, from before the wall to out of sight.
