@@ -26,6 +26,7 @@ static constexpr uint32_t k_patience = 3 * 60;        // ticks without progress
 static constexpr uint8_t k_most_stuck = 3;            // replans before the goal is given up
 static constexpr int k_widened = 2;                   // corners ahead that are widened
 static constexpr float k_least_onward = 0.8f;         // cosine between the ways to it and to the corner
+static constexpr uint32_t k_blocked = 16;             // ticks without progress: is the corner in view?
 static constexpr uint32_t k_waits = 30;               // ticks without progress: others are at the corner,
 static constexpr float k_turns = 0.3f;                // where the way turns by some 35 degrees at least
 static constexpr float k_held_up = 110;               // ticks without progress after which one hurries,
@@ -256,6 +257,10 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
                 j.hurries_until = tick + k_hurries;
             const uint32_t since = tick - j.closest_tick;
+            // Pushed aside to where something stands between: round it.
+            if (since >= k_blocked && since < k_blocked + k_decision_ticks && j.path_due == PathDue::no &&
+                !is_clear(mesh, c.motion.position[i], corners[j.corner]))
+                j.path_due = PathDue::to_goal;
             if (!last && since >= k_waits && since < k_waits + k_decision_ticks) {
                 keep_lane_at_corner(c, mesh, thread, i);
                 here = on_ground(corners[j.corner]), to = here - p, distance = length(to);
