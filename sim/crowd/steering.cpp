@@ -33,8 +33,6 @@ static constexpr float k_follows = 0.6f;        // seconds within which one shal
 static constexpr int k_firm = 2 * k_borders;
 static_assert(k_firm + k_neighbours <= k_most_planes);
 
-enum class Throng : uint8_t { none, same_way, meets };
-
 // Whether two with these courses go the same way.
 static bool go_together(Vec2 mine, Vec2 theirs) { return dot(mine, theirs) > k_same_way; }
 
@@ -149,9 +147,9 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
-// Returns whether some of them stand close, and go the same way.
-static Throng add_neighbours(const SeenRows& rows, const Seen& me, const Intent& intent, const Claim& claim,
-                             int lane, Deciders& d) {
+// Returns whether some of them stand close and none of them comes the other way.
+static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& intent, const Claim& claim,
+                           int lane, Deciders& d) {
     bool is_close = false, meets = false;
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen& other = rows.all[d.near[lane][k]];
@@ -185,7 +183,7 @@ static Throng add_neighbours(const SeenRows& rows, const Seen& me, const Intent&
         to.pace.lanes[lane] = pace;
         if (has_pram) add_prams(me, other, share, lane, d);
     }
-    return !is_close ? Throng::none : meets ? Throng::meets : Throng::same_way;
+    return is_close && !meets;
 }
 
 // Lanes of walkers who are not there, and neighbours and planes that some of them have not, do no harm.
@@ -207,13 +205,11 @@ static void set_firm(const HalfPlane (&firm)[k_block][k_firm], const int (&count
         }
 }
 
-// Who steps aside or back in a throng does not turn for it; where some come the other way, only who goes back
-// a little does not.
-static Vec2 shuffled(Vec2 v, Vec2 course, Throng throng) {
+// Who steps aside or back in a throng does not turn for it, nor who goes back a little anywhere.
+static Vec2 shuffled(Vec2 v, Vec2 course, bool is_thronged) {
     const float speed = length(v), onward = dot(v, course);
-    if (throng == Throng::none || speed < k_shuffle || course == Vec2{} || onward > k_onward * speed)
-        return v;
-    if (throng == Throng::meets && (onward > 0 || speed > k_retreat)) return v;
+    if (speed < k_shuffle || course == Vec2{} || onward > k_onward * speed) return v;
+    if (!is_thronged && (onward > 0 || speed > k_retreat)) return v;
     return v * (k_shuffle / speed);
 }
 
@@ -248,7 +244,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
     clear(d);
     HalfPlane firm[k_block][k_firm];
     int firm_count[k_block];
-    Throng throng[k_block];
+    bool is_thronged[k_block];
     const float side = c.pass_on == PassOn::right ? 1.0f : -1.0f;
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen& me = rows.all[d.at[lane]];
@@ -262,14 +258,14 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
         firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
-        throng[lane] = add_neighbours(rows, me, intent, claim, lane, d);
+        is_thronged[lane] = add_neighbours(rows, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, side);
     for (int lane = 0; lane < d.count; ++lane) {
         const Seen& me = rows.all[d.at[lane]];
         const Vec2 chosen{d.chosen_x.lanes[lane], d.chosen_z.lanes[lane]};
-        c.decision.chosen[me.id] = shuffled(chosen, me.course, throng[lane]);
+        c.decision.chosen[me.id] = shuffled(chosen, me.course, is_thronged[lane]);
     }
 }
 
