@@ -257,8 +257,9 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
                 j.hurries_until = tick + k_hurries;
             const uint32_t since = tick - j.closest_tick;
-            // Pushed aside to where something stands between: round it.
+            // Pushed aside to where something stands between: round it. A path from here would be no other.
             if (since >= k_blocked && since < k_blocked + k_decision_ticks && j.path_due == PathDue::no &&
+                length(p - j.path_start) > k_progress &&
                 !is_clear(mesh, c.motion.position[i], corners[j.corner]))
                 j.path_due = PathDue::to_goal;
             if (!last && since >= k_waits && since < k_waits + k_decision_ticks) {
