@@ -187,7 +187,8 @@ void for_each_crowd_word(const World& w, const Each& each) {
     const Coming& coming = w.coming;
     add("came", 'u', coming.came);
     add("gone", 'u', coming.left);
-    add("queue", 'h', hash(coming.queue));
+    add("successors", 'h', hash(coming.successors.entrants));
+    add("sent", 'h', hash(coming.sent.entrants));
     add("slow", 'h', hash(c.traffic.slow));
     add("getting_slow", 'h', hash(c.traffic.coming));
     add("traffic_done", 'u', c.traffic.done);

@@ -67,7 +67,7 @@ Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
 
 Result<void> check(const std::vector<Sending>& sendings) {
     auto is_sound = [](const SentPlace& area) {
-        bool sound = (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height);
+        bool sound = (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height.value_or(0));
         for (const Vec2 corner : area.corners)
             sound = sound && std::isfinite(corner.x) && std::isfinite(corner.z);
         return sound;
@@ -82,7 +82,7 @@ Result<void> check(const std::vector<Sending>& sendings) {
                 "A sending is out of range: areas of one corner or at least three, finite, from 0 s or later "
                 "to no earlier than that, groups of at least one, speed 0 or 0.3..2 m/s."};
     }
-    if (people > k_most_sent) return Error{"Flows send a million people at most."};
+    if (people > k_most_sent) return Error{"The sendings send more than a million people: send fewer."};
     return {};
 }
 
@@ -117,6 +117,9 @@ Result<void> check(const WorldOptions& o) {
         if (!is_finite(d.position) || !std::isfinite(d.facing.x) || !std::isfinite(d.facing.z) ||
             !std::isfinite(d.weight))
             return Error{"A destination has numbers that are not finite."};
+        if (static_cast<int>(d.kind) >= k_destination_count)
+            return Error{"A destination is of the kind " + std::to_string(static_cast<int>(d.kind)) +
+                         ", which is none of DestinationKind."};
     }
     for (const Clip& clip : o.idles) {
         if (clip.joints != k_joint_count || clip.keys == 0 || clip.rows.empty())
@@ -355,7 +358,22 @@ std::optional<WalkerMotion> motion_of(const World& w, WalkerId id) {
 
 ComingCount coming_count(const World& w) {
     const Coming& coming = w.coming;
-    return {coming.came, coming.left, waiting(coming), coming.lost};
+    ComingCount count{coming.came, coming.left, waiting(coming), 0};
+    for (const SentSoFar& sent : coming.so_far) count.lost += sent.lost;
+    return count;
+}
+
+std::vector<SentCount> sent_counts(const World& w) {
+    const Coming& coming = w.coming;
+    std::vector<SentCount> counts;
+    for (const SentSoFar& sent : coming.so_far)
+        counts.push_back({.came = sent.came, .arrived = sent.arrived, .lost = sent.lost});
+    for (const WalkerId id : w.crowd.slots.living)
+        if (is_under_way(coming, w.crowd, id.index)) ++counts[coming.sending_of[id.index]].under_way;
+    for (const Entrant& e : coming.sent.entrants) ++counts[e.sending].waiting;
+    for (size_t s = 0; s < counts.size(); ++s)
+        counts[s].later = coming.sendings[s].people - counts[s].came - counts[s].waiting - counts[s].lost;
+    return counts;
 }
 
 bool pose_of(const World& w, WalkerId id, std::span<JointPose, k_joint_count> joints, float between) {

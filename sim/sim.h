@@ -198,12 +198,22 @@ std::optional<WalkerMotion> motion_of(const World& world, WalkerId id);
 // 0 for the tick before the last .. 1 for the last. False, and nothing written, if the walker is gone.
 bool pose_of(const World& world, WalkerId id, std::span<JointPose, k_joint_count> joints, float between = 1);
 
-// Who came in and left by themselves so far (WorldOptions::leaving and sendings), how many are to come in and
-// find no room yet, and how many of those sent had no way from where they were to come in to where they went.
+// Who came in and left by themselves so far (WorldOptions::leaving and sendings), how many are due to come in
+// and have found no room yet, and how many of those sent had no way from where they were to come in to where
+// they went.
 struct ComingCount {
     uint32_t came = 0, left = 0, waiting = 0, lost = 0;
 };
 ComingCount coming_count(const World& world);
+
+// The same of those whom one sending sends. Of those who came, who is neither under way nor has arrived was
+// taken out or sent elsewhere by others.
+struct SentCount {
+    uint32_t came = 0, under_way = 0, arrived = 0, waiting = 0, lost = 0;
+    uint32_t later = 0;  // are not due yet
+};
+// By sending, in the order of WorldOptions::sendings.
+std::vector<SentCount> sent_counts(const World& world);
 
 // The hash of the whole state, poses included.
 uint64_t hash_world(const World& world);

@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x34'74'73'2e'72'75'6c'66;  // "flur.st4"
+constexpr uint64_t k_mark = 0x35'74'73'2e'72'75'6c'66;  // "flur.st5"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
@@ -25,10 +25,11 @@ struct Head {
     uint32_t tick = 0, count = 0, next_path = 0;
     float widest = 0;
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
-    uint32_t ways = 0, passages = 0, traffic = 0, unused = 0;                        // no gap at the end
-    uint32_t queue = 0, queue_next = 0, numbered = 0, gone = 0, came = 0, lost = 0;  // of Coming
+    uint32_t ways = 0, passages = 0, traffic = 0;
+    uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
+             came = 0;  // of Coming
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 96);
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 96, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -50,6 +51,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
+    all(w.coming.so_far, w.coming.sending_of);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
     all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.probes, w.roam->frames);
@@ -65,7 +67,8 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
-    each(w.coming.queue, head.queue);
+    each(w.coming.successors.entrants, head.successors);
+    each(w.coming.sent.entrants, head.sent);
 }
 
 size_t bytes_after(const World& w, const Head& head) {
@@ -99,12 +102,13 @@ Head head_of(const World& w) {
     head.prams = size(w.gait.prams);
     head.plays = size(w.idles.plays);
     const Coming& coming = w.coming;
-    head.queue = size(coming.queue);
-    head.queue_next = coming.next;
+    head.successors = size(coming.successors.entrants);
+    head.next_successor = coming.successors.next;
+    head.sent = size(coming.sent.entrants);
+    head.next_sent = coming.sent.next;
     head.numbered = coming.numbered;
     head.gone = coming.left;
     head.came = coming.came;
-    head.lost = coming.lost;
     return head;
 }
 
@@ -188,11 +192,11 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.widest = head->widest;
     c.count = head->count;
     Coming& coming = w.coming;
-    coming.next = head->queue_next;
+    coming.successors.next = head->next_successor;
+    coming.sent.next = head->next_sent;
     coming.numbered = head->numbered;
     coming.left = head->gone;
     coming.came = head->came;
-    coming.lost = head->lost;
     std::fill(c.slots.place.begin() + head->count, c.slots.place.end(), k_nobody);
     std::fill(c.slots.generation.begin() + head->count, c.slots.generation.end(), 0);
     for_each_array(w, head->count, take);

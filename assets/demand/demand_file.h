@@ -15,7 +15,8 @@ namespace flaneur {
 struct City;
 
 struct SentPeople {
-    std::vector<Sending> sendings;   // none of them without people
+    std::vector<Sending> sendings;   // one at least, and none of them without people
+    std::vector<std::string> names;  // of each: what the file calls it, or its number
     std::vector<std::string> notes;  // what a file asks for and does not get, a sentence each
 };
 

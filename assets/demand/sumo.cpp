@@ -23,9 +23,11 @@ struct SumoReading {
     XML_Parser parser = nullptr;
     SentPeople sent;
     size_t stages_left_out = 0;  // rides and stops
+    size_t without_walk = 0;     // persons and flows
     std::string refused;         // what was wrong first, a sentence without its subject
     bool has_root = false, is_in_person = false, has_walk = false;
-    Sending person;  // the one that is read: who and when
+    Sending person;    // the one that is read: who and when
+    std::string name;  // and what it is called
 };
 
 void refuse(SumoReading& r, const std::string& what) {
@@ -136,6 +138,13 @@ void add_walk(SumoReading& r, const SumoAttributes& a) {
     sending.from = std::move(*from), sending.to = std::move(*to);
     if (const auto speed = number_of(r, a, "speed", 0.3, 2)) sending.speed = static_cast<float>(*speed);
     r.sent.sendings.push_back(std::move(sending));
+    r.sent.names.push_back(r.name);
+}
+
+std::string name_of(const SumoReading& r, const SumoAttributes& a, const char* kind) {
+    const auto id = a.find("id");
+    if (id != a.end()) return std::string(kind) + " " + excerpt(id->second);
+    return std::string(kind) + " in line " + std::to_string(XML_GetCurrentLineNumber(r.parser));
 }
 
 void begin_element(void* user, const XML_Char* name, const XML_Char** pairs) {
@@ -150,8 +159,10 @@ void begin_element(void* user, const XML_Char* name, const XML_Char** pairs) {
             refuse(r, "no routes of SUMO, but " + excerpt(element));
     } else if (element == "person") {
         begin_person(r, a);
+        r.name = name_of(r, a, "person");
     } else if (element == "personFlow") {
         begin_flow(r, a);
+        r.name = name_of(r, a, "personFlow");
     } else if (r.is_in_person && (element == "walk" || element == "personTrip")) {
         add_walk(r, a);
     } else if (r.is_in_person && (element == "ride" || element == "stop")) {
@@ -162,7 +173,9 @@ void begin_element(void* user, const XML_Char* name, const XML_Char** pairs) {
 void end_element(void* user, const XML_Char* name) {
     SumoReading& r = *static_cast<SumoReading*>(user);
     const std::string_view element = name;
-    if (element == "person" || element == "personFlow") r.is_in_person = false;
+    if (element != "person" && element != "personFlow") return;
+    if (r.is_in_person && !r.has_walk) ++r.without_walk;
+    r.is_in_person = false;
 }
 
 // Entities may grow without bounds, and no file of SUMO declares any.
@@ -174,7 +187,7 @@ void refuse_entity(void* user, const XML_Char*, int, const XML_Char*, int, const
 }  // namespace
 
 Result<SentPeople> parse_sumo_persons(std::string_view text, const City& city) {
-    SumoReading reading{.city = city, .sent = {}, .refused = {}, .person = {}};
+    SumoReading reading{.city = city, .sent = {}, .refused = {}, .person = {}, .name = {}};
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
                                                                          XML_ParserFree);
     reading.parser = parser.get();
@@ -191,6 +204,9 @@ Result<SentPeople> parse_sumo_persons(std::string_view text, const City& city) {
     if (reading.stages_left_out > 0)
         reading.sent.notes.push_back(std::to_string(reading.stages_left_out) +
                                      " rides and stops of persons are left out: they walk, and leave");
+    if (reading.without_walk > 0)
+        reading.sent.notes.push_back(std::to_string(reading.without_walk) +
+                                     " persons and flows have no walk: they are not sent");
     return reading.sent;
 }
 

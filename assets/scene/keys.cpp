@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "assets/files/file.h"
+#include "assets/files/json_place.h"
 #include "assets/files/words.h"
-#include "assets/scene/json_place.h"
 #include "assets/scene/reading.h"
 
 namespace flaneur {

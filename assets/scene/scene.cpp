@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "assets/files/file.h"
+#include "assets/files/json_place.h"
 #include "assets/files/words.h"
-#include "assets/scene/json_place.h"
 #include "assets/scene/keys.h"
 #include "embedded/scenes.h"
 

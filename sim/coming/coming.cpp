@@ -13,24 +13,28 @@
 
 namespace flaneur {
 
-static constexpr uint32_t k_most_tries = 256;    // to come in, of all who wait, at a time
+static constexpr uint32_t k_most_tries = 256;    // to come in, of a line, at a time
 static constexpr uint32_t k_tries_a_place = 15;  // in a second
 static constexpr float k_spare = 0.15f;          // metres between one who comes in and others, at least
 static constexpr float k_step = 0.6f;            // metres, before a threshold
-static constexpr float k_floors = 3;  // metres above and below an area's height; farther if need be
+static constexpr float k_floors = 3;             // metres above and below the height that is meant
 
 uint32_t kept_people(const Coming& coming, const Crowd& c) {
     const auto here = std::ranges::count_if(c.slots.living, [&](WalkerId id) {
         const Journey& j = c.journeys[id.index];
         return !j.leaves || j.errand == Errand::wander;
     });
-    const auto due = std::ranges::count_if(coming.queue, [](const Entrant& e) { return !e.is_sent; });
-    return static_cast<uint32_t>(here + due);
+    return static_cast<uint32_t>(static_cast<size_t>(here) + coming.successors.entrants.size());
 }
 
 uint32_t waiting(const Coming& coming) {
-    return static_cast<uint32_t>(
-        std::ranges::count_if(coming.queue, [](const Entrant& e) { return e.tries > 0; }));
+    return static_cast<uint32_t>(coming.successors.entrants.size() + coming.sent.entrants.size());
+}
+
+bool is_under_way(const Coming& coming, const Crowd& c, uint32_t i) {
+    const Journey& j = c.journeys[i];
+    return j.leaves && j.errand != Errand::wander && i < coming.sending_of.size() &&
+           coming.sending_of[i] != k_no_sending;
 }
 
 uint32_t due_by(const Sending& sending, double seconds) {
@@ -48,15 +52,18 @@ bool comes_and_goes(const Coming& coming, const Crowd& c) {
 
 void make_room(Coming& coming, const Crowd& c) {
     if (!comes_and_goes(coming, c)) return;
-    size_t most = c.capacity;
-    for (const Sending& sending : coming.sendings) most += sending.people;
-    coming.queue.reserve(most);
+    size_t sent = 0;
+    for (const Sending& sending : coming.sendings) sent += sending.people;
+    coming.successors.entrants.reserve(c.capacity);
+    coming.sent.entrants.reserve(sent);
+    coming.so_far.resize(coming.sendings.size());
+    if (!coming.sendings.empty()) coming.sending_of.resize(c.capacity, k_no_sending);
     coming.gone.reserve(c.capacity);
-    coming.arrivals.reserve(k_most_tries);
+    coming.arrivals.reserve(size_t{2} * k_most_tries);
 }
 
-static void add_entrant(Coming& coming, const Entrant& entrant) {
-    if (coming.queue.size() < coming.queue.capacity()) coming.queue.push_back(entrant);
+static void add_entrant(WaitingLine& line, const Entrant& entrant) {
+    if (line.entrants.size() < line.entrants.capacity()) line.entrants.push_back(entrant);
 }
 
 // Those who leave are gone once they are out of sight; for each who wandered another is due.
@@ -66,7 +73,8 @@ static void let_out(Coming& coming, Crowd& c, const Surroundings& around, uint32
         if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i))
             continue;
         if (!has_left(c, around, i, tick)) continue;
-        if (j.errand == Errand::wander) add_entrant(coming, {.number = coming.numbered++});
+        if (j.errand == Errand::wander) add_entrant(coming.successors, {.number = coming.numbered++});
+        if (is_under_way(coming, c, i)) ++coming.so_far[coming.sending_of[i]].arrived;
         remove_walker(c, i);
         coming.gone.push_back(i);
         ++coming.left;
@@ -88,10 +96,19 @@ static std::optional<NavPoint> place_in(const SentPlace& area, const Navmesh& me
         const Vec2 p{lerp(low.x, high.x, random_unit(key, 2 * t)),
                      lerp(low.z, high.z, random_unit(key, 2 * t + 1))};
         if (!is_one_place(area) && !is_within(area.corners, p)) continue;
-        for (const float up : {k_floors, 1000.0f})
-            if (const auto place = nearest(mesh, 0, at_height(p, area.height), {2, up, 2})) return place;
+        const Vec3 there = at_height(p, area.height.value_or(0));
+        if (const auto place = nearest(mesh, 0, there, {2, k_floors, 2})) return place;
+        if (area.height) continue;
+        if (const auto place = nearest(mesh, 0, there, {2, 1000, 2})) return place;
     }
     return std::nullopt;
+}
+
+std::optional<float> other_height(const SentPlace& area, const Navmesh& mesh) {
+    constexpr RandomKey k_some{1, 0, 0, Purpose::coming};
+    if (!area.height || place_in(area, mesh, k_some)) return std::nullopt;
+    const auto place = place_in({area.corners, std::nullopt}, mesh, k_some);
+    return place ? std::optional(place->position.y) : std::nullopt;
 }
 
 static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
@@ -107,8 +124,7 @@ static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh
                        .goal = *goal,
                        .heading = length_squared(way) > 0 ? heading_of(way) : 0,
                        .speed = sending.speed,
-                       .number = number,
-                       .is_sent = 1};
+                       .number = number};
     }
     return std::nullopt;
 }
@@ -116,14 +132,18 @@ static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh
 // Those of the sendings who are due since this was asked last.
 static void call_sent(Coming& coming, const Navmesh& mesh, uint32_t tick, uint64_t seed) {
     auto seconds = [](uint32_t ticks) { return ticks * static_cast<double>(k_tick); };
-    for (const Sending& sending : coming.sendings) {
+    for (uint32_t s = 0; s < coming.sendings.size(); ++s) {
+        const Sending& sending = coming.sendings[s];
         uint32_t due = due_by(sending, seconds(tick));
         if (tick > 0) due -= due_by(sending, seconds(tick - k_decision_ticks));
         for (uint32_t k = 0; k < due; ++k) {
-            if (const auto entrant = draw_entrant(sending, mesh, coming.numbered++, seed))
-                add_entrant(coming, *entrant);
-            else
-                ++coming.lost;
+            auto entrant = draw_entrant(sending, mesh, coming.numbered++, seed);
+            if (entrant) {
+                entrant->sending = s;
+                add_entrant(coming.sent, *entrant);
+            } else {
+                ++coming.so_far[s].lost;
+            }
         }
     }
 }
@@ -172,13 +192,15 @@ static bool is_free(const Coming& coming, const Crowd& c, const Footprint& wante
     return is_free;
 }
 
+static bool is_sent(const Entrant& e) { return e.sending != k_no_sending; }
+
 static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, const Entrant& e, uint64_t seed) {
     const uint32_t slot = c.slots.left.empty() ? c.count : c.slots.left.back();
     Walker w = draw_walker(folk, {seed, slot, c.slots.generation[slot], Purpose::body});
     w.place = e.place;
     w.heading = e.heading;
     if (e.speed > 0) w.preferred_speed = e.speed;
-    w.errand = e.is_sent ? Errand::arrive : Errand::wander;
+    w.errand = is_sent(e) ? Errand::arrive : Errand::wander;
     return w;
 }
 
@@ -197,9 +219,11 @@ static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::sp
     if (door && (is_in_use(c, *door) || !is_room(at + at_height(out * k_step, 0)))) return false;
     const uint32_t i = add_walker(c, around, w);
     door ? come_by_door(c, i, *door, tick) : appear(c, i);
-    if (e.is_sent) {
+    if (!coming.sending_of.empty()) coming.sending_of[i] = e.sending;
+    if (is_sent(e)) {
         send_to(c, i, e.goal);
         c.journeys[i].leaves = true;
+        ++coming.so_far[e.sending].came;
     }
     coming.arrivals.push_back(i);
     ++coming.came;
@@ -218,26 +242,26 @@ static bool choose_place(const Coming& coming, const Crowd& c, Entrant& e, const
     return true;
 }
 
-static void let_in_those_due(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh,
-                             Workers& workers, std::span<const Folk> folk, uint32_t tick, uint64_t seed) {
-    std::vector<Entrant>& queue = coming.queue;
-    if (queue.empty()) return;
-    if (!c.scratch.is_ordered) order_places(c, workers, false);
-    if (coming.next >= queue.size()) coming.next = 0;
-    const size_t first = coming.next, last = std::min(queue.size(), first + k_most_tries);
+// Those of a line whose turn it is, as long as there are fewer than `most` people.
+static void let_in_those_due(Coming& coming, WaitingLine& line, size_t most, Crowd& c,
+                             const Surroundings& around, const Navmesh& mesh, std::span<const Folk> folk,
+                             uint32_t tick, uint64_t seed) {
+    std::vector<Entrant>& queue = line.entrants;
+    if (line.next >= queue.size()) line.next = 0;
+    const size_t first = line.next, last = std::min(queue.size(), first + k_most_tries);
     size_t kept = first;
     for (size_t at = first; at < last; ++at) {
         Entrant e = queue[at];
         bool is_in = false;
-        const bool has_to_choose = !e.is_sent && (!e.place.polygon || e.tries % k_tries_a_place == 0);
+        const bool has_to_choose = !is_sent(e) && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
-            is_in = c.slots.living.size() < c.capacity && e.place.polygon &&
+            is_in = c.slots.living.size() < most && e.place.polygon &&
                     let_in(coming, c, around, folk, e, tick, seed);
         ++e.tries;
         if (!is_in) queue[kept++] = e;
     }
     queue.erase(queue.begin() + static_cast<ptrdiff_t>(kept), queue.begin() + static_cast<ptrdiff_t>(last));
-    coming.next = static_cast<uint32_t>(kept);
+    line.next = static_cast<uint32_t>(kept);
 }
 
 void come_and_go(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh, Workers& workers,
@@ -251,26 +275,36 @@ void come_and_go(Coming& coming, Crowd& c, const Surroundings& around, const Nav
     let_out(coming, c, around, tick);
     c.scratch.is_ordered = was_ordered;
     call_sent(coming, mesh, tick, seed);
-    let_in_those_due(coming, c, around, mesh, workers, folk, tick, seed);
+    WaitingLine &successors = coming.successors, &sent = coming.sent;
+    if (!c.scratch.is_ordered && !(successors.entrants.empty() && sent.entrants.empty()))
+        order_places(c, workers, false);
+    let_in_those_due(coming, successors, c.capacity, c, around, mesh, folk, tick, seed);
+    // Who is sent leaves room for those who wait to come in instead of others.
+    const size_t most = c.capacity - std::min<size_t>(c.capacity, successors.entrants.size());
+    let_in_those_due(coming, sent, most, c, around, mesh, folk, tick, seed);
     c.scratch.is_ordered = false;
 }
 
 // Who comes in at a place that is no more looks for another; who is sent comes in as near as may be.
 void change_mesh(Coming& coming, const Navmesh& mesh) {
     constexpr Vec3 k_near{8, 4, 8};
-    for (Entrant& e : coming.queue) {
-        const auto place = e.place.polygon ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
-        const auto goal = e.is_sent ? nearest(mesh, 0, e.goal.position, k_near) : std::nullopt;
-        e.place = place && (!e.is_sent || goal) ? *place : NavPoint{};
-        if (goal) e.goal = *goal;
-    }
+    for (WaitingLine* line : {&coming.successors, &coming.sent})
+        for (Entrant& e : line->entrants) {
+            const auto place = e.place.polygon ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
+            const auto goal = is_sent(e) ? nearest(mesh, 0, e.goal.position, k_near) : std::nullopt;
+            e.place = place && (!is_sent(e) || goal) ? *place : NavPoint{};
+            if (goal) e.goal = *goal;
+        }
 }
 
 uint64_t hash_coming(const Coming& coming) {
-    const uint32_t numbers[] = {coming.next, coming.numbered, coming.left, coming.came, coming.lost};
+    const uint32_t numbers[] = {coming.successors.next, coming.sent.next, coming.numbered, coming.left,
+                                coming.came};
     static_assert(sizeof(Entrant) == 14 * 4, "has no padding");
-    const uint64_t h = hash_bytes(1, numbers, sizeof numbers);
-    return hash_bytes(h, coming.queue.data(), coming.queue.size() * sizeof(Entrant));
+    uint64_t h = hash_bytes(1, numbers, sizeof numbers);
+    for (const WaitingLine* line : {&coming.successors, &coming.sent})
+        h = hash_bytes(h, line->entrants.data(), line->entrants.size() * sizeof(Entrant));
+    return h;
 }
 
 }  // namespace flaneur

@@ -4,7 +4,8 @@
 // Who wanders and gets to a destination may leave there, by Demand::leaving; then another is due to come in
 // at such a place near the crowd's home, so that as many stay. One who is sent comes in at its time, goes
 // where it is sent and leaves there. Whoever finds no room where it is to come in waits for it; who wanders
-// tries another place after a second.
+// tries another place after a second. The two wait apart, so that however many are sent, they keep none out
+// who come in instead of others.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +18,42 @@
 
 namespace flaneur {
 
+inline constexpr uint32_t k_no_sending = ~0u;
+
 // One who is to come in.
 struct Entrant {
-    NavPoint place{};      // where; polygon 0: is not chosen yet, or is no more
-    NavPoint goal{};       // where one who is sent goes
-    float heading = 0;     // yaw
-    float speed = 0;       // see Sending
-    uint32_t number = 0;   // of all who were ever to come in: chance goes by it
-    uint32_t tries = 0;    // how often there was no room
-    uint32_t is_sent = 0;  // 1: by a sending
-    uint32_t by_door = 0;  // 1: comes out of a house or a shop
+    NavPoint place{};                 // where; polygon 0: is not chosen yet, or is no more
+    NavPoint goal{};                  // where one who is sent goes
+    float heading = 0;                // yaw
+    float speed = 0;                  // see Sending
+    uint32_t number = 0;              // of all who were ever to come in: chance goes by it
+    uint32_t tries = 0;               // how often there was no room
+    uint32_t sending = k_no_sending;  // by which it is sent; none: comes instead of one who left
+    uint32_t by_door = 0;             // 1: comes out of a house or a shop
+};
+
+// Who is to come in, in the order in which they are due. So many of them try at a time, in turn.
+struct WaitingLine {
+    std::vector<Entrant> entrants;
+    uint32_t next = 0;  // who is the next to try
+};
+
+// How far the people of a sending are.
+struct SentSoFar {
+    uint32_t came = 0, arrived = 0;
+    uint32_t lost = 0;  // had no way from there to there
 };
 
 struct Coming {
     std::vector<Sending> sendings;
     Neighbourhood home;  // where who comes in instead of another does so, if there are such places
 
-    std::vector<Entrant> queue;  // who is to come in, in the order in which they are due
-    uint32_t next = 0;           // in the queue: who is the next to try
-    uint32_t numbered = 0;       // how many were ever to come in
+    WaitingLine successors;  // who come in instead of others
+    WaitingLine sent;        // and who are sent
+    uint32_t numbered = 0;   // how many were ever to come in
     uint32_t left = 0, came = 0;
-    uint32_t lost = 0;  // of those sent: had no way from there to there
+    std::vector<SentSoFar> so_far;     // by sending
+    std::vector<uint32_t> sending_of;  // by slot: of the last who came in there, if there are sendings
 
     std::vector<uint32_t> gone, arrivals;  // slots left and taken in this tick; an arrival may take one gone
 };
@@ -56,11 +72,17 @@ void come_and_go(Coming& coming, Crowd& crowd, const Surroundings& around, const
 // The mesh is exchanged for `mesh`, between two ticks: see change_mesh() in sim/crowd/crowd.h.
 void change_mesh(Coming& coming, const Navmesh& mesh);
 
+// The height at which people walk in a place that says another one, near which nobody does. None: they do, it
+// says none, or nobody walks there at any height.
+std::optional<float> other_height(const SentPlace& place, const Navmesh& mesh);
+
 // How many wander or stand here, and are to come in instead of those who left: all but those who are sent.
 uint32_t kept_people(const Coming& coming, const Crowd& crowd);
 
-// How many are to come in and have found no room yet.
+// How many are due to come in and have found no room yet.
 uint32_t waiting(const Coming& coming);
+// Whether a walker who is there came by a sending, and goes where that sends it.
+bool is_under_way(const Coming& coming, const Crowd& crowd, uint32_t walker);
 
 // Of everything that the next tick depends on.
 uint64_t hash_coming(const Coming& coming);

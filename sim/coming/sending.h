@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/base/vec.h"
@@ -11,7 +12,8 @@ namespace flaneur {
 // A place, or all of an area, on the ground plane.
 struct SentPlace {
     std::vector<Vec2> corners;  // one: a place; three or more: of a polygon, either way round
-    float height = 0;           // metres: where floors lie over each other, the nearest is meant
+    // Metres: the floor that lies within three metres of it. None: the one that is nearest to height 0.
+    std::optional<float> height{};
 };
 
 // People who are sent from one place to another, evenly over a time, and leave there.

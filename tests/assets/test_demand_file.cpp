@@ -73,7 +73,9 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(refusal_of("{"), "is not JSON");
     expect_told(refusal_of("[]"), "sends nobody");
     expect_told(refusal_of(R"({ "people": [], "persons": 3 })"), "persons, which is not known");
-    expect_told(refusal_of(R"({ "people": [ 3 ] })"), "people 1 that is no object");
+    expect_told(refusal_of(R"({ "people": [] })"), "sends nobody");
+    expect_told(refusal_of("{ \"people\": [],\n\"people\": [] }"), "in line 2 a key that is there twice");
+    expect_told(refusal_of("{\n\"people\": [\n3 ] }"), "in line 3 people 1 that is no object");
     expect_told(refusal_of(R"({ "people": [ { "from": [0, 0] } ] })"), R"(without "to")");
     auto with = [](const std::string& more) {
         return refusal_of(R"({ "people": [ { "from": [0, 0], "to": [1, 1], )" + more + " } ] }");
@@ -86,12 +88,47 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(with(R"("begin": 9, "end": 5)"), R"("end" is before)");
     expect_told(with(R"("speed": 9)"), R"("speed" is not a number from 0.3 to 2)");
     expect_told(with(R"("group": 0)"), R"("group")");
-    expect_told(with(R"("when": 0)"), "when, which is not known");
+    expect_told(with("\n\"when\": 0"), "in line 2 people 1 with when, which is not known");
+    expect_told(with("\n\n\"per_minute\": 0, \"end\": 9"), "in line 3 people 1 whose \"per_minute\" is not");
+    expect_told(with(R"("per_minute": 0.01, "end": 9)"), "who are nobody");
+    expect_told(with(R"("name": 3)"), R"("name" is no text)");
     expect_told(refusal_of(R"({ "people": [ { "from": [[0, 0], [1, 1]], "to": [1, 1] } ] })"),
                 "three corners");
-    expect_told(refusal_of(R"({ "people": [ { "from": "nowhere", "to": [1, 1] } ] })"), "neither a name");
-    expect_told(refusal_of(R"({ "people": [ { "from": [1e9, 0], "to": [1, 1] } ] })"), "neither [X, Z]");
-    expect_told(refusal_of(R"({ "places": { "a": { "at": [0, 0], "high": 2 } }, "people": [] })"), "high");
+    auto from = [](const std::string& place) {
+        return refusal_of(R"({ "places": { "here": [4, 4] }, "people": [ { "to": "here", "from": )" + place +
+                          " } ] }");
+    };
+    EXPECT_EQ(from(R"({ "at": "here", "height": 3 })"), "");
+    expect_told(from(R"("nowhere")"), R"(neither "LAT,LON" nor the name of one of "places": here)");
+    expect_told(from(R"({ "at": "nowhere" })"), R"(neither "LAT,LON" nor the name of one of "places": here)");
+    expect_told(from(R"(["here", "here", "here"])"), "no corner of an area");
+    expect_told(from("[1e9, 0]"), "more than 1000000 m from the middle");
+    expect_told(from(R"("95,13.4")"), "nowhere on Earth");
+    expect_told(from(R"({ "height": 3 })"), R"(an object without "at")");
+    expect_told(from("true"), "neither a place nor three corners");
+    std::string corners = "[[0, 0]";
+    for (int i = 0; i < 1000; ++i) corners += ", [" + std::to_string(i) + ", 1]";
+    expect_told(from(corners + "]"), "an area of 1001 corners, and 1000 are the most");
+    expect_told(refusal_of("{ \"places\": {\n\"a\": { \"at\": [0, 0], \"high\": 2 } }, \"people\": [] }"),
+                "in line 2 a place a that is one with high");
+}
+
+// Else a small file would need very much memory.
+TEST(DemandFile, RefusesVeryManyCornersOfAreas) {
+    std::string text = R"({ "places": { "here": [[0, 0])";
+    for (int i = 0; i < 999; ++i) text += ", [" + std::to_string(i) + ", 1]";
+    text += R"(] }, "people": [ { "from": "here", "to": "here" })";
+    for (int i = 0; i < 500; ++i) text += R"(, { "from": "here", "to": "here" })";
+    expect_told(refusal_of(text + "] }"), "people 501 with whom the areas");
+}
+
+TEST(DemandFile, NamesWhomItSends) {
+    const Result<SentPeople> sent = parse_demand(
+        R"({ "people": [ { "name": "early shift", "from": [0, 0], "to": [1, 1] },
+                         { "from": [0, 0], "to": [1, 1] } ] })",
+        City());
+    ASSERT_TRUE(sent) << sent.error().message;
+    EXPECT_EQ(sent->names, (std::vector<std::string>{"early shift", "people 2"}));
 }
 
 TEST(DemandFile, PersonsOfSumoThatHavePlaces) {
@@ -102,6 +139,7 @@ TEST(DemandFile, PersonsOfSumoThatHavePlaces) {
             <personFlow id="c" begin="10" end="70" perHour="600"><walk fromXY="0,0" toXY="5,5"/></personFlow>
             <personFlow id="d" begin="0" end="60" number="7"><walk fromXY="0,0" toXY="5,5"/></personFlow>
             <personFlow id="e" begin="0" end="60" period="20"><walk fromXY="0,0" toXY="5,5"/></personFlow>
+            <person id="f" depart="0"/>
             <vehicle id="v" depart="0"/>
         </routes>)",
                                                        City());
@@ -117,8 +155,11 @@ TEST(DemandFile, PersonsOfSumoThatHavePlaces) {
     EXPECT_EQ(s[2].end, 70);
     EXPECT_EQ(s[3].people, 7u);
     EXPECT_EQ(s[4].people, 3u);
-    ASSERT_EQ(sent->notes.size(), 1u);
+    EXPECT_EQ(sent->names[1], "person b");
+    EXPECT_EQ(sent->names[4], "personFlow e");
+    ASSERT_EQ(sent->notes.size(), 2u);
     expect_told(sent->notes[0], "1 rides and stops");
+    expect_told(sent->notes[1], "1 persons and flows have no walk");
 }
 
 TEST(DemandFile, PersonsOfSumoThatAreRefused) {

@@ -23,7 +23,7 @@ TEST(DistrictComing, KeepsItsNumberForTenMinutes) {
     Coming coming;
     coming.home = find_neighbourhood(city.ground, **mesh, k_people);
     make_room(coming, c);
-    size_t most_waiting = 0;
+    uint32_t most_waiting = 0;
     float deepest = -1, nearest_comer = 100;
     for (uint32_t tick = 0; tick < k_ticks; ++tick) {
         come_and_go(coming, c, around, **mesh, *workers, {&folk, 1}, tick, 1);
@@ -35,11 +35,11 @@ TEST(DistrictComing, KeepsItsNumberForTenMinutes) {
                         std::min(nearest_comer,
                                  length(on_ground(c.motion.position[other.index] - c.motion.position[i])));
         step_crowd(c, around, **mesh, *workers, tick, 1);
-        ASSERT_EQ(c.slots.living.size() + coming.queue.size(), k_people);
-        most_waiting = std::max(most_waiting, coming.queue.size());
+        ASSERT_EQ(c.slots.living.size() + waiting(coming), k_people);
+        most_waiting = std::max(most_waiting, waiting(coming));
         if (tick % 10 == 0) deepest = std::max(deepest, deepest_overlap(c));
     }
-    std::printf("%u left, %u came in, %zu waited at most; deepest overlap %.3f m, nearest comer %.3f m\n",
+    std::printf("%u left, %u came in, %u waited at most; deepest overlap %.3f m, nearest comer %.3f m\n",
                 coming.left, coming.came, most_waiting, static_cast<double>(deepest),
                 static_cast<double>(nearest_comer));
     EXPECT_GT(coming.left, k_people / 2);

@@ -110,8 +110,8 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
     if (!loaded) return loaded.error();
     World& world = *loaded->world;
     if (log.head.walkers != world.crowd.capacity)
-        return Error{"The two begin apart: there are " + std::to_string(world.crowd.capacity) +
-                     " walkers here and " + std::to_string(log.head.walkers) + " there."};
+        return Error{"The two begin apart: there is room for " + std::to_string(world.crowd.capacity) +
+                     " walkers here and for " + std::to_string(log.head.walkers) + " there."};
     const StateFields fields = state_fields(world);
     const CommonFields common = common_fields(fields, log.head.fields);
     if (common.walkers.empty() && world.crowd.capacity > 0)
@@ -134,7 +134,7 @@ Result<void> compare(const Options& options, const Words& words, StateLogReader&
                                            ? "The state at tick 0 is equal"
                                            : "All " + std::to_string(last + 1) +
                                                  " states are equal, from tick 0 to " + std::to_string(last);
-            std::printf("%s: %u walkers, %zu fields.\n", states.c_str(), world.crowd.capacity,
+            std::printf("%s: %zu walkers, %zu fields.\n", states.c_str(), walkers(world).size(),
                         common.walkers.size() + common.crowd.size());
             std::fputs(told_alone(common).c_str(), stdout);
             return {};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "assets/files/words.h"
 #include "sim/base/isa.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/check/state_log.h"
@@ -10,6 +11,7 @@
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/measure/coming.h"
 #include "tools/flaneur/measure/count.h"
 #include "tools/flaneur/measure/csv.h"
 #include "tools/flaneur/output/measures.h"
@@ -48,17 +50,12 @@ Result<void> finish(StateLog log, const World& world) {
 
 }  // namespace
 
-// Who came and went by themselves, where anybody did.
-static void tell_coming(const World& world) {
-    const ComingCount count = coming_count(world);
-    auto people = [](uint32_t n) { return std::to_string(n) + (n == 1 ? " person" : " people"); };
-    if (count.left > 0 || count.came > 0)
-        say(people(count.left) + " left, " + people(count.came) + " came in.");
-    if (count.waiting > 0) say(people(count.waiting) + " found no room to come in.");
-    if (count.lost > 0)
-        say(people(count.lost) +
-            " could not be sent: no ground that is walked on leads from where they come in to where they "
-            "go.");
+static void tell_coming(const Loaded& loaded) {
+    const World& world = *loaded.world;
+    std::string told = told_coming(coming_count(world), sent_counts(world), loaded.sent_names);
+    if (told.empty()) return;
+    told.pop_back();
+    for (const std::string_view line : split(told, '\n')) say(line);
 }
 
 Result<void> run_sim(const Options& options) {
@@ -111,7 +108,7 @@ Result<void> run_sim(const Options& options) {
                   static_cast<uint32_t>(walkers(world).size()), world.tick, thread_count(*world.workers),
                   spent.count());
     say(city_name(options.scene) + figures);
-    tell_coming(world);
+    tell_coming(*loaded);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));
     std::fputs(told_counts(counts).c_str(), stdout);
     if (!options.measures.empty()) {

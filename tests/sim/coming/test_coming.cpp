@@ -58,9 +58,9 @@ TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
         step(*w);
         allocated += allocations() - before;
         const ComingCount count = coming_count(*w);
-        ASSERT_EQ(walkers(*w).size() + w->coming.queue.size(), 150u);
+        ASSERT_EQ(walkers(*w).size() + waiting(w->coming), 150u);
         ASSERT_EQ(kept_people(w->coming, w->crowd), 150u);
-        ASSERT_EQ(count.left, count.came + w->coming.queue.size());
+        ASSERT_EQ(count.left, count.came + waiting(w->coming));
         for (const uint32_t who : w->coming.arrivals) {
             ASSERT_TRUE(is_there(w->crowd, who));
             ASSERT_NE(w->crowd.motion.polygon[who], 0u);
@@ -69,7 +69,7 @@ TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
     }
     EXPECT_EQ(allocated, 0u);
     EXPECT_GT(coming_count(*w).left, 60u);
-    EXPECT_LT(w->coming.queue.size(), 15u);
+    EXPECT_LT(waiting(w->coming), 15u);
 }
 
 TEST(Coming, NobodyByDefault) {
@@ -98,7 +98,7 @@ TEST(Coming, SavedMidwayItGoesOnTheSameWay) {
     for (const uint32_t at : {1200u, 1201u, 1203u}) {
         WorldOptions options = busy();
         options.destinations.resize(4);
-        options.sendings = {{{{{0, 0}}, 0}, {{{20, 20}}, 0}, 40, 1, 15, 25, 0}};
+        options.sendings = {{{{{0, 0}}, {}}, {{{20, 20}}, {}}, 40, 1, 15, 25, 0}};
         options.capacity = 170;
         auto w = made(2, options);
         run(*w, at);
@@ -123,7 +123,7 @@ TEST(Coming, SentPeopleComeGoAndLeave) {
     WorldOptions options;
     options.capacity = 100;
     options.sendings = {
-        {{{{-22, -22}, {-19, -22}, {-19, -19}, {-22, -19}}, 0}, {{{10, 10}}, 0}, 30, 1, 2, 32, 1.5f}};
+        {{{{-22, -22}, {-19, -22}, {-19, -19}, {-22, -19}}, {}}, {{{10, 10}}, {}}, 30, 1, 2, 32, 1.5f}};
     auto w = made(2, options);
     EXPECT_TRUE(walkers(*w).empty());
     run(*w, 60);
@@ -150,7 +150,7 @@ TEST(Coming, SentPeopleComeGoAndLeave) {
 TEST(Coming, WhoFindsNoRoomWaits) {
     WorldOptions options;
     options.capacity = 100;
-    options.sendings = {{{{{0, 0}}, 0}, {{{0.5f, 0}}, 0}, 5, 1, 0, 0, 0}};
+    options.sendings = {{{{{0, 0}}, {}}, {{{0.5f, 0}}, {}}, 5, 1, 0, 0, 0}};
     auto w = made(1, options);
     ASSERT_TRUE(add_walker(*w, {.place = Vec3{0, 0, 0}}));
     run(*w, 300);
@@ -165,7 +165,8 @@ TEST(Coming, WhoFindsNoRoomWaits) {
 TEST(Coming, NoMoreThanThereIsRoomFor) {
     WorldOptions options;
     options.capacity = 8;
-    options.sendings = {{{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, 0}, {{{25, 25}}, 0}, 50, 1, 0, 0, 0}};
+    options.sendings = {
+        {{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}, {{{25, 25}}, {}}, 50, 1, 0, 0, 0}};
     auto w = made(1, options);
     run(*w, 30);
     EXPECT_EQ(walkers(*w).size(), 8u);
@@ -173,10 +174,72 @@ TEST(Coming, NoMoreThanThereIsRoomFor) {
     EXPECT_EQ(coming_count(*w).lost, 0u);
 }
 
+// Five times as many are sent, all of them at one place, as have room there.
+TEST(Coming, ThoseSentKeepNobodyOutWhoComesInsteadOfOthers) {
+    WorldOptions options = busy();
+    options.sendings = {{{{{0, 0}}, {}}, {{{20, 20}}, {}}, 50'000, 1, 0, 0, 0}};
+    for (const uint32_t room : {151u, 400u}) {
+        options.capacity = room;
+        auto w = made(2, options);
+        for (int i = 0; i < 60 * 90; ++i) {
+            step(*w);
+            ASSERT_EQ(kept_people(w->coming, w->crowd), 150u);
+        }
+        const SentCount sent = sent_counts(*w)[0];
+        EXPECT_LT(waiting(w->coming) - sent.waiting, 15u) << room;
+        EXPECT_GT(coming_count(*w).came - sent.came, 30u) << room;
+        EXPECT_GT(sent.came, 0u) << room;
+        EXPECT_LE(walkers(*w).size(), room);
+    }
+}
+
+TEST(Coming, EachSendingIsCounted) {
+    WorldOptions options;
+    options.capacity = 40;
+    options.sendings = {{{{{-20, -20}}, {}}, {{{-10, -20}}, {}}, 3, 1, 0, 6, 1.5f},
+                        {{{{20, -20}}, {}}, {{{20, 20}}, {}}, 2, 1, 5, 5, 0},
+                        {{{{-20, 20}}, {}}, {{{250, 20}}, {}}, 4, 1, 0, 0, 0},
+                        {{{{0, 20}}, {}}, {{{0, 25}}, {}}, 9, 1, 100, 200, 0}};
+    auto w = made(1, options);
+    auto expect = [&](size_t sending, const SentCount& is) {
+        const SentCount count = sent_counts(*w)[sending];
+        EXPECT_EQ(count.came, is.came) << sending;
+        EXPECT_EQ(count.under_way, is.under_way) << sending;
+        EXPECT_EQ(count.arrived, is.arrived) << sending;
+        EXPECT_EQ(count.waiting, is.waiting) << sending;
+        EXPECT_EQ(count.lost, is.lost) << sending;
+        EXPECT_EQ(count.later, is.later) << sending;
+    };
+    run(*w, 60 * 5 + 2);
+    expect(0, {.came = 3, .under_way = 3});
+    expect(1, {.came = 1, .under_way = 1, .waiting = 1});
+    expect(2, {.lost = 4});
+    expect(3, {.later = 9});
+    std::vector<std::byte> bytes;
+    save_state(*w, bytes);
+    run(*w, 60 * 15);
+    expect(0, {.came = 3, .arrived = 3});
+    ASSERT_TRUE(load_state(*w, bytes));
+    expect(0, {.came = 3, .under_way = 3});
+    ASSERT_TRUE(remove_walker(*w, walkers(*w)[0]));
+    expect(0, {.came = 3, .under_way = 2});
+}
+
+TEST(Coming, AHeightAtWhichNobodyWalksIsToldFromOthers) {
+    auto w = made(1, {});
+    const SentPlace place{{{0, 0}}, 8.0f}, area{{{-5, 0}, {5, 0}, {0, 5}}, -9.0f};
+    ASSERT_TRUE(other_height(place, *w->navmesh));
+    EXPECT_NEAR(*other_height(place, *w->navmesh), 0, 0.2f);
+    EXPECT_TRUE(other_height(area, *w->navmesh));
+    EXPECT_FALSE(other_height({{{0, 0}}, 1.0f}, *w->navmesh));
+    EXPECT_FALSE(other_height({{{0, 0}}, {}}, *w->navmesh));
+    EXPECT_FALSE(other_height({{{500, 0}}, 8.0f}, *w->navmesh)) << "where nobody walks at all";
+}
+
 TEST(Coming, WhoHasNoWayIsCounted) {
     WorldOptions options;
     options.capacity = 8;
-    options.sendings = {{{{{-20, -20}}, 0}, {{{250, 25}}, 0}, 3, 1, 0, 0, 0}};
+    options.sendings = {{{{{-20, -20}}, {}}, {{{250, 25}}, {}}, 3, 1, 0, 0, 0}};
     auto w = made(1, options);
     run(*w, 30);
     EXPECT_EQ(coming_count(*w).lost, 3u);
@@ -210,7 +273,11 @@ TEST(Coming, RefusesWhatIsOutOfRange) {
     options.leaving[0] = 1.5f;
     EXPECT_FALSE(is_taken(options));
     options.leaving[0] = 1;
-    options.sendings = {{{{{0, 0}}, 0}, {{{1, 1}}, 0}, 3, 1, 5, 9, 1}};
+    options.destinations = {{static_cast<DestinationKind>(k_destination_count), {0, 0, 0}, {0, 1}, 1}};
+    EXPECT_FALSE(is_taken(options));
+    options.destinations[0].kind = DestinationKind::square;
+    EXPECT_TRUE(is_taken(options));
+    options.sendings = {{{{{0, 0}}, {}}, {{{1, 1}}, {}}, 3, 1, 5, 9, 1}};
     EXPECT_TRUE(is_taken(options));
     for (const auto& breaks : std::initializer_list<void (*)(Sending&)>{
              [](Sending& f) { f.from.corners.clear(); }, [](Sending& f) { f.to.corners.resize(2); },

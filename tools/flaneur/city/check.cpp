@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "assets/files/words.h"
 #include "sim/base/rng.h"
 #include "sim/ground/grid.h"
 #include "tools/extract/extract.h"
@@ -331,22 +332,25 @@ Result<void> check_city(const Options& options) {
     nlohmann::ordered_json json;
     const std::string name = city_name(options.scene);
     json["city"] = name;
-    std::printf("%-36s %10s %10s\n", printable(name).c_str(), "found", "bar");
-    size_t missed = 0;
+    std::printf("%s, with %d walkers for %g s\n", printable(name).c_str(), options.scene.walkers,
+                options.seconds);
+    std::printf("%-36s %10s %10s\n", "", "found", "bar");
+    std::vector<std::string> missed;
     for (const Finding& f : findings) {
         std::printf("%-36s %10.3f %s%8.3f%s\n", f.name.c_str(), f.value, f.at_least ? ">=" : "<=", f.bar,
                     is_met(f) ? "" : "  MISSED");
         for (const std::string& place : f.where) std::printf("    at %s\n", place.c_str());
-        missed += !is_met(f);
+        if (!is_met(f)) missed.push_back(f.name);
         json["findings"].push_back(
             {{"name", f.name}, {"value", f.value}, {"bar", f.bar}, {"met", is_met(f)}, {"where", f.where}});
     }
     if (*file) {
         if (Result<void> kept = write_file(std::move(*file), json.dump(2) + "\n"); !kept) return kept;
     }
-    if (missed > 0)
-        return Error{name + " misses " + std::to_string(missed) + " of " + std::to_string(findings.size()) +
-                     " bars."};
+    if (!missed.empty())
+        return Error{name + " misses " + std::to_string(missed.size()) + " of " +
+                     std::to_string(findings.size()) + " bars: " + joined(missed) + "."};
+    std::printf("%s meets all %zu bars.\n", printable(name).c_str(), findings.size());
     return {};
 }
 

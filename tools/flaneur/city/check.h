@@ -34,7 +34,7 @@ std::vector<Finding> check_drawn(const City& city, const Navmesh& mesh);
 Finding check_paths(const City& city, const Navmesh& mesh);
 
 // Walkers in the city for so long: who was in a wall, off the ground, or stuck for a minute (where they walk
-// for longer), who found no room to come in for others who left, and how much of their walking was on
+// for longer), who waits outside for room to come in instead of others, and how much of their walking was on
 // roadways more than 3 m from a crossing.
 Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
                                          PassOn pass_on, const Leaving& leaving, uint32_t walkers,

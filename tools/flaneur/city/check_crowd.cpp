@@ -71,7 +71,7 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
         stuck{"walkers stuck for a minute", 0, 0, false, {}},
         on_road{"walking on roads off crossings, %", 0, 5, false, {}},
         overlap{"deepest overlap of two walkers, m", 0, 0.05, false, {}},
-        outside{"found no room to come in", 0, std::max(1.0, walkers * k_most_outside), false, {}};
+        outside{"wait outside for room to come in", 0, std::max(1.0, walkers * k_most_outside), false, {}};
     auto count = [&](bool& counted, Finding& finding, uint32_t i, const std::string& why) {
         if (counted) return;
         counted = true;

@@ -1,6 +1,7 @@
 #include "tools/flaneur/load/load.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -172,6 +173,11 @@ Result<City> read_bare_city(const Scene& scene) {
     FLANEUR_ZONE("read the city");
     if (Result<void> found = find_files(scene); !found) return found.error();
     show_progress("making the city");
+    constexpr int k_many_blocks = 12;
+    if (const int blocks = district_blocks(scene);
+        grows_with_walkers(scene) && blocks > scene.blocks && blocks >= k_many_blocks)
+        say(scene.name + ": grows to " + std::to_string(blocks) + " times " + std::to_string(blocks) +
+            " blocks for " + std::to_string(scene.walkers) + " walkers, which may take minutes to make.");
     if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
@@ -225,18 +231,37 @@ PassOn side_of(const Scene& scene, const City& city) {
 }
 
 // Who leaves and who is sent, and room for those sent.
-static Result<void> settle_coming(const Scene& scene, const City& city, WorldOptions& world) {
+static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptions& world) {
     constexpr uint32_t k_most_at_once = 20'000;
     if (!scene.stays && !scene.asteroid) world.leaving = k_usual_leaving;
     world.capacity = world.walkers;
     if (scene.demand.empty()) return {};
-    Result<SentPeople> sent = load_demand(scene.demand, city);
+    Result<SentPeople> sent = load_demand(scene.demand, *loaded.city);
     if (!sent) return sent.error();
     print_notes(scene.demand, sent->notes);
     world.sendings = std::move(sent->sendings);
+    loaded.sent_names = std::move(sent->names);
     uint32_t people = 0;
     for (const Sending& sending : world.sendings) people += sending.people;
     world.capacity = std::min(world.walkers + std::min(people, k_most_at_once), uint32_t{k_max_walkers});
+    return {};
+}
+
+// Refuses heights of a demand at which there is nothing to walk on.
+static Result<void> check_heights(const std::string& path, const std::vector<Sending>& sendings,
+                                  const std::vector<std::string>& names, const Navmesh& mesh) {
+    for (size_t i = 0; i < sendings.size(); ++i)
+        for (const auto& [end, place] :
+             {std::pair("from", &sendings[i].from), std::pair("to", &sendings[i].to)}) {
+            const std::optional<float> there = other_height(*place, mesh);
+            if (!there) continue;
+            char text[160];
+            std::snprintf(text, sizeof text,
+                          " whose \"%s\" has the height %.1f, where nobody can walk: the ground there is at "
+                          "%.1f. Say that, or leave \"height\" out.",
+                          end, static_cast<double>(*place->height), static_cast<double>(*there));
+            return Error{"The demand " + excerpt(path) + " has " + names[i] + text};
+        }
     return {};
 }
 
@@ -268,13 +293,15 @@ Result<Loaded> load(const Options& options) {
     world.threads = options.threads;
     world.hour = scene.hour;
     world.pass_on = side_of(scene, *loaded.city);
-    if (Result<void> settled = settle_coming(scene, *loaded.city, world); !settled) return settled.error();
+    if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
         return !is_stopping();
     };
     Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, options.threads);
     if (!mesh) return mesh.error();
+    if (Result<void> sound = check_heights(scene.demand, world.sendings, loaded.sent_names, **mesh); !sound)
+        return sound.error();
     FLANEUR_ZONE("set people down");
     auto made = make_world(std::shared_ptr<const Ground>(loaded.city, &loaded.city->ground), std::move(*mesh),
                            world, progress);

@@ -21,6 +21,7 @@ struct Loaded {
     std::vector<Character> characters;  // one for each of the world's bodies
     // Of each character: the file that it is from, and which part of those from there it usually is.
     std::vector<PeopleShare> parts;
+    std::vector<std::string> sent_names;  // what the demand calls each of the world's sendings
 };
 
 // What another run with the same characters is made of, apart from the one that goes on meanwhile.

@@ -1,4 +1,4 @@
-#include "assets/scene/json_place.h"
+#include "assets/files/json_place.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
