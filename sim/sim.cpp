@@ -67,7 +67,8 @@ Result<Ground> ground_of(const Triangles& t, float max_slope_degrees) {
 
 Result<void> check(const std::vector<Sending>& sendings) {
     auto is_sound = [](const SentPlace& area) {
-        bool sound = (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height.value_or(0));
+        bool sound =
+            (area.corners.size() == 1 || area.corners.size() >= 3) && std::isfinite(area.height.value_or(0));
         for (const Vec2 corner : area.corners)
             sound = sound && std::isfinite(corner.x) && std::isfinite(corner.z);
         return sound;

@@ -23,7 +23,8 @@ struct DemandReading {
     const City& city;
     std::string_view text;
     std::map<std::string, SentPlace> places{};
-    size_t corners = 0;  // of all areas that people are sent between
+    bool is_naming = false;  // reads "places", of which only those above are known
+    size_t corners = 0;      // of all areas that people are sent between
 };
 
 std::string line_of(const DemandReading& r, const std::vector<std::string>& path, bool of_key = false) {
@@ -69,6 +70,7 @@ Result<Vec2> corner_of(const DemandReading& r, const Json& json, bool is_alone) 
         return Error{excerpt(text) +
                      R"(, which is no corner of an area: neither [X, Z] in metres nor "LAT,LON")"};
     return Error{excerpt(text) + R"(, which is neither "LAT,LON" nor the name of one of "places")" +
+                 (r.is_naming ? " above it" : "") +
                  (r.places.empty() ? "" : ": " + excerpt(joined(names_of(r))))};
 }
 
@@ -227,6 +229,7 @@ Result<Sending> sending_of(DemandReading& r, const DemandEntry& entry) {
 
 Result<void> read_places(DemandReading& r, const Json& places) {
     if (!places.is_object()) return Error{R"(has "places" that are no object of names)"};
+    r.is_naming = true;
     for (const auto& [name, value] : places.items()) {
         Result<SentPlace> area = area_of(r, value);
         if (!area)
@@ -234,6 +237,7 @@ Result<void> read_places(DemandReading& r, const Json& places) {
                          " that is " + area.error().message};
         r.places[name] = std::move(*area);
     }
+    r.is_naming = false;
     return {};
 }
 
@@ -250,7 +254,8 @@ Result<Json> read_head(std::string_view text) {
         return Error{"has a number that is too large"};
     }
     if (const auto at = find_repeated_key(text))
-        return Error{"has " + in_line(*at) + " a key that is there twice; leave one"};
+        return Error{"has " + in_line(*at) + " the key " +
+                     excerpt(text.substr(*at, text.find('"', *at + 1) + 1 - *at)) + " twice; leave one"};
     if (!json.is_object() || !json.contains("people") || !json["people"].is_array())
         return Error{std::string("sends nobody; a demand is ") + k_like};
     for (const auto& [name, value] : json.items())

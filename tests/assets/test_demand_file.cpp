@@ -74,7 +74,7 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(refusal_of("[]"), "sends nobody");
     expect_told(refusal_of(R"({ "people": [], "persons": 3 })"), "persons, which is not known");
     expect_told(refusal_of(R"({ "people": [] })"), "sends nobody");
-    expect_told(refusal_of("{ \"people\": [],\n\"people\": [] }"), "in line 2 a key that is there twice");
+    expect_told(refusal_of("{ \"people\": [],\n\"people\": [] }"), "in line 2 the key \"people\" twice");
     expect_told(refusal_of("{\n\"people\": [\n3 ] }"), "in line 3 people 1 that is no object");
     expect_told(refusal_of(R"({ "people": [ { "from": [0, 0] } ] })"), R"(without "to")");
     auto with = [](const std::string& more) {
@@ -106,6 +106,8 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(from(R"("95,13.4")"), "nowhere on Earth");
     expect_told(from(R"({ "height": 3 })"), R"(an object without "at")");
     expect_told(from("true"), "neither a place nor three corners");
+    expect_told(refusal_of(R"({ "places": { "a": { "at": "b" }, "b": [0, 0] }, "people": [] })"),
+                R"(nor the name of one of "places" above it)");
     std::string corners = "[[0, 0]";
     for (int i = 0; i < 1000; ++i) corners += ", [" + std::to_string(i) + ", 1]";
     expect_told(from(corners + "]"), "an area of 1001 corners, and 1000 are the most");
