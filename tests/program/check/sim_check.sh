@@ -98,7 +98,7 @@ END
 chmod +x dies_late
 parts --with ./dies_late "${corner[@]}" && says "failed: ./dies_late ended with exit code 3. It said: late$"
 parts --with-options "--bogus" "${corner[@]}" && says "failed: this program, with --bogus, ended with .* It said: flaneur: .*--bogus"
-parts --with-options "--walkers 23" "${corner[@]}" && says "24 walkers here and 23 there"
+parts --with-options "--walkers 23" "${corner[@]}" && says "room for 24 walkers here and for 23 there"
 sed '0,/^word --walkers$/s//word --trace/' a.log > bad.log
 "$here/summed" bad.log
 parts --against bad.log && says "no world's" && [[ ! -e 24 ]]
