@@ -17,6 +17,7 @@ namespace flaneur {
 namespace {
 
 constexpr float k_degrees = 1 / k_radians;
+constexpr float k_hair = 0.5f;          // degrees beyond a limit that nobody sees
 constexpr float k_steady_speed = 0.7f;  // m/s
 constexpr float k_steady_turn = 0.15f;  // rad/s
 constexpr uint32_t k_settles = 60;      // ticks
@@ -57,7 +58,7 @@ void watch_joints(WalkerWatch& watch, const World& world, size_t i) {
         seen.last = against;
         if (root) continue;
         float over = beyond_limits(joint, joint_angles(joint, up, poses[j].rotation));
-        seen.outside += over > 0;
+        seen.outside += over > k_hair;
         if (over > seen.beyond) {
             seen.beyond = over;
             seen.beyond_tick = world.tick;
@@ -264,7 +265,19 @@ Quantity quantity_of(const char* name, const WorstOfAll& all) {
 
 }  // namespace
 
+// Another one has come in there.
+static void begin_anew(WalkerWatch& watch, uint32_t generation) {
+    watch.generation = generation;
+    watch.ticks = 0;
+    watch.seen = false;
+    for (StanceWatch& foot : watch.feet) foot = {};
+    watch.legs.clear();
+}
+
 void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
+    if (!is_there(world.crowd, static_cast<uint32_t>(i))) return;
+    const uint32_t generation = world.crowd.slots.generation[i];
+    if (generation != watch.generation) begin_anew(watch, generation);
     watch_joints(watch, world, i);
     const FootInstant feet[2] = {foot_instant(*world.ground, world.gait, world.poses, i, k_left),
                                  foot_instant(*world.ground, world.gait, world.poses, i, k_right)};

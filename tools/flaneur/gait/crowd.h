@@ -57,13 +57,14 @@ struct WorstWatch {
     uint32_t tick = 0;
 };
 
-// One walker, looked at after each tick.
+// Those who are in one slot, one after another, looked at after each tick.
 struct WalkerWatch {
     StanceWatch feet[2];
     std::vector<Stance> stances;
     std::vector<float> slips;  // metres in a tick, of planted feet
     JointWatch joints[k_joint_count];
     WorstWatch worst[worst_count];
+    uint32_t generation = 0;  // of the one who is there
     // Its last ticks.
     Vec2 velocity;
     float head = 0, pelvis[2] = {};  // heights, metres
@@ -80,7 +81,7 @@ struct WalkerWatch {
     std::vector<Leg> legs;
 };
 
-// Looks at walker `i` after world.tick ticks.
+// Looks at walker `i`, if there is one, after world.tick ticks.
 void watch_walker(WalkerWatch& watch, const World& world, size_t i);
 
 // What all of them come to, with bars, in the city of that name.
