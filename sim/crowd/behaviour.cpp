@@ -47,19 +47,22 @@ static constexpr Stay k_stroll_stay{1.5f, 6};  // at a goal without a name
 
 static bool is_cheap(Surface s) { return s != Surface::road && s != Surface::grass; }
 
-// Takes corner k of a path elsewhere, or less far so; the mesh, the kind of ground and a clear view along
-// both stretches have the last word. `in`: the way that led to it.
-static void shift_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k, Vec2 in, Vec2 by) {
+static std::optional<NavPoint> place_of_corner(const Navmesh& mesh, int thread, Vec3 corner) {
+    return nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+}
+
+// Takes corner k of a path, which is at `place`, elsewhere, or less far so; the mesh, the kind of ground and
+// a clear view along both stretches have the last word. `in`: the way that led to it.
+static void shift_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, int k, NavPoint place,
+                         Vec2 in, Vec2 by) {
     const Journey& j = c.journeys[i];
     Vec3* corners = &c.corners[size_t{i} * k_corners];
     Vec3& corner = corners[k];
-    const auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
-    if (!place) return;
     const Vec3 here = k > j.corner ? corners[k - 1] : c.motion.position[i], next = corners[k + 1];
-    const bool cheap = is_cheap(surface_of(mesh, place->polygon));
+    const bool cheap = is_cheap(surface_of(mesh, place.polygon));
     for (float share : {1.0f, 0.4f, 0.1f}) {
         const Vec3 wanted = corner + at_height(by * share, 0);
-        const NavPoint moved = move_along(mesh, thread, *place, wanted, by_of(c, i));
+        const NavPoint moved = move_along(mesh, thread, place, wanted, by_of(c, i));
         const Vec2 way = on_ground(moved.position - here);
         if (dot(way, in) < k_least_onward * length(way)) continue;
         if (cheap && !is_cheap(surface_of(mesh, moved.polygon))) continue;
@@ -83,14 +86,14 @@ static void widen_corner(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, 
                out = normalize_or(on_ground(corners[k + 1] - corner), {0, 0});
     const Vec2 outward = outward_of(in, out);
     j.turned_at = on_ground(corner);
-    const auto place = nearest(mesh, thread, corner, {0.3f, 1.5f, 0.3f});
+    const auto place = place_of_corner(mesh, thread, corner);
     if (!place) return;
     // Of a narrow place one's own half: who comes from the other side turns about its other border.
     const float lateral = c.identity.lateral[i];
     const NavPoint across =
         move_along(mesh, thread, *place, corner + at_height(outward * (2 * lateral), 0), by_of(c, i));
     const float most = k_own_half * length(on_ground(across.position - corner));
-    shift_corner(c, mesh, thread, i, k, in, outward * std::min(lateral, most));
+    shift_corner(c, mesh, thread, i, k, *place, in, outward * std::min(lateral, most));
 }
 
 // Others are at the corner ahead: it is taken as far out as one is, in one's own lane.
@@ -103,7 +106,9 @@ static void keep_lane_at_corner(Crowd& c, const Navmesh& mesh, int thread, uint3
     const Vec2 outward = outward_of(in, out);
     const float across = cross(outward, in);
     if (std::fabs(across) < k_turns) return;
-    shift_corner(c, mesh, thread, i, j.corner, in, outward * (cross(here - corner, in) / across));
+    const Vec2 by = outward * (cross(here - corner, in) / across);
+    if (const auto place = place_of_corner(mesh, thread, corners[j.corner]))
+        shift_corner(c, mesh, thread, i, j.corner, *place, in, by);
     j.closest = length(on_ground(corners[j.corner]) - here);
 }
 
@@ -214,8 +219,6 @@ static void get_unstuck(const Crowd& c, Journey& j, uint32_t i, Vec2 p, bool at_
     }
 }
 
-static Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 p) { return a + (b - a) * closest_on(a, b, p); }
-
 // On from a corner to the next one.
 static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 corner, uint32_t tick) {
     Journey& j = c.journeys[i];
@@ -254,21 +257,24 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
                 j.closest = distance;
                 j.closest_tick = tick;
             }
-            if (static_cast<float>(tick - j.closest_tick) > k_held_up * c.identity.patience[i])
-                j.hurries_until = tick + k_hurries;
             const uint32_t since = tick - j.closest_tick;
+            auto has_come_to = [&](uint32_t ticks) {
+                return since >= ticks && since < ticks + k_decision_ticks;
+            };
+            if (static_cast<float>(since) > k_held_up * c.identity.patience[i])
+                j.hurries_until = tick + k_hurries;
             // Pushed aside to where something stands between: round it. A path from here would be no other.
-            if (since >= k_blocked && since < k_blocked + k_decision_ticks && j.path_due == PathDue::no &&
+            if (has_come_to(k_blocked) && j.path_due == PathDue::no &&
                 length(p - j.path_start) > k_progress &&
                 !is_clear(mesh, c.motion.position[i], corners[j.corner]))
                 j.path_due = PathDue::to_goal;
-            if (!last && since >= k_waits && since < k_waits + k_decision_ticks) {
+            if (!last && has_come_to(k_waits)) {
                 keep_lane_at_corner(c, mesh, thread, i);
                 here = on_ground(corners[j.corner]), to = here - p, distance = length(to);
             }
-            const Vec2 beside = nearest_on(j.stretch_start, here, p);
+            const Vec2 beside = lerp(j.stretch_start, here, closest_on(j.stretch_start, here, p));
             const float off = length(beside - p);
-            if (tick - j.closest_tick > k_patience || off > k_far_off) {
+            if (since > k_patience || off > k_far_off) {
                 bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
                 get_unstuck(c, j, i, p, at_goal, tick, seed);
             }

@@ -263,16 +263,16 @@ Quantity quantity_of(const char* name, const WorstOfAll& all) {
     return q;
 }
 
-}  // namespace
-
 // Another one has come in there.
-static void begin_anew(WalkerWatch& watch, uint32_t generation) {
+void begin_anew(WalkerWatch& watch, uint32_t generation) {
     watch.generation = generation;
     watch.ticks = 0;
     watch.seen = false;
     for (StanceWatch& foot : watch.feet) foot = {};
     watch.legs.clear();
 }
+
+}  // namespace
 
 void watch_walker(WalkerWatch& watch, const World& world, size_t i) {
     if (!is_there(world.crowd, static_cast<uint32_t>(i))) return;
