@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x35'74'73'2e'72'75'6c'66;  // "flur.st5"
+constexpr uint64_t k_mark = 0x36'74'73'2e'72'75'6c'66;  // "flur.st6"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
@@ -23,13 +23,14 @@ static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * 
 struct Head {
     uint64_t mark = k_mark, world = 0;
     uint32_t tick = 0, count = 0, next_path = 0;
-    float widest = 0;
+    float widest = 0, strays = 0;
+    Driven driven{};
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
     uint32_t ways = 0, passages = 0, traffic = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 96, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 112, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -92,6 +93,8 @@ Head head_of(const World& w) {
     const Crowd& c = w.crowd;
     Head head{.world = state_mark(w), .tick = w.tick, .count = c.count, .next_path = c.next_path};
     head.widest = c.widest;
+    head.strays = c.scratch.strays;
+    head.driven = c.driven;
     head.traffic = c.traffic.done;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
@@ -190,6 +193,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.tick = head->tick;
     c.next_path = head->next_path;
     c.widest = head->widest;
+    c.scratch.strays = head->strays;
+    c.driven = head->driven;
     c.count = head->count;
     Coming& coming = w.coming;
     coming.successors.next = head->next_successor;

@@ -290,9 +290,13 @@ void change_mesh(Coming& coming, const Navmesh& mesh) {
     constexpr Vec3 k_near{8, 4, 8};
     for (WaitingLine* line : {&coming.successors, &coming.sent})
         for (Entrant& e : line->entrants) {
-            const auto place = e.place.polygon ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
+            const bool has_place = e.place.polygon || is_sent(e);
+            const auto place = has_place ? nearest(mesh, 0, e.place.position, k_near) : std::nullopt;
             const auto goal = is_sent(e) ? nearest(mesh, 0, e.goal.position, k_near) : std::nullopt;
-            e.place = place && (!is_sent(e) || goal) ? *place : NavPoint{};
+            if (place && (!is_sent(e) || goal))
+                e.place = *place;
+            else
+                e.place.polygon = 0;  // who is sent looks there again when the mesh changes back
             if (goal) e.goal = *goal;
         }
 }

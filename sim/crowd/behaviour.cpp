@@ -350,8 +350,9 @@ static Onward onward_by_path(const Crowd& c, uint32_t i) {
 
 static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick,
                             uint64_t seed) {
-    const Journey& j = c.journeys[i];
+    Journey& j = c.journeys[i];
     const bool is_beside = c.way_back[i].polygon != 0, is_driven = i == c.driven.walker;
+    if (is_driven) j.closest_tick = tick;  // who is led by hand is not held up
     const bool waits = tick < j.pause_until;
     const bool goes_on = is_beside || is_driven;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;

@@ -16,7 +16,7 @@ inline constexpr float k_depth = 0.8f;    // of a body from front to back, again
 inline constexpr float k_headway = 1, k_hurried_headway = 0.3f, k_meeting_headway = 0.45f;
 // How far to either side a body is ahead, of the width of both; and to one who has been held up.
 inline constexpr float k_swath = 0.6f, k_hurried_swath = 0.2f;
-inline constexpr int k_prams_near = 64;  // of all sixteen
+inline constexpr int k_prams_near = 3 * k_block * k_neighbours;  // of all sixteen, who may push one each
 
 // What may not be come near: from a walker on its lane to something else, metres and m/s.
 struct Meeting {

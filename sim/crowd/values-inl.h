@@ -30,6 +30,7 @@ void for_each_value(const Crowd& c, uint32_t i, const Each& each) {
     const CrowdMotion& m = c.motion;
     add(k_motion, "position", m.position[i]);
     add(k_motion, "velocity", m.velocity[i]);
+    add(k_motion, "wish", m.wish[i]);
     add(k_motion, "heading", m.heading[i]);
     add(k_motion, "turn_rate", m.turn_rate[i]);
     add(k_motion, "feet", m.feet[i]);

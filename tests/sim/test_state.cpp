@@ -80,6 +80,25 @@ TEST(State, TakenBackTheWorldGoesOnAsItDid) {
         }
 }
 
+TEST(State, KnowsWhoIsDriven) {
+    auto w = made(1);
+    drive(w->crowd, 3);
+    w->crowd.driven.wish = {1, 0};
+    run(*w, 30, false);
+    std::vector<std::byte> bytes;
+    save_state(*w, bytes);
+    const uint64_t then = hash_world(*w);
+    run(*w, 60, false);
+    const uint64_t end = hash_world(*w);
+    let_go(w->crowd);
+    drive(w->crowd, 5);
+    ASSERT_TRUE(load_state(*w, bytes));
+    EXPECT_EQ(hash_world(*w), then);
+    EXPECT_EQ(w->crowd.driven.walker, 3u);
+    run(*w, 60, false);
+    EXPECT_EQ(hash_world(*w), end);
+}
+
 TEST(State, OnSteps) {
     auto w = made(2, 1, 50, steps());
     run(*w, 300, true);

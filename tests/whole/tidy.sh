@@ -1,6 +1,8 @@
 #!/bin/bash
-# tidy.sh ROOT BUILD: clang-tidy, and Clang's own warnings, over the sources that BUILD compiles.
+# tidy.sh ROOT BUILD COMMITS: clang-tidy, and Clang's own warnings, over the sources that the last COMMITS commits changed, or
+# over all where git cannot tell; those that nobody has changed since say what they said.
 set -euo pipefail
 cd "$1"
-find sim assets renderer tools -name '*.cpp' | sort |
-    xargs --max-procs="$(nproc)" --max-args=4 clang-tidy --quiet -p "$2"
+changed=$(git log --max-count="$3" --name-only --format= -- '*.cpp' 2> /dev/null) || changed=$(find . -name '*.cpp' -printf '%P\n')
+sort -u <<< "$changed" | grep -E '^(sim|assets|renderer|tools)/' | while read -r file; do if [[ -f $file ]]; then echo "$file"; fi; done |
+    xargs --no-run-if-empty --max-procs="$(nproc)" --max-args=4 clang-tidy --quiet -p "$2"

@@ -1,7 +1,8 @@
 #!/bin/bash
 # sweep.sh FLANEUR: every two of the scenes, qualities, hours, weathers, cameras, sizes and views for work together, and
-# pictures of one pixel and of nine million: the validation layer has nothing to say, a second run, on another number
-# of threads, writes the same bytes, and lit by the device rather than by the host it is the same within 1 of 255.
+# pictures of one pixel and of nine million: the validation layer has nothing to say. Of every two, one is drawn again on
+# another number of threads, which writes the same bytes, and one lit by the device rather than by the host, which is the
+# same within 1 of 255.
 set -euo pipefail
 flaneur=$1
 folder=$(mktemp -d)
@@ -9,13 +10,17 @@ trap 'rm -rf "$folder"' EXIT
 draw() {
     "$flaneur" render --walkers 40 --frames 30 "$@" 2> "$folder/said" || { cat "$folder/said" && exit 1; }
 }
+drawn=0
 twice() {
     echo "$*"
     draw "$@" --validate --threads 1 --out "$folder/a.png"
-    draw "$@" --threads 3 --out "$folder/b.png"
-    cmp "$folder/a.png" "$folder/b.png" || { echo "FAILED: two runs differ." && exit 1; }
-    draw "$@" --light device --out "$folder/c.png"
-    "$(dirname "$0")/differ.py" "$folder/a.png" "$folder/c.png" 1
+    if ((drawn++ % 2)); then
+        draw "$@" --light device --out "$folder/b.png"
+        "$(dirname "$0")/differ.py" "$folder/a.png" "$folder/b.png" 1
+    else
+        draw "$@" --threads 3 --out "$folder/b.png"
+        cmp "$folder/a.png" "$folder/b.png" || { echo "FAILED: two runs differ." && exit 1; }
+    fi
 }
 rows=0
 while read -r scene quality time weather camera size view; do
@@ -28,4 +33,4 @@ done < <("$(dirname "$0")/pairs.py" scene=corner,square,district,asteroid qualit
     weather=clear,overcast camera=street,overview,follow:3 size=480x270,1x720,1279x3 \
     view=none,wireframe+lods+gizmos,normals+walkable,overdraw,skeletons+trails,density+speed)
 ((rows >= 24))
-for size in 1x1 4096x2160; do twice --scene corner --size $size --quality ultra --view skeletons; done
+for size in 1x1 1x1 4096x2160; do twice --scene corner --size $size --quality ultra --view skeletons; done

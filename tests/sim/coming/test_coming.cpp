@@ -50,6 +50,30 @@ void run(World& w, uint32_t ticks) {
     for (uint32_t i = 0; i < ticks; ++i) step(w);
 }
 
+TEST(Coming, ThoseSentWaitForTheirPlaceToBeThereAgain) {
+    Ground all = square(60), part = square(20);
+    index_ground(all);
+    index_ground(part);
+    const Result<NavmeshPtr> whole = build_navmesh(all, {}, 1), small = build_navmesh(part, {}, 1);
+    ASSERT_TRUE(whole && small);
+    prepare_queries(**whole, 1);
+    prepare_queries(**small, 1);
+    const std::optional<NavPoint> from = nearest(**whole, 0, {25, 0, 25}, {1, 1, 1});
+    const std::optional<NavPoint> to = nearest(**whole, 0, {0, 0, 0}, {1, 1, 1});
+    ASSERT_TRUE(from && to);
+    Coming coming;
+    Entrant sent;
+    sent.place = *from;
+    sent.goal = *to;
+    sent.sending = 0;
+    coming.sent.entrants = {sent};
+    change_mesh(coming, **small);
+    EXPECT_EQ(coming.sent.entrants[0].place.polygon, 0u);
+    change_mesh(coming, **whole);
+    EXPECT_NE(coming.sent.entrants[0].place.polygon, 0u);
+    EXPECT_EQ(coming.sent.entrants[0].place.position, from->position);
+}
+
 TEST(Coming, AsManyComeAsLeaveAndNobodyOnOthers) {
     auto w = made(2, busy());
     size_t allocated = 0;

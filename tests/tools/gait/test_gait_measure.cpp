@@ -205,6 +205,7 @@ World small_world() {
     w.crowd.motion.turn_rate = {0};
     w.crowd.count = 1;
     w.crowd.slots.generation = {0};
+    w.crowd.slots.place = {0};
     uint32_t body = 0;
     float scale = 1;
     RootMotion root{w.crowd.motion.position.data(), w.crowd.motion.velocity.data(),

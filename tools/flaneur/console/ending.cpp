@@ -84,9 +84,10 @@ std::string told(const std::exception_ptr& exception) {
 
 void obey_signals(void (*to_clean_up)()) {
     clean_up_files = to_clean_up;
+    signal(SIGXFSZ, SIG_IGN);  // what is too large is told where it is written, as on a full disk
     sigset_t signals;
     sigemptyset(&signals);
-    for (int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) {
+    for (int number : {SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGXCPU}) {
         struct sigaction now {};
         sigaction(number, nullptr, &now);
         if (now.sa_handler != SIG_IGN) sigaddset(&signals, number);

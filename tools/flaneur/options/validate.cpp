@@ -11,7 +11,7 @@ is as expected. docs/validation.md tells how each is measured.
 --measured takes trajectories of people, as docs/trajectories.md says which: the chart shows them beside ours, and whoever
 was measured in a corridor walks it again (BI), entering when and where they did.
 Examples:
-  flaneur validate                                         all, some two minutes
+  flaneur validate                                         all, some three minutes
   flaneur validate R4 N2.8                                 these
   flaneur validate --list                                  what there is
   flaneur validate --json out/v.json --svg out/diagram.svg --measured corridor.txt --measured neck.h5
