@@ -177,7 +177,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
             "This state is of another world: one of another seed, other ground or other people. It fits only "
             "the world that it was saved of."};
     Crowd& c = w.crowd;
-    const bool fits = head->count <= c.capacity && head->living <= head->count && head->left <= head->count;
+    const bool fits = head->count <= c.capacity && head->living <= head->count && head->left <= head->count &&
+                      (head->driven.walker == k_nobody || head->driven.walker < head->count);
     const size_t wanted = fits ? sizeof *head + bytes_after(w, *head) : 0;
     if (bytes.size() != wanted)
         return Error{"This state is cut short or damaged: it has " + std::to_string(bytes.size()) +

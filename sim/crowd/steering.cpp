@@ -138,9 +138,8 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     const Vec2 between = on_ground(other.position - me.position);
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
-        if (d.pram_count < k_prams_near)
-            d.prams[d.pram_count++] = {apart,           other.velocity,        radii, share, 1 / k_horizon,
-                                       k_swath * radii, 1 / k_meeting_headway, lane};
+        d.prams[d.pram_count++] = {apart,           other.velocity,        radii, share, 1 / k_horizon,
+                                   k_swath * radii, 1 / k_meeting_headway, lane};
     };
     if (theirs) add(between + other.ahead, me.radius + k_pram_radius);
     if (mine) add(between - me.ahead, k_pram_radius + other.radius);

@@ -3,6 +3,7 @@
 # over all where git cannot tell; those that nobody has changed since say what they said.
 set -euo pipefail
 cd "$1"
-changed=$(git log --max-count="$3" --name-only --format= -- '*.cpp' 2> /dev/null) || changed=$(find . -name '*.cpp' -printf '%P\n')
-sort -u <<< "$changed" | grep -E '^(sim|assets|renderer|tools)/' | while read -r file; do if [[ -f $file ]]; then echo "$file"; fi; done |
+changed=$(git log --max-count="$3" --name-only --format= -- {sim,assets,renderer,tools}/'*.cpp' 2> /dev/null) ||
+    changed=$(find sim assets renderer tools -name '*.cpp')
+sort -u <<< "$changed" | while read -r file; do if [[ -f $file ]]; then echo "$file"; fi; done |
     xargs --no-run-if-empty --max-procs="$(nproc)" --max-args=4 clang-tidy --quiet -p "$2"

@@ -1,9 +1,9 @@
 // How the program ends before it is done: asked to by a signal, or by an exception that nobody caught.
 //
-// SIGINT, SIGQUIT, SIGTERM, SIGHUP and SIGXCPU ask it to stop. Long loops ask is_stopping(), leave by an
-// Error; what cannot ask (a library at work) is cut short: the process ends 0.7 s after the signal whatever
-// it is about, with what was half done cleaned up. Either way it ends by that signal, which a shell tells as
-// 130, 131, 143, 129 or 152.
+// SIGINT, SIGQUIT, SIGTERM, SIGHUP and SIGXCPU ask it to stop. Long loops ask is_stopping() and leave by
+// an Error; what cannot ask (a library at work) is cut short: the process ends 0.7 s after the signal
+// whatever it is about, with what was half done cleaned up. Either way it ends by that signal, which a shell
+// tells as 130, 131, 143, 129 or 152.
 #pragma once
 
 #include <functional>
