@@ -228,12 +228,17 @@ bool remove_walker(World& w, WalkerId id) {
 
 std::span<const WalkerId> walkers(const World& w) { return w.crowd.slots.living; }
 
+static bool can_get_to(const World& w, uint32_t walker, uint32_t polygon) {
+    return are_joined(*w.navmesh, w.crowd.motion.polygon[walker], polygon, by_of(w.crowd, walker));
+}
+
 Result<void> send_to(World& w, WalkerId id, Vec3 goal) {
     if (!is_alive(w, id)) return Error{"That walker is gone."};
     auto place = is_finite(goal) ? nearest(*w.navmesh, 0, goal, k_reach) : std::nullopt;
     if (!place) return Error{"There is no walkable ground within 2 m of " + at(goal) + "."};
-    if (island(*w.navmesh, place->polygon) != island(*w.navmesh, w.crowd.motion.polygon[id.index]))
-        return Error{"There is no way to " + at(goal) + " from where the walker is."};
+    if (!can_get_to(w, id.index, place->polygon))
+        return Error{"There is no way to " + at(goal) + " from where the walker is" +
+                     (w.crowd.identity.ahead[id.index] > 0 ? " that a pram can take." : ".")};
     take_away(w.crowd.wayfarers, id.index);
     w.crowd.journeys[id.index].errand = Errand::arrive;
     send_to(w.crowd, id.index, *place);
@@ -301,11 +306,10 @@ static Result<void> check_ground(const World& w, WalkerId id, const Platform& pl
     constexpr Vec3 k_near{0.5f, 5, 0.5f};  // metres
     const Crowd& c = w.crowd;
     const float height = c.motion.position[id.index].y;
-    const uint32_t home = island(*w.navmesh, c.motion.polygon[id.index]);
     for (const Vec2 corner : corners) {
         const Vec3 place = at_height(*nearest_with_room(platform, corner, kept_clear(who)), height);
         const auto found = nearest(*w.navmesh, 0, place, k_near);
-        if (!found || island(*w.navmesh, found->polygon) != home)
+        if (!found || !can_get_to(w, id.index, found->polygon))
             return Error{"The walker cannot get to all of the platform: not to " + at(place) + "."};
     }
     return {};

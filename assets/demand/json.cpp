@@ -31,6 +31,14 @@ std::string line_of(const DemandReading& r, const std::vector<std::string>& path
     return "line " + std::to_string(place_in_json(r.text, path, of_key).line);
 }
 
+// Square metres that corners go round, either way.
+double area_within(const std::vector<Vec2>& corners) {
+    double twice = 0;
+    for (size_t i = 1; i + 1 < corners.size(); ++i)
+        twice += static_cast<double>(cross(corners[i] - corners[0], corners[i + 1] - corners[0]));
+    return std::fabs(twice) / 2;
+}
+
 std::vector<std::string> names_of(const DemandReading& r) {
     std::vector<std::string> names;
     for (const auto& [name, area] : r.places) names.push_back(name);
@@ -98,6 +106,9 @@ Result<std::vector<Vec2>> corners_of(const DemandReading& r, const Json& json) {
         if (!corner) return corner.error();
         corners.push_back(*corner);
     }
+    constexpr double k_least = 0.01;  // square metres
+    if (area_within(corners) < k_least)
+        return Error{excerpt(json.dump()) + ", which goes round no ground: a place is one corner, [X, Z]"};
     return corners;
 }
 
@@ -244,7 +255,10 @@ Result<void> read_places(DemandReading& r, const Json& places) {
 // Without what is in it.
 Result<Json> read_head(std::string_view text) {
     if (Result<void> sound = check_json(text, k_most_depth, k_most_values); !sound) return sound.error();
-    auto in_line = [&](size_t at) { return "in line " + std::to_string(place_at(text, at).line); };
+    auto in_line = [&](size_t at) {
+        const JsonPlace place = place_at(text, at);
+        return "in line " + std::to_string(place.line) + ", column " + std::to_string(place.column);
+    };
     Json json;
     try {
         json = Json::parse(text);

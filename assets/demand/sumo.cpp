@@ -82,6 +82,9 @@ void begin_flow(SumoReading& r, const SumoAttributes& a) {
     const double begin = seconds_of(r, a, "begin").value_or(0);
     const auto end = seconds_of(r, a, "end");
     double people = 0;
+    if (a.contains("number") &&
+        (a.contains("perHour") || a.contains("personsPerHour") || a.contains("period")))
+        return refuse(r, R"(a personFlow with "number" beside a rate: leave one)");
     if (const auto number = number_of(r, a, "number", 0, k_most_sent)) {
         people = *number;
     } else if (end && *end >= begin) {

@@ -111,6 +111,16 @@ std::optional<float> other_height(const SentPlace& area, const Navmesh& mesh) {
     return place ? std::optional(place->position.y) : std::nullopt;
 }
 
+Unwalkable why_unwalkable(const Sending& sending, const Navmesh& mesh) {
+    auto place_of = [&](const SentPlace& area) {
+        return is_one_place(area) ? place_in(area, mesh, {}) : std::nullopt;
+    };
+    const auto from = place_of(sending.from), to = place_of(sending.to);
+    if (is_one_place(sending.from) && !from) return Unwalkable::from;
+    if (is_one_place(sending.to) && !to) return Unwalkable::to;
+    return from && to && !are_joined(mesh, from->polygon, to->polygon) ? Unwalkable::way : Unwalkable::no;
+}
+
 static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,
                                            uint64_t seed) {
     constexpr uint32_t k_tries = 8;
@@ -118,7 +128,7 @@ static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh
     for (uint32_t t = 0; t < tries; ++t) {
         const auto place = place_in(sending.from, mesh, {seed, number, 2 * t, Purpose::coming}),
                    goal = place_in(sending.to, mesh, {seed, number, 2 * t + 1, Purpose::coming});
-        if (!place || !goal || island(mesh, place->polygon) != island(mesh, goal->polygon)) continue;
+        if (!place || !goal || !are_joined(mesh, place->polygon, goal->polygon)) continue;
         const Vec2 way = on_ground(goal->position - place->position);
         return Entrant{.place = *place,
                        .goal = *goal,
@@ -194,9 +204,17 @@ static bool is_free(const Coming& coming, const Crowd& c, const Footprint& wante
 
 static bool is_sent(const Entrant& e) { return e.sending != k_no_sending; }
 
-static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, const Entrant& e, uint64_t seed) {
+// One without a pram where a pram does not get to the goal.
+static Walker draw_entrant_body(const Crowd& c, const Navmesh& mesh, std::span<const Folk> folk,
+                                const Entrant& e, uint64_t seed) {
+    constexpr uint32_t k_tries = 32;
     const uint32_t slot = c.slots.left.empty() ? c.count : c.slots.left.back();
-    Walker w = draw_walker(folk, {seed, slot, c.slots.generation[slot], Purpose::body});
+    const bool takes_steps = is_sent(e) && !are_joined(mesh, e.place.polygon, e.goal.polygon, By::wheels);
+    Walker w;
+    for (uint32_t t = 0; t < k_tries; ++t) {
+        w = draw_walker(folk, {seed, slot, c.slots.generation[slot] + (t << 26), Purpose::body});
+        if (!takes_steps || w.ahead == 0) break;
+    }
     w.place = e.place;
     w.heading = e.heading;
     if (e.speed > 0) w.preferred_speed = e.speed;
@@ -205,9 +223,9 @@ static Walker draw_entrant_body(const Crowd& c, std::span<const Folk> folk, cons
 }
 
 // Whether there was room.
-static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, std::span<const Folk> folk,
-                   const Entrant& e, uint32_t tick, uint64_t seed) {
-    Walker w = draw_entrant_body(c, folk, e, seed);
+static bool let_in(Coming& coming, Crowd& c, const Surroundings& around, const Navmesh& mesh,
+                   std::span<const Folk> folk, const Entrant& e, uint32_t tick, uint64_t seed) {
+    Walker w = draw_entrant_body(c, mesh, folk, e, seed);
     Vec3 at = w.place.position;
     if (const auto hit = ground_at(around, at, 1, 2)) at.y = hit->height;
     auto is_room = [&](Vec3 place) {
@@ -256,7 +274,7 @@ static void let_in_those_due(Coming& coming, WaitingLine& line, size_t most, Cro
         const bool has_to_choose = !is_sent(e) && (!e.place.polygon || e.tries % k_tries_a_place == 0);
         if (!has_to_choose || choose_place(coming, c, e, mesh, tick, seed))
             is_in = c.slots.living.size() < most && e.place.polygon &&
-                    let_in(coming, c, around, folk, e, tick, seed);
+                    let_in(coming, c, around, mesh, folk, e, tick, seed);
         ++e.tries;
         if (!is_in) queue[kept++] = e;
     }

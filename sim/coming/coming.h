@@ -76,6 +76,11 @@ void change_mesh(Coming& coming, const Navmesh& mesh);
 // says none, or nobody walks there at any height.
 std::optional<float> other_height(const SentPlace& place, const Navmesh& mesh);
 
+// Why nobody of a sending can be sent: nobody walks near the one place where it begins or ends, or no way
+// leads from the one to the other. Of areas, where chance finds none, it is not known before.
+enum class Unwalkable : uint8_t { no, from, to, way };
+Unwalkable why_unwalkable(const Sending& sending, const Navmesh& mesh);
+
 // How many wander or stand here, and are to come in instead of those who left: all but those who are sent.
 uint32_t kept_people(const Coming& coming, const Crowd& crowd);
 

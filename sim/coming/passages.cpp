@@ -58,6 +58,7 @@ static bool leave_by_door(Crowd& c, const Surroundings& around, uint32_t i, uint
         j.closest_tick = tick;
         return true;
     }
+    j.facing = door->way;  // square to the wall, whatever the door is said to face
     if (is_in_use(c, *door) ||
         std::fabs(wrap_angle(heading_of(door->way) - c.motion.heading[i])) > k_turned) {
         j.pause_until = tick + k_decision_ticks;

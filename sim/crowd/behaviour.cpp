@@ -15,7 +15,8 @@ static constexpr size_t k_paths_a_tick = 32;                       // at least, 
 static constexpr uint32_t k_for_each_path = 4096;                  // one for so many walkers
 static constexpr uint32_t k_traffic_ticks = 20 * 60;  // how often it is looked at where people crowd,
 static constexpr float k_traffic_share = 1 / 300.0f;  // and what of it is put in a tick: all in five seconds
-static constexpr float k_corner_touch = 0.1f;         // a corner this near is passed, metres;
+static constexpr float k_corner_touch = 0.1f;         // a corner this near is gone round, metres,
+static constexpr uint32_t k_rounds = 90;              // for so many ticks, and then is passed;
 static constexpr float k_corner_reach = 0.5f;         // this near it is if the next one is in view,
 static constexpr float k_corner_view = 2.5f;          // and so it is this near if one is level with it
 static constexpr float k_goal_reach = 0.4f;           // a goal this near is reached
@@ -117,11 +118,12 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
     Journey& j = c.journeys[i];
     j.arrived = j.leaves = false;
     j.door_tries = 0;
-    uint32_t trip = ++j.trip, home = island(mesh, c.motion.polygon[i]);
+    const uint32_t trip = ++j.trip;
     NavPoint here{c.motion.position[i], c.motion.polygon[i]};
     j.facing = {0, 0};
     j.stay = k_stroll_stay;
-    if (auto chosen = choose_trip(c.demand, mesh, thread, here, tick, {seed, i, trip, Purpose::errand})) {
+    if (auto chosen =
+            choose_trip(c.demand, mesh, thread, here, by_of(c, i), tick, {seed, i, trip, Purpose::errand})) {
         j.goal = chosen->place;
         // Not to what is there, with a pram between.
         if (c.identity.ahead[i] == 0) j.facing = chosen->facing;
@@ -137,7 +139,7 @@ static void choose_goal(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, u
         NavPoint p = random_place_near(mesh, thread, on_ground(c.motion.position[i]), k_stroll_reach,
                                        random_unit(key, t * 3), random_unit(key, t * 3 + 1),
                                        random_unit(key, t * 3 + 2));
-        if (island(mesh, p.polygon) != home) continue;
+        if (!are_joined(mesh, here.polygon, p.polygon, by_of(c, i))) continue;
         float d = length(on_ground(p.position - c.motion.position[i]));
         if (d <= farthest) continue;
         farthest = d;
@@ -231,6 +233,17 @@ static void go_on(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 co
         j.path_due = PathDue::to_goal;
 }
 
+// From where a corner is touched to its outer side.
+static Vec2 way_round(const Crowd& c, uint32_t i) {
+    constexpr float k_off = 0.3f, k_speed = 0.5f;  // metres; m/s
+    const Journey& j = c.journeys[i];
+    const Vec3* corners = &c.corners[size_t{i} * k_corners + j.corner];
+    const Vec2 corner = on_ground(corners[0]), in = normalize_or(corner - j.stretch_start, {0, 0}),
+               out = normalize_or(on_ground(corners[1]) - corner, {0, 0}),
+               aim = corner + outward_of(in, out) * k_off;
+    return normalize_or(aim - on_ground(c.motion.position[i]), {0, 0}) * k_speed;
+}
+
 Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {
     Journey& j = c.journeys[i];
     const Vec3* corners = &c.corners[size_t{i} * k_corners];
@@ -242,14 +255,15 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
         Vec2 here = on_ground(corners[j.corner]), to = here - p;
         float distance = length(to);
         bool last = j.corner + 1 == j.corner_count;
-        bool passed = distance < (last ? goal_reach(c, i) : k_corner_touch);
-        if (!last && !passed && distance < k_corner_view) {
+        bool passed = last && distance < goal_reach(c, i);
+        if (!last && distance < k_corner_view) {
             // Near or level with the corner, seen along the stretch that leaves it, and the next one in view.
             Vec3 next = corners[j.corner + 1];
             Vec2 in = normalize_or(here - j.stretch_start, {0, 0}),
                  out = normalize_or(on_ground(next) - here, {0, 0});
             bool level = dot(in + out, to) <= 0 && dot(out, to) <= 0.3f;
             passed = (level || distance < k_corner_reach) && is_clear(mesh, c.motion.position[i], next);
+            passed = passed || (distance < k_corner_touch && tick - j.closest_tick > k_rounds);
         }
         if (!passed) {
             if (distance < j.closest - k_progress) {
@@ -274,10 +288,12 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             }
             const Vec2 beside = lerp(j.stretch_start, here, closest_on(j.stretch_start, here, p));
             const float off = length(beside - p);
-            if (since > k_patience || off > k_far_off) {
+            if ((since > k_patience || off > k_far_off) && j.path_due == PathDue::no) {
                 bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
                 get_unstuck(c, j, i, p, at_goal, tick, seed);
             }
+            // At the corner, but on the side from where the border hides the next one: out and round it.
+            if (!last && distance < k_corner_touch) return way_round(c, i);
             float speed = c.identity.preferred_speed[i];
             if (last) speed = std::min(speed, distance / 0.7f);
             // Others stand at the corner: on past them, not back to where it was to be turned.

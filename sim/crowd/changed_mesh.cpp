@@ -75,7 +75,7 @@ static void look_again(Crowd& c, const NavmeshPassage& p, const Navmesh& mesh,
         has_moved = place && length(on_ground(place->position - j.goal.position)) > k_on_it;
         j.goal = place ? *place : NavPoint{c.motion.position[i], c.motion.polygon[i]};
     }
-    const bool is_cut_off = island(mesh, j.goal.polygon) != island(mesh, c.motion.polygon[i]);
+    const bool is_cut_off = !are_joined(mesh, c.motion.polygon[i], j.goal.polygon, by_of(c, i));
     if (j.path_due == PathDue::to_new_goal) return;
     const bool goes = j.corner < j.corner_count;
     if (j.errand == Errand::wander && (is_lost || is_cut_off) && goes) {

@@ -294,6 +294,14 @@ void send_to(Crowd& crowd, uint32_t walker, NavPoint goal);
 void change_mesh(Crowd& crowd, const Navmesh& from, const Navmesh& to, std::span<const Rectangle> changed,
                  uint32_t tick);
 
+// A number that nobody else has had: of its slot, and `capacity` more for each who was there before.
+inline uint32_t person_number(const Crowd& crowd, WalkerId id) {
+    return id.index + id.generation * crowd.capacity;
+}
+// How a walker gets about.
+inline By by_of(const Crowd& crowd, uint32_t walker) {
+    return crowd.identity.ahead[walker] > 0 ? By::wheels : By::feet;
+}
 // Room for `capacity` walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(Crowd& crowd, uint32_t capacity);
 

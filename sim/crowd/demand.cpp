@@ -84,7 +84,7 @@ Demand make_demand(std::span<const Destination> destinations, Vec2 low, Vec2 hig
     return demand;
 }
 
-std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
+std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from, By by,
                                 uint32_t ticks, RandomKey key) {
     const float hour = hour_at(demand, ticks), u = random_unit(key, 0);
     float reach = lerp(k_least_reach, k_most_reach, u * u), shares[k_destination_count], total = k_stroll;
@@ -100,12 +100,11 @@ std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int t
     constexpr uint32_t k_tries = 6;
     const auto named = static_cast<DestinationKind>(kind);
     const bool leaves = random_unit(key, 4 + k_tries) < demand.leaving[static_cast<size_t>(kind)];
-    uint32_t home = island(mesh, from.polygon);
     for (uint32_t t = 0; t < k_tries; ++t) {
         auto item = item_near(demand.grids[kind], here, reach, random_unit(key, 4 + t));
         if (!item) return std::nullopt;
         const Attraction& a = demand.attractions[kind][*item];
-        if (island(mesh, a.place.polygon) != home ||
+        if (!are_joined(mesh, from.polygon, a.place.polygon, by) ||
             length(on_ground(a.place.position) - here) < k_least_trip) {
             continue;
         }

@@ -73,7 +73,7 @@ struct Trip {
 };
 // A trip of 40 m to some 500 m, as the crow flies, for one who is at `from`; none if nothing draws them, as
 // where there are no destinations: then they stroll. `ticks` counts from the beginning.
-std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from,
+std::optional<Trip> choose_trip(const Demand& demand, const Navmesh& mesh, int thread, NavPoint from, By by,
                                 uint32_t ticks, RandomKey key);
 
 // Where one comes in: a place at which people leave, by how much they want to be there at that time, within

@@ -5,8 +5,6 @@
 
 namespace flaneur {
 
-inline By by_of(const Crowd& c, uint32_t i) { return c.identity.ahead[i] > 0 ? By::wheels : By::feet; }
-
 // The velocity along the path to the goal, m/s.
 Vec2 follow_path(Crowd& crowd, const Navmesh& mesh, int thread, uint32_t walker, uint32_t tick,
                  uint64_t seed);

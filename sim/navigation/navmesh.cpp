@@ -51,6 +51,14 @@ uint32_t island(const Navmesh& m, uint32_t polygon) {
     return m.mesh->isValidPolyRef(polygon) ? m.islands[polygon_number(m, polygon)] : ~0u;
 }
 
+bool are_joined(const Navmesh& m, uint32_t from, uint32_t to, By by) {
+    if (!m.mesh->isValidPolyRef(from) || !m.mesh->isValidPolyRef(to)) return false;
+    const uint32_t a = polygon_number(m, from), b = polygon_number(m, to);
+    if (m.islands[a] != m.islands[b]) return false;
+    if (by == By::feet || m.wheel_islands[a] == m.wheel_islands[b]) return true;
+    return m.gates.steps[a] && !m.gates.steps[b];
+}
+
 bool is_worth_walking(const Navmesh& m, uint32_t polygon) { return island(m, polygon) < m.worthy_islands; }
 
 Surface surface_of(const Navmesh& m, uint32_t polygon) {
@@ -84,9 +92,19 @@ static bool in_polygon(const dtMeshTile& tile, const dtPoly& polygon, Vec2 p, fl
     return !(left && right);
 }
 
+// Where one comes to over seams that join nothing but are no border; Detour stops at them, or goes far off.
+static std::optional<NavPoint> over_seam(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by) {
+    constexpr float k_beside = 0.01f, k_rise = 0.5f;  // metres, half extents
+    if (first_border(m, from.position, to)) return {};
+    const auto place = nearest(m, thread, to, {k_beside, k_rise, k_beside});
+    if (!place || length(on_ground(place->position - to)) > k_beside) return {};
+    if (by == By::wheels && surface_of(m, place->polygon) == Surface::steps) return {};
+    return place;
+}
+
 NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by) {
-    constexpr float k_rounding = 2e-3f;      // metres
-    constexpr Vec3 k_beside{0.2f, 1, 0.2f};  // likewise, half extents
+    constexpr float k_rounding = 2e-3f, k_slack = 0.05f;  // metres
+    constexpr Vec3 k_beside{0.2f, 1, 0.2f};               // likewise, half extents
     constexpr int k_most_visited = 16;
     const dtMeshTile* tile = nullptr;
     const dtPoly* polygon = nullptr;
@@ -104,7 +122,13 @@ NavPoint move_along(const Navmesh& m, int thread, NavPoint from, Vec3 to, By by)
                                                           &count, k_most_visited);
     if (dtStatusFailed(status) || count == 0) return from;
     result.polygon = visited[count - 1];
-    return result;
+    if (length_squared(on_ground(to - result.position)) < k_rounding * k_rounding) return result;
+    if (const auto place = over_seam(m, thread, from, to, by)) return *place;
+    // Along the border one may come a little farther than one went.
+    const float went = length(on_ground(result.position - from.position)),
+                way = length(on_ground(to - from.position));
+    const bool is_far_off = went > 1.25f * way + k_slack;
+    return is_far_off ? from : result;
 }
 
 static Vec3 closest_on_line(const BorderLine& line, Vec3 p) {

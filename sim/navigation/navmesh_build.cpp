@@ -29,23 +29,31 @@ static double triangle_area(Vec3 a, Vec3 b, Vec3 c) {
            std::fabs(static_cast<double>(cross(on_ground(b) - on_ground(a), on_ground(c) - on_ground(a))));
 }
 
-// Numbers the connected pieces by falling area; `areas` receives the area of each.
-static void find_islands(Navmesh& m, std::vector<double>& areas) {
-    std::vector<uint32_t> parent(m.islands.size());
+// For each polygon the first of those that it is joined to.
+static std::vector<uint32_t> find_joined(const Gates& gates, By by) {
+    std::vector<uint32_t> parent(gates.steps.size());
     std::iota(parent.begin(), parent.end(), 0u);
     auto root = [&](uint32_t i) {
         while (parent[i] != i) i = parent[i] = parent[parent[i]];
         return i;
     };
-    std::vector<double> area(parent.size(), 0.0);
+    for (const Gate& gate : gates.gates) {
+        if (by == By::wheels && (gates.steps[gate.polygons[0]] || gates.steps[gate.polygons[1]])) continue;
+        const uint32_t a = root(gate.polygons[0]), b = root(gate.polygons[1]);
+        parent[std::max(a, b)] = std::min(a, b);
+    }
+    for (uint32_t i = 0; i < parent.size(); ++i) parent[i] = root(i);
+    return parent;
+}
+
+// Numbers the connected pieces by falling area; `areas` receives the area of each.
+static void find_islands(Navmesh& m, std::vector<double>& areas) {
+    const std::vector<uint32_t> first = find_joined(m.gates, By::feet);
+    m.wheel_islands = find_joined(m.gates, By::wheels);
+    std::vector<double> area(first.size(), 0.0);
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
         const dtPoly& polygon = tile.polys[p];
         uint32_t number = polygon_number(m, reference);
-        for (uint32_t l = polygon.firstLink; l != DT_NULL_LINK; l = tile.links[l].next) {
-            if (!tile.links[l].ref) continue;
-            uint32_t a = root(number), b = root(polygon_number(m, tile.links[l].ref));
-            parent[std::max(a, b)] = std::min(a, b);
-        }
         for (int i = 2; i < polygon.vertCount; ++i) {
             area[number] +=
                 triangle_area(tile_vertex(tile, polygon.verts[0]), tile_vertex(tile, polygon.verts[i - 1]),
@@ -53,21 +61,21 @@ static void find_islands(Navmesh& m, std::vector<double>& areas) {
         }
     });
     std::vector<uint32_t> roots;
-    for (uint32_t i = 0; i < parent.size(); ++i) {
-        if (root(i) == i) {
+    for (uint32_t i = 0; i < first.size(); ++i) {
+        if (first[i] == i) {
             roots.push_back(i);
         } else {
-            area[root(i)] += area[i];
+            area[first[i]] += area[i];
         }
     }
     std::sort(roots.begin(), roots.end(),
               [&](uint32_t a, uint32_t b) { return area[a] != area[b] ? area[a] > area[b] : a < b; });
-    std::vector<uint32_t> number_of_root(parent.size(), 0);
+    std::vector<uint32_t> number_of_root(first.size(), 0);
     for (uint32_t r = 0; r < roots.size(); ++r) {
         number_of_root[roots[r]] = r;
         areas.push_back(area[roots[r]]);
     }
-    for (uint32_t i = 0; i < parent.size(); ++i) m.islands[i] = number_of_root[root(i)];
+    for (uint32_t i = 0; i < first.size(); ++i) m.islands[i] = number_of_root[first[i]];
 }
 
 // Cuts the places into triangles, sorted by cell, with their areas summed up.
@@ -94,6 +102,19 @@ static void find_places(Navmesh& m, Vec2 low, Vec2 high, const std::vector<doubl
     for (uint32_t i : m.place_grid.grid.items) m.places.push_back(places[i]);
 }
 
+// Whether the mesh goes on beyond a border: Recast leaves seams that join nothing, where it simplifies the
+// outlines of neighbours in different ways. Beyond all else there is room for a body.
+static bool is_seam(const Navmesh& m, const BorderLine& line) {
+    constexpr float k_beyond = 0.015f, k_beside = 0.005f;  // metres
+    const Vec3 out = at_height(inward_of(line) * -k_beyond, 0);
+    for (const float share : {0.25f, 0.5f, 0.75f}) {
+        const Vec3 there = lerp(line.a, line.b, share) + out;
+        const auto place = nearest(m, 0, there, {k_beside, 0.3f, k_beside});
+        if (!place || length(on_ground(place->position - there)) > k_beside) return false;
+    }
+    return true;
+}
+
 static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
     for_polygons(*m.mesh, [&](const dtMeshTile& tile, int p, uint32_t reference) {
         constexpr int k_most = 64;
@@ -109,7 +130,7 @@ static void find_borders(Navmesh& m, Vec2 low, Vec2 high) {
             Vec2 along = on_ground(line.b) - on_ground(line.a);
             if (length_squared(along) < 1e-8f) continue;
             if (cross(along, on_ground(centre) - on_ground(line.a)) < 0) std::swap(line.a, line.b);
-            m.borders.push_back(line);
+            if (!is_seam(m, line)) m.borders.push_back(line);
         }
     });
     m.border_grid = make_grid(low, high, 3);

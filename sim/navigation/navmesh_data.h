@@ -41,6 +41,7 @@ struct Navmesh {
 
     std::vector<uint32_t> first_polygon;  // one a tile: the number of its first polygon
     std::vector<uint32_t> islands;        // one a polygon
+    std::vector<uint32_t> wheel_islands;  // the same for wheels: steps are pieces of their own
     uint32_t worthy_islands = 0;          // so many, the largest, are worth walking about in
     std::vector<PlacePiece> places;       // in the order of the grid's items
     WeightedGrid place_grid;              // cells as large as tiles; weights are square metres

@@ -70,11 +70,12 @@ TEST(DemandFile, DegreesAreOfMaps) {
 }
 
 TEST(DemandFile, RefusesWithASentence) {
-    expect_told(refusal_of("{"), "is not JSON");
+    expect_told(refusal_of("{\n  x"), "is not JSON in line 2, column 3");
     expect_told(refusal_of("[]"), "sends nobody");
     expect_told(refusal_of(R"({ "people": [], "persons": 3 })"), "persons, which is not known");
     expect_told(refusal_of(R"({ "people": [] })"), "sends nobody");
-    expect_told(refusal_of("{ \"people\": [],\n\"people\": [] }"), "in line 2 the key \"people\" twice");
+    expect_told(refusal_of("{ \"people\": [],\n\"people\": [] }"),
+                "in line 2, column 1 the key \"people\" twice");
     expect_told(refusal_of("{\n\"people\": [\n3 ] }"), "in line 3 people 1 that is no object");
     expect_told(refusal_of(R"({ "people": [ { "from": [0, 0] } ] })"), R"(without "to")");
     auto with = [](const std::string& more) {
@@ -105,6 +106,8 @@ TEST(DemandFile, RefusesWithASentence) {
     expect_told(from("[1e9, 0]"), "more than 1000000 m from the middle");
     expect_told(from(R"("95,13.4")"), "nowhere on Earth");
     expect_told(from(R"({ "height": 3 })"), R"(an object without "at")");
+    expect_told(from("[[1, 1], [1, 1], [1, 1]]"), "goes round no ground");
+    EXPECT_EQ(from("[[1, 1], [2, 1], [2, 2]]"), "");
     expect_told(from("true"), "neither a place nor three corners");
     expect_told(refusal_of(R"({ "places": { "a": { "at": "b" }, "b": [0, 0] }, "people": [] })"),
                 R"(nor the name of one of "places" above it)");
@@ -182,6 +185,8 @@ TEST(DemandFile, PersonsOfSumoThatAreRefused) {
     expect_told(sumo_refusal_of("<routes>"), "is no XML");
     expect_told(sumo_refusal_of(R"(<!DOCTYPE a [<!ENTITY b "c">]><routes/>)"), "entity");
     expect_told(sumo_refusal_of(R"(<routes><personFlow begin="0" end="9"/></routes>)"), "sends nobody");
+    expect_told(sumo_refusal_of(R"(<routes><personFlow begin="0" end="9" number="3" period="2"/></routes>)"),
+                R"("number" beside a rate)");
 }
 
 TEST(DemandFile, ThoseOfTheDocumentsAreRead) {

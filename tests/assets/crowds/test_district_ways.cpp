@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assets/cities.h"
+#include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/crowd/demand.h"
 #include "sim/navigation/navmesh_data.h"
@@ -59,7 +60,7 @@ TEST(DistrictWays, AreAsGoodAsDetours) {
         const RandomKey key{5, i, 0, Purpose::spawn};
         const NavPoint from =
             random_place(m, 0, random_unit(key, 0), random_unit(key, 1), random_unit(key, 2));
-        const auto trip = choose_trip(demand, m, 0, from, 0, {5, i, 0, Purpose::errand});
+        const auto trip = choose_trip(demand, m, 0, from, By::feet, 0, {5, i, 0, Purpose::errand});
         if (!trip) continue;
         const NavPoint to = trip->place;
         dtPolyRef polygons[k_most];
@@ -93,6 +94,38 @@ TEST(DistrictWays, AreAsGoodAsDetours) {
     }
     EXPECT_GT(trips, 200);
     EXPECT_LT(our_costs, their_costs * 1.01);
+}
+
+// The mesh has seams, where Recast's outlines of neighbours differ by little; Detour stops at them, or puts
+// one metres away.
+TEST(DistrictWays, NobodyJumpsAlongTheMeshNorStopsWhereNoBorderIs) {
+    constexpr float k_slack = 0.01f, k_by_border = 0.05f;  // metres
+    const City city = generate_district({3, 3});
+    auto mesh = build_navmesh(city.ground, {}, 2);
+    ASSERT_TRUE(mesh);
+    prepare_queries(**mesh, 1);
+    const Navmesh& m = **mesh;
+    uint32_t jumped = 0, stopped = 0;
+    for (uint32_t i = 0; i < 2000; ++i) {
+        NavPoint p = random_place(m, 0, random_unit({7, i, 0, Purpose::spawn}, 0),
+                                  random_unit({7, i, 0, Purpose::spawn}, 1),
+                                  random_unit({7, i, 0, Purpose::spawn}, 2));
+        Vec2 way{};
+        for (uint32_t k = 0; k < 1000; ++k) {
+            const RandomKey key{7, i, k, Purpose::destination};
+            if (k % 100 == 0) way = heading_direction(random_between(key, -k_pi, k_pi));
+            const Vec3 to = p.position + at_height(way * random_between(key, 0.01f, 0.3f, 1), 0);
+            const NavPoint moved = move_along(m, 0, p, to);
+            const Vec3 off = moved.position - p.position;
+            jumped += length(on_ground(off)) > 1.25f * length(on_ground(to - p.position)) + 0.051f;
+            BorderLine line;
+            stopped += length(on_ground(moved.position - to)) > k_slack &&
+                       borders_near(m, moved.position, k_by_border, &line, 1) == 0;
+            p = moved;
+        }
+    }
+    EXPECT_EQ(jumped, 0u);
+    EXPECT_EQ(stopped, 0u);
 }
 
 }  // namespace

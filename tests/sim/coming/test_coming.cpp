@@ -249,6 +249,42 @@ TEST(Coming, EachSendingIsCounted) {
     expect(0, {.came = 3, .under_way = 2});
 }
 
+// Half of the people push prams, none of which gets up there.
+TEST(Coming, ThoseSentUpStepsGetThere) {
+    WorldOptions options;
+    options.capacity = 40;
+    options.sendings = {{{{{-6, -8}, {6, -8}, {6, -4}, {-6, -4}}, {}}, {{{0, 8}}, 1.5f}, 30, 1, 0, 60, 0}};
+    options.kinds = {Kind{standard_body(1.75f)}, pusher()};
+    options.kinds[1].share = 1;
+    auto w = make_world(std::make_shared<const Ground>(steps()), options);
+    ASSERT_TRUE(w) << w.error().message;
+    run(**w, 60 * 150);
+    EXPECT_EQ(sent_counts(**w)[0].arrived, 30u);
+    const auto up = send_to(**w, *add_walker(**w, {.place = Vec3{0, 0, -6}, .kind = 1}), {0, 1.5f, 8});
+    ASSERT_FALSE(up);
+    EXPECT_NE(up.error().message.find("that a pram can take"), std::string::npos) << up.error().message;
+}
+
+TEST(Coming, WhyNobodyCanBeSentIsKnownBefore) {
+    auto w = made(1, {});
+    auto why = [&](SentPlace from, SentPlace to) {
+        return why_unwalkable({.from = std::move(from), .to = std::move(to)}, *w->navmesh);
+    };
+    const SentPlace here{{{0, 0}}, {}}, there{{{9, 9}}, {}}, outside{{{500, 0}}, {}},
+        area{{{490, 0}, {500, 0}, {500, 9}}, {}};
+    EXPECT_EQ(why(here, there), Unwalkable::no);
+    EXPECT_EQ(why(outside, there), Unwalkable::from);
+    EXPECT_EQ(why(here, outside), Unwalkable::to);
+    EXPECT_EQ(why(area, here), Unwalkable::no) << "chance may find a place";
+    Ground ground = square(20);
+    add_wall(ground, {-10, 0, 3}, {10, 0, 3}, 0.8f, FaceKind::garden_wall);
+    index_ground(ground);
+    const Result<NavmeshPtr> divided = build_navmesh(ground, {}, 1);
+    ASSERT_TRUE(divided);
+    prepare_queries(**divided, 1);
+    EXPECT_EQ(why_unwalkable({.from = here, .to = {{{0, 6}}, {}}}, **divided), Unwalkable::way);
+}
+
 TEST(Coming, AHeightAtWhichNobodyWalksIsToldFromOthers) {
     auto w = made(1, {});
     const SentPlace place{{{0, 0}}, 8.0f}, area{{{-5, 0}, {5, 0}, {0, 5}}, -9.0f};

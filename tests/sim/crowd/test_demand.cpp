@@ -53,7 +53,7 @@ TEST(Demand, TripsGoWhereThereIsSomething) {
     std::array<int, k_destination_count> trips{};
     int heavy = 0, strolls = 0;
     for (uint32_t i = 0; i < 4000; ++i) {
-        auto trip = choose_trip(m.demand, *m.mesh, 0, from, 0, {1, i, 0, Purpose::errand});
+        auto trip = choose_trip(m.demand, *m.mesh, 0, from, By::feet, 0, {1, i, 0, Purpose::errand});
         if (!trip) {
             ++strolls;
             continue;
@@ -81,7 +81,7 @@ TEST(Demand, NobodyIsDrawnWhereThereIsNothing) {
     Made m = make({});
     NavPoint from = *nearest(*m.mesh, 0, {0, 0, 0});
     for (uint32_t i = 0; i < 50; ++i)
-        EXPECT_FALSE(choose_trip(m.demand, *m.mesh, 0, from, 0, {1, i, 0, Purpose::errand}));
+        EXPECT_FALSE(choose_trip(m.demand, *m.mesh, 0, from, By::feet, 0, {1, i, 0, Purpose::errand}));
 }
 
 TEST(Demand, WalkersGetThereAndFaceIt) {

@@ -118,6 +118,24 @@ TEST(Navmesh, StepsJoinTheTerrace) {
     EXPECT_NEAR(end.y, 1.5f, 0.2f);
 }
 
+TEST(Navmesh, StepsJoinTheTerraceForWhoHasNoWheels) {
+    const NavmeshPtr mesh = build(steps());
+    const auto low = nearest(*mesh, 0, {0, 0, -10}), far = nearest(*mesh, 0, {5, 0, -5}),
+               high = nearest(*mesh, 0, {0, 1.5f, 8}), on = nearest(*mesh, 0, {0, 0.75f, 1.6f}, {1, 0.3f, 1});
+    ASSERT_TRUE(low && far && high && on);
+    ASSERT_EQ(surface_of(*mesh, on->polygon), Surface::steps);
+    auto joined = [&](const NavPoint& a, const NavPoint& b, By by) {
+        return are_joined(*mesh, a.polygon, b.polygon, by);
+    };
+    EXPECT_TRUE(joined(*low, *high, By::feet));
+    EXPECT_FALSE(joined(*low, *high, By::wheels));
+    EXPECT_FALSE(joined(*high, *low, By::wheels));
+    EXPECT_TRUE(joined(*low, *far, By::wheels));
+    EXPECT_FALSE(joined(*low, *on, By::wheels));
+    EXPECT_TRUE(joined(*on, *high, By::wheels)) << "they may be left";
+    EXPECT_FALSE(joined(*low, {{}, 0}, By::feet));
+}
+
 TEST(Navmesh, GardenWallOnTheGroundDividesIt) {
     Ground ground = square(20);
     add_wall(ground, {-10, 0, 3}, {10, 0, 3}, 0.8f, FaceKind::garden_wall);

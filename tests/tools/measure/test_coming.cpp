@@ -40,5 +40,12 @@ TEST(ToldComing, OfVeryManyEntriesTheFirstAndTheRest) {
     expect_in(told, "all                         1000     1000");
 }
 
+TEST(ToldComing, NamesTheFirstWhoHaveNoWay) {
+    std::vector<SentCount> sent(100, {.came = 1, .arrived = 1});
+    for (const size_t i : {3, 40, 50, 60, 70, 80, 90}) sent[i] = {.lost = 2};
+    expect_in(told_coming({.came = 93, .left = 93}, sent, {}),
+              "They are of entry 4, entry 41, entry 51, entry 61, entry 71 and 2 more entries.");
+}
+
 }  // namespace
 }  // namespace flaneur

@@ -21,7 +21,7 @@ struct Track {
         set_plan(counts, plan, 0);
     }
     void at(Vec2 place, uint32_t walker = 3, uint32_t generation = 0) {
-        const Present one{{walker, generation}, place, 1.5f};
+        const Present one{{walker, generation}, place, 1.5f, walker + 100 * generation};
         count_people(counts, tick++, std::span(&one, 1));
     }
     // Straight from one place to another, not along with what was before.
@@ -44,7 +44,7 @@ TEST(Count, CrossingsEachWay) {
     const Crossing& right = track.crossings()[0];
     EXPECT_TRUE(right.to_right);
     EXPECT_NEAR(right.seconds, 0.5 + 1.0 / 60, 1e-6);
-    EXPECT_EQ(right.walker, 3u);
+    EXPECT_EQ(right.person, 3u);
     EXPECT_NEAR(right.at.x, 0, 1e-5f);
     EXPECT_NEAR(right.at.z, 2, 1e-5f);
     track.go({-1, 3}, {1, 3}, 60);

@@ -297,9 +297,9 @@ Finding check_paths(const City& city, const Navmesh& mesh) {
         bool there = is_reached(mesh, from->place, to->place);
         reached += there;
         if (there) continue;
-        bool apart = island(mesh, from->place.polygon) != island(mesh, to->place.polygon);
+        const bool is_joined = are_joined(mesh, from->place.polygon, to->place.polygon);
         add_place(missed, from->place.position,
-                  (apart ? "is apart from " : "finds no way to ") + told(to->place.position));
+                  (is_joined ? "finds no way to " : "is apart from ") + told(to->place.position));
     }
     Finding finding = in_percent("pairs of places with a way, %", reached, pairs, 95);
     finding.where = std::move(missed.where);

@@ -19,6 +19,7 @@
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
+#include "tools/flaneur/load/sent.h"
 
 namespace flaneur {
 
@@ -247,24 +248,6 @@ static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptio
     return {};
 }
 
-// Refuses heights of a demand at which there is nothing to walk on.
-static Result<void> check_heights(const std::string& path, const std::vector<Sending>& sendings,
-                                  const std::vector<std::string>& names, const Navmesh& mesh) {
-    for (size_t i = 0; i < sendings.size(); ++i)
-        for (const auto& [end, place] :
-             {std::pair("from", &sendings[i].from), std::pair("to", &sendings[i].to)}) {
-            const std::optional<float> there = other_height(*place, mesh);
-            if (!there) continue;
-            char text[160];
-            std::snprintf(text, sizeof text,
-                          " whose \"%s\" has the height %.1f, where nobody can walk: the ground there is at "
-                          "%.1f. Say that, or leave \"height\" out.",
-                          end, static_cast<double>(*place->height), static_cast<double>(*there));
-            return Error{"The demand " + excerpt(path) + " has " + names[i] + text};
-        }
-    return {};
-}
-
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
@@ -300,8 +283,9 @@ Result<Loaded> load(const Options& options) {
     };
     Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, options.threads);
     if (!mesh) return mesh.error();
-    if (Result<void> sound = check_heights(scene.demand, world.sendings, loaded.sent_names, **mesh); !sound)
-        return sound.error();
+    Result<std::vector<std::string>> unwalkable = check_sent(world.sendings, loaded.sent_names, **mesh);
+    if (!unwalkable) return Error{"The demand " + excerpt(scene.demand) + " " + unwalkable.error().message};
+    print_notes(scene.demand, *unwalkable);
     FLANEUR_ZONE("set people down");
     auto made = make_world(std::shared_ptr<const Ground>(loaded.city, &loaded.city->ground), std::move(*mesh),
                            world, progress);

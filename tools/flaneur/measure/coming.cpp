@@ -18,12 +18,29 @@ SentCount sum(std::span<const SentCount> counts) {
     return all;
 }
 
+std::string name_of(std::span<const std::string> names, size_t i) {
+    return i < names.size() ? names[i] : "entry " + std::to_string(i + 1);
+}
+
 std::string told_row(const std::string& name, const SentCount& c) {
     char numbers[128];
     std::snprintf(numbers, sizeof numbers, "%8u %8u %9u %8u %8u %8u %8u\n", c.came + c.waiting + c.lost,
                   c.came, c.under_way, c.arrived, c.waiting, c.lost, c.later);
     constexpr size_t k_width = 24;
     return name + std::string(name.size() < k_width ? k_width - name.size() : 1, ' ') + numbers;
+}
+
+// The first few of those who had no way.
+std::string told_lost(std::span<const SentCount> sent, std::span<const std::string> names) {
+    constexpr size_t k_named = 5;
+    std::string named;
+    size_t lost = 0;
+    for (size_t i = 0; i < sent.size(); ++i) {
+        if (sent[i].lost == 0) continue;
+        if (lost++ < k_named) named += (named.empty() ? "" : ", ") + name_of(names, i);
+    }
+    if (lost > k_named) named += " and " + std::to_string(lost - k_named) + " more entries";
+    return named;
 }
 
 std::string told_wandering(const ComingCount& all, const SentCount& sent) {
@@ -47,8 +64,7 @@ std::string told_coming(const ComingCount& all, std::span<const SentCount> sent,
     if (sent.empty()) return told;
     told += "Who is sent                  due  came in under way  arrived  outside   no way    later\n";
     const size_t most = std::min(sent.size(), k_most_told);
-    for (size_t i = 0; i < most; ++i)
-        told += told_row(i < names.size() ? names[i] : "entry " + std::to_string(i + 1), sent[i]);
+    for (size_t i = 0; i < most; ++i) told += told_row(name_of(names, i), sent[i]);
     if (sent.size() > most)
         told += told_row(std::to_string(sent.size() - most) + " more entries", sum(sent.subspan(most)));
     if (sent.size() > 1) told += told_row("all", total);
@@ -58,7 +74,8 @@ std::string told_coming(const ComingCount& all, std::span<const SentCount> sent,
     if (total.lost > 0)
         told += people(total.lost) +
                 " could not be sent: no ground that is walked on leads from where they come in to where they "
-                "go.\n";
+                "go. They are of " +
+                told_lost(sent, names) + ".\n";
     return told;
 }
 

@@ -42,7 +42,7 @@ bool meets(const CountLine& line, uint32_t tick, Vec2 from, const Present& to, C
     const double place = along(line, x, z);
     if (place < 0 || place >= 1) return false;
     met = {(tick - 1 + share) / k_ticks_a_second,
-           to.id.index,
+           to.person,
            after >= 0,
            to.speed,
            {static_cast<float>(x), static_cast<float>(z)}};
@@ -52,7 +52,7 @@ bool meets(const CountLine& line, uint32_t tick, Vec2 from, const Present& to, C
 void keep(LineCount& line, const Crossing& crossing) {
     const auto at = std::upper_bound(
         line.crossings.begin(), line.crossings.end(), crossing, [](const Crossing& a, const Crossing& b) {
-            return std::pair(a.seconds, a.walker) < std::pair(b.seconds, b.walker);
+            return std::pair(a.seconds, a.person) < std::pair(b.seconds, b.person);
         });
     line.crossings.insert(at, crossing);
 }
@@ -168,8 +168,8 @@ void count_people(Counts& counts, const World& world) {
     const Crowd& crowd = world.crowd;
     counts.present.clear();
     for (WalkerId id : crowd.slots.living)
-        counts.present.push_back(
-            {id, on_ground(crowd.motion.position[id.index]), length(crowd.motion.velocity[id.index])});
+        counts.present.push_back({id, on_ground(crowd.motion.position[id.index]),
+                                  length(crowd.motion.velocity[id.index]), person_number(crowd, id)});
     count_people(counts, world.tick, counts.present);
 }
 

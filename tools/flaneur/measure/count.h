@@ -26,12 +26,13 @@ inline constexpr uint32_t k_unticked = ~0u;
 struct Present {
     WalkerId id;
     Vec2 at;
-    float speed = 0;  // m/s
+    float speed = 0;      // m/s
+    uint32_t person = 0;  // as person_number() has it
 };
 
 struct Crossing {
     double seconds = 0;  // since the beginning of the simulation
-    uint32_t walker = 0;
+    uint32_t person = 0;
     bool to_right = false;
     float speed = 0;  // m/s, after the tick of the crossing
     Vec2 at;          // on the line

@@ -27,7 +27,8 @@ void find_people(TrackRecord& record, const World& world, float share) {
             at = lerp(before.at, at, share);
             facing = normalize_or(lerp(heading_direction(before.heading), facing, share), facing);
         }
-        record.people.push_back({record.frame, i + generation * crowd.capacity, on_ground(at), at.y, facing});
+        record.people.push_back(
+            {record.frame, person_number(crowd, {i, generation}), on_ground(at), at.y, facing});
     }
     std::sort(record.people.begin(), record.people.end(),
               [](const Sighting& a, const Sighting& b) { return a.id < b.id; });
