@@ -177,6 +177,7 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, at, wish, dt);
+    const bool is_alone = near.count == 0 && near.brake_count == 0;
     const bool is_beside = c.way_back[i].polygon != 0;
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
@@ -196,14 +197,17 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     // Who slows down for others, or pushes something, does not finish a step before.
     const bool hurries =
         pushes || wish != wished || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
+    // A pram that something stands before is turned on the spot to where it is to go.
+    const Vec2 looks_at = c.decision.looks[i]  ? c.journeys[i].facing
+                          : pushes && is_alone ? c.decision.wanted[i]
+                                               : Vec2{0, 0};
     Motion motion = next_motion({.velocity = m.velocity[i],
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],
                                  .aim = hurries ? Vec2{} : m.wish[i],
                                  .brakes = m.brakes[i],
                                  .feet = m.feet[i]},
-                                wish, dt, c.decision.looks[i] ? c.journeys[i].facing : Vec2{0, 0},
-                                pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
+                                wish, dt, looks_at, pushes ? c.identity.ahead[i] - k_axle_to_middle : 0);
     m.wish[i] = motion.aim;
     m.heading[i] = motion.heading;
     m.turn_rate[i] = motion.turn_rate;

@@ -21,7 +21,7 @@ for test in figures["tests"]:
             continue
         missed += 1
         print(f"DEBT validate {test['id']}, {finding['what']}: {finding['measured']}, goal {finding['expected']}")
-        if test["id"] in ("R1", "R2/3", "R5", "R6", "R7"):
+        if test["id"] in ("R1", "R2/3", "R5", "R6", "R7", "N2.8", "N2.9"):
             sys.exit(f"FAILED: {test['id']} was passed.")
 print(f"{len(figures['tests'])} tests, {missed} findings missed.")
 if figures["passed"] != (missed == 0) or int(status) != (1 if missed else 0):

@@ -312,20 +312,15 @@ Result<void> check_city(const Options& options) {
     if (options.scene.walkers == 0) return Error{"--check watches walkers: --walkers 0 leaves it nobody."};
     Result<PartFilePtr> file = open_if_asked(options.json);
     if (!file) return file.error();
-    Result<City> city = read_city(options.scene);
-    if (!city) return city.error();
-    Result<NavmeshPtr> mesh = load_navmesh(city->ground, options.threads);
-    if (!mesh) return mesh.error();
-    WorkersPtr workers = make_workers(options.threads);
-    prepare_queries(**mesh, thread_count(*workers));
+    Result<Loaded> loaded = load(options);
+    if (!loaded) return loaded.error();
+    World& world = *loaded->world;
+    const City& city = *loaded->city;
 
-    std::vector<Finding> findings{check_buildings(*city, **mesh)};
-    for (Finding& f : check_drawn(*city, **mesh)) findings.push_back(std::move(f));
-    findings.push_back(check_paths(*city, **mesh));
-    auto crowd = check_crowd(*city, **mesh, *workers, side_of(options.scene, *city),
-                             options.scene.stays ? k_nobody_leaves : k_usual_leaving,
-                             static_cast<uint32_t>(options.scene.walkers), options.seconds,
-                             options.scene.hour, options.scene.seed);
+    std::vector<Finding> findings{check_buildings(city, *world.navmesh)};
+    for (Finding& f : check_drawn(city, *world.navmesh)) findings.push_back(std::move(f));
+    findings.push_back(check_paths(city, *world.navmesh));
+    Result<std::vector<Finding>> crowd = check_crowd(world, city, options.seconds);
     if (!crowd) return crowd.error();
     for (Finding& f : *crowd) findings.push_back(std::move(f));
 

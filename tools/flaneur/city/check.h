@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "assets/city.h"
-#include "sim/base/parallel_for.h"
-#include "sim/crowd/demand.h"
-#include "sim/navigation/navmesh.h"
+#include "sim/world.h"
 #include "tools/flaneur/options/options.h"
 
 namespace flaneur {
@@ -33,12 +31,10 @@ std::vector<Finding> check_drawn(const City& city, const Navmesh& mesh);
 // share that the mesh has a way for, in percent.
 Finding check_paths(const City& city, const Navmesh& mesh);
 
-// Walkers in the city for so long: who was in a wall, off the ground, or stuck for a minute (where they walk
-// for longer), who waits outside for room to come in instead of others, and how much of their walking was on
-// roadways more than 3 m from a crossing.
-Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         PassOn pass_on, const Leaving& leaving, uint32_t walkers,
-                                         double seconds, float hour, uint64_t seed);
+// A world's walkers, of all its kinds, for so long, but for their bodies: who was in a wall, off the ground,
+// or stuck for a minute (where they walk for longer), who waits outside for room to come in instead of
+// others, and how much of their walking was on roadways more than 3 m from a crossing.
+Result<std::vector<Finding>> check_crowd(World& world, const City& city, double seconds);
 
 // All of it for the scene's city; prints a table and fails if a bar is missed. Writes the figures to
 // options.json if it names a file.

@@ -3,11 +3,9 @@
 #include <cstdio>
 
 #include "sim/base/math.h"
-#include "sim/coming/coming.h"
 #include "tools/flaneur/city/check.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
-#include "tools/flaneur/load/load.h"
 
 namespace flaneur {
 
@@ -53,19 +51,11 @@ const char* cause(const Crowd& c, uint32_t i) {
 
 }  // namespace
 
-Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, Workers& workers,
-                                         PassOn pass_on, const Leaving& leaving, uint32_t walkers,
-                                         double seconds, float hour, uint64_t seed) {
-    Folk folk;
-    Result<Crowd> made = populate(city.ground, surroundings_of(city.ground), city.destinations, mesh, workers,
-                                  walkers, {&folk, 1}, seed, hour, 0, leaving);
-    if (!made) return made.error();
-    Crowd& c = *made;
-    c.pass_on = pass_on;
-    Coming coming;
-    coming.home = find_neighbourhood(city.ground, mesh, walkers);
-    make_room(coming, c);
-    std::vector<Watch> watches(c.count);
+Result<std::vector<Finding>> check_crowd(World& world, const City& city, double seconds) {
+    Crowd& c = world.crowd;
+    Coming& coming = world.coming;
+    const uint32_t walkers = c.count;
+    std::vector<Watch> watches(c.capacity);
     for (uint32_t i = 0; i < c.count; ++i) watches[i].anchor = on_ground(c.motion.position[i]);
     Finding in_wall{"walkers in a wall", 0, 0, false, {}}, lost{"walkers off the ground", 0, 0, false, {}},
         stuck{"walkers stuck for a minute", 0, 0, false, {}},
@@ -86,10 +76,10 @@ Result<std::vector<Finding>> check_crowd(const City& city, const Navmesh& mesh, 
     size_t walking = 0, roads = 0;
     auto ticks = static_cast<uint32_t>(seconds / static_cast<double>(k_tick));
     for (uint32_t tick = 0; tick < ticks; ++tick) {
-        come_and_go(coming, c, surroundings_of(city.ground), mesh, workers, {&folk, 1}, tick, seed);
+        come_and_go(coming, c, world.around, *world.navmesh, *world.workers, world.folk, tick, world.seed);
         for (const uint32_t i : coming.arrivals)
             watches[i] = {.anchor = on_ground(c.motion.position[i]), .since = tick};
-        step_crowd(c, surroundings_of(city.ground), mesh, workers, tick, seed);
+        step_crowd(c, world.around, *world.navmesh, *world.workers, tick, world.seed);
         if (is_stopping()) return interrupted();
         overlap.value = std::max(overlap.value, static_cast<double>(deepest_overlap(c)));
         if (tick % k_look_ticks != 0) continue;

@@ -147,7 +147,8 @@ void set_shares(World& world, const std::vector<float>& shares) {
     for (size_t i = 0; i < shares.size(); ++i) world.kinds[i].share = world.folk[i].share = shares[i];
 }
 
-Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
+// Where people can walk in a city: as an earlier run kept it, or built.
+static Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
     FLANEUR_ZONE("navigation mesh");
     auto mesh = cached_navmesh(ground, {}, threads, cache_folder(), [](float share) {
         show_progress("building the navigation mesh " + std::to_string(static_cast<int>(share * 100)) + " %");
@@ -226,7 +227,8 @@ Result<void> find_files(const Scene& scene) {
     return {};
 }
 
-PassOn side_of(const Scene& scene, const City& city) {
+// On which side its people pass each other.
+static PassOn side_of(const Scene& scene, const City& city) {
     const bool is_left = city.on_earth && is_driven_on_left(city.on_earth->middle);
     return scene.side.value_or(is_left ? PassOn::left : PassOn::right);
 }

@@ -63,18 +63,12 @@ std::string city_name(const Scene& scene);
 bool grows_with_walkers(const Scene& scene);
 int district_blocks(const Scene& scene);
 
-// On which side its people pass each other.
-PassOn side_of(const Scene& scene, const City& city);
-
 // What a scene says of its city; how far it is comes on the terminal.
 CityOptions city_options(const Scene& scene);
 
 // The city of a scene, as load() makes it, without anybody in it; and before anything is added to it.
 Result<City> read_city(const Scene& scene);
 Result<City> read_bare_city(const Scene& scene);
-
-// Where people can walk in it: as an earlier run kept it, or built.
-Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads);
 
 // Refuses in a sentence; says on stderr what was repaired.
 Result<Character> read_character(const std::string& path, bool force);

@@ -57,16 +57,7 @@ PlotLine measured_line(const Measured& measured) {
 
 }  // namespace
 
-const char* word_of(Validity verdict) {
-    switch (verdict) {
-        case Validity::passed:
-            return "passed";
-        case Validity::missed:
-            return "missed";
-        default:
-            return "owed";
-    }
-}
+const char* word_of(Validity verdict) { return verdict == Validity::passed ? "passed" : "missed"; }
 
 bool is_passed(const Findings& findings) {
     return std::all_of(findings.begin(), findings.end(),

@@ -14,7 +14,6 @@ struct Validated {
     double seconds = 0;  // it took
 };
 
-// "passed", "missed", "owed".
 const char* word_of(Validity verdict);
 bool is_passed(const Findings& findings);
 

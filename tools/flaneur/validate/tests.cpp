@@ -28,7 +28,8 @@ constexpr ValidationTest k_tests[] = {
     {"N2.8", "counterflow",
      "rooms 10 x 10 m joined by a corridor 10 x 2 m, 100 people one way, 0/10/50/100 the other",
      test_counterflow},
-    {"N2.9", "groups", "a group of differing speeds walks together", test_groups},
+    {"N2.9", "groups",
+     "five who like 0.8 to 1.6 m/s walk 38 m and through a door of 1.2 m, alone and as a group", test_groups},
     {"BI", "a measured corridor again",
      "those who are in each --measured corridor, entering when and where they did", test_rerun},
 };
