@@ -108,7 +108,9 @@ Result<std::vector<Vec2>> corners_of(const DemandReading& r, const Json& json) {
     }
     constexpr double k_least = 0.01;  // square metres
     if (area_within(corners) < k_least)
-        return Error{excerpt(json.dump()) + ", which goes round no ground: a place is one corner, [X, Z]"};
+        return Error{excerpt(json.dump()) +
+                     ", which goes round no ground, or crosses itself: an area has 0.01 m2 at least, and a "
+                     "place is one corner, [X, Z]"};
     return corners;
 }
 

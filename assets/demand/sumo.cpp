@@ -80,19 +80,22 @@ void begin_flow(SumoReading& r, const SumoAttributes& a) {
     r.is_in_person = true;
     r.has_walk = false;
     const double begin = seconds_of(r, a, "begin").value_or(0);
-    const auto end = seconds_of(r, a, "end");
+    auto end = seconds_of(r, a, "end");
     double people = 0;
-    if (a.contains("number") &&
-        (a.contains("perHour") || a.contains("personsPerHour") || a.contains("period")))
-        return refuse(r, R"(a personFlow with "number" beside a rate: leave one)");
-    if (const auto number = number_of(r, a, "number", 0, k_most_sent)) {
+    const auto number = number_of(r, a, "number", 0, k_most_sent),
+               period = number_of(r, a, "period", 0.001, k_longest);
+    const bool has_rate = a.contains("perHour") || a.contains("personsPerHour");
+    if (number && (has_rate || (period && end)))
+        return refuse(r, R"(a personFlow with "number" beside a rate: leave one, or "end" of a period)");
+    if (number) {
         people = *number;
+        if (period) end = begin + people * *period;
+        if (end && *end > k_longest) return refuse(r, "a personFlow that takes longer than 10,000,000 s");
     } else if (end && *end >= begin) {
         if (const auto rate = number_of(r, a, "perHour", 0, 1e7)) people = *rate * (*end - begin) / 3600;
         if (const auto rate = number_of(r, a, "personsPerHour", 0, 1e7))
             people = *rate * (*end - begin) / 3600;
-        if (const auto period = number_of(r, a, "period", 0.001, k_longest))
-            people = std::ceil((*end - begin) / *period);
+        if (period) people = std::ceil((*end - begin) / *period);
     }
     if (!end || *end < begin) return refuse(r, R"(a personFlow without an "end" after its "begin")");
     if (people > k_most_sent) return refuse(r, "a personFlow of more than a million people");

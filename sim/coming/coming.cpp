@@ -112,13 +112,18 @@ std::optional<float> other_height(const SentPlace& area, const Navmesh& mesh) {
 }
 
 Unwalkable why_unwalkable(const Sending& sending, const Navmesh& mesh) {
+    constexpr uint32_t k_tries = 8;
     auto place_of = [&](const SentPlace& area) {
-        return is_one_place(area) ? place_in(area, mesh, {}) : std::nullopt;
+        std::optional<NavPoint> place;
+        for (uint32_t t = 0; !place && t < (is_one_place(area) ? 1 : k_tries); ++t)
+            place = place_in(area, mesh, {1, 0, t, Purpose::coming});
+        return place;
     };
     const auto from = place_of(sending.from), to = place_of(sending.to);
-    if (is_one_place(sending.from) && !from) return Unwalkable::from;
-    if (is_one_place(sending.to) && !to) return Unwalkable::to;
-    return from && to && !are_joined(mesh, from->polygon, to->polygon) ? Unwalkable::way : Unwalkable::no;
+    if (!from) return Unwalkable::from;
+    if (!to) return Unwalkable::to;
+    const bool is_known = is_one_place(sending.from) && is_one_place(sending.to);
+    return is_known && !are_joined(mesh, from->polygon, to->polygon) ? Unwalkable::way : Unwalkable::no;
 }
 
 static std::optional<Entrant> draw_entrant(const Sending& sending, const Navmesh& mesh, uint32_t number,

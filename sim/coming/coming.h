@@ -76,8 +76,9 @@ void change_mesh(Coming& coming, const Navmesh& mesh);
 // says none, or nobody walks there at any height.
 std::optional<float> other_height(const SentPlace& place, const Navmesh& mesh);
 
-// Why nobody of a sending can be sent: nobody walks near the one place where it begins or ends, or no way
-// leads from the one to the other. Of areas, where chance finds none, it is not known before.
+// Why nobody of a sending can be sent: nobody walks within 2 m of the place where it begins or ends, nor of
+// 256 places by chance of an area, or no way leads from the one place to the other. Of ways between areas it
+// is not known before.
 enum class Unwalkable : uint8_t { no, from, to, way };
 Unwalkable why_unwalkable(const Sending& sending, const Navmesh& mesh);
 

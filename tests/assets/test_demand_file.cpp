@@ -187,6 +187,12 @@ TEST(DemandFile, PersonsOfSumoThatAreRefused) {
     expect_told(sumo_refusal_of(R"(<routes><personFlow begin="0" end="9"/></routes>)"), "sends nobody");
     expect_told(sumo_refusal_of(R"(<routes><personFlow begin="0" end="9" number="3" period="2"/></routes>)"),
                 R"("number" beside a rate)");
+    const Result<SentPeople> paced = parse_sumo_persons(
+        R"(<routes><personFlow begin="5" number="3" period="20"><walk fromXY="0,0" toXY="5,5"/></personFlow></routes>)",
+        City());
+    ASSERT_TRUE(paced) << paced.error().message;
+    EXPECT_EQ(paced->sendings[0].people, 3u);
+    EXPECT_EQ(paced->sendings[0].end, 65);
 }
 
 TEST(DemandFile, ThoseOfTheDocumentsAreRead) {

@@ -287,7 +287,7 @@ TEST(Navmesh, WallsStopWalkersHoweverDeepTheirFoot) {
     Ground ground = corridor(20, 4);
     add_wall(ground, {10, -6, -2}, {10, -6, 2}, 8);
     index_ground(ground);
-    NavmeshPtr mesh = build(std::move(ground));
+    NavmeshPtr mesh = build(ground);
     EXPECT_NE(island(*mesh, nearest(*mesh, 0, {5, 0, 0})->polygon),
               island(*mesh, nearest(*mesh, 0, {15, 0, 0})->polygon));
 }
@@ -331,7 +331,7 @@ TEST(Navmesh, ClearViews) {
 TEST(Navmesh, NoViewThroughAHole) {
     Ground ground = corridor(20, 6);
     ground.obstacles.push_back({{10, 0, 0}, 0, {0.2f, 0.2f}});
-    NavmeshPtr mesh = build(std::move(ground));
+    NavmeshPtr mesh = build(ground);
     BorderLine lines[16];
     int n = borders_near(*mesh, {10, 0, 0}, 1, lines, 16), across = 0;
     ASSERT_GE(n, 4);

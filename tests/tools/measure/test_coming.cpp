@@ -41,10 +41,11 @@ TEST(ToldComing, OfVeryManyEntriesTheFirstAndTheRest) {
 }
 
 TEST(ToldComing, NamesTheFirstWhoHaveNoWay) {
-    std::vector<SentCount> sent(100, {.came = 1, .arrived = 1});
-    for (const size_t i : {3, 40, 50, 60, 70, 80, 90}) sent[i] = {.lost = 2};
-    expect_in(told_coming({.came = 93, .left = 93}, sent, {}),
-              "They are of entry 4, entry 41, entry 51, entry 61, entry 71 and 2 more entries.");
+    std::vector<SentCount> sent(300, {.came = 1, .arrived = 1});
+    for (const size_t i : {3, 40, 250}) sent[i] = {.lost = 2};
+    expect_in(told_coming({.came = 297, .left = 297}, sent, {}), "They are of entry 4, entry 41, entry 251.");
+    for (SentCount& one : sent) one = {.lost = 1};
+    expect_in(told_coming({}, sent, {}), "entry 99, entry 100 and 200 more entries.");
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ std::string told(const Sending& sending, Unwalkable why) {
     const std::string from = told(sending.from.corners[0]), to = told(sending.to.corners[0]);
     if (why == Unwalkable::way) return "no way leads from " + from + " to " + to;
     const bool is_from = why == Unwalkable::from;
+    const size_t corners = (is_from ? sending.from : sending.to).corners.size();
     return std::string("nobody walks within 2 m of its \"") + (is_from ? "from\", " : "to\", ") +
-           (is_from ? from : to);
+           (corners > 1 ? "the area about " : "") + (is_from ? from : to);
 }
 
 Result<void> check_heights(const Sending& sending, const std::string& name, const Navmesh& mesh) {

@@ -32,7 +32,7 @@ std::string told_row(const std::string& name, const SentCount& c) {
 
 // The first few of those who had no way.
 std::string told_lost(std::span<const SentCount> sent, std::span<const std::string> names) {
-    constexpr size_t k_named = 5;
+    constexpr size_t k_named = 100;
     std::string named;
     size_t lost = 0;
     for (size_t i = 0; i < sent.size(); ++i) {
@@ -73,8 +73,9 @@ std::string told_coming(const ComingCount& all, std::span<const SentCount> sent,
                 " outside: where they are to come in it is full.\n";
     if (total.lost > 0)
         told += people(total.lost) +
-                " could not be sent: no ground that is walked on leads from where they come in to where they "
-                "go. They are of " +
+                " could not be sent: nobody walks where they are to come in or to go, or no way leads there. "
+                "They "
+                "are of " +
                 told_lost(sent, names) + ".\n";
     return told;
 }
