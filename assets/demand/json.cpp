@@ -7,6 +7,7 @@
 #include "assets/files/file.h"
 #include "assets/files/json_place.h"
 #include "assets/files/words.h"
+#include "sim/base/planar.h"
 
 namespace flaneur {
 namespace {
@@ -29,14 +30,6 @@ struct DemandReading {
 
 std::string line_of(const DemandReading& r, const std::vector<std::string>& path, bool of_key = false) {
     return "line " + std::to_string(place_in_json(r.text, path, of_key).line);
-}
-
-// Square metres that corners go round, either way.
-double area_within(const std::vector<Vec2>& corners) {
-    double twice = 0;
-    for (size_t i = 1; i + 1 < corners.size(); ++i)
-        twice += static_cast<double>(cross(corners[i] - corners[0], corners[i + 1] - corners[0]));
-    return std::fabs(twice) / 2;
 }
 
 std::vector<std::string> names_of(const DemandReading& r) {
@@ -107,7 +100,7 @@ Result<std::vector<Vec2>> corners_of(const DemandReading& r, const Json& json) {
         corners.push_back(*corner);
     }
     constexpr double k_least = 0.01;  // square metres
-    if (area_within(corners) < k_least)
+    if (area_of(corners) < k_least)
         return Error{excerpt(json.dump()) +
                      ", which goes round no ground, or crosses itself: an area has 0.01 m2 at least, and a "
                      "place is one corner, [X, Z]"};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "sim/base/math.h"
@@ -20,6 +21,13 @@ inline float closest_on(Vec2 a, Vec2 b, Vec2 p) {
 inline double crossed(Vec2 a, Vec2 b, Vec2 c) {
     return (wide(b.x) - wide(a.x)) * (wide(c.z) - wide(a.z)) -
            (wide(b.z) - wide(a.z)) * (wide(c.x) - wide(a.x));
+}
+
+// Square metres that corners go round, either way round; 0 of fewer than three.
+inline double area_of(std::span<const Vec2> corners) {
+    double twice = 0;
+    for (size_t i = 2; i < corners.size(); ++i) twice += crossed(corners[0], corners[i - 1], corners[i]);
+    return std::fabs(twice) / 2;
 }
 
 // Calls keep(corner) for those of what lies of a polygon where `side` is not negative (Sutherland & Hodgman,

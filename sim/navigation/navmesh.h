@@ -97,15 +97,15 @@ double place_area_near(const Navmesh& mesh, Vec2 centre, float radius);
 // The number of the connected piece of mesh that a polygon belongs to (pieces are numbered by falling area).
 uint32_t island(const Navmesh& mesh, uint32_t polygon);
 
+// Whether that piece is large enough that people are sent about in it: 300 square metres, or the largest.
+bool is_worth_walking(const Navmesh& mesh, uint32_t polygon);
+
 // Who has wheels goes nowhere onto steps (Surface::steps), and may leave them.
 enum class By : uint8_t { feet, wheels };
 
 // Whether there is a way from one polygon to another. Who is on steps with wheels is taken to get off them to
 // where it would.
 bool are_joined(const Navmesh& mesh, uint32_t from, uint32_t to, By by = By::feet);
-
-// Whether that piece is large enough that people are sent about in it: 300 square metres, or the largest.
-bool is_worth_walking(const Navmesh& mesh, uint32_t polygon);
 
 // The kind of ground that a polygon of the mesh stands for.
 Surface surface_of(const Navmesh& mesh, uint32_t polygon);

@@ -74,8 +74,7 @@ std::string told_coming(const ComingCount& all, std::span<const SentCount> sent,
     if (total.lost > 0)
         told += people(total.lost) +
                 " could not be sent: nobody walks where they are to come in or to go, or no way leads there. "
-                "They "
-                "are of " +
+                "They are of " +
                 told_lost(sent, names) + ".\n";
     return told;
 }

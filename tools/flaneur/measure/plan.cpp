@@ -107,12 +107,6 @@ bool read_name(const Json& json, std::string& to) {
 
 float length_of(const CountLine& line) { return length(line.b - line.a); }
 
-double area_of(std::span<const Vec2> corners) {
-    double twice = 0;
-    for (size_t i = 2; i < corners.size(); ++i) twice += crossed(corners[0], corners[i - 1], corners[i]);
-    return std::fabs(twice) / 2;
-}
-
 bool is_simple(std::span<const Vec2> corners) {
     const size_t n = corners.size();
     for (size_t i = 0; i < n; ++i) {

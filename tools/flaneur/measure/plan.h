@@ -40,8 +40,6 @@ inline constexpr size_t k_most_corners = 200;
 inline constexpr float k_least_line = 0.05f, k_least_zone = 0.05f;  // metres, square metres
 
 float length_of(const CountLine& line);
-// Square metres; 0 of fewer than three corners.
-double area_of(std::span<const Vec2> corners);
 // Whether no two of its edges cross or touch, but at the corners where they meet.
 bool is_simple(std::span<const Vec2> corners);
 
