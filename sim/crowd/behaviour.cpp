@@ -33,6 +33,7 @@ static constexpr float k_turns = 0.3f;                // where the way turns by 
 static constexpr float k_held_up = 110;               // ticks without progress after which one hurries,
 static constexpr uint32_t k_hurries = 10 * 60;        // for so many ticks
 static constexpr float k_own_half = 0.45f;     // of the room from a corner to the border across from it
+static constexpr uint32_t k_lifts = 5 * 60;    // ticks that one with a pram insists before it is lifted,
 static constexpr uint32_t k_insist = 20 * 60;  // ticks that one insists, at most,
 static constexpr float k_past = 3;             // and metres that it gets on
 static constexpr float k_haste = 1.1f;         // times the preferred speed, at most, of one who gets out of
@@ -397,7 +398,9 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                             .insists = j.insists_since,
                             .hurries = tick < j.hurries_until,
                             .room = c.identity.room[i],
-                            .is_beside = is_beside};
+                            .is_beside = is_beside,
+                            .by_door = passage != nullptr,
+                            .lifts = j.insists_since != k_never && tick - j.insists_since > k_lifts};
 }
 
 // How full it is, of every polygon: half of what it was and half of what it is, so that nobody turns about

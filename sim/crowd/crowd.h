@@ -178,7 +178,9 @@ struct Intent {
     uint32_t insists = 0;    // has a claim of its own since that tick, or k_never
     bool hurries = false;    // has been held up: see Journey
     float room = 1;          // see CrowdIdentity
-    bool is_beside = false;  // walks back onto the mesh
+    bool is_beside = false;  // the mesh: walks back onto it, or
+    bool by_door = false;    // goes through a door
+    bool lifts = false;      // its pram, if it has one, past what holds it up
 };
 
 // Written and read within one tick, but for the order of places, which holds for k_decision_ticks.

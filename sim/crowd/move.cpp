@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/math.h"
 #include "sim/base/tick.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
@@ -18,8 +19,9 @@ static constexpr float k_sees_coming = 0.6f;  // metres between bodies from whic
 static constexpr float k_comfortable = 2;     // m/s2, of that
 static constexpr float k_rounding = 1e-3f;    // m/s, of places two hundred metres out
 static constexpr float k_hardest = 3.2f;      // m/s2, of one who brakes for a border or for others
-static constexpr float k_slow = 0.05f, k_foresees = 0.05f;      // m/s, seconds
-static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;  // metres, of one with a pram
+static constexpr float k_slow = 0.05f, k_foresees = 0.05f;         // m/s, seconds
+static constexpr float k_sees_end = 1.4f, k_before_end = 0.2f;     // metres, of one with a pram
+static constexpr float k_swings_clear = 0.1f, k_swings_by = 0.1f;  // metres, of a pram that turns
 static constexpr float k_back = 0.02f;    // metres from the mesh at which one is on it again
 static constexpr size_t k_together = 64;  // walkers whose ground is asked for at once
 static constexpr int k_contacts = k_most_planes, k_within = 256;  // who count, of those within reach
@@ -32,7 +34,8 @@ struct Contacts {
     int count = 0;
     HalfPlane brakes[k_contacts];  // of wish and velocity, ahead of others and of borders, evenly
     int brake_count = 0;
-    Vec2 push{0, 0};  // m/s, that parts those who overlap
+    Vec2 push{0, 0};                   // m/s, that parts those who overlap
+    bool by_pram[2] = {false, false};  // somebody is where a turn to less, to more would bring the pram
 };
 
 }  // namespace
@@ -81,6 +84,10 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
         float room = std::max(d - touching, 0.0f), leaves = -dot(other.velocity, direction);
         float nearing = fastest_within(room, dt) + std::max(leaves, 0.0f);
         add_brake(out, direction, nearing, wish, velocity);
+        if (room < k_swings_clear) {
+            const float swing = dot(direction, {me.ahead.z, -me.ahead.x});
+            out.by_pram[swing < 0] |= std::fabs(swing) > k_swings_by;
+        }
         if (d < touching + k_nearing * dt)
             add_plane(out, {direction, -0.5f * room / dt}, fastest_of(wish, velocity));
     }
@@ -142,6 +149,12 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
     out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room - before, 0.0f), dt)};
 }
 
+static bool ends_for_wheels(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead) {
+    const Vec3 to = from.position + at_height(ahead, 0);
+    return move_along(mesh, thread, from, to, By::wheels).position !=
+           move_along(mesh, thread, from, to, By::feet).position;
+}
+
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
 static Vec2 braked(const Contacts& near, Vec2 was, Vec2 v, float dt) {
     Vec2 left = v;
@@ -168,6 +181,17 @@ static float share_within(const Contacts& near, Vec2 v) {
     return share;
 }
 
+// Where one with a pram that something stands before turns it, on the spot: to where it is to go, by the
+// other way round if somebody is in the way, or nowhere.
+static Vec2 turns_pram_to(const Contacts& near, float heading, Vec2 wanted) {
+    if (wanted == Vec2{}) return wanted;
+    const float to_turn = wrap_angle(heading_of(wanted) - heading);
+    const bool more = to_turn > 0;
+    if (!near.by_pram[more]) return wanted;
+    if (near.by_pram[!more] || std::fabs(to_turn) < k_pi / 2) return {0, 0};
+    return heading_direction(heading + (more ? -k_pi / 2 : k_pi / 2));
+}
+
 // All but the height of the ground where it comes to.
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
     uint32_t i = c.scratch.seen.all[at].id;
@@ -177,17 +201,17 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);
     const NavPoint from{m.position[i], m.polygon[i]};
     Contacts near = contacts_of(c, at, wish, dt);
-    const bool is_alone = near.count == 0 && near.brake_count == 0;
     const bool is_beside = c.way_back[i].polygon != 0;
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes && !is_beside)
         for (Vec2 way : {wish, m.velocity[i]}) {
             const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
-            add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, dt, near);
+            if (ends_for_wheels(mesh, thread, from, ahead))
+                add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, dt, near);
         }
     const float going = length(m.velocity[i]);
-    if (!pushes && !is_beside && going > k_slow) {
+    if (!is_beside && going > k_slow) {
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
         add_brake_at_border(mesh, thread, from, ahead, 0, by, dt, near);
     }
@@ -197,10 +221,9 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     // Who slows down for others, or pushes something, does not finish a step before.
     const bool hurries =
         pushes || wish != wished || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
-    // A pram that something stands before is turned on the spot to where it is to go.
-    const Vec2 looks_at = c.decision.looks[i]  ? c.journeys[i].facing
-                          : pushes && is_alone ? c.decision.wanted[i]
-                                               : Vec2{0, 0};
+    const Vec2 looks_at = c.decision.looks[i] ? c.journeys[i].facing
+                          : pushes            ? turns_pram_to(near, m.heading[i], c.decision.wanted[i])
+                                              : Vec2{0, 0};
     Motion motion = next_motion({.velocity = m.velocity[i],
                                  .heading = m.heading[i],
                                  .turn_rate = m.turn_rate[i],

@@ -15,7 +15,7 @@ static constexpr float k_border_reach = 1;       // metres
 static constexpr float k_grazes = 0.02f;         // metres beyond its end by which one still touches a border
 static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
-static constexpr float k_pinched = 0.02f, k_opposite = -0.8f;  // metres; cosine between two borders
+static constexpr float k_narrow = 0.2f, k_opposite = -0.8f;  // metres between two borders; their cosine
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
 static constexpr float k_throng = 0.15f;      // metres between bodies
@@ -80,30 +80,68 @@ static HalfPlane pass_end(Vec2 velocity, Vec2 away, float distance, Vec2 inward,
     return -dot(velocity, aside) < to_stop ? HalfPlane{aside, k_clear_of_end} : HalfPlane{inward, -most};
 }
 
-// The middle of a pram comes no nearer to borders than it can stop from, and not farther beyond: a turn may
-// have brought it there.
+// Who goes through a door goes on in line or waits: it cannot step aside there, nor turn back.
+static int keep_in_line(Vec2 wanted, HalfPlane* planes) {
+    constexpr float k_sways = 0.02f;  // m/s
+    const Vec2 way = normalize_or(wanted, {0, 0}), aside{-way.z, way.x};
+    planes[0] = {way, 0};
+    planes[1] = {aside, -k_sways};
+    planes[2] = {aside * -1, -k_sways};
+    return 3;
+}
+
+namespace {
+// Borders beside which one is.
+struct Sides {
+    Vec2 inward[k_borders];
+    float room[k_borders];  // metres
+    int count = 0;
+};
+}  // namespace
+
+// Adds a border beside, and returns whether one is between it and another that all but cross each other, as
+// simplified ones sometimes do: one gets past there, as far as the mesh itself lets one.
+static bool is_pinched_by(Vec2 inward, float room, Sides& sides) {
+    bool is_pinched = false;
+    for (int k = 0; k < sides.count; ++k)
+        is_pinched |= room + sides.room[k] < k_narrow && dot(inward, sides.inward[k]) < k_opposite;
+    sides.inward[sides.count] = inward;
+    sides.room[sides.count++] = room;
+    return is_pinched;
+}
+
+// The front of a pram comes no nearer to borders than it can stop from, and its middle not farther beyond: a
+// turn may have brought it there, or past the end of one. Where two borders all but meet about it, it gets
+// past as its pusher does.
 static int keep_pram_in(const Navmesh& mesh, const Seen& me, HalfPlane* planes, int count) {
     constexpr float k_beyond = 0.6f;  // metres: else it is the border of another part of the mesh
+    constexpr float k_cuts = 0.15f;   // metres, of a border's ends
     BorderLine lines[k_borders];
+    const Vec2 ahead = normalize_or(me.ahead, {0, 0});
+    const int count_of_body = count;
+    bool is_pinched = false;
+    Sides sides;
     Vec3 middle = me.position + at_height(me.ahead, 0);
     int borders = borders_near(mesh, middle, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
         Vec2 a = on_ground(lines[b].a), ab = on_ground(lines[b].b) - a;
         Vec2 inward = inward_of(lines[b]), p = on_ground(middle) - a;
-        float along = dot(p, ab) / length_squared(ab), inside = dot(p, inward);
+        const float far = length(ab), along = dot(p, ab) / far, inside = dot(p, inward);
         bool is_mine = dot(on_ground(me.position) - a, inward) > 0;
-        if (along < 0 || along > 1 || inside < -k_beyond || !is_mine) continue;
-        planes[count++] = {inward, -border_speed(std::max(inside - k_pram_reach, 0.0f))};
+        if (along < k_cuts || along > far - k_cuts || inside < -k_beyond || !is_mine) continue;
+        const float room = inside - k_pram_reach * std::max(-dot(inward, ahead), 0.0f);
+        planes[count++] = {inward, -border_speed(std::max(room, 0.0f))};
+        is_pinched |= is_pinched_by(inward, room, sides);
     }
-    return count;
+    return is_pinched ? count_of_body : count;
 }
 
 // What keeps one on the mesh.
-static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane* planes) {
+static int keep_in(const Navmesh& mesh, const Seen& me, bool lifts, Vec2 velocity, HalfPlane* planes) {
     int count = 0;
     BorderLine lines[k_borders];
     bool is_pinched = false;
-    Vec2 touched{};  // inward of a border that one touches
+    Sides sides;
     const Vec2 p = on_ground(me.position);
     const int borders = borders_near(mesh, me.position, k_border_reach, lines, k_borders);
     for (int b = 0; b < borders; ++b) {
@@ -117,24 +155,21 @@ static int keep_in(const Navmesh& mesh, const Seen& me, Vec2 velocity, HalfPlane
         float to_line = dot(p - a, inward);
         if (!tip) {
             planes[count++] = {inward, -border_speed(distance)};
-            if (distance < k_pinched) {
-                is_pinched |= dot(inward, touched) < k_opposite;
-                touched = inward;
-            }
+            is_pinched |= is_pinched_by(inward, distance, sides);
         } else if (to_line > 0 && runs_into(p, velocity, a, ab)) {
             planes[count++] = pass_end(velocity, away, distance, inward, to_line, t <= 0 ? ab * -1 : ab);
         } else {
             planes[count++] = {away / distance, -distance / k_border_horizon};
         }
     }
-    // Two borders may all but cross each other, as simplified ones sometimes do: one gets past there, as far
-    // as the mesh itself lets one.
     if (is_pinched) count = 0;
-    return length_squared(me.ahead) > 0 ? keep_pram_in(mesh, me, planes, count) : count;
+    return me.ahead == Vec2{} || lifts ? count : keep_pram_in(mesh, me, planes, count);
 }
 
-// Prams that are near, one's own or the other's.
+// Prams that are near, one's own or the other's. No claim is so good that one minds none: they cannot step
+// aside.
 static void add_prams(const Seen& me, const Seen& other, float share, int lane, Deciders& d) {
+    share = std::max(share, 0.5f);
     const Vec2 between = on_ground(other.position - me.position);
     const bool mine = length_squared(me.ahead) > 0, theirs = length_squared(other.ahead) > 0;
     auto add = [&](Vec2 apart, float radii) {
@@ -256,7 +291,9 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         d.most.lanes[lane] = intent.most, d.waited.lanes[lane] = intent.waited;
         d.makes_room.lanes[lane] = side_to_make_room(c.scratch, d, lane, side);
         // Who walks back onto the mesh crosses its border.
-        firm_count[lane] = intent.is_beside ? 0 : keep_in(mesh, me, velocity, firm[lane]);
+        firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
+                           : intent.is_beside ? 0
+                                              : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
         is_thronged[lane] = add_neighbours(rows, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);

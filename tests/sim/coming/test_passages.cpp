@@ -223,6 +223,39 @@ TEST(Passages, WhoIsSentElsewhereComesBack) {
     }
 }
 
+// One cannot step aside in a door: not to get past those who stand before it either, some with a pram.
+TEST(Passages, WhoComesInGoesStraightOnTowardsThoseWhoStandThere) {
+    Ground ground = square(2 * k_wall);
+    index_ground(ground);
+    WorldOptions options;
+    options.capacity = 8;
+    options.threads = 1;
+    options.kinds = {Kind{standard_body(1.75f)}, {standard_body(1.7f)}};
+    options.kinds[1].body.pram = standard_pram(options.kinds[1].body);
+    for (int turn = 0; turn < 8; ++turn) {
+        auto made = make_world_on(ground, options);
+        ASSERT_TRUE(made) << made.error().message;
+        World& w = **made;
+        const auto door = door_at(w.around, {0, 0, 29.3f}, {0, 1});
+        ASSERT_TRUE(door);
+        const auto who = add_walker(w, {.place = Vec3{0, 0, 29.3f}, .heading = k_pi, .kind = 0});
+        ASSERT_TRUE(who);
+        for (const Vec2 stands : {Vec2{-2.89f, 28.56f}, {-1.35f, 28.8f}, {-1.93f, 28.93f}, {0.26f, 27.86f}})
+            ASSERT_TRUE(add_walker(w, {.place = at_height(stands, 0), .kind = 0}));
+        const float heading = static_cast<float>(turn) * (k_pi / 4);
+        ASSERT_TRUE(add_walker(w, {.place = Vec3{-0.66f, 0, 28.28f}, .heading = heading, .kind = 1}));
+        come_by_door(w.crowd, who->index, *door, 0);
+        float deepest = 9;
+        for (int tick = 0; tick < 60 * 12; ++tick) {
+            step(w);
+            const float depth = depth_of(w.crowd.motion.position[who->index]);
+            ASSERT_LT(depth, deepest + 0.02f) << "turns back, tick " << tick << ", pram " << turn;
+            deepest = std::min(deepest, depth);
+        }
+        EXPECT_FALSE(passage_of(w.crowd, who->index)) << "still in the door, pram " << turn;
+    }
+}
+
 // A house at z = 5 whose front is `width` wide and that is `depth` deep, with ground before it.
 Ground house(float width, float depth, float height = 3) {
     Ground ground;
