@@ -42,11 +42,12 @@ enum class WorkView {
     trails,    // where people walked in the last ten seconds
     skeletons,
     gizmos,  // of the gait: steps, targets, gaze, velocity
+    ways,    // what those go by who have no goal: circles, rays
 };
-inline constexpr int k_work_views = 10;
+inline constexpr int k_work_views = 11;
 inline constexpr const char* k_work_view_names[k_work_views] = {"wireframe", "normals", "overdraw", "lods",
                                                                 "speed",     "density", "walkable", "trails",
-                                                                "skeletons", "gizmos"};
+                                                                "skeletons", "gizmos",  "ways"};
 
 // Those that are on.
 struct WorkViews {

@@ -11,6 +11,7 @@
 #include "assets/additions.h"
 #include "assets/look.h"
 #include "sim/base/result.h"
+#include "sim/crowd/habit.h"
 
 namespace flaneur {
 
@@ -43,20 +44,30 @@ inline constexpr double k_least_scale = 0.0001, k_most_scale = 10'000;
 inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
+// The places that are built in.
+enum class BuiltIn : uint8_t { district, asteroid, platform, field };
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field"};
+// Of a scene whose platform nobody has laid out.
+inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
+
 struct Scene {
     std::string name = "district";
     std::string about;               // one line on it
     std::string city;                // an OpenStreetMap or glTF file; empty: the built-in district
     std::optional<MapPlace> center;  // of an OpenStreetMap city: what is drawn lies about it
     float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
-    bool asteroid = false;            // people walk round the built-in asteroid, not in a city
-    std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
-    float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
-    std::vector<PeopleShare> people;  // empty: the built-in people
-    PeopleMix mix;                    // of the built-in ones
-    std::vector<Addition> added;      // to the city
-    std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
-    int walkers = 500;                // 0..1,000,000
+    BuiltIn built = BuiltIn::district;  // without a city: all round the asteroid, on a platform in
+                                        // the water, on a walled field
+    std::vector<Vec2> platform;         // its corners, metres; see make_platform(); empty: k_usual_platform
+    std::string terrain;                // an elevation file under an OpenStreetMap city; empty: level ground
+    float scale = 1;                    // metres to a unit of a glTF city: 0.0001..10,000
+    std::vector<PeopleShare> people;    // empty: the built-in people
+    PeopleMix mix;                      // of the built-in ones
+    std::vector<Addition> added;        // to the city
+    std::vector<std::string> idles;     // FILE or FILE:CLIP, glTF animations that those who stand play
+    int walkers = 500;                  // 0..1,000,000
+    Habit habit = Habit::wander;        // what they do; they stagger on a platform only
+    float drunk = 0;                    // 0..1, see WorldOptions
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24
@@ -80,6 +91,11 @@ struct SceneFault {
     std::string what;  // a sentence without its full stop
 };
 
+inline bool is_of(const Scene& scene, BuiltIn built) { return scene.city.empty() && scene.built == built; }
+inline const std::vector<Vec2>& platform_of(const Scene& scene) {
+    return scene.platform.empty() ? k_usual_platform : scene.platform;
+}
+
 // A built-in scene's name, or a path to a .json file of at most a megabyte. Unknown names, keys, values out
 // of range and what contradicts itself are refused. Relative paths in a file are relative to its folder.
 Result<Scene> load_scene(const std::string& name_or_path);
@@ -101,6 +117,11 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path);
 // The JSON schema (draft 7) of scene files, from the table that reads them; assets/scenes/scene.schema.json
 // is a copy.
 std::string scene_schema();
+
+// "-8,-5 8,-5 0,9": the corners of a platform, and back. Refuses what make_platform() does.
+inline constexpr float k_widest_platform = 400;  // metres from the origin
+Result<std::vector<Vec2>> parse_platform(const std::string& text);
+std::string told_platform(const std::vector<Vec2>& corners);
 
 // Names of the built-in scenes, sorted.
 std::vector<std::string> scene_names();

@@ -85,7 +85,7 @@ constexpr void for_each_row(const PersonBlock& p, const FieldName* of, const Eac
     add("stance_ahead", p.stance_ahead), add("stance_turn", p.stance_turn);
     add("lean", p.lean), add("stoop", p.stoop), add("carriage", p.carriage), add("elbow", p.elbow);
     add("crouch", p.crouch), add("unevenness", p.unevenness), add("stray", p.stray), add("limp", p.limp),
-        add("curiosity", p.curiosity), add("touches", p.touches);
+        add("reel", p.reel), add("curiosity", p.curiosity), add("touches", p.touches);
     add("height", p.height), add("girth", p.girth), add("postures", p.postures);
     add("free_hands", p.free_hands), add("bag", p.bag);
 }

@@ -43,6 +43,7 @@
 #include "sim/body/body.h"
 #include "sim/coming/sending.h"
 #include "sim/crowd/demand.h"
+#include "sim/crowd/habit.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/ground.h"
@@ -83,9 +84,13 @@ struct Kind {
 struct WorldOptions {
     uint32_t capacity = 0;  // walkers there can be at one time, up to 1,000,000; raised to `walkers`
     uint32_t walkers = 0;   // of them set down by chance at the start, 0.95..1.05 times their body, to wander
-    uint64_t seed = 1;      // of all that is left to chance
-    int threads = 0;        // that make_world and step use, the calling one included, to 1024; 0: one a core
-    TaskSystem tasks{};     // one's own threads instead, if `run` is set; paths are prepared on the caller's
+    Habit habit = Habit::wander;   // theirs,
+    std::vector<Vec2> platform{};  // and where they stagger
+    float drunk =
+        0;  // how much everybody has had, 0..1: 1 hardly walks; see add_drink() in sim/body/manner.h
+    uint64_t seed = 1;   // of all that is left to chance
+    int threads = 0;     // that make_world and step use, the calling one included, to 1024; 0: one a core
+    TaskSystem tasks{};  // one's own threads instead, if `run` is set; paths are prepared on the caller's
     std::vector<Kind> kinds{{standard_body(1.72f)}};  // at least one
     // One's own answers to where exactly the ground is, for feet, and where walls are, for hands: a height
     // field, a physics engine. The triangles say where people can go, and may be coarser (by 0.3 m in

@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x36'74'73'2e'72'75'6c'66;  // "flur.st6"
+constexpr uint64_t k_mark = 0x37'74'73'2e'72'75'6c'66;  // "flur.st7"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&

@@ -32,6 +32,7 @@ static Manner manner_of(const World& world, uint32_t walker) {
     const uint32_t generation = c.slots.generation[walker];
     Manner manner = draw_manner(middle, {world.seed, walker, generation, Purpose::style});
     add_personality(manner, personality_of(world, walker));
+    add_drink(manner, world.drunk);
     return manner;
 }
 
@@ -64,6 +65,17 @@ void make_room_to_come(World& w) {
     w.newcomer.prams.reserve(1);
 }
 
+// By the habit of those who are set down at the start.
+static Result<void> set_off(World& world) {
+    for (uint32_t i = 0; i < world.crowd.count; ++i) {
+        const WalkerId id{i, world.crowd.slots.generation[i]};
+        if (world.habit == Habit::ramble) let_ramble(world, id);
+        if (world.habit != Habit::stagger) continue;
+        if (Result<void> can = let_stagger(world, id, world.platform); !can) return can;
+    }
+    return {};
+}
+
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                                           const WorldOptions& options,
                                           const std::function<bool(std::string_view, float)>& progress) {
@@ -79,6 +91,9 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (progress && !progress("setting down the walkers", 0))
         return Error{"the world of '" + world->ground->name + "' was given up"};
     world->kinds = options.kinds;
+    world->habit = options.habit;
+    world->platform = options.platform;
+    world->drunk = options.drunk;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
@@ -118,6 +133,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->idles = make_layer(options.idles, world->crowd.capacity);
     world->poses.resize(world->gait.blocks.size());
     pose_everybody(*world);
+    if (Result<void> done = set_off(*world); !done) return done.error();
     if (progress) progress("setting down the walkers", 1);
     return world;
 }

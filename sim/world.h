@@ -41,6 +41,10 @@ struct World {
     WorkersPtr workers;
     std::vector<Kind> kinds;
     std::vector<Folk> folk;  // who has such a body, one of each kind
+    // See WorldOptions.
+    Habit habit = Habit::wander;
+    std::vector<Vec2> platform;
+    float drunk = 0;
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
 

@@ -38,6 +38,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
     const std::string across = R"(0*(([5-9]|[1-9][0-9]{1,3}|1[0-9]{4})(\.[0-9]*)?|20000(\.0*)?))",
                       bearing = R"(-?0*(([0-9]|[1-9][0-9]|[12][0-9]{2}|3[0-5][0-9])(\.[0-9]*)?|360(\.0*)?))";
     auto degrees = [](const std::string& digits) { return "-?0*" + digits; };
+    const std::string corner = coordinate_pattern() + "," + coordinate_pattern();
     const std::string pixels = "0*([1-9][0-9]{0,2}|[1-7][0-9]{3}|80[0-9]{2}|81[0-8][0-9]|819[0-2])";
     static const std::vector<SceneKey<Scene>> keys = {
         {"$schema",
@@ -76,12 +77,23 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "How far the part of an OpenStreetMap city that is drawn reaches from its middle to each side, "
          "metres; without it, as far as can be built in half a minute.",
          [](Reading&, Scene& s, const Json& v) { s.radius = v; }},
-        {"asteroid",
-         {flag},
-         "false",
-         "true",
-         "People walk all round the built-in asteroid, not in a city.",
-         [](Reading&, Scene& s, const Json& v) { s.asteroid = v; }},
+        {"built",
+         {text, 0, 0, {}, names(k_built_in_names)},
+         R"("district")",
+         R"("asteroid")",
+         "Which of the built-in places, without a city: a district; an asteroid, all round which people "
+         "walk; a "
+         "platform in still water; a walled field.",
+         [](Reading& r, Scene& s, const Json& v) {
+             take_parsed(r, word_of<BuiltIn>(k_built_in_names, v), s.built);
+         }},
+        {"platform",
+         {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
+         nullptr,
+         R"("-8,-5 8,-5 0,9")",
+         "The corners of the built-in platform, 3 to 16, each X,Z in metres: any convex outline within 400 "
+         "m.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_platform(v), s.platform); }},
         {"terrain",
          {text},
          nullptr,
@@ -113,6 +125,22 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "2000",
          "How many people walk.",
          [](Reading&, Scene& s, const Json& v) { s.walkers = v; }},
+        {"habit",
+         {text, 0, 0, {}, names(k_habit_names)},
+         R"("wander")",
+         R"("ramble")",
+         "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, on "
+         "the "
+         "built-in platform, stagger along circles.",
+         [](Reading& r, Scene& s, const Json& v) {
+             take_parsed(r, word_of<Habit>(k_habit_names, v), s.habit);
+         }},
+        {"drunk",
+         {number, 0, 1},
+         "0",
+         "0.8",
+         "How drunk they are, from not at all to hardly able to walk.",
+         [](Reading&, Scene& s, const Json& v) { s.drunk = v; }},
         {"people",
          {people},
          nullptr,
@@ -335,75 +363,6 @@ void read_added(SceneReading& r, Scene& scene, const Json& list) {
     }
 }
 
-bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
-
-// A city that is a map, as a schema says it of one that must be there.
-OrderedJson map_schema() {
-    return {{"pattern", R"(\.([oO][sS][mM](\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$)"}};
-}
-OrderedJson needs_city(const char* key, OrderedJson city) {
-    OrderedJson given = {{"required", OrderedJson::array({"city"})},
-                         {"properties", {{"city", std::move(city)}}}};
-    return {{"required", OrderedJson::array({key})}, {"not", std::move(given)}};
-}
-OrderedJson needs_map(const char* key) { return needs_city(key, map_schema()); }
-
-// What cannot be at once, as the reader sees it and as a schema says it of the key.
-struct SceneClash {
-    const char* key;  // of both the one to blame
-    const char* what;
-    bool (*is_there)(const Scene& scene, const Json& json);
-    OrderedJson (*schema)(const char* key);
-};
-constexpr SceneClash k_clashes[] = {
-    {"asteroid", R"("asteroid" and "city" are two places; people walk in one)",
-     [](const Scene& s, const Json&) { return s.asteroid && !s.city.empty(); },
-     [](const char* key) {
-         return OrderedJson{{"required", OrderedJson::array({key, "city"})},
-                            {"properties", {{key, {{"const", true}}}}}};
-     }},
-    {"camera", R"("camera": on the asteroid it is overview, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
-     [](const Scene& s, const Json&) {
-         bool on_ground =
-             s.camera.kind != CameraChoice::Kind::overview && s.camera.kind != CameraChoice::Kind::fixed;
-         return s.asteroid && on_ground;
-     },
-     [](const char* key) {
-         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
-                            {"properties",
-                             {{"asteroid", {{"const", true}}},
-                              {key, {{"pattern", "^(street|crowd|map|(follow|eyes|map):.*)$"}}}}}};
-     }},
-    {"blocks", R"("blocks" is of the built-in district, and "asteroid" another place)",
-     [](const Scene& s, const Json& json) { return json.contains("blocks") && s.asteroid; },
-     [](const char* key) {
-         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
-                            {"properties", {{"asteroid", {{"const", true}}}}}};
-     }},
-    {"added", R"("added" is what is put into a city, and nobody walks in one on the "asteroid")",
-     [](const Scene& s, const Json& json) { return json.contains("added") && s.asteroid; },
-     [](const char* key) {
-         return OrderedJson{{"required", OrderedJson::array({"asteroid", key})},
-                            {"properties", {{"asteroid", {{"const", true}}}}}};
-     }},
-    {"blocks", R"("blocks" is of the built-in district, and "city" another place)",
-     [](const Scene& s, const Json& json) { return json.contains("blocks") && !s.city.empty(); },
-     [](const char* key) {
-         return OrderedJson{{"required", OrderedJson::array({key, "city"})}};
-     }},
-    {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); }, needs_map},
-    {"center", R"("center" is of an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return s.center && !is_map(s); }, needs_map},
-    {"radius", R"("radius" is of an OpenStreetMap city, which "city" must name)",
-     [](const Scene& s, const Json&) { return s.radius > 0 && !is_map(s); }, needs_map},
-    {"scale", R"("scale" is of a glTF city, which "city" must name; the others are in metres)",
-     [](const Scene& s, const Json& json) { return json.contains("scale") && (s.city.empty() || is_map(s)); },
-     [](const char* key) {
-         return needs_city(key, {{"not", map_schema()}});
-     }},
-};
-
 template <class Of>
 OrderedJson object_schema(const std::vector<SceneKey<Of>>& keys);
 
@@ -508,8 +467,9 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
         return r.faults;
     }
     read_keys(r, scene_keys(), "a scene", json, scene);
-    if (scene.asteroid && !json.contains("camera")) scene.camera.kind = CameraChoice::Kind::overview;
-    for (const SceneClash& clash : k_clashes) {
+    if (scene.built != BuiltIn::district && !json.contains("camera"))
+        scene.camera.kind = CameraChoice::Kind::overview;
+    for (const SceneClash& clash : scene_clashes()) {
         if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
         r.path = {clash.key};
         add_fault(r, clash.what, true);
@@ -525,7 +485,8 @@ std::string scene_schema() {
                           {"title", "A scene of flaneur"},
                           {"description", "What to simulate and from where to look."}};
     schema.update(object_schema(scene_keys()));
-    for (const SceneClash& clash : k_clashes) schema["allOf"].push_back({{"not", clash.schema(clash.key)}});
+    for (const SceneClash& clash : scene_clashes())
+        schema["allOf"].push_back({{"not", clash.schema(clash.key)}});
     return schema.dump(4) + "\n";
 }
 

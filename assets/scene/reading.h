@@ -1,11 +1,16 @@
 // What the tables of a scene's keys are made of. Private to assets/scene.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "assets/files/file.h"
+#include "assets/files/words.h"
 #include "assets/scene.h"
 
 namespace flaneur {
@@ -52,6 +57,28 @@ void take_parsed(SceneReading& r, const Result<T>& parsed, To& to) {
         add_fault(r, in_quotes(r.path.back()) + ": " + parsed.error().message);
     }
 }
+
+template <size_t N>
+std::vector<std::string> names(const std::string_view (&all)[N]) {
+    return {std::begin(all), std::end(all)};
+}
+
+// The one of an enumeration that is called so.
+template <class Word, size_t N>
+Result<Word> word_of(const std::string_view (&all)[N], const std::string& name) {
+    const auto* at = std::find(std::begin(all), std::end(all), name);
+    if (at == std::end(all)) return Error{excerpt(name) + " is none of " + joined(names(all))};
+    return static_cast<Word>(at - std::begin(all));
+}
+
+// What cannot be at once, as the reader sees it and as a schema says it of the key.
+struct SceneClash {
+    const char* key;  // of those the one to blame
+    const char* what;
+    bool (*is_there)(const Scene& scene, const nlohmann::json& json);
+    nlohmann::ordered_json (*schema)(const char* key);
+};
+std::span<const SceneClash> scene_clashes();
 
 // One of "people": a file, or the built-in people.
 struct PeopleItem {

@@ -59,12 +59,15 @@ std::string scene_text(const Scene& s) {
     tell("city", s.city, !s.city.empty());
     if (s.center) json["center"] = plainly(s.center->latitude) + "," + plainly(s.center->longitude);
     tell("radius", short_number(s.radius), s.radius > 0);
-    tell("asteroid", true, s.asteroid);
+    tell("built", k_built_in_names[static_cast<int>(s.built)], s.built != usual.built);
+    tell("platform", told_platform(s.platform), !s.platform.empty());
     tell("terrain", s.terrain, !s.terrain.empty());
     tell("scale", short_number(s.scale), s.scale != usual.scale);
-    tell("blocks", s.blocks, s.city.empty() && !s.asteroid);
+    tell("blocks", s.blocks, is_of(s, BuiltIn::district));
     tell("seed", s.seed, s.seed != usual.seed);
     json["walkers"] = s.walkers;
+    tell("habit", k_habit_names[static_cast<int>(s.habit)], s.habit != usual.habit);
+    tell("drunk", short_number(s.drunk), s.drunk > 0);
     tell("people", people_of(s.people), !s.people.empty());
     for (const MixKey& of : k_mix)
         tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);

@@ -81,4 +81,17 @@ Manner draw_manner(const Manner& middle, RandomKey key) {
     return m;
 }
 
+void add_drink(Manner& m, float drunk) {
+    m.stride *= 1 - 0.08f * drunk;
+    m.step_width *= 1 + 0.9f * drunk;
+    m.unevenness += 0.06f * drunk;
+    m.sway = std::min(m.sway * (1 + 0.8f * drunk), 2.2f);
+    m.toe_out += 5 * k_radians * drunk;
+    m.carriage += 9 * k_radians * drunk;
+    m.reel += 0.15f * drunk;
+    m.crouch += 0.015f * drunk;
+    m.stance_width = std::min(m.stance_width * (1 + 0.4f * drunk), 0.18f);
+    m.curiosity *= 1 - 0.5f * drunk;
+}
+
 }  // namespace flaneur

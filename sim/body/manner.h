@@ -53,6 +53,7 @@ struct Manner {
     float unevenness = 0;
     float curiosity = 0.3f;  // of every two seconds, in how many the head turns to something aside
     float touches = 0.5f;    // how likely it is one of those who trail a hand along walls
+    float reel = 0;          // radians of sway to each side and ahead, walking too; 0: none
     float limp = 0;  // share by which a step of the left foot is quicker, one of the right foot slower
     // How often each posture is taken, against the others. All 0: hands hang.
     std::array<float, k_posture_count> postures{};
@@ -78,6 +79,11 @@ std::array<float, k_posture_count> postures_at_age(float years, bool woman);
 // swing some 4 mm higher or lower (Winter 1991). How they stand is chosen, not measured: ankles 0.08 to 0.16
 // of the height apart, one up to 0.06 of it ahead.
 Manner draw_manner(const Manner& middle, RandomKey key);
+// Of one who has had so much to drink, 0..1. Who is drunk walks with shorter steps (Demura and Uchiyama,
+// Sport Sciences for Health 4, 2008), with wider ones and feet turned out (Gimunova et al., Scientific
+// Reports 12, 2022), sways, takes no step like the one before, holds the arms off and stands broadly; how
+// much of each is chosen.
+void add_drink(Manner& manner, float drunk);
 // Only of Manner::postures: everybody has favourites.
 void vary_postures(Manner& manner, RandomKey key);
 

@@ -37,6 +37,9 @@ struct Goer {
     Vec3 at() const { return c.motion.position[i]; }
     float speed() const { return c.identity.preferred_speed[i]; }
     float ahead() const { return c.identity.ahead[i]; }
+    float clear_way(float yaw, float reach) const {
+        return flaneur::clear_way(c, mesh, thread, i, yaw, reach);
+    }
 };
 
 }  // namespace
@@ -47,24 +50,22 @@ static RandomKey key_of(const Goer& g, uint32_t when) {
 }
 
 // Whether nothing turns one aside who goes `way`: nor steps, with wheels.
-static bool comes_along(const Goer& g, Vec2 way) {
+static bool comes_along(const Crowd& c, const Navmesh& mesh, int thread, uint32_t i, Vec2 way) {
     constexpr float k_aside = 0.05f;  // metres
-    const Vec3 from = g.at();
-    const NavPoint to = move_along(g.mesh, g.thread, {from, g.c.motion.polygon[g.i]},
-                                   from + at_height(way, 0), by_of(g.c, g.i));
+    const Vec3 from = c.motion.position[i];
+    const NavPoint to =
+        move_along(mesh, thread, {from, c.motion.polygon[i]}, from + at_height(way, 0), by_of(c, i));
     return length(on_ground(to.position - from) - way) <= k_aside;
 }
 
-// How far one comes, straight on, before it would leave the mesh: `reach` metres at most. A pram is there
-// before who pushes it, and must have room where it turns to.
-static float clear_way(const Goer& g, float yaw, float reach) {
+float clear_way(const Crowd& c, const Navmesh& mesh, int thread, uint32_t i, float yaw, float reach) {
     constexpr float k_first = 0.3f;  // metres
-    const Vec3 from = g.at();
+    const Vec3 from = c.motion.position[i];
     const Vec2 direction = heading_direction(yaw);
-    const float front = g.ahead() > 0 ? g.ahead() + k_pram_reach : 0;
+    const float ahead = c.identity.ahead[i], front = ahead > 0 ? ahead + k_pram_reach : 0;
     // Who stands on a border meets it at once.
-    if (!comes_along(g, direction * std::max(k_first, front))) return 0;
-    const auto border = first_border(g.mesh, from, from + at_height(direction * (reach + front), 0));
+    if (!comes_along(c, mesh, thread, i, direction * std::max(k_first, front))) return 0;
+    const auto border = first_border(mesh, from, from + at_height(direction * (reach + front), 0));
     if (!border) return reach;
     const Vec2 inward = inward_of(*border);
     const float way = dot(on_ground(border->a - from), inward) / std::min(dot(direction, inward), -1e-3f);
@@ -77,7 +78,7 @@ static bool is_clear_to(const Goer& g, Vec3 there) {
     if (g.ahead() == 0) return true;
     const Vec2 to_pram = heading_direction(g.c.motion.heading[g.i]) * g.ahead();
     return is_clear(g.mesh, g.at() + at_height(to_pram, 0), there) &&
-           comes_along(g, on_ground(there - g.at()));
+           comes_along(g.c, g.mesh, g.thread, g.i, on_ground(there - g.at()));
 }
 
 // As fast as brings one, or its pram, from `far` to `range` metres behind who goes with `velocity` that way.
@@ -129,7 +130,7 @@ static WayWish flee(const Goer& g) {
     float best = -1, chosen = away;
     auto take = [&](float degrees) {
         const float yaw = away + degrees * k_radians;
-        const float clear = clear_way(g, yaw, k_ray_aside) / k_ray_aside;
+        const float clear = g.clear_way(yaw, k_ray_aside) / k_ray_aside;
         const float keeps = k_keeps_on * dot(heading_direction(yaw), heading_direction(g.way.bearing));
         const float good = clear * (1.2f + sin_cos(degrees * k_radians).cosine + keeps);
         if (good > best) best = good, chosen = yaw;
@@ -140,10 +141,10 @@ static WayWish flee(const Goer& g) {
 }
 
 static WayWish ramble(const Goer& g) {
-    const float ahead = clear_way(g, g.way.bearing, k_ray_ahead);
+    const float ahead = g.clear_way(g.way.bearing, k_ray_ahead);
     if (ahead < k_ray_ahead) {
         auto clear = [&](float degrees) {
-            return clear_way(g, g.way.bearing + degrees * k_radians, k_ray_aside);
+            return g.clear_way(g.way.bearing + degrees * k_radians, k_ray_aside);
         };
         const auto free = free_way(clear, key_of(g, ++g.way.turns));
         const float turn = free ? *free : longest_way(clear, ahead);

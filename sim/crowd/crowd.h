@@ -326,6 +326,9 @@ void let_go(Crowd& crowd);
 
 // From now on it goes this way.
 void go_by_way(Crowd& crowd, const Wayfarer& way);
+// How far a walker comes, straight on with that yaw, before it would leave the mesh: `reach` metres at most.
+// A pram is there before who pushes it, and must have room where it turns to.
+float clear_way(const Crowd& crowd, const Navmesh& mesh, int thread, uint32_t walker, float yaw, float reach);
 // What bounds the circles of one who staggers.
 Strider strider_of(const Crowd& crowd, uint32_t walker);
 

@@ -15,7 +15,8 @@ static constexpr float k_border_reach = 1;       // metres
 static constexpr float k_grazes = 0.02f;         // metres beyond its end by which one still touches a border
 static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear of the end of a border
 static constexpr int k_borders = 6;
-static constexpr float k_narrow = 0.2f, k_opposite = -0.8f;  // metres between two borders; their cosine
+static constexpr float k_narrow = 0.2f, k_pinched = 0.04f;        // metres between two borders
+static constexpr float k_opposite = -0.8f, k_parallel = -0.998f;  // cosines between them
 static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
 static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
 static constexpr float k_throng = 0.15f;      // metres between bodies
@@ -103,8 +104,10 @@ struct Sides {
 // simplified ones sometimes do: one gets past there, as far as the mesh itself lets one.
 static bool is_pinched_by(Vec2 inward, float room, Sides& sides) {
     bool is_pinched = false;
-    for (int k = 0; k < sides.count; ++k)
-        is_pinched |= room + sides.room[k] < k_narrow && dot(inward, sides.inward[k]) < k_opposite;
+    for (int k = 0; k < sides.count; ++k) {
+        const float across = room + sides.room[k], cosine = dot(inward, sides.inward[k]);
+        is_pinched |= cosine < k_opposite && across < (cosine > k_parallel ? k_narrow : k_pinched);
+    }
     sides.inward[sides.count] = inward;
     sides.room[sides.count++] = room;
     return is_pinched;

@@ -96,14 +96,15 @@ struct alignas(64) GaitBlock {
     float base_velocity[k_block];
     float sink[k_block];  // metres that the pelvis stays below its way, for legs to reach
     float sink_velocity[k_block];
-    float breath[k_block];                           // breaths drawn, counted round
-    float inhaled[k_block];                          // -1: breathed out .. 1: in
-    float tilt_ahead[k_block], tilt_aside[k_block];  // radians that one who stands sways ahead, to the left
-    float look[k_block];                             // yaw of the head against the body
-    float interest[k_block];                         // the same of what it would look at
-    int32_t standing[k_block];                       // 1: both feet down and the phases at rest
-    float frequency[k_block];                        // cycles a second
-    float quicker[k_block];                          // share by which this step is
+    float breath[k_block];   // breaths drawn, counted round
+    float inhaled[k_block];  // -1: breathed out .. 1: in
+    float tilt_ahead[k_block],
+        tilt_aside[k_block];    // radians that one who stands or reels sways ahead, to the left
+    float look[k_block];        // yaw of the head against the body
+    float interest[k_block];    // the same of what it would look at
+    int32_t standing[k_block];  // 1: both feet down and the phases at rest
+    float frequency[k_block];   // cycles a second
+    float quicker[k_block];     // share by which this step is
     int32_t first[k_block];     // Side that leaves first as soon as the other leg carries the body, or -1
     int32_t relaxed[k_block];   // Side of the leg that rests while the other one stands, or -1: they walk
     int32_t restless[k_block];  // Side of a foot that is to stand elsewhere now, or -1
@@ -142,6 +143,7 @@ struct alignas(64) PersonBlock {
     float unevenness[k_block];  // see Manner: share of a step's time,
     float stray[k_block];       // and metres beside its line
     float limp[k_block];        // see Manner
+    float reel[k_block];        // see Manner
     float curiosity[k_block];   // see Manner
     float touches[k_block];     // see Manner
     float height[k_block];

@@ -107,6 +107,7 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     person.unevenness[lane] = m.unevenness;
     person.stray[lane] = m.unevenness * b.height * scale;
     person.limp[lane] = m.limp;
+    person.reel[lane] = m.reel;
     person.curiosity[lane] = m.curiosity;
     person.touches[lane] = m.touches;
     set_arms(person, lane, b, scale, m);

@@ -36,10 +36,14 @@ void advance_rest(GaitBlock& g, const Stepper& s) {
     float& breath = g.breath[lane];
     breath += k_breaths * std::sqrt(k_grown_leg / s.leg_length) * s.dt;
     if (breath >= k_breath_round) breath -= k_breath_round;
-    if (g.amplitude[lane] >= 1) return;  // nobody sees it in a walk
+    const float reel = s.person.reel[lane];
+    if (g.amplitude[lane] >= 1 && reel == 0) return;  // nobody sees it in a walk
     g.inhaled[lane] = wave(breath, k_breath_round, 0);
     g.tilt_ahead[lane] = k_ahead * (0.6f * wave(breath, 37, 0) + 0.4f * wave(breath, 83, 0.2f));
     g.tilt_aside[lane] = k_aside * (0.6f * wave(breath, 29, 0.4f) + 0.4f * wave(breath, 61, 0.1f));
+    if (reel == 0) return;
+    g.tilt_ahead[lane] += reel * (0.6f * wave(breath, 71, 0.3f) + 0.4f * wave(breath, 139, 0.7f));
+    g.tilt_aside[lane] += reel * (0.6f * wave(breath, 83, 0) + 0.4f * wave(breath, 151, 0.5f));
 }
 
 float resting_load(const GaitBlock& g, int lane, RandomKey chance) {

@@ -12,6 +12,8 @@
 
 namespace flaneur {
 
+const NavmeshSettings& settings_of(const Navmesh& mesh) { return mesh.settings; }
+
 std::optional<NavPoint> nearest(const Navmesh& m, int thread, Vec3 point, Vec3 reach) {
     NavPoint found;
     m.queries[thread]->findNearestPoly(floats(point), floats(reach), &m.filter, &found.polygon,

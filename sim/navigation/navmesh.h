@@ -46,6 +46,9 @@ struct NavPoint {
 Result<NavmeshPtr> build_navmesh(const Ground& ground, const NavmeshSettings& settings, int threads,
                                  const std::function<bool(float)>& progress = {});
 
+// What it was made with.
+const NavmeshSettings& settings_of(const Navmesh& mesh);
+
 // The mesh as bytes, to be kept, and the same mesh made of them again in little time. The bytes must be those
 // of this ground and these settings, unharmed: they are trusted but for their length.
 std::string navmesh_bytes(const Navmesh& mesh);

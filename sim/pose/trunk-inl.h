@@ -49,6 +49,7 @@ struct PelvisCurves {
     T twist;             // of the chest, the other way than the pelvis turns
     T sway;              // to the left, metres
     T surge, aside;      // ahead; to the left of one who sways: legs
+    T reel;              // to the left, of the trunk of one who reels
     T climb;             // forward, of one who climbs stairs
     T nod;               // forward, of pelvis and trunk: keeps the head from the surge
     T breath;            // -1 .. 1, of one who stands
@@ -299,6 +300,9 @@ inline constexpr AimJoint k_look[3] = {
 // The chest's share of the pelvis's list: the other way.
 inline constexpr float k_chest_list = -0.35f;
 
+// Of the angle that the body reels by: the trunk goes on the way that the legs lean, farther.
+inline constexpr float k_reel_chest = 1.6f;
+
 // Each joint of the spine turns back a little more against the pelvis, the loins least, so that the chest
 // turns the other way and the head keeps still.
 template <class T>
@@ -311,9 +315,11 @@ HWY_INLINE void pose_trunk(const GaitBlock& g, const PersonBlock& p, PoseBlock& 
              trunk.curves.breath * T(k_breath_lean);
     T stoops = at<T>(p.stoop + lane);
     SinCosOf<T> half_lean = sin_cos_half(lean + stoops);
-    Q4<T> chest_ws = turned_yzx(
-        plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
-        sin_cos_half(trunk.curves.list * T(k_chest_list) - at<T>(g.bank + lane) * T(k_bank_lean)), half_lean);
+    Q4<T> chest_ws =
+        turned_yzx(plus(trunk.heading.half, sin_cos_half(trunk.curves.twist + look[0])),
+                   sin_cos_half(trunk.curves.list * T(k_chest_list) - at<T>(g.bank + lane) * T(k_bank_lean) -
+                                trunk.curves.reel * T(k_reel_chest)),
+                   half_lean);
     // On stairs one watches them.
     T rise = at<T>(g.rise + lane);
     T watches = T(k_watch_down) * smoothstep(T(k_stairs_0), T(k_stairs_1), T(0.0f) - rise) +

@@ -199,13 +199,15 @@ HWY_INLINE PelvisCurves<T> pelvis_curves(const GaitBlock& g, const PersonBlock& 
     curves.sway =
         cycle.sine[0] * style * walk.amplitude * max(T(k_sway) + T(k_sway_slow) * curves.slow, T(0.008f)) +
         idle * T(k_idle_sway) * clamp(astride, T(0.0f), T(k_widest_sway));
-    curves.aside = at<T>(g.tilt_aside + lane) * stands;
+    T reels = select(at<T>(p.reel + lane) > T(0.0f), T(1.0f), T(0.0f)), sways = max(stands, reels);
+    curves.aside = at<T>(g.tilt_aside + lane) * sways;
+    curves.reel = curves.aside * reels;
     // Who speeds up or slows down does so by these surges.
     T even = T(1.0f) - smoothstep(abs(at<T>(g.drive + lane)) * T(k_drive_evens));
     curves.surge = (cycle.cosine[1] * T(k_surge_cosine) + cycle.sine[1] * T(k_surge_sine)) * walk.amplitude *
                    (T(1.0f) - walk.running) * even;
     curves.nod = curves.surge * T(-k_nod);
-    T tilt = at<T>(g.tilt_ahead + lane) * stands;
+    T tilt = at<T>(g.tilt_ahead + lane) * sways;
     curves.surge = curves.surge + tilt;
     curves.nod = curves.nod + tilt;
     curves.breath = at<T>(g.inhaled + lane) * stands;

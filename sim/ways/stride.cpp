@@ -11,7 +11,7 @@ static constexpr float k_rounding = 1e-4f;                      // metres, of pl
 static constexpr float k_off_circle = 0.6f;                     // metres, from which on one finds another
 static constexpr float k_looks_ahead = 0.5f, k_most_round = 1;  // metres along a circle, and radians at most
 
-static Vec2 right_of(float heading) {
+Vec2 right_of(float heading) {
     const Vec2 ahead = heading_direction(heading);
     return {-ahead.z, ahead.x};
 }

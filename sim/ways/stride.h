@@ -30,6 +30,9 @@ struct Stride {
     uint32_t circles = 0;  // so far
 };
 
+// Which way is to the right of one with that heading.
+Vec2 right_of(float heading);
+
 // The largest radius of a circle through `place` that has its middle `side` of the way with that heading, and
 // lies on the platform with a body of `radius` all along: the least, over edges, of (d - radius) / (1 + side
 // n.r), with d metres to the edge, n its outward normal and r the way's right; infinite where only edges

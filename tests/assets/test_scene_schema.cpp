@@ -238,7 +238,7 @@ TEST_F(SceneSchema, AgreesWithTheReaderAboutKeysThatGoTogether) {
             }
         }
     }
-    expect_agreement({{"asteroid", false}, {"city", "a.osm"}});
+    expect_agreement({{"built", "district"}, {"city", "a.osm"}});
 }
 
 TEST_F(SceneSchema, SaysWhatHoldsWithoutAKey) {
@@ -264,6 +264,9 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
                      : key == "terrain" || key == "center" || key == "radius" ? "a.osm"
                                                                               : "";
         if (!plain.city.empty()) one["city"] = plain.city;
+        plain.built = key == "platform" ? BuiltIn::platform : BuiltIn::district;
+        if (key == "platform") one["built"] = "platform";
+        plain.camera.kind = key == "platform" ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

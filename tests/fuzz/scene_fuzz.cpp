@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     }
     bool bounded = scene->walkers >= 0 && scene->walkers <= k_max_walkers && scene->scale >= k_least_scale &&
                    scene->scale <= k_most_scale && scene->blocks >= 1 && scene->hour >= 0 &&
-                   scene->hour < 24 && !(scene->asteroid && !scene->city.empty());
+                   scene->hour < 24 && !(scene->built != BuiltIn::district && !scene->city.empty());
     for (const PeopleShare& people : scene->people)
         bounded = bounded && people.share >= k_least_share && people.share <= k_most_share;
     if (!bounded) std::abort();

@@ -10,7 +10,7 @@ expect() { if [[ $1 != "$2" ]]; then echo "FAILED: '$1' instead of '$2'" && exit
 said() { if ! grep --quiet --line-regexp --extended-regexp "$1" check.txt; then echo "FAILED: nothing like $1 in:" && cat check.txt && exit 1; fi; }
 
 "$flaneur" scenes > list.txt
-expect "$(grep --count -E '^[a-z]+ +[A-Z].{10,}$' list.txt)" "$(find "$scenes" -name '*.json' -not -name '*.schema.json' | wc -l)"
+expect "$(grep --count -E '^[a-z-]+ +[A-Z].{10,}$' list.txt)" "$(find "$scenes" -name '*.json' -not -name '*.schema.json' | wc -l)"
 "$flaneur" scenes --schema | cmp - "$scenes/scene.schema.json"
 find "$scenes" -name "*.json" -not -name "*.schema.json" -exec "$flaneur" scenes --check district {} + > good.txt
 expect "$(grep --count ': good$' good.txt)" "$(($(find "$scenes" -name '*.json' -not -name '*.schema.json' | wc -l) + 1))"
@@ -26,7 +26,7 @@ cat > bad.json << 'END'
 END
 printf '{\n  "walkers": 3,\n}\n' > broken.json
 printf '{ "walkers": 1e999 }\n' > large.json
-printf '{ "asteroid": true,\n  "city": "a.osm" }\n' > both.json
+printf '{ "built": "asteroid",\n  "city": "a.osm" }\n' > both.json
 echo '{ "walkers": 5, "camera": "follow:5" }' > nobody.json
 echo '{ "seed": 18446744073709551616, "city": "" }' > beyond.json
 mkfifo pipe.json
@@ -44,7 +44,7 @@ said 'bad\.json:4:5: "wlakers" is not known; a scene may have .*'
 said 'bad\.json:5:15: "camera": sideways is none of .*'
 said 'broken\.json:3:1: this is not JSON\.'
 said 'large\.json:1:14: this number is too large\.'
-said 'both\.json:1:3: "asteroid" and "city" are two places; .*'
+said 'both\.json:1:3: "built" is a place of its own, and "city" another; .*'
 said 'nobody\.json:1:27: "camera" follows nobody: walkers are numbered from 0, and there are 5\.'
 said 'beyond\.json:1:11: "seed" must be a whole number from 0 to 18446744073709551615, not 18446744073709551616\.'
 said 'beyond\.json:1:41: "city" must be a text of some letters, not ""\.'

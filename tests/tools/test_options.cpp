@@ -36,8 +36,8 @@ TEST(Options, TheCommandLineOverridesTheScene) {
     EXPECT_TRUE(parsed({"sim", "--weather", "overcast"}).scene.is_overcast);
     EXPECT_FALSE(parse({"sim", "--weather", "fog"}));
     EXPECT_EQ(changed.scene.blocks, plain.scene.blocks);
-    EXPECT_TRUE(parsed({"sim", "--scene", "asteroid"}).scene.asteroid);
-    EXPECT_FALSE(parsed({"sim", "--scene", "asteroid", "--city", "a.glb"}).scene.asteroid);
+    EXPECT_EQ(parsed({"sim", "--scene", "asteroid"}).scene.built, BuiltIn::asteroid);
+    EXPECT_EQ(parsed({"sim", "--scene", "asteroid", "--city", "a.glb"}).scene.built, BuiltIn::district);
     EXPECT_FLOAT_EQ(parsed({"sim", "--city", "a.glb", "--scale", "0.01"}).scene.scale, 0.01f);
 }
 

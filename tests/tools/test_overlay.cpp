@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/ways/rays.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/overlay/lettering.h"
 #include "tools/flaneur/overlay/overlay.h"
@@ -66,6 +67,38 @@ TEST_F(OverlayTest, EachViewShowsSomethingAndNoneNothing) {
         for (const GizmoLine& line : frame.lines)
             for (glm::vec3 p : {line.a, line.b})
                 ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << name;
+    }
+}
+
+// What the two documents draw: of one who staggers two circles and a third, of one who rambles rays.
+TEST(Ways, AreDrawnOfThoseWithoutAGoal) {
+    for (const char* scene : {"drunk-stride", "walker-report"}) {
+        Options options;
+        options.scene = load_scene(scene).value();
+        options.scene.walkers = 3;
+        Result<Loaded> loaded = load(options);
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        for (int tick = 0; tick < 120; ++tick) step(*loaded->world);
+        Camera camera;
+        camera.eye = {0, 8, 20};
+        camera.target = {0, 0, 0};
+        Overlay overlay;
+        add_ways({*loaded->world, loaded->characters, camera}, overlay);
+        size_t barred = 0, chosen = 0, free = 0;
+        for (const GizmoLine& line : overlay.lines) {
+            barred += line.colour == k_barred_colour;
+            chosen += line.colour == k_chosen_colour;
+            free += line.colour == k_free_colour;
+        }
+        if (std::string(scene) == "drunk-stride") {
+            EXPECT_GT(barred, chosen);
+            EXPECT_GT(chosen, 30u);
+            EXPECT_EQ(free, 0u);
+        } else {
+            EXPECT_GE(barred + free, 3 * std::size(k_fan));
+            EXPECT_GT(free, 0u);
+            EXPECT_EQ(chosen, 0u);
+        }
     }
 }
 

@@ -28,7 +28,7 @@ sim: sim/animation, sim/base, sim/body, sim/coming, sim/crowd, sim/gait, sim/gro
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/base, sim/body, sim/crowd, sim/ground, sim/surface
+assets: sim/base, sim/body, sim/crowd, sim/ground
 assets/plan: assets, sim/base
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
@@ -36,6 +36,7 @@ assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
+assets/stages: assets, sim/base, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
@@ -44,7 +45,7 @@ assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base
 assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
 assets/gltf/character: assets, assets/cache, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
-assets/scene: assets, assets/files
+assets/scene: assets, assets/files, sim/ways
 assets sources: assets, sim/base
 
 shaders:
@@ -87,13 +88,13 @@ tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files,
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
 tools/flaneur/validate: assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
-tools/flaneur/load: assets, assets/demand, assets/cache, assets/files, assets/gltf/character, sim, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/stages, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
-tools/flaneur/overlay: renderer, sim, sim/gait, tools/extract, tools/flaneur/measure, tools/flaneur/options
+tools/flaneur/overlay: renderer, sim, sim/gait, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view

@@ -34,7 +34,7 @@ Result<void> run_scenes(const Options& options) {
         for (const std::string& name : scene_names()) {
             Result<Scene> scene = load_scene(name);
             if (!scene) return scene.error();
-            std::printf("%-12s %s\n", name.c_str(), scene->about.c_str());
+            std::printf("%-14s %s\n", name.c_str(), scene->about.c_str());
         }
         return {};
     }

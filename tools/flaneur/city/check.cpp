@@ -307,8 +307,10 @@ Finding check_paths(const City& city, const Navmesh& mesh) {
 }
 
 Result<void> check_city(const Options& options) {
-    if (options.scene.asteroid)
-        return Error{"--check is for cities: an asteroid has neither houses nor streets to check."};
+    if (options.scene.built != BuiltIn::district)
+        return Error{"--check is for cities: the built-in " +
+                     std::string(k_built_in_names[static_cast<int>(options.scene.built)]) +
+                     " has neither houses nor streets to check."};
     if (options.scene.walkers == 0) return Error{"--check watches walkers: --walkers 0 leaves it nobody."};
     Result<PartFilePtr> file = open_if_asked(options.json);
     if (!file) return file.error();

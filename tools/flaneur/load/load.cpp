@@ -7,7 +7,6 @@
 #include <string>
 
 #include "assets/additions.h"
-#include "assets/asteroid.h"
 #include "assets/cache/cache_file.h"
 #include "assets/cache/navmesh_cache.h"
 #include "assets/cache/person_cache.h"
@@ -16,6 +15,9 @@
 #include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
 #include "assets/population.h"
+#include "assets/stages/asteroid.h"
+#include "assets/stages/field.h"
+#include "assets/stages/platform.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -105,7 +107,7 @@ Result<std::vector<Clip>> load_idles(const Scene& scene) {
 
 }  // namespace
 
-bool grows_with_walkers(const Scene& scene) { return scene.city.empty() && !scene.asteroid; }
+bool grows_with_walkers(const Scene& scene) { return is_of(scene, BuiltIn::district); }
 
 // A district as large as the scene says, or as its walkers need to walk rather than queue: some 750 to a
 // block.
@@ -148,9 +150,9 @@ void set_shares(World& world, const std::vector<float>& shares) {
 }
 
 // Where people can walk in a city: as an earlier run kept it, or built.
-static Result<NavmeshPtr> load_navmesh(const Ground& ground, int threads) {
+static Result<NavmeshPtr> load_navmesh(const Ground& ground, const NavmeshSettings& settings, int threads) {
     FLANEUR_ZONE("navigation mesh");
-    auto mesh = cached_navmesh(ground, {}, threads, cache_folder(), [](float share) {
+    auto mesh = cached_navmesh(ground, settings, threads, cache_folder(), [](float share) {
         show_progress("building the navigation mesh " + std::to_string(static_cast<int>(share * 100)) + " %");
         return !is_stopping();
     });
@@ -180,7 +182,9 @@ Result<City> read_bare_city(const Scene& scene) {
         grows_with_walkers(scene) && blocks > scene.blocks && blocks >= k_many_blocks)
         say(scene.name + ": grows to " + std::to_string(blocks) + " times " + std::to_string(blocks) +
             " blocks for " + std::to_string(scene.walkers) + " walkers, which may take minutes to make.");
-    if (scene.asteroid) return make_asteroid(scene.seed, scene.walkers).stage;
+    if (is_of(scene, BuiltIn::asteroid)) return make_asteroid(scene.seed, scene.walkers).stage;
+    if (is_of(scene, BuiltIn::platform)) return build_platform(platform_of(scene));
+    if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -236,7 +240,7 @@ static PassOn side_of(const Scene& scene, const City& city) {
 // Who leaves and who is sent, and room for those sent.
 static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptions& world) {
     constexpr uint32_t k_most_at_once = 20'000;
-    if (!scene.stays && !scene.asteroid) world.leaving = k_usual_leaving;
+    if (!scene.stays && !is_of(scene, BuiltIn::asteroid)) world.leaving = k_usual_leaving;
     world.capacity = world.walkers;
     if (scene.demand.empty()) return {};
     Result<SentPeople> sent = load_demand(scene.demand, *loaded.city);
@@ -278,12 +282,16 @@ Result<Loaded> load(const Options& options) {
     world.threads = options.threads;
     world.hour = scene.hour;
     world.pass_on = side_of(scene, *loaded.city);
+    world.habit = scene.habit;
+    world.platform = platform_of(scene);
+    world.drunk = scene.drunk;
+    if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
     auto progress = [](std::string_view what, float done) {
         show_progress(std::string(what) + " " + std::to_string(static_cast<int>(done * 100)) + " %");
         return !is_stopping();
     };
-    Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, options.threads);
+    Result<NavmeshPtr> mesh = load_navmesh(loaded.city->ground, world.navmesh, options.threads);
     if (!mesh) return mesh.error();
     Result<std::vector<std::string>> unwalkable = check_sent(world.sendings, loaded.sent_names, **mesh);
     if (!unwalkable) return Error{"The demand " + excerpt(scene.demand) + " " + unwalkable.error().message};
@@ -294,7 +302,7 @@ Result<Loaded> load(const Options& options) {
     clear_progress();
     if (!made) return made.error();
     loaded.world = std::move(*made);
-    if (scene.asteroid) {
+    if (is_of(scene, BuiltIn::asteroid)) {
         Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound);
         if (!set) return set.error();
     }
@@ -313,6 +321,10 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.threads = thread_count(*world.workers);
     options.hour = world.crowd.demand.hour;
     options.pass_on = world.crowd.pass_on;
+    options.habit = world.habit;
+    options.platform = world.platform;
+    options.drunk = world.drunk;
+    options.navmesh = settings_of(*world.navmesh);
     options.leaving = world.crowd.demand.leaving;
     options.sendings = world.coming.sendings;
     if (!options.sendings.empty()) options.capacity = world.crowd.capacity;
@@ -324,7 +336,8 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
 
 Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
                                            const std::function<bool(std::string_view, float)>& progress) {
-    Result<NavmeshPtr> mesh = restore_navmesh(*order.ground, {}, order.mesh, order.options.threads);
+    Result<NavmeshPtr> mesh =
+        restore_navmesh(*order.ground, order.options.navmesh, order.mesh, order.options.threads);
     if (!mesh) return mesh.error();
     auto made = make_world(order.ground, std::move(*mesh), order.options, progress);
     if (made && order.compound) {

@@ -64,7 +64,7 @@ void add_work_views(CLI::App& app, SceneWords& words) {
     add_parsed(
         app, "--view", parse_view_list, words.views,
         "Views for work, such as skeletons,trails: wireframe, normals or overdraw; lods or speed; density "
-        "or walkable; trails; skeletons; gizmos",
+        "or walkable; trails; skeletons; gizmos; ways",
         "VIEW,...", "");
 }
 

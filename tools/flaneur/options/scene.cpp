@@ -147,8 +147,8 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     if (!is_drawn) return {};
     const CameraChoice& camera = options.scene.camera;
     std::string who = words.camera ? "--camera " : "The camera of the scene " + words.scene + ", ";
-    if (options.scene.asteroid && options.command == Command::render && camera.kind != fixed &&
-        camera.kind != overview) {
+    if (is_of(options.scene, BuiltIn::asteroid) && options.command == Command::render &&
+        camera.kind != fixed && camera.kind != overview) {
         return Error{who + told_camera(camera) +
                      ", is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
                      "22,13,34/1,0,0."};
@@ -169,7 +169,9 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     options.scene = *scene;
     if (words.city) {
         options.scene.city = *words.city;
-        options.scene.asteroid = false;
+        options.scene.built = BuiltIn::district;
+        options.scene.platform.clear();
+        if (options.scene.habit == Habit::stagger) options.scene.habit = Habit::wander;
         // What is said of the scene's own city.
         options.scene.about.clear();
         options.scene.center = std::nullopt;
@@ -212,9 +214,9 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.side) options.scene.side = *words.side;
     if (words.stays) options.scene.stays = true;
     if (words.demand) options.scene.demand = *words.demand;
-    if (options.scene.asteroid && words.stays)
+    if (is_of(options.scene, BuiltIn::asteroid) && words.stays)
         return Error{"--stay is for cities: nobody leaves the asteroid anyway."};
-    if (options.scene.asteroid && !options.scene.demand.empty())
+    if (is_of(options.scene, BuiltIn::asteroid) && !options.scene.demand.empty())
         return Error{"Nobody can be sent anywhere on the asteroid, as " + options.scene.demand +
                      " asks for; take a city."};
     if (options.command == Command::gait) {

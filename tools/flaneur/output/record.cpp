@@ -77,7 +77,7 @@ std::string record_of(const Options& options) {
     put("--center", s.center ? plainly(s.center->latitude) + "," + plainly(s.center->longitude) : "");
     put("--radius", s.radius > 0 ? plainly(s.radius) : "");
     put("--scale", s.scale != 1 ? plainly(s.scale) : "");
-    put("blocks", s.city.empty() && !s.asteroid ? std::to_string(s.blocks) : "");
+    put("blocks", is_of(s, BuiltIn::district) ? std::to_string(s.blocks) : "");
     put("--walkers", std::to_string(s.walkers));
     put("--seed", std::to_string(s.seed));
     put("--character", told_people(s.people));

@@ -52,6 +52,10 @@ constexpr LegendEntry k_overdraw_legend[] = {{"drawn once", ink(0x291409)},
 constexpr LegendEntry k_skeleton_legend[] = {
     {"left", k_left_colour}, {"right", k_right_colour}, {"trunk", k_trunk_colour}};
 
+constexpr LegendEntry k_way_legend[] = {{"largest circles; blocked rays", k_barred_colour},
+                                        {"the circle it goes along", k_chosen_colour},
+                                        {"free rays", k_free_colour}};
+
 uint32_t mixed(uint32_t a, uint32_t b, float t) {
     uint32_t out = 0;
     for (uint32_t shift = 0; shift < 32; shift += 8) {
@@ -127,6 +131,7 @@ std::vector<Legend> legends_of(WorkViews views) {
     add(density, "Density", k_density_legend);
     add(walkable, "Walkable", k_walkable_legend);
     add(skeletons, "Skeletons", k_skeleton_legend);
+    add(ways, "Ways", k_way_legend);
     return legends;
 }
 
@@ -171,6 +176,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     if (views[density]) add_density(input, overlay);
     if (views[walkable]) add_walkable(input, overlay);
     if (views[trails]) add_trails(input, overlay);
+    if (views[ways]) add_ways(input, overlay);
     if (views[skeletons]) {
         frame.are_ghosts = true;
         add_skeletons(input, people, overlay);

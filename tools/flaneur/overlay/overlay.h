@@ -59,6 +59,7 @@ inline constexpr uint32_t k_more_people = 0xe0871e, k_fewer_people = 0x2f7fd6;  
 void add_density_difference(const OverlayInput& input, const World& other, Overlay& overlay);
 void add_walkable(const OverlayInput& input, Overlay& overlay);
 void add_trails(const OverlayInput& input, Overlay& overlay);
+void add_ways(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 // Of one who has joints: where heels and balls press on the ground; and footprints, targets of feet and
@@ -81,6 +82,9 @@ inline constexpr uint32_t k_surface_colours[k_surface_count] = {
     ink(0x5f6f86, 0.6f), ink(0x3f9f9a, 0.6f), ink(0xe7c14a, 0.6f), ink(0xd98c5f, 0.6f), ink(0x9dbb4f, 0.6f),
     ink(0xa06ab4, 0.6f), ink(0x5f8f3f, 0.6f), ink(0x3d5a99, 0.6f), ink(0x6b5f57, 0.6f)};
 inline constexpr uint32_t k_left_colour = ink(0x3fa7b5), k_right_colour = ink(0xe2725b);
+// Of ways: the document's red and blue, and green.
+inline constexpr uint32_t k_barred_colour = ink(0xd8352a), k_chosen_colour = ink(0x2a62d8),
+                          k_free_colour = ink(0x3fae5a);
 inline constexpr uint32_t k_trunk_colour = ink(0xf3e9d8), k_joint_colour = ink(0xffffff);
 
 }  // namespace flaneur

@@ -110,6 +110,7 @@ constexpr std::array k_layers = {
     Action{"Layer: trails", "F9", GLFW_KEY_F9, 0, turn<WorkView::trails>},
     Action{"Layer: skeletons", "F10", GLFW_KEY_F10, 0, turn<WorkView::skeletons>},
     Action{"Layer: gizmos of the gait", "F11", GLFW_KEY_F11, 0, turn<WorkView::gizmos>},
+    Action{"Layer: ways", "Shift+F11", GLFW_KEY_F11, GLFW_MOD_SHIFT, turn<WorkView::ways>},
 };
 template <size_t Level>
 void set_quality(Show&, Viewer& v) {

@@ -34,7 +34,7 @@ void lay_out_layers(Show& show, Viewer& v, float scale) {
         bool is_on = show.work_views[static_cast<WorkView>(i)];
         if (ImGui::Checkbox(k_work_view_names[i], &is_on)) v.toggles.push_back(static_cast<WorkView>(i));
         ImGui::SameLine(130 * scale);
-        ImGui::TextDisabled("F%d", i + 2);
+        ImGui::TextDisabled(static_cast<WorkView>(i) == WorkView::ways ? "Shift+F11" : "F%d", i + 2);
     }
 }
 

@@ -109,8 +109,10 @@ Result<void> carry_additions(Show& show, Viewer& v) {
 
 Order order_of(const Show& show, const Change& c, std::vector<Addition> added) {
     const World& world = *show.loaded.world;
-    Order order{show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, is_dark(show), 0};
+    Order order{
+        show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, {}, is_dark(show), 0};
     order.mesh = navmesh_bytes(*world.navmesh);
+    order.settings = settings_of(*world.navmesh);
     return order;
 }
 

@@ -21,7 +21,8 @@ Result<Made> make(const Order& order) {
     made.city = std::make_shared<const City>(std::move(city));
     made.changed = changed_areas(order.before, order.added);
     const Ground &ground = made.city->ground, &before = order.city->ground;
-    auto mesh = rebuild_navmesh(ground, {}, order.mesh, before.low, before.high, made.changed, order.threads);
+    auto mesh = rebuild_navmesh(ground, order.settings, order.mesh, before.low, before.high, made.changed,
+                                order.threads);
     if (!mesh) return mesh.error();
     made.mesh = std::move(*mesh);
     auto drawn = prepare_for_upload(extract_city(*made.city));

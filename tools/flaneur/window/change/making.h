@@ -19,7 +19,8 @@ struct Show;
 struct Order {
     std::shared_ptr<const City> bare, city;  // without anything added, and as it is
     std::vector<Addition> before, added;     // what is added to `city`, and to the one that is made
-    std::string mesh;                        // bytes of the mesh of `city`
+    std::string mesh;                        // bytes of the mesh of `city`,
+    NavmeshSettings settings;                // and what it was made with
     bool with_lamps = false;                 // the light of lamps too
     int threads = 0;
 };

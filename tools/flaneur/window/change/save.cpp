@@ -71,7 +71,7 @@ Result<std::string> save_scene(const Show& show, const Viewer& v, const std::str
     if (show.loaded.world->seed != scene.seed)
         told += " Its people will be those of seed " + std::to_string(scene.seed) + ", which the city is of.";
     constexpr int k_a_block = 750;  // people for whom the built-in district is not made larger
-    if (scene.city.empty() && !scene.asteroid && scene.walkers > scene.blocks * scene.blocks * k_a_block)
+    if (is_of(scene, BuiltIn::district) && scene.walkers > scene.blocks * scene.blocks * k_a_block)
         told += " So many people will have a larger district then.";
     return told;
 }

@@ -38,7 +38,7 @@ Scene city_of(const Scene& scene) {
     Scene s;
     s.city = full(scene.city), s.terrain = full(scene.terrain);
     s.center = scene.center, s.radius = scene.radius, s.scale = scene.scale;
-    s.asteroid = scene.asteroid, s.blocks = scene.blocks;
+    s.built = scene.built, s.platform = scene.platform, s.blocks = scene.blocks;
     return s;
 }
 

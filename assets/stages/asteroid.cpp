@@ -1,4 +1,4 @@
-#include "assets/asteroid.h"
+#include "assets/stages/asteroid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,102 @@
+// What cannot be in a scene at once.
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+#include "assets/files/file.h"
+#include "assets/scene/reading.h"
+
+namespace flaneur {
+
+namespace {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
+
+bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
+
+// A city that is a map, as a schema says it of one that must be there.
+OrderedJson map_schema() {
+    return {{"pattern", R"(\.([oO][sS][mM](\.([gG][zZ]|[bB][zZ]2))?|[pP][bB][fF])$)"}};
+}
+OrderedJson needs_city(const char* key, OrderedJson city) {
+    OrderedJson given = {{"required", OrderedJson::array({"city"})},
+                         {"properties", {{"city", std::move(city)}}}};
+    return {{"required", OrderedJson::array({key})}, {"not", std::move(given)}};
+}
+OrderedJson needs_map(const char* key) { return needs_city(key, map_schema()); }
+
+// These keys are there, and these rules hold of values.
+OrderedJson both(std::initializer_list<const char*> keys, const OrderedJson& properties) {
+    OrderedJson schema = {{"required", keys}};
+    if (!properties.empty()) schema["properties"] = properties;
+    return schema;
+}
+// The key is there, with these rules, and the built-in platform is not.
+OrderedJson needs_platform(const char* key, const OrderedJson& properties) {
+    OrderedJson schema = both({key}, properties);
+    schema["not"] = both({"built"}, {{"built", {{"const", "platform"}}}});
+    return schema;
+}
+
+constexpr SceneClash k_clashes[] = {
+    {"built", R"("built" is a place of its own, and "city" another; people walk in one)",
+     [](const Scene& s, const Json&) { return s.built != BuiltIn::district && !s.city.empty(); },
+     [](const char* key) {
+         return both({key, "city"}, {{key, {{"not", {{"const", "district"}}}}}});
+     }},
+    {"camera", R"("camera": on the asteroid it is overview, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
+     [](const Scene& s, const Json&) {
+         bool on_ground =
+             s.camera.kind != CameraChoice::Kind::overview && s.camera.kind != CameraChoice::Kind::fixed;
+         return s.built == BuiltIn::asteroid && on_ground;
+     },
+     [](const char* key) {
+         return both({"built", key}, {{"built", {{"const", "asteroid"}}},
+                                      {key, {{"pattern", "^(street|crowd|map|(follow|eyes|map):.*)$"}}}});
+     }},
+    {"blocks", R"("blocks" is of the built-in district, and "built" says another place)",
+     [](const Scene& s, const Json& json) { return json.contains("blocks") && s.built != BuiltIn::district; },
+     [](const char* key) {
+         return both({"built", key}, {{"built", {{"not", {{"const", "district"}}}}}});
+     }},
+    {"added", R"("added" is what is put into a city, and nobody walks in one on the asteroid)",
+     [](const Scene& s, const Json& json) { return json.contains("added") && s.built == BuiltIn::asteroid; },
+     [](const char* key) {
+         return both({"built", key}, {{"built", {{"const", "asteroid"}}}});
+     }},
+    {"platform", R"("platform" is the outline of one; "built" must be "platform")",
+     [](const Scene& s, const Json&) { return !s.platform.empty() && s.built != BuiltIn::platform; },
+     [](const char* key) { return needs_platform(key, OrderedJson::object()); }},
+    {"habit", R"("habit": who staggers does so on a platform; "built" must be "platform")",
+     [](const Scene& s, const Json&) { return s.habit == Habit::stagger && s.built != BuiltIn::platform; },
+     [](const char* key) {
+         return needs_platform(key, {{key, {{"const", "stagger"}}}});
+     }},
+    {"habit", R"("habit": on the asteroid everybody goes straight on; leave it out)",
+     [](const Scene& s, const Json&) { return s.habit == Habit::ramble && s.built == BuiltIn::asteroid; },
+     [](const char* key) {
+         return both({"built", key}, {{"built", {{"const", "asteroid"}}}, {key, {{"const", "ramble"}}}});
+     }},
+    {"blocks", R"("blocks" is of the built-in district, and "city" another place)",
+     [](const Scene& s, const Json& json) { return json.contains("blocks") && !s.city.empty(); },
+     [](const char* key) {
+         return both({key, "city"}, OrderedJson::object());
+     }},
+    {"terrain", R"("terrain" lies under an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return !s.terrain.empty() && !is_map(s); }, needs_map},
+    {"center", R"("center" is of an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return s.center && !is_map(s); }, needs_map},
+    {"radius", R"("radius" is of an OpenStreetMap city, which "city" must name)",
+     [](const Scene& s, const Json&) { return s.radius > 0 && !is_map(s); }, needs_map},
+    {"scale", R"("scale" is of a glTF city, which "city" must name; the others are in metres)",
+     [](const Scene& s, const Json& json) { return json.contains("scale") && (s.city.empty() || is_map(s)); },
+     [](const char* key) {
+         return needs_city(key, {{"not", map_schema()}});
+     }},
+};
+
+}  // namespace
+
+std::span<const SceneClash> scene_clashes() { return k_clashes; }
+
+}  // namespace flaneur

@@ -1,0 +1,60 @@
+// The built-in places of a scene, as files and the command line say them.
+#include <algorithm>
+#include <charconv>
+
+#include "assets/files/file.h"
+#include "assets/files/words.h"
+#include "assets/scene.h"
+#include "sim/ways/platform.h"
+
+namespace flaneur {
+
+namespace {
+
+// The number at the beginning of a text, which is taken away.
+std::optional<float> take_number(std::string_view& text) {
+    float value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc()) return {};
+    text.remove_prefix(static_cast<size_t>(end - text.data()));
+    return value;
+}
+
+bool take_letter(std::string_view& text, char letter) {
+    if (text.empty() || text[0] != letter) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+}  // namespace
+
+Result<std::vector<Vec2>> parse_platform(const std::string& text) {
+    std::vector<Vec2> corners;
+    std::string_view left = text;
+    while (!left.empty()) {
+        const auto x = take_number(left);
+        const bool has_comma = x && take_letter(left, ',');
+        const auto z = has_comma ? take_number(left) : std::nullopt;
+        if (!z || (!left.empty() && left[0] != ' '))
+            return Error{excerpt(text) +
+                         " is no outline: corners X,Z in metres with spaces between, such as -8,-5 8,-5 0,9"};
+        corners.push_back({*x, *z});
+        while (take_letter(left, ' ')) {
+        }
+    }
+    if (const Result<Platform> platform = make_platform(corners); !platform)
+        return Error{excerpt(text) + " is no platform: " + platform.error().message};
+    for (const Vec2 corner : corners)
+        if (!(length(corner) <= k_widest_platform))
+            return Error{excerpt(text) + " is no platform: it must lie within 400 m of the origin"};
+    return corners;
+}
+
+std::string told_platform(const std::vector<Vec2>& corners) {
+    std::string text;
+    for (const Vec2 corner : corners)
+        text.append(text.empty() ? "" : " ").append(plainly(corner.x)).append(",").append(plainly(corner.z));
+    return text;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,79 @@
+// Places that are no cities.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "assets/scene.h"
+#include "assets/stages/platform.h"
+#include "sim/base/math.h"
+#include "sim/base/planar.h"
+#include "sim/base/rng.h"
+#include "sim/ways/platform.h"
+
+namespace flaneur {
+namespace {
+
+// A convex outline of any size and turn.
+std::vector<Vec2> random_outline(RandomKey key) {
+    const auto corners = static_cast<uint32_t>(3 + 13 * random_unit(key, 0));
+    const float size = random_between(key, 3, 100, 1), turn = 2 * k_pi * random_unit(key, 2);
+    const float flat = random_between(key, 0.3f, 1, 3);
+    std::vector<Vec2> outline;
+    for (uint32_t k = 0; k < corners; ++k) {
+        const float apart = 2 * k_pi / static_cast<float>(corners);
+        const SinCos at = sin_cos((static_cast<float>(k) + 0.7f * random_unit(key, 10 + k)) * apart),
+                     to = sin_cos(turn);
+        const Vec2 p = Vec2{at.cosine, at.sine * flat} * size;
+        outline.push_back({p.x * to.cosine - p.z * to.sine, p.x * to.sine + p.z * to.cosine});
+    }
+    if (random_unit(key, 4) < 0.5f) std::reverse(outline.begin(), outline.end());
+    return outline;
+}
+
+TEST(PlatformStage, IsGroundWithinItsOutlineAndWaterBesideIt) {
+    for (uint32_t n = 0; n < 60; ++n) {
+        const RandomKey key{7, n, 0, Purpose::city};
+        const std::vector<Vec2> outline = random_outline(key);
+        const Result<City> city = build_platform(outline);
+        ASSERT_TRUE(city) << city.error().message << " " << told_platform(outline);
+        const Result<Platform> platform = make_platform(outline);
+        ASSERT_TRUE(platform);
+        for (uint32_t k = 0; k < 200; ++k) {
+            const Vec2 p =
+                Vec2{random_unit(key, 100 + 2 * k) - 0.5f, random_unit(key, 101 + 2 * k) - 0.5f} * 230;
+            const float room = room_at(*platform, p);
+            if (std::fabs(room) < 0.01f) continue;
+            const auto hit = ground_at(city->ground, at_height(p, 0.1f), 0.5f, 2);
+            ASSERT_TRUE(hit);
+            EXPECT_EQ(hit->kind, room > 0 ? Surface::plaza : Surface::water) << told_platform(outline);
+            EXPECT_GT(hit->normal.y, 0.99f);
+        }
+        // Its sides look outward.
+        const Scenery& sides = city->scenery;
+        for (size_t t = 0; t < sides.indices.size(); t += 3) {
+            const Vec3 a = sides.vertices[sides.indices[t]].position,
+                       b = sides.vertices[sides.indices[t + 1]].position,
+                       c = sides.vertices[sides.indices[t + 2]].position;
+            const Vec2 outward = on_ground(normalize_or(cross(b - a, c - a), {0, 1, 0}));
+            EXPECT_LT(room_at(*platform, on_ground(a + b + c) / 3 + outward * 0.1f), 0)
+                << told_platform(outline);
+        }
+    }
+}
+
+TEST(PlatformStage, RefusesWhatNobodyCanStandOn) {
+    EXPECT_FALSE(build_platform(std::vector<Vec2>{{0, 0}, {8, 0}, {1, 1}, {0, 8}}));
+    EXPECT_FALSE(build_platform(std::vector<Vec2>{{0, 0}, {40, 0}, {40, 0.5f}, {0, 0.5f}}));
+}
+
+TEST(PlatformStage, OutlinesAreReadAndTold) {
+    const std::vector<Vec2> outline{{-8, -5.5f}, {8, -5}, {0, 9}};
+    EXPECT_EQ(told_platform(outline), "-8,-5.5 8,-5 0,9");
+    EXPECT_EQ(*parse_platform("-8,-5.5  8,-5 0,9 "), outline);
+    for (const char* text :
+         {"", "1", "1,2", "0,0 1,0 0,1,", "0,0 1,0 0,1 x", "0,0;1,0;0,1", "0,0 1e9,0 0,1", "0,0 nan,0 0,1"})
+        EXPECT_FALSE(parse_platform(text)) << text;
+}
+
+}  // namespace
+}  // namespace flaneur
