@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <tuple>
+#include <type_traits>
 
 #include "assets/files/file.h"
 #include "assets/files/json_place.h"
@@ -28,6 +29,20 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
     return {name,    {KeyKind::number, 0, k_most_mix},
             "1",     "2",
             meaning, [](SceneReading&, Scene& s, const Json& v) { s.mix.*Times = v; }};
+}
+
+// One of an enumeration by its name.
+template <auto Member, const auto& Names>
+SceneKey<Scene> word_key(const char* name, const char* usual, const char* example, const char* meaning) {
+    return {name,
+            {KeyKind::text, 0, 0, {}, names(Names)},
+            usual,
+            example,
+            meaning,
+            [](SceneReading& r, Scene& s, const Json& v) {
+                using Word = std::remove_reference_t<decltype(s.*Member)>;
+                take_parsed(r, word_of<Word>(Names, v), s.*Member);
+            }};
 }
 
 // In the order of the schema and of docs/scenes.md.
@@ -77,16 +92,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "How far the part of an OpenStreetMap city that is drawn reaches from its middle to each side, "
          "metres; without it, as far as can be built in half a minute.",
          [](Reading&, Scene& s, const Json& v) { s.radius = v; }},
-        {"built",
-         {text, 0, 0, {}, names(k_built_in_names)},
-         R"("district")",
-         R"("asteroid")",
-         "Which of the built-in places, without a city: a district; an asteroid, all round which people "
-         "walk; a "
-         "platform in still water; a walled field.",
-         [](Reading& r, Scene& s, const Json& v) {
-             take_parsed(r, word_of<BuiltIn>(k_built_in_names, v), s.built);
-         }},
+        word_key<&Scene::built, k_built_in_names>(
+            "built", R"("district")", R"("asteroid")",
+            "Which of the built-in places, without a city: a district; an asteroid, all round which people "
+            "walk; a platform in still water; a walled field."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,
@@ -125,16 +134,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "2000",
          "How many people walk.",
          [](Reading&, Scene& s, const Json& v) { s.walkers = v; }},
-        {"habit",
-         {text, 0, 0, {}, names(k_habit_names)},
-         R"("wander")",
-         R"("ramble")",
-         "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, on "
-         "the "
-         "built-in platform, stagger along circles.",
-         [](Reading& r, Scene& s, const Json& v) {
-             take_parsed(r, word_of<Habit>(k_habit_names, v), s.habit);
-         }},
+        word_key<&Scene::habit, k_habit_names>(
+            "habit", R"("wander")", R"("ramble")",
+            "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, "
+            "on the built-in platform, stagger along circles."),
         {"drunk",
          {number, 0, 1},
          "0",

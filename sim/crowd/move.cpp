@@ -126,12 +126,11 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
     return out;
 }
 
-// Where the mesh does not let one who goes on by `ahead` go on straight, one comes no nearer than `before`,
-// as evenly as one can stop.
-static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead, float before,
-                                By by, float dt, Contacts& out) {
+// Where the mesh does not let one who goes on by `ahead`, and comes to `end`, go on straight, one comes no
+// nearer than `before`, as evenly as one can stop.
+static void add_brake_at_border(const Navmesh& mesh, NavPoint from, Vec2 ahead, NavPoint end, float before,
+                                float dt, Contacts& out) {
     if (out.brake_count == k_contacts) return;
-    const NavPoint end = move_along(mesh, thread, from, from.position + at_height(ahead, 0), by);
     const Vec2 moved = on_ground(end.position - from.position);
     Vec2 inward;
     float room = 0;
@@ -147,12 +146,6 @@ static void add_brake_at_border(const Navmesh& mesh, int thread, NavPoint from, 
         room = dot(on_ground(from.position) - on_ground(border->a), inward);
     }
     out.brakes[out.brake_count++] = {inward, -fastest_within(std::max(room - before, 0.0f), dt)};
-}
-
-static bool ends_for_wheels(const Navmesh& mesh, int thread, NavPoint from, Vec2 ahead) {
-    const Vec3 to = from.position + at_height(ahead, 0);
-    return move_along(mesh, thread, from, to, By::wheels).position !=
-           move_along(mesh, thread, from, to, By::feet).position;
 }
 
 // What the brakes leave of velocity `v`, which was `was` a tick ago, as hard as one can stop.
@@ -203,17 +196,21 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     Contacts near = contacts_of(c, at, wish, dt);
     const bool is_beside = c.way_back[i].polygon != 0;
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
+    auto end_of = [&](Vec2 ahead, By who) {
+        return move_along(mesh, thread, from, from.position + at_height(ahead, 0), who);
+    };
     // The mesh ends for wheels at the foot of steps, where it goes on for everybody else.
     if (pushes && !is_beside)
         for (Vec2 way : {wish, m.velocity[i]}) {
             const Vec2 ahead = normalize_or(way, {0, 0}) * k_sees_end;
-            if (ends_for_wheels(mesh, thread, from, ahead))
-                add_brake_at_border(mesh, thread, from, ahead, k_before_end, by, dt, near);
+            const NavPoint end = end_of(ahead, By::wheels);
+            if (end.position != end_of(ahead, By::feet).position)
+                add_brake_at_border(mesh, from, ahead, end, k_before_end, dt, near);
         }
     const float going = length(m.velocity[i]);
     if (!is_beside && going > k_slow) {
         const Vec2 ahead = m.velocity[i] * (going / (2 * k_comfortable) + k_foresees);
-        add_brake_at_border(mesh, thread, from, ahead, 0, by, dt, near);
+        add_brake_at_border(mesh, from, ahead, end_of(ahead, by), 0, dt, near);
     }
     const Vec2 wished = wish;
     if (near.brake_count > 0)
