@@ -23,12 +23,12 @@ uint64_t hash_in(City city) {
 
 // A change that is meant to move people otherwise writes these down anew, as it does those of
 // tests/program/golden.
-TEST(CityHash, IsOneWhereACityIsMade) { EXPECT_EQ(hash_in(generate_district({1, 1})), 0xf30b243f31e2e6d9u); }
+TEST(CityHash, IsOneWhereACityIsMade) { EXPECT_EQ(hash_in(generate_district({1, 1})), 0xadd6543531588d2u); }
 
 TEST(CityHash, IsOneWhereAMapIsRead) {
     Result<City> map = load_osm(FLANEUR_SOURCE_DIR "/tests/program/small.osm");
     ASSERT_TRUE(map) << map.error().message;
-    EXPECT_EQ(hash_in(std::move(*map)), 0xa813c80a244ba739u);
+    EXPECT_EQ(hash_in(std::move(*map)), 0xd00d0dc48c922495u);
 }
 
 }  // namespace

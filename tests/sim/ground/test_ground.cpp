@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/ground/surroundings.h"
 #include "tests/sim/small_grounds.h"
@@ -62,6 +63,37 @@ TEST(Ground, GroundHasNoGapsAtVerticesAndEdges) {
     }
 }
 
+// Where a kerb divides a long edge at a point that was rounded to a millimetre.
+TEST(Ground, GroundHasNoGapsWhereALongEdgeIsDividedBesideItself) {
+    constexpr float k_lower = 0.12f, k_upper = 0.2f;
+    for (uint32_t i = 0; i < 200; ++i) {
+        const Vec2 a{number(i * 4, -3, 3), number(i * 4 + 1, -3, 3)};
+        const Vec2 b = a + heading_direction(number(i * 4 + 2, -k_pi, k_pi)) * 5;
+        const Vec2 along = (b - a) / 5, left{along.z, -along.x};
+        const float beside = number(i * 4 + 3, -7e-4f, 7e-4f);
+        const Vec2 between = lerp(a, b, 0.6f) + left * beside;
+        Ground ground;
+        auto add = [&](Vec2 p, Vec2 q, Vec2 r, float y) {
+            if (cross(q - p, r - p) > 0) std::swap(q, r);
+            for (Vec2 v : {p, q, r}) {
+                ground.indices.push_back(static_cast<uint32_t>(ground.vertices.size()));
+                ground.vertices.push_back(at_height(v, y));
+            }
+            ground.kinds.push_back(Surface::sidewalk);
+        };
+        add(a, b, lerp(a, b, 0.5f) + left * 4, k_upper);
+        add(a, between, a - left * 4, k_lower);
+        add(between, b, b - left * 4, k_lower);
+        index_ground(ground);
+        for (float t : {0.1f, 0.3f, 0.55f, 0.599f, 0.601f, 0.7f, 0.9f})
+            for (float share : {0.0f, 0.2f, 0.5f, 0.8f, 1.0f}) {
+                const float gap = beside * std::min(t / 0.6f, (1 - t) / 0.4f);
+                EXPECT_TRUE(ground_at(ground, at_height(lerp(a, b, t) + left * (gap * share), k_lower)))
+                    << i << " at " << t << " beside by " << gap * share;
+            }
+    }
+}
+
 TEST(Ground, GroundAgreesWithARayFromAbove) {
     Ground ground = terrain();
     for (uint32_t i = 0; i < 2000; ++i) {
@@ -69,6 +101,11 @@ TEST(Ground, GroundAgreesWithARayFromAbove) {
         auto hit = ground_at(ground, p, 2, 2);
         // Walls of 3 m would stop the ray: start below their tops only where ground is the first thing.
         auto ray = raycast(ground, {p.x, 2.9f, p.z}, {0, -1, 0}, 10);
+        // At the rim one stands a millimetre beside what a ray would hit.
+        for (int k = 0; k < 8 && hit && !ray; ++k) {
+            const Vec2 aside = heading_direction(static_cast<float>(k) * (k_pi / 4) - k_pi) * 1.1e-3f;
+            ray = raycast(ground, {p.x + aside.x, 2.9f, p.z + aside.z}, {0, -1, 0}, 10);
+        }
         ASSERT_EQ(hit.has_value(), ray.has_value()) << p.x << " " << p.z;
         if (hit) {
             EXPECT_NEAR(hit->height, 2.9f - ray->distance, 1e-3f);
