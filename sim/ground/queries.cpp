@@ -7,8 +7,9 @@
 
 namespace flaneur {
 
-// A point this far outside an edge still stands on the triangle, metres. Plans are rounded to a millimetre, so
-// a corner may lie 0.71 mm beside the long edge that it divides, on either side of it: no gap is left there.
+// A point this far outside an edge still stands on the triangle, metres. Plans are rounded to a millimetre,
+// so a corner may lie 0.71 mm beside the long edge that it divides, on either side of it: no gap is left
+// there.
 static constexpr float k_edge_slack = 7.5e-4f;
 
 static constexpr size_t k_outside = ~size_t{0};
