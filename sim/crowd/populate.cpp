@@ -14,8 +14,6 @@ namespace flaneur {
 static constexpr float k_body_radius = 0.2f;                   // as wide as shoulders are that give way
 static constexpr float k_spacing = 2 * k_body_radius + 0.15f;  // between walkers at the start, metres
 
-static constexpr uint32_t k_few = 1000;  // are tried before it is said that they do not fit
-
 // Weidmann 1993: free speeds of pedestrians are nearly normal, with a deviation of 0.26 m/s at a mean
 // of 1.34.
 static constexpr float k_speed_deviation = 0.26f / 1.34f, k_least_speed = 0.7f;
@@ -121,10 +119,12 @@ static NavPoint place_by_chance(const Surroundings& around, const Navmesh& mesh,
     return p;
 }
 
-// How many could be set down so at most: as densely as circles can be packed.
-static uint32_t most_who_fit(const Navmesh& mesh, const Neighbourhood& home) {
-    constexpr double k_own = 0.866 * static_cast<double>(k_spacing) * static_cast<double>(k_spacing);
-    return static_cast<uint32_t>(std::min(place_area_near(mesh, home.centre, 1e6f) / k_own, 4e9));
+// What those who do not fit would stand on.
+static std::string told_ground(const Ground& ground) {
+    const bool has_streets = std::any_of(ground.kinds.begin(), ground.kinds.end(), [](Surface kind) {
+        return kind == Surface::sidewalk || kind == Surface::path;
+    });
+    return (has_streets ? "sidewalks, plazas and paths of '" : "ground of '") + ground.name + "'";
 }
 
 // One after the other, each where there is room between those before.
@@ -132,10 +132,6 @@ static Result<void> set_down(Crowd& c, const Ground& ground, const Surroundings&
                              Workers& workers, uint32_t walkers, std::span<const Folk> folk, uint64_t seed) {
     FLANEUR_ZONE("set down");
     const Neighbourhood home = find_neighbourhood(ground, mesh, walkers);
-    if (const uint32_t most = most_who_fit(mesh, home); walkers > most && walkers > k_few)
-        return Error{"At most " + std::to_string(most) + " of " + std::to_string(walkers) +
-                     " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
-                     "', shoulder to shoulder: take fewer, or more ground."};
     Placed placed;
     placed.mask = std::bit_ceil(std::max(walkers, 512u)) * 2 - 1;
     placed.head.assign(placed.mask + 1, Placed::k_none);
@@ -155,9 +151,9 @@ static Result<void> set_down(Crowd& c, const Ground& ground, const Surroundings&
         while (!is_good() && ++attempt < k_attempts)
             place = place_by_chance(around, mesh, 0, home, {seed, i, attempt, Purpose::spawn});
         if (attempt == k_attempts) {
-            return Error{"Only about " + std::to_string(i) + " of " + std::to_string(walkers) +
-                         " walkers fit on the sidewalks, plazas and paths of '" + ground.name +
-                         "': take fewer, or more ground."};
+            // As many as are there would be set down in the same places.
+            return Error{"Only " + std::to_string(i) + " of " + std::to_string(walkers) +
+                         " walkers fit on the " + told_ground(ground) + ": take no more, or more ground."};
         }
         placed.places.push_back(place);
         uint32_t& head = placed.head[placed.cell(column(place.position.x), column(place.position.z))];
