@@ -23,6 +23,11 @@ std::optional<Vec3> on_the_ground(const Ground& ground, Vec3 p) {
     return Vec3{p.x, hit->height, p.z};
 }
 
+bool is_water(const Ground& ground, Vec3 p) {
+    const auto hit = ground_at(ground, p, k_to_ground, k_to_ground);
+    return hit && hit->kind == Surface::water;
+}
+
 // Calls put(a, b) for the pieces of it, of `longest` metres at most, that have ground at both ends; returns
 // how many.
 template <class Put>
@@ -119,6 +124,9 @@ std::string add_one(City& city, const Addition& a) {
         if (!(p.x > ground.low.x + 1 && p.x < ground.high.x - 1 && p.z > ground.low.z + 1 &&
               p.z < ground.high.z - 1))
             return "lies beyond the city";
+    if (is_water(ground, a.at)) return "lies in the water: put it on the ground";
+    if (is_drawn_out(a.kind) && is_water(ground, a.to))
+        return "ends in the water: both ends lie on the ground";
     if (is_drawn_out(a.kind)) {
         const bool is_wall = a.kind == AddedKind::wall;
         const int pieces =

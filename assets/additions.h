@@ -46,8 +46,8 @@ std::optional<WallPoint> entrance_at(const Ground& ground, Vec3 place);
 float usual_turn(const Ground& ground, Vec3 place);
 
 // Puts them into an indexed city, which stays so: props and walls, obstacles, and what draws people. Refuses,
-// in a sentence, one that is beyond the city, has no ground, or is an entrance far from any house; the city
-// is undefined then.
+// in a sentence, one that is beyond the city, has no ground, lies in the water (of walls and barriers: an end
+// of it), or is an entrance far from any house; the city is undefined then.
 Result<void> add_to_city(City& city, std::span<const Addition> added);
 
 }  // namespace flaneur
