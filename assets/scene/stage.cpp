@@ -26,6 +26,12 @@ bool take_letter(std::string_view& text, char letter) {
     return true;
 }
 
+// Faults of scenes end without their full stop.
+std::string without_stop(std::string sentence) {
+    if (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
+    return sentence;
+}
+
 }  // namespace
 
 Result<std::vector<Vec2>> parse_platform(const std::string& text) {
@@ -43,10 +49,10 @@ Result<std::vector<Vec2>> parse_platform(const std::string& text) {
         }
     }
     if (const Result<Platform> platform = make_platform(corners); !platform)
-        return Error{excerpt(text) + " is no platform: " + platform.error().message};
+        return Error{excerpt(text) + ": " + without_stop(platform.error().message)};
     for (const Vec2 corner : corners)
         if (!(length(corner) <= k_widest_platform))
-            return Error{excerpt(text) + " is no platform: it must lie within 400 m of the origin"};
+            return Error{excerpt(text) + ": The platform must lie within 400 m of the origin"};
     return corners;
 }
 

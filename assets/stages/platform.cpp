@@ -15,7 +15,6 @@ namespace {
 constexpr float k_above_water = 0.55f;    // metres
 constexpr float k_below = 1.5f;           // metres that its sides reach below the water
 constexpr float k_shore = 300;            // metres of water to each side
-constexpr float k_narrowest = 1;          // metres to stand on, across
 constexpr uint32_t k_stone = 0xffa9b0b4;  // sRGB, R in the lowest byte
 
 void add_ground(City& city, std::span<const Vec3> corners, std::span<const uint32_t> indices, Surface kind) {
@@ -30,17 +29,15 @@ void add_ground(City& city, std::span<const Vec3> corners, std::span<const uint3
 }  // namespace
 
 Result<City> build_platform(std::span<const Vec2> corners) {
-    const Result<Platform> platform = make_platform(corners);
-    if (!platform) return platform.error();
+    if (const Result<Platform> platform = make_platform(corners); !platform) return platform.error();
     Vec2 middle{};
     for (const Vec2 corner : corners) middle += corner / static_cast<float>(corners.size());
-    if (room_at(*platform, middle) < k_narrowest / 2)
-        return Error{"The platform is too narrow: nobody can stand on it."};
     City city;
     city.ground.name = "platform";
     std::vector<Vec2> outline(corners.begin(), corners.end());
-    if (cross(corners[1] - corners[0], corners[2] - corners[1]) < 0)
-        std::reverse(outline.begin(), outline.end());
+    double round = 0;
+    for (size_t i = 0; i + 1 < corners.size(); ++i) round += crossed(middle, corners[i], corners[i + 1]);
+    if (round < 0) std::reverse(outline.begin(), outline.end());
     std::vector<Vec3> rim{at_height(middle, 0)};
     std::vector<uint32_t> fan;
     const auto n = static_cast<uint32_t>(outline.size());

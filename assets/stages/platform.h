@@ -8,11 +8,10 @@
 
 namespace flaneur {
 
-// Its corners lie as make_platform() takes them, at height 0. Refuses what that refuses, and what is so
-// narrow that nobody can stand on it.
 // Metres from its edge that nobody's middle comes nearer, so that feet are on it:
-// NavmeshSettings::agent_radius.
+// NavmeshSettings::agent_radius. Of one that is too narrow for that no navmesh is built.
 inline constexpr float k_off_the_edge = 0.6f;
+// Its corners lie as make_platform() takes them, at height 0. Refuses what that refuses.
 Result<City> build_platform(std::span<const Vec2> corners);
 
 }  // namespace flaneur

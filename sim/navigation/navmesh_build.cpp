@@ -232,7 +232,8 @@ static Result<NavmeshPtr> join_tiles(const Ground& ground, const NavmeshSettings
         }
     }
     if (failure.empty() && used_tiles == 0) {
-        failure = "'" + ground.name + "' has no ground that a walker can stand on";
+        failure = "'" + ground.name +
+                  "' has no ground that a walker can stand on: it is too narrow, small or steep.";
     }
     dtNavMeshParams p{};
     p.orig[0] = ground.low.x;

@@ -20,8 +20,8 @@ struct Platform {
     int count = 0;
 };
 
-// Of a convex polygon's 3 to 16 corners, in either order, in metres. Refuses, with a sentence, others: with
-// corners that turn the other way or not at all, or numbers that are not finite.
+// Of a convex polygon's 3 to 16 corners, in either order, in metres; those midway on an edge, to 1 mm, are
+// none. Refuses, with a sentence, others: that turn the other way or are there twice, or are not finite.
 Result<Platform> make_platform(std::span<const Vec2> corners);
 
 // Metres from a place on it to an edge, and to the nearest; less than 0 beside it.

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "assets/additions.h"
 #include "assets/scene.h"
 #include "assets/stages/platform.h"
 #include "sim/base/math.h"
@@ -61,9 +62,47 @@ TEST(PlatformStage, IsGroundWithinItsOutlineAndWaterBesideIt) {
     }
 }
 
-TEST(PlatformStage, RefusesWhatNobodyCanStandOn) {
+TEST(PlatformStage, RefusesWhatIsNotConvex) {
     EXPECT_FALSE(build_platform(std::vector<Vec2>{{0, 0}, {8, 0}, {1, 1}, {0, 8}}));
-    EXPECT_FALSE(build_platform(std::vector<Vec2>{{0, 0}, {40, 0}, {40, 0.5f}, {0, 0.5f}}));
+}
+
+TEST(PlatformStage, MayHaveCornersMidwayOnAnEdge) {
+    for (const std::vector<Vec2>& outline : {std::vector<Vec2>{{0, 0}, {3, 0}, {6, 0}, {6, 6}, {0, 6}},
+                                             {{0, 0}, {0, 1}, {0, 4}, {0, 6}, {6, 6}, {6, 0}}}) {
+        const Result<City> city = build_platform(outline);
+        ASSERT_TRUE(city) << city.error().message;
+        for (float x = -0.95f; x < 7; x += 0.3f)
+            for (float z = -0.95f; z < 7; z += 0.3f) {
+                const auto hit = ground_at(city->ground, {x, 0.1f, z}, 0.5f, 2);
+                ASSERT_TRUE(hit);
+                const bool is_on = std::min(x, z) > 0 && std::max(x, z) < 6;
+                EXPECT_EQ(hit->kind, is_on ? Surface::plaza : Surface::water) << x << "," << z;
+            }
+        const auto read = parse_platform(told_platform(outline));
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(*read, outline) << "as it was written";
+    }
+}
+
+TEST(PlatformStage, NothingIsPutIntoTheWater) {
+    struct Case {
+        Addition added;
+        bool is_good;
+    };
+    const Case cases[] = {{{AddedKind::bench, {1, 0, 1}, {}, 0}, true},
+                          {{AddedKind::bench, {30, 0, 0}, {}, 0}, false},
+                          {{AddedKind::wall, {-2, 0, 0}, {3, 0, 0}, 0}, true},
+                          {{AddedKind::wall, {0, 0, 0}, {20, 0, 0}, 0}, false},
+                          {{AddedKind::wall, {20, -0.55f, 0}, {0, 0, 0}, 0}, false},
+                          {{AddedKind::barrier, {30, -0.55f, 0}, {40, -0.55f, 0}, 0}, false}};
+    for (const Case& c : cases) {
+        City city = *build_platform(k_usual_platform);
+        const Result<void> done = add_to_city(city, {&c.added, 1});
+        EXPECT_EQ(static_cast<bool>(done), c.is_good) << c.added.at.x;
+        if (!done) {
+            EXPECT_NE(done.error().message.find("in the water: "), std::string::npos) << done.error().message;
+        }
+    }
 }
 
 TEST(PlatformStage, OutlinesAreReadAndTold) {
@@ -73,6 +112,13 @@ TEST(PlatformStage, OutlinesAreReadAndTold) {
     for (const char* text :
          {"", "1", "1,2", "0,0 1,0 0,1,", "0,0 1,0 0,1 x", "0,0;1,0;0,1", "0,0 1e9,0 0,1", "0,0 nan,0 0,1"})
         EXPECT_FALSE(parse_platform(text)) << text;
+    // Faults of scenes end without a full stop of their own.
+    for (const char* text :
+         {"0,0 8,0 1,1 0,8", "0,0 6,0 6,0 0,6", "0,0 1,0", "0,0 1,0 2,0", "0,0 800,0 1,1"}) {
+        const auto refused = parse_platform(text);
+        ASSERT_FALSE(refused) << text;
+        EXPECT_NE(refused.error().message.back(), '.') << refused.error().message;
+    }
 }
 
 }  // namespace

@@ -180,6 +180,19 @@ TEST(Stride, PlatformsAreConvexAndGoRoundOnce) {
     EXPECT_FALSE(make_platform(line));
     const Vec2 nowhere[] = {{0, 0}, {1, std::nanf("")}, {2, 4}};
     EXPECT_FALSE(make_platform(nowhere));
+    // A corner midway on an edge is none, also with the rounding of written numbers; one given twice is
+    // named.
+    const Vec2 midway[] = {{0, 0}, {1, 0.1f}, {3, 0.3f}, {6, 0.6f}, {6, 6}, {0, 6}, {0, 3}};
+    const auto square = make_platform(midway);
+    ASSERT_TRUE(square) << square.error().message;
+    EXPECT_EQ(square->count, 4);
+    const Vec2 twice[] = {{0, 0}, {6, 0}, {6, 0}, {6, 6}, {0, 6}},
+               closed[] = {{0, 0}, {6, 0}, {6, 6}, {0, 0}};
+    EXPECT_NE(make_platform(twice).error().message.find("6,0 twice"), std::string::npos);
+    EXPECT_NE(make_platform(closed).error().message.find("0,0 twice"), std::string::npos);
+    const Vec2 spike[] = {{0, 0}, {9, 0}, {6, 0}, {6, 6}, {0, 6}};
+    EXPECT_FALSE(make_platform(spike));
+    EXPECT_NE(make_platform(dart).error().message.find("at 1,1"), std::string::npos);
     const Vec2 small[] = {{0, 0}, {0.4f, 0}, {0.4f, 0.4f}, {0, 0.4f}};
     ASSERT_TRUE(make_platform(small));
     Stride s;
