@@ -301,19 +301,32 @@ bool let_ramble(World& w, WalkerId id) {
     return true;
 }
 
-// Whether the walker can go where it would on the platform: to each of its corners, as near as it comes.
+// Metres from the edge of a platform to the middle of one's narrowest circle.
+static float room_to_turn(const Strider& who) { return least_circle(who) + kept_clear(who); }
+
+// Whether the walker can go where it would on the platform: into each of its corners, as far as it turns
+// there. Nearer to a sharp one the mesh, which keeps off the edges too, may have ended long before.
 static Result<void> check_ground(const World& w, WalkerId id, const Platform& platform,
                                  std::span<const Vec2> corners, const Strider& who) {
     constexpr Vec3 k_near{0.5f, 5, 0.5f};  // metres
     const Crowd& c = w.crowd;
     const float height = c.motion.position[id.index].y;
     for (const Vec2 corner : corners) {
-        const Vec3 place = at_height(*nearest_with_room(platform, corner, kept_clear(who)), height);
+        const Vec3 place = at_height(*nearest_with_room(platform, corner, room_to_turn(who)), height);
         const auto found = nearest(*w.navmesh, 0, place, k_near);
         if (!found || !can_get_to(w, id.index, found->polygon))
             return Error{"The walker cannot get to all of the platform: not to " + at(place) + "."};
     }
     return {};
+}
+
+static Error too_narrow(const Strider& who, bool has_pram) {
+    char text[160], how[32] = "with a pram";
+    if (!has_pram) std::snprintf(how, sizeof how, "at %.1f m/s", static_cast<double>(who.speed));
+    std::snprintf(text, sizeof text,
+                  "The platform is too narrow to turn on %s: it must hold a circle %.1f m across.", how,
+                  static_cast<double>(std::ceil(20 * room_to_turn(who)) / 10));
+    return Error{text};
 }
 
 Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
@@ -325,9 +338,8 @@ Result<void> let_stagger(World& w, WalkerId id, std::span<const Vec2> corners) {
     const Wayfarer* known = own_of(c.wayfarers, id.index);
     if (known && known->kind == way.kind) way.stride = known->stride;
     const Strider who = strider_of(c, id.index);
-    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]),
-                           least_circle(who) + kept_clear(who)))
-        return Error{"The platform is too small for this walker to turn on."};
+    if (!nearest_with_room(*platform, on_ground(c.motion.position[id.index]), room_to_turn(who)))
+        return too_narrow(who, c.identity.ahead[id.index] > 0);
     if (Result<void> can = check_ground(w, id, *platform, corners, who); !can) return can;
     go_by_way(w.crowd, way);
     return {};

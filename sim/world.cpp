@@ -67,11 +67,24 @@ void make_room_to_come(World& w) {
 
 // By the habit of those who are set down at the start.
 static Result<void> set_off(World& world) {
-    for (uint32_t i = 0; i < world.crowd.count; ++i) {
-        const WalkerId id{i, world.crowd.slots.generation[i]};
-        if (world.habit == Habit::ramble) let_ramble(world, id);
-        if (world.habit != Habit::stagger) continue;
-        if (Result<void> can = let_stagger(world, id, world.platform); !can) return can;
+    const Crowd& c = world.crowd;
+    auto id_of = [&](uint32_t i) { return WalkerId{i, c.slots.generation[i]}; };
+    if (world.habit == Habit::ramble)
+        for (uint32_t i = 0; i < c.count; ++i) let_ramble(world, id_of(i));
+    if (world.habit != Habit::stagger || c.count == 0) return {};
+    // First who needs the most room to turn: a platform that is refused is told how wide it has to be for
+    // all.
+    auto room_of = [&](uint32_t i) {
+        const Strider who = strider_of(c, i);
+        return least_circle(who) + kept_clear(who);
+    };
+    uint32_t widest = 0;
+    for (uint32_t i = 1; i < c.count; ++i)
+        if (room_of(i) > room_of(widest)) widest = i;
+    if (Result<void> can = let_stagger(world, id_of(widest), world.platform); !can) return can;
+    for (uint32_t i = 0; i < c.count; ++i) {
+        if (i == widest) continue;
+        if (Result<void> can = let_stagger(world, id_of(i), world.platform); !can) return can;
     }
     return {};
 }
