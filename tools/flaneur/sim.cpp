@@ -58,6 +58,15 @@ static void tell_coming(const Loaded& loaded) {
     for (const std::string_view line : split(told, '\n')) say(line);
 }
 
+// A line off all ground counts nobody, which is more likely a slip than what is meant.
+static void warn_of_lines(const MeasurePlan& plan, const World& world) {
+    if (world.roam) return;
+    for (const CountLine& line : plan.lines)
+        if (is_off_ground(line, world))
+            say("The line " + told(line) +
+                " lies where there is nothing to walk on, and will count nobody: lay it over ground.");
+}
+
 Result<void> run_sim(const Options& options) {
     Result<void> isa = use_isa(options.isa);
     if (!isa) return isa;
@@ -78,6 +87,7 @@ Result<void> run_sim(const Options& options) {
     Counts counts;
     set_plan(counts, options.plan, world.tick);
     count_people(counts, world);
+    warn_of_lines(options.plan, world);
 
     auto start = std::chrono::steady_clock::now();
     auto ticks = static_cast<uint32_t>(std::lround(options.seconds / static_cast<double>(k_tick)));

@@ -10,8 +10,10 @@
 #include "assets/files/words.h"
 #include "assets/scene.h"
 #include "sim/world.h"
+#include "tests/sim/small_grounds.h"
 #include "tools/flaneur/commands.h"
 #include "tools/flaneur/load/load.h"
+#include "tools/flaneur/measure/count.h"
 #include "tools/flaneur/measure/csv.h"
 
 namespace flaneur {
@@ -128,6 +130,26 @@ TEST(Csv, HoldsWhatWasCounted) {
     EXPECT_EQ(rows[2][4], "") << "nobody has no speed";
     EXPECT_EQ(csv_path("out/a.csv", "L1"), "out/a-L1.csv");
     EXPECT_EQ(csv_path("a", "Z2"), "a-Z2.csv");
+}
+
+// On ground that is high up, by its edge and far off, however long the line is.
+TEST(Count, ALineOffAllGroundIsKnown) {
+    Ground ground = square(20);
+    for (Vec3& corner : ground.vertices) corner.y += 300;
+    ground.faces.clear();
+    index_ground(ground);
+    const auto world = make_world_on(ground, {.capacity = 1});
+    ASSERT_TRUE(world) << world.error().message;
+    struct Case {
+        Vec2 a, b;
+        bool is_off;
+    };
+    const Case cases[] = {{{-3, 0}, {3, 0}, false},        {{9, -9}, {9, -8}, false},
+                          {{10.2f, 0}, {10.2f, 4}, false}, {{5, 5}, {5.05f, 5}, false},
+                          {{-900, 2}, {900, 2}, false},    {{12, 0}, {12, 4}, true},
+                          {{-900, 14}, {900, 14}, true},   {{1e5f, 0}, {1e5f, 9}, true}};
+    for (const Case& c : cases)
+        EXPECT_EQ(is_off_ground({"L1", c.a, c.b}, **world), c.is_off) << c.a.x << "," << c.a.z;
 }
 
 // A city's people, told tick by tick, and the same once more as if by another pace: the counts are the same,

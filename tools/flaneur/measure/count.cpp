@@ -173,6 +173,24 @@ void count_people(Counts& counts, const World& world) {
     count_people(counts, world.tick, counts.present);
 }
 
+bool is_off_ground(const CountLine& line, const World& world) {
+    constexpr float k_beside = 1, k_step = 2, k_level = 4, k_levels = 1e4f;  // metres
+    constexpr int k_most_steps = 1000;
+    const float far = length_of(line);
+    const int steps = std::clamp(static_cast<int>(std::min(far / k_step, 1e6f)) + 1, 1, k_most_steps);
+    // Boxes that hold all of the line, however long.
+    const float reach = far / static_cast<float>(2 * steps) + k_beside;
+    for (int i = 0; i < steps; ++i) {
+        const Vec2 at = lerp(line.a, line.b, (static_cast<float>(i) + 0.5f) / static_cast<float>(steps));
+        // The mesh is looked for where the ground is, as it is found by distance; then at any height.
+        const auto hit = ground_at(world.around, at_height(at, 0), k_levels, k_levels);
+        if (hit && nearest(*world.navmesh, 0, at_height(at, hit->height), {reach, k_level, reach}))
+            return false;
+        if (nearest(*world.navmesh, 0, at_height(at, 0), {reach, k_levels, reach})) return false;
+    }
+    return true;
+}
+
 Flow flow_of(const LineCount& line, uint32_t tick, double seconds) {
     const double now = seconds_at(tick), since = std::max(now - seconds, seconds_at(line.since));
     Flow flow{.seconds = std::max(now - since, 0.0)};

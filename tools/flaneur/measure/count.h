@@ -90,6 +90,9 @@ void begin_anew(Counts& counts, uint32_t tick);
 void count_people(Counts& counts, uint32_t tick, std::span<const Present> present);
 void count_people(Counts& counts, const World& world);
 
+// Whether nobody can cross it, as there is nothing to walk on within a metre of it, on any level.
+bool is_off_ground(const CountLine& line, const World& world);
+
 struct Flow {
     uint32_t left = 0, right = 0;
     double seconds = 0;           // over which they were counted
