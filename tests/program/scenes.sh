@@ -31,6 +31,28 @@ echo '{ "walkers": 5, "camera": "follow:5" }' > nobody.json
 echo '{ "seed": 18446744073709551616, "city": "" }' > beyond.json
 mkfifo pipe.json
 echo '{ "city": "gone.osm" }' > gone.json
+# What can be known without simulating, in the sentence of every other command.
+field='"built": "platform", "platform"'
+echo "{ $field: \"0,0 40,0 40,1 0,1\", \"walkers\": 3 }" > narrow.json
+echo "{ $field: \"0,0 40,0 40,1 0,1\", \"walkers\": 3, \"habit\": \"stagger\" }" > narrow2.json
+echo "{ $field: \"0,0 6,0 6,6 0,6\", \"walkers\": 5000 }" > full.json
+echo '{ "built": "field", "walkers": 50000 }' > full2.json
+echo '{ "built": "platform", "walkers": 3, "added": [{ "what": "wall", "at": "0,0,0", "to": "30,0,0" }] }' > wet.json
+for name in narrow narrow2 full full2 wet; do
+    if "$flaneur" scenes --check $name.json > check.txt 2> /dev/null; then echo "FAILED: $name is good." && exit 1; fi
+    if "$flaneur" sim --scene $name.json --seconds 0 2> sentence.txt; then echo "FAILED: $name is simulated." && exit 1; fi
+    cat check.txt
+    expect "$(sed "s/^$name\.json: /flaneur: /" check.txt)" "$(cat sentence.txt)"
+    expect "$(wc -l < check.txt)" 1
+done
+echo "{ $field: \"0,0 3,0 6,0 6,6 0,6\", \"walkers\": 3 }" > midway.json
+echo "{ $field: \"0,0 20,0 10,30\", \"walkers\": 3, \"prams\": 0, \"habit\": \"stagger\" }" > sharp.json
+echo "{ $field: \"0,0 6,0 6,0 6,6 0,6\" }" > twice.json
+if "$flaneur" scenes --check midway.json sharp.json twice.json > check.txt 2> /dev/null; then echo "FAILED: a corner is there twice." && exit 1; fi
+said 'midway\.json: good'
+said 'sharp\.json: good'
+said 'twice\.json:1:36: "platform": 0,0 6,0 6,0 6,6 0,6: The platform has the corner 6,0 twice: leave one out\.'
+
 if timeout 20 "$flaneur" scenes --check gone.json pipe.json good.json bad.json broken.json large.json both.json nobody.json beyond.json nowhere.json > check.txt 2> sentence.txt; then
     echo "FAILED: faults do not count." && exit 1
 fi

@@ -8,8 +8,18 @@
 
 namespace flaneur {
 
+// Whether its people can be set down: on a stage that is made within a moment, as any other command does it.
+static Result<void> try_stage(const Options& options, const Scene& scene) {
+    if (!is_of(scene, BuiltIn::platform) && !is_of(scene, BuiltIn::field)) return {};
+    Options of_scene = options;
+    of_scene.scene = scene;
+    const Result<Loaded> loaded = load(of_scene);
+    clear_progress();
+    return loaded ? Result<void>() : loaded.error();
+}
+
 // Says what is wrong with a scene, or what it names that is not there; whether it is good.
-static bool tell_faults(const std::string& file) {
+static bool tell_faults(const Options& options, const std::string& file) {
     Result<std::vector<SceneFault>> faults = check_scene(file);
     if (!faults) {
         std::printf("%s\n", printable(faults.error().message).c_str());
@@ -21,6 +31,7 @@ static bool tell_faults(const std::string& file) {
     if (!faults->empty()) return false;
     Result<Scene> scene = load_scene(file);
     Result<void> found = scene ? find_files(*scene) : scene.error();
+    if (found) found = try_stage(options, *scene);
     std::printf("%s: %s\n", name.c_str(), found ? "good" : printable(found.error().message).c_str());
     return static_cast<bool>(found);
 }
@@ -40,7 +51,7 @@ Result<void> run_scenes(const Options& options) {
     }
     size_t bad = 0;
     for (const std::string& file : options.scene_files) {
-        bad += !tell_faults(file);
+        bad += !tell_faults(options, file);
     }
     if (bad == 0) return {};
     return Error{std::to_string(bad) + " of " + std::to_string(options.scene_files.size()) +
