@@ -301,9 +301,6 @@ bool let_ramble(World& w, WalkerId id) {
     return true;
 }
 
-// Metres from the edge of a platform to the middle of one's narrowest circle.
-static float room_to_turn(const Strider& who) { return least_circle(who) + kept_clear(who); }
-
 // Whether the walker can go where it would on the platform: into each of its corners, as far as it turns
 // there. Nearer to a sharp one the mesh, which keeps off the edges too, may have ended long before.
 static Result<void> check_ground(const World& w, WalkerId id, const Platform& platform,

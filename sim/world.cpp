@@ -74,10 +74,7 @@ static Result<void> set_off(World& world) {
     if (world.habit != Habit::stagger || c.count == 0) return {};
     // First who needs the most room to turn: a platform that is refused is told how wide it has to be for
     // all.
-    auto room_of = [&](uint32_t i) {
-        const Strider who = strider_of(c, i);
-        return least_circle(who) + kept_clear(who);
-    };
+    auto room_of = [&](uint32_t i) { return room_to_turn(strider_of(c, i)); };
     uint32_t widest = 0;
     for (uint32_t i = 1; i < c.count; ++i)
         if (room_of(i) > room_of(widest)) widest = i;

@@ -35,9 +35,7 @@ Result<City> build_platform(std::span<const Vec2> corners) {
     City city;
     city.ground.name = "platform";
     std::vector<Vec2> outline(corners.begin(), corners.end());
-    double round = 0;
-    for (size_t i = 0; i + 1 < corners.size(); ++i) round += crossed(middle, corners[i], corners[i + 1]);
-    if (round < 0) std::reverse(outline.begin(), outline.end());
+    if (signed_area_of(outline) < 0) std::reverse(outline.begin(), outline.end());
     std::vector<Vec3> rim{at_height(middle, 0)};
     std::vector<uint32_t> fan;
     const auto n = static_cast<uint32_t>(outline.size());

@@ -23,12 +23,14 @@ inline double crossed(Vec2 a, Vec2 b, Vec2 c) {
            (wide(b.z) - wide(a.z)) * (wide(c.x) - wide(a.x));
 }
 
-// Square metres that corners go round, either way round; 0 of fewer than three.
-inline double area_of(std::span<const Vec2> corners) {
+// Square metres that corners go round, more than 0 the way that crossed() has it, less the other way; 0 of
+// fewer than three. And either way round.
+inline double signed_area_of(std::span<const Vec2> corners) {
     double twice = 0;
     for (size_t i = 2; i < corners.size(); ++i) twice += crossed(corners[0], corners[i - 1], corners[i]);
-    return std::fabs(twice) / 2;
+    return twice / 2;
 }
+inline double area_of(std::span<const Vec2> corners) { return std::fabs(signed_area_of(corners)); }
 
 // Calls keep(corner) for those of what lies of a polygon where `side` is not negative (Sutherland & Hodgman,
 // CACM 17, 1974); side(place) is linear. Of one that is not convex, edges that fold back may be left, which

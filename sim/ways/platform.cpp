@@ -53,8 +53,7 @@ static Result<std::vector<Vec2>> convex_outline(std::span<const Vec2> corners) {
     straighten(outline);
     const size_t n = outline.size();
     if (n < 3) return Error{"The platform has no area: its corners lie on one line."};
-    double round = 0;
-    for (size_t i = 2; i < n; ++i) round += crossed(outline[0], outline[i - 1], outline[i]);
+    const double round = signed_area_of(outline);
     for (size_t i = 0; i < n; ++i) {
         const Vec2 corner = outline[(i + 1) % n];
         if (crossed(outline[i], corner, outline[(i + 2) % n]) * round <= 0)

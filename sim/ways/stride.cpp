@@ -62,7 +62,7 @@ static Vec2 way_round(const Stride& s, Vec2 place) {
 static Vec2 go_to_room(const Platform& platform, const Strider& who, Stride& s, Vec2 place, float heading) {
     const float least = least_circle(who);
     const Vec2 middle = place + right_of(heading) * (s.side * least);
-    const auto centre = nearest_with_room(platform, middle, least + kept_clear(who));
+    const auto centre = nearest_with_room(platform, middle, room_to_turn(who));
     if (!centre) return {0, 0};
     s.centre = *centre, s.radius = least, s.left = 0;
     return way_round(s, place);

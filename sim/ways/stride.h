@@ -20,6 +20,8 @@ struct Strider {
 inline float least_circle(const Strider& who) { return who.speed / who.turns; }
 // Metres from the edge of a platform that all of its circles keep.
 inline float kept_clear(const Strider& who) { return who.radius + who.goes_off; }
+// And from there to the middle of the narrowest.
+inline float room_to_turn(const Strider& who) { return least_circle(who) + kept_clear(who); }
 
 // The circle that one goes along.
 struct Stride {
