@@ -45,8 +45,9 @@ inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
-enum class BuiltIn : uint8_t { district, asteroid, platform, field };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field"};
+enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery };
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
+                                                        "gallery"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -57,7 +58,7 @@ struct Scene {
     std::optional<MapPlace> center;  // of an OpenStreetMap city: what is drawn lies about it
     float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
     BuiltIn built = BuiltIn::district;  // without a city: all round the asteroid, on a platform in
-                                        // the water, on a walled field
+                                        // the water, on a walled field, by a row of figures
     std::vector<Vec2> platform;         // its corners, metres; see make_platform(); empty: k_usual_platform
     std::string terrain;                // an elevation file under an OpenStreetMap city; empty: level ground
     float scale = 1;                    // metres to a unit of a glTF city: 0.0001..10,000

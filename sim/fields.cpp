@@ -192,6 +192,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("slow", 'h', hash(c.traffic.slow));
     add("getting_slow", 'h', hash(c.traffic.coming));
     add("traffic_done", 'u', c.traffic.done);
+    add("linkages", 'h', hash(w.linkages.places));
     add("driven", 'U', c.driven.walker);
     for_each_word(FieldName{"driven_wish", &k_crowd}, c.driven.walker == k_nobody ? nullptr : &c.driven.wish,
                   each);
@@ -203,6 +204,8 @@ uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
+    const std::vector<Vec3>& linkages = world.linkages.places;
+    if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {
         if constexpr (std::is_same_v<Item, ClipPlay>) {  // which has padding
             for (const Item& play : items)

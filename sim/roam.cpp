@@ -15,7 +15,8 @@ Roam::Frame frame_on(const SurfaceWalkers& w, size_t i) {
 Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed) {
     Roam roam;
     roam.compound = std::move(compound);
-    roam.walkers = place_on_surface(roam.compound, crowd.identity.preferred_speed, seed);
+    roam.walkers =
+        place_on_surface(roam.compound, crowd.identity.preferred_speed, crowd.identity.radius, seed);
     if (roam.walkers.position.size() != crowd.count)
         return Error{"There is nothing to walk on where walkers are set down; give it closed shapes."};
     for (size_t i = 0; i < crowd.count; ++i) roam.frames.push_back(frame_on(roam.walkers, i));
@@ -25,6 +26,7 @@ Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed) {
 
 void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t seed, uint32_t tick) {
     roam.previous_frames.swap(roam.frames);
+    look_round(roam.walkers);
     // A block of the gait's walkers at least, which lie side by side.
     parallel_for(workers, crowd.count, 4 * k_block, [&](size_t begin, size_t end, int) {
         SurfaceWalkers& w = roam.walkers;

@@ -133,7 +133,10 @@ void step_pose(World& w) {
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
     timed(w, Stage::gait, [&] { step_gait(w); });
-    timed(w, Stage::pose, [&] { step_pose(w); });
+    timed(w, Stage::pose, [&] {
+        step_pose(w);
+        step_linkages(w.linkages, *w.workers, w.tick);
+    });
     ++w.tick;
 }
 

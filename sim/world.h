@@ -20,6 +20,7 @@
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
+#include "sim/linkages/linkages.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
 #include "sim/pose/trail.h"
@@ -52,6 +53,7 @@ struct World {
     Coming coming;
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
+    Linkages linkages;           // that are no people; mostly none
     Gait gait;
     ClipLayer idles;
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before

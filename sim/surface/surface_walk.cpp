@@ -20,6 +20,14 @@ constexpr float k_gain = 0.8f;         // of its pace, metres a second each seco
 constexpr float k_hurry = 1.5f;        // most that it moves, against what it likes
 constexpr float k_bend = 0.35f;        // of its way, radians a second
 constexpr uint32_t k_bend_ticks = 90;  // for so long
+constexpr float k_foresight = 2.5f;    // seconds in which it looks whom it meets
+constexpr float k_room = 0.3f;         // metres that it means to keep from others' bodies,
+constexpr float k_spare = 0.12f;       // and those before which it stops
+constexpr float k_stands = 0.05f;      // metres a second
+constexpr float k_swerve = 1.4f;       // radians a second, at most, to get out of their way
+constexpr float k_brake = 3;           // metres a second each second, as it means to,
+constexpr float k_hardest_brake = 6;   // and where another comes in its way
+constexpr float k_same_side = 0.3f;    // cosine between the ups of those who can meet
 
 // Between 0 and 1, smooth over time and unlike anybody else's.
 float whim(uint64_t seed, size_t walker, uint32_t tick) {
@@ -83,6 +91,54 @@ SurfaceProbe probe(const Compound& compound, Vec3 position, Vec3 up, Vec3 ahead)
     return out;
 }
 
+// What others make one do.
+struct Meeting {
+    float swerve = 0;      // radians a second
+    float fastest = 1e9f;  // metres a second
+};
+
+Meeting meet_others(const SurfaceWalkers& w, size_t i, float dt) {
+    const Vec3 here = w.position[i], up = w.up[i], ahead = w.ahead[i];
+    const Vec3 velocity = ahead * w.pace[i];
+    const float reach = w.radius[i] + w.widest + k_room + k_foresight * 2 * std::max(w.speed[i], 1.0f);
+    auto level = [&](Vec3 v) { return v - up * dot(v, up); };
+    Meeting out;
+    float most = 0;
+    auto at = std::ranges::lower_bound(w.seen, here.x - reach, {},
+                                       [](const SurfaceSeen& s) { return s.position.x; });
+    for (; at != w.seen.end() && at->position.x <= here.x + reach; ++at) {
+        const Vec3 away = at->position - here;
+        if (at->walker == i || dot(at->up, up) < k_same_side || length_squared(away) > reach * reach)
+            continue;
+        const Vec3 d = level(away), v = level(at->velocity - velocity);
+        const float touch = w.radius[i] + at->radius, apart = length(d), along = dot(d, ahead);
+        if (along <= 0) continue;  // whoever is behind sees to it
+        // Whom it would run into straight on: it stops before.
+        const Vec3 aside = d - ahead * along;
+        if (length(aside) < touch + k_spare) {
+            const float gap = std::max(apart - touch - k_spare - w.pace[i] * dt, 0.0f);
+            const float theirs = std::max(dot(at->velocity, ahead), 0.0f);
+            out.fastest = std::min(out.fastest, std::sqrt(2 * k_brake * gap) + (gap > 0 ? theirs : 0));
+        }
+        // Nearest in the next seconds.
+        const float v2 = length_squared(v);
+        const float when = v2 > 1e-6f ? clamp(-dot(d, v) / v2, 0, k_foresight) : 0;
+        const Vec3 nearest = d + v * when;
+        const float need = touch + k_room - length(nearest);
+        if (need <= 0) continue;
+        const float urgency = need / (touch + k_room) * (1 - 0.7f * when / k_foresight);
+        if (urgency <= most) continue;
+        most = urgency;
+        // From where it will be; straight on: to the right.
+        const float side = dot(cross(ahead, length_squared(nearest) > 1e-4f ? nearest : d), up);
+        const float turn = k_swerve * std::min(2 * urgency, 1.0f);
+        out.swerve = side < 0 ? turn : -turn;
+    }
+    // Among several one turns to and fro: who has come to stand turns on to one side.
+    if (out.fastest < k_stands && w.pace[i] < k_stands) out.swerve = -k_swerve;
+    return out;
+}
+
 }  // namespace
 
 Quat frame_of(Vec3 up, Vec3 ahead) {
@@ -92,7 +148,17 @@ Quat frame_of(Vec3 up, Vec3 ahead) {
     return upright * rotation_y(arctan2(sine, cosine));
 }
 
-SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& speed, uint64_t seed) {
+void look_round(SurfaceWalkers& w) {
+    w.seen.resize(w.position.size());
+    for (uint32_t i = 0; i < w.seen.size(); ++i)
+        w.seen[i] = {w.position[i], w.up[i], w.ahead[i] * w.pace[i], w.radius[i], i};
+    std::ranges::sort(w.seen, [](const SurfaceSeen& a, const SurfaceSeen& b) {
+        return a.position.x != b.position.x ? a.position.x < b.position.x : a.walker < b.walker;
+    });
+}
+
+SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& speed,
+                                const std::vector<float>& radius, uint64_t seed) {
     SurfaceWalkers w;
     std::vector<Vec3> middles;
     for (const Sphere& s : c.spheres) middles.push_back(s.centre);
@@ -103,7 +169,7 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
         middles.push_back(sum / static_cast<float>(c.vertices.size()));
     }
     if (middles.empty()) return w;
-    constexpr uint32_t k_attempts = 32;
+    constexpr uint32_t k_attempts = 64;
     constexpr float k_far = 1000;  // metres
     for (uint32_t i = 0; i < speed.size(); ++i) {
         for (uint32_t attempt = 0; attempt < k_attempts; ++attempt) {
@@ -113,11 +179,18 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
                                     {0, 1, 0});
             auto hit = cast_ray(c, middles[std::min(middle, middles.size() - 1)] + way * k_far, -way, k_far);
             if (!hit) continue;
+            const bool is_taken = std::ranges::any_of(w.seen, [&](const SurfaceSeen& other) {
+                return length(other.position - hit->point) < other.radius + radius[i] + k_room;
+            });
+            if (is_taken) continue;
+            w.seen.push_back({hit->point, hit->normal, {}, radius[i], i});
             float turn = random_between({seed, i, attempt, Purpose::destination}, -k_pi, k_pi);
             w.position.push_back(hit->point);
             w.up.push_back(hit->normal);
             w.ahead.push_back(turned(square_to({0, 0, 1}, hit->normal), hit->normal, turn));
             w.speed.push_back(speed[i]);
+            w.radius.push_back(radius[i]);
+            w.widest = std::max(w.widest, radius[i]);
             break;
         }
     }
@@ -132,9 +205,11 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, 
                      uint32_t tick, float dt) {
     for (size_t i = begin; i < end; ++i) {
         Vec3 position = w.position[i], up = w.up[i];
-        w.turn_rate[i] = k_bend * (2 * whim(seed, i, tick) - 1);
+        const Meeting meeting = meet_others(w, i, dt);
+        w.turn_rate[i] = k_bend * (2 * whim(seed, i, tick) - 1) + meeting.swerve;
         Vec3 ahead = turned(w.ahead[i], up, w.turn_rate[i] * dt);
-        w.pace[i] = std::min(w.pace[i] + k_gain * dt, w.speed[i]);
+        const float most = std::min({w.pace[i] + k_gain * dt, w.speed[i], meeting.fastest});
+        w.pace[i] = std::max({most, w.pace[i] - k_hardest_brake * dt, 0.0f});
         Vec3 there = position + ahead * (w.pace[i] * dt);
         SurfaceProbe& p = w.probes[i];
         p = probe(compound, there, up, ahead);
@@ -148,9 +223,9 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, 
         auto hit = surface_below(compound, p.point + up * k_high, up, k_deep);
         Vec3 next = hit ? hit->point : p.point;
         // In a corner the mean may jump.
-        float way = length(next - position), most = k_hurry * w.pace[i] * dt;
-        if (way > most) {
-            next = lerp(position, next, most / way);
+        float way = length(next - position), farthest = k_hurry * w.pace[i] * dt;
+        if (way > farthest) {
+            next = lerp(position, next, farthest / way);
             if (auto on = surface_below(compound, next + up * k_high, up, k_deep)) next = on->point;
         }
         w.moved[i] = length(next - position);

@@ -22,6 +22,13 @@ struct SurfaceProbe {
     Vec3 point, normal;  // means of what was met
 };
 
+// What others go by of one, as it was when the tick began.
+struct SurfaceSeen {
+    Vec3 position, up, velocity;
+    float radius = 0;
+    uint32_t walker = 0;
+};
+
 // Structure of arrays, index = walker.
 struct SurfaceWalkers {
     std::vector<Vec3> position;    // on the surface, between the feet
@@ -30,15 +37,24 @@ struct SurfaceWalkers {
     std::vector<float> pace;       // what it has come to, from standing
     std::vector<float> turn_rate;  // about its up, radians a second, in the last tick
     std::vector<float> moved;      // metres along the surface in the last tick
+    std::vector<float> radius;     // of the body, metres
     std::vector<SurfaceProbe> probes;
+    std::vector<SurfaceSeen> seen;  // by x; see look_round()
+    float widest = 0;               // radius of any, metres
 };
 
 // Sets `count` walkers down where rays towards the compound's parts from random directions first meet it.
-// Fewer where rays meet nothing. `speed` is what each likes.
-SurfaceWalkers place_on_surface(const Compound& compound, const std::vector<float>& speed, uint64_t seed);
+// Fewer where rays meet nothing, or where there is no room beside those before. `speed` is what each likes,
+// and `radius` how wide it is; as many.
+SurfaceWalkers place_on_surface(const Compound& compound, const std::vector<float>& speed,
+                                const std::vector<float>& radius, uint64_t seed);
+
+// Before a tick: what all will see of each other in it.
+void look_round(SurfaceWalkers& walkers);
 
 // One tick of `dt` seconds for walkers [begin, end): each strolls ahead, bending its way a little now to one
-// side, now to the other. Nothing depends on other walkers.
+// side, now to the other; whom it would come too near to within some seconds it turns away from, to its right
+// where that is all one, and it brakes behind whom it cannot get round. Of others it reads `seen` alone.
 void walk_on_surface(const Compound& compound, SurfaceWalkers& walkers, size_t begin, size_t end,
                      uint64_t seed, uint32_t tick, float dt);
 

@@ -97,6 +97,7 @@ Tour tour(const Compound& c, SurfaceWalkers walkers, int ticks, int threads, Off
     WorkersPtr workers = make_workers(threads);
     for (int t = 0; t < ticks; ++t) {
         std::vector<Vec3> up = w.up;
+        look_round(w);
         parallel_for(*workers, w.position.size(), 3, [&](size_t begin, size_t end, int) {
             walk_on_surface(c, w, begin, end, 5, static_cast<uint32_t>(t), k_dt);
         });
@@ -126,6 +127,8 @@ SurfaceWalkers one(Vec3 from, Vec3 up, Vec3 ahead) {
     w.ahead = {ahead};
     w.speed = {1.3f};
     w.pace = w.turn_rate = w.moved = {0};
+    w.radius = {0.25f};
+    w.widest = 0.25f;
     w.probes.resize(1);
     return w;
 }
@@ -193,7 +196,8 @@ TEST(Surface, IsTheSameOnAnyNumberOfThreads) {
     Compound c;
     c.spheres = {{{0, 0, 0}, 5}, {{4, 3, 2}, 4}};
     c.capsules.push_back({{0, 0, 0}, {-9, 2, 3}, 2});
-    SurfaceWalkers start = place_on_surface(c, std::vector<float>(40, 1.3f), 9);
+    SurfaceWalkers start =
+        place_on_surface(c, std::vector<float>(40, 1.3f), std::vector<float>(40, 0.25f), 9);
     ASSERT_EQ(start.position.size(), 40u);
     auto off = [&](Vec3 p) { return outside(c, p); };
     Tour alone = tour(c, start, 900, 1, off), many = tour(c, start, 900, 3, off);
@@ -203,6 +207,48 @@ TEST(Surface, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_LT(alone.longest, 0.045f);
     // Nobody is stuck.
     for (size_t i = 0; i < 40; ++i) EXPECT_GT(length(alone.walkers.position[i] - start.position[i]), 0.5f);
+}
+
+TEST(Surface, NobodyWalksIntoAnybody) {
+    constexpr size_t k_walkers = 120;
+    constexpr int k_ticks = 60 * 600;
+    Compound c;
+    c.spheres = {{{0, 0, 0}, 5}, {{4, 3, 2}, 4}};
+    c.capsules.push_back({{0, 0, 0}, {-9, 2, 3}, 2});
+    std::vector<float> speed, radius;
+    for (uint32_t i = 0; i < k_walkers; ++i) {
+        speed.push_back(random_between({6, i}, 0.8f, 1.7f, 0));
+        radius.push_back(random_between({6, i}, 0.18f, 0.3f, 1));
+    }
+    SurfaceWalkers w = place_on_surface(c, speed, radius, 9);
+    ASSERT_EQ(w.position.size(), k_walkers);
+    double moved = 0, liked = 0;
+    float deepest = 0, hardest = 0;
+    std::vector<float> pace(k_walkers), way(k_walkers);
+    size_t stuck = 0;
+    for (int t = 0; t < k_ticks; ++t) {
+        look_round(w);
+        walk_on_surface(c, w, 0, k_walkers, 5, static_cast<uint32_t>(t), k_dt);
+        for (size_t i = 0; i < k_walkers; ++i) {
+            moved += wide(w.moved[i]), liked += wide(w.speed[i] * k_dt);
+            way[i] += w.moved[i];
+            hardest = std::max(hardest, (pace[i] - w.pace[i]) / k_dt);
+            pace[i] = w.pace[i];
+            for (size_t j = 0; j < i; ++j)
+                deepest =
+                    std::max(deepest, w.radius[i] + w.radius[j] - length(w.position[i] - w.position[j]));
+        }
+        if (t % 1800 != 1799) continue;  // half a minute
+        for (float& metres : way) stuck += metres < 1, metres = 0;
+    }
+    std::printf(
+        "%zu people on %.0f m2: %.3f m into each other at most, %.2f of the speed that they like, braking "
+        "%.1f m/s2 at most, %zu times one had not got on in half a minute\n",
+        k_walkers, 600.0, wide(deepest), moved / liked, wide(hardest), stuck);
+    EXPECT_LT(deepest, 0.05f);
+    EXPECT_GT(moved / liked, 0.8);
+    EXPECT_LT(hardest, 6.1f);
+    EXPECT_EQ(stuck, 0u);
 }
 
 TEST(Surface, FramesStandUpright) {

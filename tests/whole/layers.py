@@ -13,6 +13,7 @@ ROOMS = """
 sim/base:
 sim/body: sim/base
 sim/ik: sim/base
+sim/linkages: sim/base, sim/ik
 sim/ground: sim/base
 sim/navigation: sim/base, sim/ground
 sim/ways: sim/base
@@ -24,7 +25,7 @@ sim/animation: sim/base, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/surface: sim/base
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/crowd, sim/gait, sim/ground, sim/hands, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/crowd, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -36,7 +37,7 @@ assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
-assets/stages: assets, sim/base, sim/surface, sim/ways
+assets/stages: assets, sim/base, sim/linkages, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
@@ -122,7 +123,7 @@ tools/flaneur/window/time sources: renderer, sim, sim/base, tools/flaneur/load, 
 tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/files, assets/gltf/city, sim, sim/base, sim/ground, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
-tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
+tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/linkages, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/bench/gauntlet: assets/files, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/plot, sim/base
 tools/flaneur/bench/study: tools/rendercheck/verdict, sim/pose, tools/flaneur/bench, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/plot, tools/flaneur/view
 tools/flaneur: assets, assets/cache, assets/files, assets/gltf, sim/base, tools/flaneur/bench, tools/flaneur/bench/gauntlet, tools/flaneur/bench/study, tools/flaneur/check, tools/flaneur/city, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/gait/people, tools/flaneur/load, tools/flaneur/measure, tools/flaneur/motion, tools/flaneur/options, tools/flaneur/output, tools/flaneur/sheets, tools/flaneur/tracks, tools/flaneur/validate, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings

@@ -71,6 +71,12 @@ struct PeopleFrame {
 void extract_people(const World& world, const std::vector<Character>& characters, PeopleFrame& people,
                     float between = 1, const PoseNeeds& needs = {}, const Without* without = nullptr);
 
+struct Linkages;  // of sim/linkages/linkages.h
+// What of a world's linkages is uploaded, to come after its people in SceneMeshes::people, the first as mesh
+// `first_mesh`; and adds them as they are between ticks to what extract_people() found.
+std::vector<PersonMesh> extract_linkages(const Linkages& linkages);
+void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& people, float between = 1);
+
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h
 // gives them. What hangs on people swings if it is told how they have moved of late (sim/pose/trail.h); else

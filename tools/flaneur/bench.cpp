@@ -24,6 +24,7 @@ namespace {
 Result<Figures> measure(const Options& options) {
     if (options.load == BenchLoad::pose) return bench_pose(options);
     if (options.load == BenchLoad::city) return bench_city(options);
+    if (options.load == BenchLoad::ik) return bench_ik();
 #ifdef FLANEUR_VULKAN
     if (options.load == BenchLoad::peers) return bench_peers(options);
     Result<Figures> figures = options.load == BenchLoad::frame    ? bench_frame(options)

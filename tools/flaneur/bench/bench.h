@@ -58,6 +58,9 @@ Kernel blend_kernel(size_t walkers);
 // FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);
 
+// Ways of inverse kinematics beside each other, on chains and trees. Prints a table.
+Result<Figures> bench_ik();
+
 // What a kernel took for each, nanoseconds, repetition by repetition.
 void add_kernel(Figures& figures, const std::string& name, const std::vector<double>& ns);
 

@@ -17,6 +17,7 @@
 #include "assets/population.h"
 #include "assets/stages/asteroid.h"
 #include "assets/stages/field.h"
+#include "assets/stages/gallery.h"
 #include "assets/stages/platform.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
@@ -185,6 +186,7 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::asteroid)) return make_asteroid(scene.seed, scene.walkers).stage;
     if (is_of(scene, BuiltIn::platform)) return build_platform(platform_of(scene));
     if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
+    if (is_of(scene, BuiltIn::gallery)) return make_gallery(scene.seed).hall;
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -306,6 +308,8 @@ Result<Loaded> load(const Options& options) {
         Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound);
         if (!set) return set.error();
     }
+    if (is_of(scene, BuiltIn::gallery))
+        loaded.world->linkages = make_linkages(make_gallery(scene.seed).linkages);
     return loaded;
 }
 
@@ -331,6 +335,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     order.ground = world.ground;
     order.mesh = navmesh_bytes(*world.navmesh);
     if (world.roam) order.compound = world.roam->compound;
+    order.linkages = world.linkages.all;
     return order;
 }
 
@@ -344,6 +349,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         Result<void> set = set_down(**made, *order.compound);
         if (!set) return set.error();
     }
+    if (made) (*made)->linkages = make_linkages(order.linkages);
     return made;
 }
 

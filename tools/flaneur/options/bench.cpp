@@ -15,7 +15,8 @@ that play its own clip, drawn with levels of detail and with every triangle), sw
 the number of walkers: how each grows, and where it stops being real time), scale (the stages of a tick over the number of
 threads: speed-up, and what stays on one thread), ablate (what a picture costs and how it looks without shadows, smoothed
 edges, levels of detail and so on, one at a time, and bodies without each technique), gauntlet (a fixed score of some minutes
-that every machine can play, for a page beside other machines'); compare measures nothing: it says which stages of the second
+that every machine can play, for a page beside other machines'), ik (ways of inverse kinematics beside each other: iterations
+and time of each, on one thread); compare measures nothing: it says which stages of the second
 file are slower than those of the first, and fails if any is. frame, window, crowd, tick and peers print the median and percentiles of each stage in milliseconds; pose prints nanoseconds a walker on each instruction
 set that the CPU has, city nanoseconds a query, beside the goals.
 Examples:
@@ -29,6 +30,7 @@ Examples:
   flaneur bench ablate --walkers 500 --svg out/ablate.svg
   flaneur bench gauntlet --json out/here.json --html out/gauntlet.html --others out/others
   flaneur bench scale --walkers 20000 --svg out/scale.svg
+  flaneur bench ik --json out/ik.json
   flaneur bench peers --count 500 --character CesiumMan.glb --out out/peers
   flaneur bench frame --trace out/frame.json                    zone by zone, for ui.perfetto.dev
   flaneur bench compare before.json after.json --tolerance 3    files that --json wrote)";
@@ -45,10 +47,11 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "scale") return BenchLoad::scale;
     if (text == "ablate") return BenchLoad::ablate;
     if (text == "gauntlet") return BenchLoad::gauntlet;
+    if (text == "ik") return BenchLoad::ik;
     if (text == "compare") return BenchLoad::compare;
     return Error{
         excerpt(text) +
-        " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate and gauntlet, "
+        " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate, gauntlet and ik, "
         "which bench measures, and compare"};
 }
 

@@ -28,6 +28,7 @@ enum class BenchLoad {
     scale,
     ablate,
     gauntlet,
+    ik,
     compare
 };
 

@@ -181,7 +181,10 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
         frame.are_ghosts = true;
         add_skeletons(input, people, overlay);
     }
-    if (views[gizmos]) add_gait_gizmos(input, people, overlay);
+    if (views[gizmos]) {
+        add_gait_gizmos(input, people, overlay);
+        add_linkage_gizmos(input, overlay);
+    }
     if (overlay.letters_legends) letter_legends(views, overlay);
     frame.lines = overlay.lines;
     frame.fills = overlay.fills;

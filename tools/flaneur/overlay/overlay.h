@@ -60,6 +60,7 @@ void add_density_difference(const OverlayInput& input, const World& other, Overl
 void add_walkable(const OverlayInput& input, Overlay& overlay);
 void add_trails(const OverlayInput& input, Overlay& overlay);
 void add_ways(const OverlayInput& input, Overlay& overlay);
+void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 // Of one who has joints: where heels and balls press on the ground; and footprints, targets of feet and

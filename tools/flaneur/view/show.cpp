@@ -54,6 +54,14 @@ Result<void> check_messages(uint32_t messages) {
 bool is_dark(const Sun& sun, bool is_overcast) { return make_daylight(sun, is_overcast).lamps > 0; }
 bool is_dark(const Show& show) { return is_dark(show.sun, show.is_overcast); }
 
+// Its city, its people, and then its linkages.
+static SceneMeshes extract_show(const Show& show) {
+    SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    for (PersonMesh& linkage : extract_linkages(show.loaded.world->linkages))
+        meshes.people.push_back(std::move(linkage));
+    return meshes;
+}
+
 Result<PreparedShow> prepare_show(const Options& options) {
     Result<Loaded> loaded = load(options);
     if (!loaded) return loaded.error();
@@ -67,7 +75,7 @@ Result<PreparedShow> prepare_show(const Options& options) {
     show.without.on = options.techniques;
     show.lod = options.lod;
     FLANEUR_ZONE("make meshes");
-    prepared.meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    prepared.meshes = extract_show(show);
     show.has_lamps = is_dark(show);
     if (show.has_lamps) prepared.meshes.lamps = extract_lamps(*show.loaded.city);
     return prepared;
@@ -85,7 +93,7 @@ Result<void> upload_show(Show& show, PreparedShow& prepared, WorkViews views) {
 }
 
 Result<void> upload_again(Show& show) {
-    SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    SceneMeshes meshes = extract_show(show);
     if (show.has_lamps) meshes.lamps = extract_lamps(*show.loaded.city);
     return upload_with_impostors(*show.renderer, meshes);
 }
@@ -143,6 +151,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     if (!show.draws_whole) catch_up(show.without, *show.loaded.world);
     extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs,
                    show.draws_whole ? nullptr : &show.without);
+    add_linkages(show.loaded.world->linkages, static_cast<uint32_t>(show.loaded.characters.size()),
+                 show.people, between);
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;

@@ -1,0 +1,81 @@
+// Things of bones that are no people, each led by targets that move: what inverse kinematics does by itself,
+// to be looked at.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/base/parallel_for.h"
+#include "sim/ik/solve.h"
+#include "sim/ik/solvers.h"
+
+namespace flaneur {
+
+// A place that moves for ever: along each axis to and fro about its middle, `reach` metres to either side,
+// once in `period` ticks from `start` ticks before the first. Reaches of 0 stay.
+struct Sway {
+    Vec3 middle{}, reach{};
+    uint32_t period[3] = {1, 1, 1}, start[3] = {};
+};
+Vec3 sway_at(const Sway& sway, uint32_t tick);
+
+struct Linkage {
+    // How its joints may turn: any way, in a chain or a tree; within cones; about one axis, as a finger.
+    enum class Kind : uint8_t { chain, tree, cones, hinges };
+    std::string name;
+    Kind kind = Kind::chain;
+    Solver solver = Solver::fabrik;  // of a chain
+    bool is_eager = false;           // begins each tick at its rest, else where the last one left it
+    TreeShape shape;                 // of a chain too: each joint after the one before, the last led
+    std::vector<float> bones;        // of each joint: metres to its parent
+    std::vector<float> girth;        // of each joint: radius of that bone, metres, for who draws it
+    std::vector<Vec3> rest;          // of each joint, metres from joint 0
+    std::vector<float> limits;  // of cones: as Chains::limits. Of hinges: low and high of each bone, radians
+    Vec3 axis{0, 1, 0};         // of cones: the middle of the first bone's; of hinges: where a bone points
+                                // that is not bent,
+    Vec3 hinge{1, 0, 0};        // and what all bend about
+    Sway root{};                // where joint 0 is
+    std::vector<Sway> leads;    // where the targets are
+    Patience patience{0.001f, 200};
+};
+
+// A linkage's joints are [joints, joints + shape.parents.size()) of Linkages::places, its targets the same.
+struct LinkageRange {
+    uint32_t joints = 0, targets = 0;
+};
+
+struct Linkages {
+    std::vector<Linkage> all;
+    std::vector<LinkageRange> ranges;
+    std::vector<Vec3> places, previous_places;    // after the last tick and the one before, metres
+    std::vector<Vec3> targets, previous_targets;  // the same
+    std::vector<Solved> solved;                   // of each linkage in the last tick
+    std::vector<double> us;                       // microseconds that took; measured, never read here
+};
+
+// At rest, with their targets where they begin.
+Linkages make_linkages(std::vector<Linkage> all);
+// Moves `places`, which keep the first of them, so that the ends come to `targets`; at most as long as it has
+// patience.
+Solved solve_linkage(const Linkage& linkage, std::span<Vec3> places, std::span<const Vec3> targets);
+void step_linkages(Linkages& linkages, Workers& workers, uint32_t tick);
+
+// `joints` in a row upwards, slightly bowed towards +z, `bone` metres apart.
+Linkage chain_linkage(int joints, float bone, Solver solver);
+// The same whose bones make angles of at most `most` radians with the bone before, the first with +y.
+Linkage cone_linkage(int joints, float bone, float most);
+// A finger that points up and bends towards +z, with joints as people's fingers have them.
+Linkage finger_linkage(float length);
+// A hand that points up, its palm to +z: a palm of five bones, four fingers and a thumb.
+Linkage hand_linkage(float length);
+// A person of so many metres who faces +z: pelvis, spine and head, two arms, two legs; six targets with the
+// pelvis, which is its root.
+Linkage body_linkage(float height);
+// A body with eight arms of so many bones all round.
+Linkage octopus_linkage(int arm_bones, float arm_length);
+// A tree of so many joints by chance, k_most_chain_joints at most, all of whose tips are led.
+Linkage random_tree_linkage(int joints, float bone, uint64_t seed);
+
+}  // namespace flaneur

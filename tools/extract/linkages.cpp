@@ -1,0 +1,160 @@
+// Linkages as skinned meshes: each bone, and each target, is a solid of revolution that moves with a joint of
+// its own.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "assets/colour.h"
+#include "sim/base/math.h"
+#include "sim/world.h"
+#include "tools/extract/convert.h"
+#include "tools/extract/extract.h"
+#include "tools/extract/ids.h"
+
+namespace flaneur {
+
+namespace {
+
+constexpr int k_sides = 16;
+constexpr float k_target = 0.05f;  // metres, radius
+constexpr uint32_t k_colours[] = {rgb(0x3f7fa6), rgb(0xc9603f), rgb(0x7a9a3c), rgb(0xc59a2e),
+                                  rgb(0x6d5aa8), rgb(0x2f9189), rgb(0xc98f6a), rgb(0xd8a98a),
+                                  rgb(0x5d6f86), rgb(0xa8496b), rgb(0x7c6144)};
+constexpr uint32_t k_target_colour = rgb(0xe8402f);
+
+// Bone j, from its parent to joint j, or target e.
+struct Part {
+    bool is_target;
+    uint32_t number;
+};
+std::vector<Part> parts_of(const Linkage& f) {
+    std::vector<Part> parts;
+    for (uint32_t j = 0; j < f.rest.size(); ++j) parts.push_back({false, j});
+    for (uint32_t e = 0; e < f.leads.size(); ++e) parts.push_back({true, e});
+    return parts;
+}
+
+// Of a solid of revolution about +y.
+struct Ring {
+    float radius, height;  // metres
+    uint32_t colour;
+};
+
+void add_turned(PersonMesh& mesh, std::span<const Ring> rings, uint8_t joint) {
+    const auto first = static_cast<uint32_t>(mesh.vertices.size());
+    for (size_t r = 0; r < rings.size(); ++r) {
+        const Ring &before = rings[r == 0 ? 0 : r - 1], &after = rings[std::min(r + 1, rings.size() - 1)];
+        const Vec2 out =
+            normalize_or(Vec2{after.height - before.height, before.radius - after.radius}, {1, 0});
+        for (int side = 0; side < k_sides; ++side) {
+            const SinCos at = sin_cos(2 * k_pi * static_cast<float>(side) / k_sides);
+            PersonVertex v{};
+            v.position = {at.sine * rings[r].radius, rings[r].height, at.cosine * rings[r].radius};
+            v.colour = rings[r].colour;
+            v.normal[0] = packed(at.sine * out.x);
+            v.normal[1] = packed(out.z);
+            v.normal[2] = packed(at.cosine * out.x);
+            v.joints[0] = joint;
+            v.weights[0] = 255;
+            v.texture = ~0u;
+            mesh.vertices.push_back(v);
+        }
+    }
+    for (uint32_t r = 0; r + 1 < rings.size(); ++r)
+        for (uint32_t side = 0; side < k_sides; ++side) {
+            const uint32_t next = (side + 1) % k_sides, a = first + r * k_sides + side,
+                           b = first + r * k_sides + next, c = a + k_sides, d = b + k_sides;
+            for (const uint32_t k : {a, b, c, b, d, c}) mesh.lods[0].push_back(k);
+        }
+}
+
+void add_ball_rings(std::vector<Ring>& rings, float radius, float middle, float from, float to,
+                    uint32_t colour) {
+    constexpr int k_rings = 6;
+    for (int k = 0; k <= k_rings; ++k) {
+        const SinCos at = sin_cos(lerp(from, to, static_cast<float>(k) / k_rings));
+        rings.push_back({radius * at.cosine, middle + radius * at.sine, colour});
+    }
+}
+
+void add_part(PersonMesh& mesh, const Linkage& f, const Part& part, uint32_t colour, uint8_t joint) {
+    constexpr float k_quarter = k_pi / 2, k_knuckle = 1.2f, k_end = 0.8f;  // of the girth
+    std::vector<Ring> rings;
+    if (part.is_target) {
+        add_ball_rings(rings, k_target, 0, -k_quarter, k_quarter, k_target_colour);
+    } else if (part.number == 0) {
+        add_ball_rings(rings, 1.35f * f.girth[0], 0, -k_quarter, k_quarter, shaded(colour, 0.75f));
+    } else {
+        const float girth = f.girth[part.number], bone = f.bones[part.number];
+        add_ball_rings(rings, k_knuckle * girth, 0, -k_quarter, 0.6f, shaded(colour, 0.75f));
+        rings.push_back({girth, rings.back().height, colour});
+        add_ball_rings(rings, k_end * girth, bone, 0, k_quarter, colour);
+    }
+    add_turned(mesh, rings, joint);
+}
+
+}  // namespace
+
+std::vector<PersonMesh> extract_linkages(const Linkages& linkages) {
+    std::vector<PersonMesh> meshes;
+    for (size_t i = 0; i < linkages.all.size(); ++i) {
+        const Linkage& f = linkages.all[i];
+        const std::vector<Part> parts = parts_of(f);
+        for (size_t p = 0; p < parts.size(); ++p) {
+            if (p % k_palette_joints == 0) meshes.emplace_back().lods.resize(1);
+            add_part(meshes.back(), f, parts[p], k_colours[i % std::size(k_colours)],
+                     static_cast<uint8_t>(p % k_palette_joints));
+        }
+    }
+    return meshes;
+}
+
+void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& frame, float between) {
+    uint32_t mesh = first_mesh;
+    for (size_t i = 0; i < linkages.all.size(); ++i) {
+        const Linkage& f = linkages.all[i];
+        const auto [joints, targets] = linkages.ranges[i];
+        auto joint_at = [&](size_t j) {
+            return lerp(linkages.previous_places[joints + j], linkages.places[joints + j], between);
+        };
+        auto target_at = [&](size_t e) {
+            return lerp(linkages.previous_targets[targets + e], linkages.targets[targets + e], between);
+        };
+        // Where the part is, and where its own +y points.
+        auto place = [&](const Part& part) -> std::pair<Vec3, Vec3> {
+            if (part.is_target) return {target_at(part.number), {0, 1, 0}};
+            if (part.number == 0) return {joint_at(0), {0, 1, 0}};
+            const Vec3 from = joint_at(static_cast<size_t>(f.shape.parents[part.number]));
+            return {from, normalize_or(joint_at(part.number) - from, {0, 1, 0})};
+        };
+        const std::vector<Part> parts = parts_of(f);
+        for (size_t first = 0; first < parts.size(); first += k_palette_joints, ++mesh) {
+            const std::span some = std::span(parts).subspan(first).first(
+                std::min<size_t>(k_palette_joints, parts.size() - first));
+            WalkerDraw draw;
+            draw.mesh = mesh;
+            draw.is_upright = false;
+            draw.id = id_of(IdKind::scenery, 0);
+            draw.instance.scale = 1;
+            draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
+            std::ranges::fill(draw.instance.tints, 0xffffffffu);
+            Vec3 low = place(some[0]).first, high = low;
+            float longest = k_target;
+            for (const Part& part : some) {
+                const auto [at, up] = place(part);
+                low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+                high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+                if (!part.is_target)
+                    longest = std::max(longest, f.bones[part.number] + 2 * f.girth[part.number]);
+                const Quat turn = rotation_between({0, 1, 0}, up);
+                frame.palette.push_back({{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z, 0}});
+            }
+            frame.palette.resize(draw.instance.palette + k_palette_joints, frame.palette.back());
+            draw.centre = to_glm((low + high) * 0.5f);
+            draw.radius = 0.5f * length(high - low) + longest;
+            frame.walkers.push_back(draw);
+        }
+    }
+}
+
+}  // namespace flaneur
