@@ -14,7 +14,7 @@ constexpr float k_half = 15, k_back = -6, k_front = 9;  // metres: of the terrac
 constexpr float k_above_meadow = 0.3f;
 constexpr float k_wall = 2.75f, k_thick = 0.4f;            // metres, of the wall behind
 constexpr float k_plinth = 0.825f, k_plinth_half = 0.45f;  // metres
-constexpr float k_apart = 4.1f;                            // metres between plinths
+constexpr float k_apart = 3.3f;                            // metres between plinths
 constexpr float k_rows[] = {-3, 1.6f};                     // along z
 constexpr int k_in_rows[] = {6, 5};
 constexpr uint32_t k_paving = rgb(0xbdb7ab), k_limestone = rgb(0xd8d0c0), k_plaster = rgb(0xe4dfd5);
@@ -39,11 +39,12 @@ Sway swaying(Vec3 middle, Vec3 reach, RandomKey key, uint32_t draw) {
     return sway;
 }
 
-// Stands a linkage on `place`: its targets, which are where its ends rest, sway by so much.
-void stand(Linkage& f, Vec3 place, Vec3 reach, RandomKey key) {
+// Stands a linkage on `place`: its targets, which are at so much of the way out to where its ends rest, sway by
+// so much.
+void stand(Linkage& f, Vec3 place, float out, Vec3 reach, RandomKey key) {
     f.root = {.middle = place};
     for (size_t e = 0; e < f.leads.size(); ++e)
-        f.leads[e] = swaying(place + f.leads[e].middle, reach, key, static_cast<uint32_t>(10 * e));
+        f.leads[e] = swaying(place + f.leads[e].middle * out, reach, key, static_cast<uint32_t>(10 * e));
 }
 
 // What the chains are to reach, the same for all of them: well within what ten joints can.
@@ -55,10 +56,11 @@ void lead_chain(Linkage& f, Vec3 place, float reach, RandomKey key) {
 Linkage standing_body(Vec3 place, RandomKey key) {
     constexpr float k_height = 1.8f, k_pelvis = 0.53f * k_height;
     Linkage f = body_linkage(k_height);
-    stand(f, place + Vec3{0, k_pelvis, 0}, {0.22f, 0.28f, 0.12f}, key);
-    f.root = swaying(f.root.middle - Vec3{0, 0.08f, 0}, {0.12f, 0.06f, 0.05f}, key, 900);
-    f.leads[0].reach = {0.1f, 0.03f, 0.08f};
-    for (const size_t hand : {1u, 3u}) f.leads[hand].middle = f.leads[hand].middle + Vec3{0, 0.2f, 0.22f};
+    stand(f, place + Vec3{0, k_pelvis, 0}, 1, {0.1f, 0.18f, 0.1f}, key);
+    f.root = swaying(f.root.middle - Vec3{0, 0.14f, 0}, {0.08f, 0.07f, 0.05f}, key, 900);
+    f.leads[0].middle = f.leads[0].middle - Vec3{0, 0.27f, -0.05f};
+    f.leads[0].reach = {0.08f, 0.03f, 0.06f};
+    for (const size_t hand : {1u, 3u}) f.leads[hand].middle = f.leads[hand].middle + Vec3{0, 0.24f, 0.2f};
     for (const size_t foot : {2u, 4u}) f.leads[foot].reach = {};
     return f;
 }
@@ -76,33 +78,36 @@ std::vector<Linkage> make_linkages_on(const std::vector<Vec3>& places, uint64_t 
         linkages.push_back(std::move(f));
     }
     linkages.push_back(chain_linkage(3, 0.8f, Solver::two_bone));
-    lead_chain(linkages.back(), places[linkages.size() - 1] + Vec3{0, 0.45f, 0}, 1.3f, key(0));
+    lead_chain(linkages.back(), places[linkages.size() - 1] + Vec3{0, 0.4f, 0}, 1.15f, key(0));
     linkages.back().root.middle = places[linkages.size() - 1];
     linkages.push_back(cone_linkage(k_joints, k_bone, 25 * k_radians));
-    lead_chain(linkages.back(), places[linkages.size() - 1], k_bone * (k_joints - 1), key(0));
+    linkages.back().root.middle = places[linkages.size() - 1];
+    linkages.back().leads[0] =
+        swaying(linkages.back().root.middle + Vec3{0, 1.35f, 0.25f}, {0.4f, 0.12f, 0.35f}, key(0), 0);
 
     constexpr float k_finger = 1.6f;
     Linkage finger = finger_linkage(k_finger);
     finger.root = {.middle = place()};
     finger.leads[0] =
-        swaying(place() + Vec3{0, 0.62f, 0.45f} * k_finger, Vec3{0, 0.26f, 0.22f} * k_finger, key(1), 0);
+        swaying(place() + Vec3{0, 0.56f, 0.6f} * k_finger, Vec3{0, 0.12f, 0.12f} * k_finger, key(1), 0);
     linkages.push_back(std::move(finger));
 
     constexpr float k_hand = 1.7f;
     Linkage hand = hand_linkage(k_hand);
-    stand(hand, place(), {0.05f, 0.16f, 0.2f}, key(2));
-    for (Sway& lead : hand.leads) lead.middle = lead.middle + Vec3{0, -0.16f, 0.12f};
+    stand(hand, place(), 1, {0.05f, 0.12f, 0.16f}, key(2));
+    for (Sway& lead : hand.leads) lead.middle = lead.middle + Vec3{0, -0.24f, 0.2f};
+    hand.leads[0].middle = lerp(hand.leads[0].middle, place(), 0.1f);
     linkages.push_back(std::move(hand));
 
     linkages.push_back(standing_body(place(), key(3)));
 
     Linkage octopus = octopus_linkage(6, 1.1f);
-    stand(octopus, place() + Vec3{0, 1.15f, 0}, {0.25f, 0.2f, 0.25f}, key(4));
+    stand(octopus, place() + Vec3{0, 1.15f, 0}, 0.7f, {0.2f, 0.2f, 0.2f}, key(4));
     octopus.root = swaying(octopus.root.middle, {0.1f, 0.15f, 0.1f}, key(4), 900);
     linkages.push_back(std::move(octopus));
 
-    Linkage tree = random_tree_linkage(k_most_chain_joints, 0.2f, seed);
-    stand(tree, place(), {0.12f, 0.12f, 0.12f}, key(5));
+    Linkage tree = random_tree_linkage(40, 0.24f, seed);
+    stand(tree, place(), 0.99f, {0.04f, 0.04f, 0.04f}, key(5));
     linkages.push_back(std::move(tree));
     return linkages;
 }

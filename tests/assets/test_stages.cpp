@@ -5,6 +5,7 @@
 
 #include "assets/additions.h"
 #include "assets/scene.h"
+#include "assets/stages/gallery.h"
 #include "assets/stages/platform.h"
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
@@ -119,6 +120,22 @@ TEST(PlatformStage, OutlinesAreReadAndTold) {
         ASSERT_FALSE(refused) << text;
         EXPECT_NE(refused.error().message.back(), '.') << refused.error().message;
     }
+}
+
+// For a minute. The tree by chance has too many tips to be with all of them where they are led.
+TEST(GalleryStage, WhatItShowsReachesItsTargets) {
+    constexpr float k_near = 0.005f, k_near_of_tree = 0.15f;
+    Linkages linkages = make_linkages(make_gallery(1).linkages);
+    ASSERT_EQ(linkages.all.size(), 11u);
+    WorkersPtr workers = make_workers(2);
+    std::vector<float> worst(linkages.all.size());
+    for (uint32_t tick = 0; tick < 3600; ++tick) {
+        step_linkages(linkages, *workers, tick);
+        for (size_t i = 0; i < worst.size(); ++i) worst[i] = std::max(worst[i], linkages.solved[i].off);
+    }
+    for (size_t i = 0; i < worst.size(); ++i)
+        EXPECT_LT(worst[i], linkages.all[i].leads.size() > 8 ? k_near_of_tree : k_near)
+            << linkages.all[i].name;
 }
 
 }  // namespace
