@@ -39,8 +39,8 @@ Sway swaying(Vec3 middle, Vec3 reach, RandomKey key, uint32_t draw) {
     return sway;
 }
 
-// Stands a linkage on `place`: its targets, which are at so much of the way out to where its ends rest, sway by
-// so much.
+// Stands a linkage on `place`: its targets, which are at so much of the way out to where its ends rest, sway
+// by so much.
 void stand(Linkage& f, Vec3 place, float out, Vec3 reach, RandomKey key) {
     f.root = {.middle = place};
     for (size_t e = 0; e < f.leads.size(); ++e)

@@ -188,8 +188,8 @@ HWY_INLINE V3<T> within_hinge(V3<T> a, V3<T> before, V3<T> hinge, HingeLimit<T> 
     return middle * select(over, limit.cosine, along) + side * select(over, rim, across);
 }
 
-// Turns each hinge of a chain, from the last to the first, by as much as brings the end nearest to `target` or
-// its limit allows.
+// Turns each hinge of a chain, from the last to the first, by as much as brings the end nearest to `target`
+// or its limit allows.
 template <class T>
 HWY_INLINE void turn_hinges(V3<T>* p, const HingeLimit<T>* limits, V3<T> hinge, V3<T> axis, int joints,
                             V3<T> target) {

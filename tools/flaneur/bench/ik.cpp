@@ -99,9 +99,10 @@ double mean(const std::vector<double>& values) {
 
 void tell(Figures& figures, const std::string& name, const Tried& tried, double table) {
     const double average = mean(tried.iterations), median = quantile(tried.iterations, 0.5);
-    std::printf("%-26s %10.1f %8.0f %10s %9.2f %12.3f %9d\n", name.c_str(), average, median,
-                table > 0 ? std::to_string(table).substr(0, std::to_string(table).find('.') + 2).c_str() : "", tried.us, tried.us / average,
-                tried.missed);
+    char beside[16] = "";
+    if (table > 0) std::snprintf(beside, sizeof beside, "%.1f", table);
+    std::printf("%-26s %10.1f %8.0f %10s %9.2f %12.3f %9d\n", name.c_str(), average, median, beside, tried.us,
+                tried.us / average, tried.missed);
     figures.counts.emplace_back(name + ", iterations", average);
     figures.counts.emplace_back(name + ", us a solution", tried.us);
     figures.counts.emplace_back(name + ", missed", tried.missed);
