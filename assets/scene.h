@@ -67,6 +67,7 @@ struct Scene {
     std::vector<Addition> added;        // to the city
     std::vector<std::string> idles;     // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                  // 0..1,000,000
+    int creatures = 0;                  // 0..100, of six legs, on the asteroid
     Habit habit = Habit::wander;        // what they do; they stagger on a platform only
     float drunk = 0;                    // 0..1, see WorldOptions
     uint64_t seed = 1;

@@ -1,6 +1,7 @@
 #include "sim/roam.h"
 
 #include "sim/base/math.h"
+#include "sim/base/rng.h"
 
 namespace flaneur {
 
@@ -10,15 +11,32 @@ Roam::Frame frame_on(const SurfaceWalkers& w, size_t i) {
     return {w.position[i], frame_of(w.up[i], w.ahead[i])};
 }
 
+float size_of_creature(uint64_t seed, uint32_t number) {
+    return random_between({seed, number, 2, Purpose::spawn}, 1.1f, 1.9f);
+}
+// A third of its length a second at least, as it likes.
+float speed_of_creature(uint64_t seed, uint32_t number, float size) {
+    return size * random_between({seed, number, 3, Purpose::spawn}, 0.45f, 0.7f);
+}
+
 }  // namespace
 
-Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed) {
+Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures, uint64_t seed) {
     Roam roam;
     roam.compound = std::move(compound);
-    roam.walkers =
-        place_on_surface(roam.compound, crowd.identity.preferred_speed, crowd.identity.radius, seed);
-    if (roam.walkers.position.size() != crowd.count)
+    std::vector<float> speed = crowd.identity.preferred_speed, radius = crowd.identity.radius;
+    speed.resize(crowd.count), radius.resize(crowd.count);
+    for (uint32_t n = 0; n < creatures; ++n) {
+        const float size = size_of_creature(seed, n);
+        speed.push_back(speed_of_creature(seed, n, size));
+        radius.push_back(creature_radius(size));
+    }
+    roam.walkers = place_on_surface(roam.compound, speed, radius, seed);
+    if (roam.walkers.position.size() != speed.size())
         return Error{"There is nothing to walk on where walkers are set down; give it closed shapes."};
+    for (uint32_t n = 0; n < creatures; ++n)
+        roam.creatures.push_back(
+            make_creature(roam.compound, roam.walkers, crowd.count + n, size_of_creature(seed, n)));
     for (size_t i = 0; i < crowd.count; ++i) roam.frames.push_back(frame_on(roam.walkers, i));
     roam.previous_frames = roam.frames;
     return roam;
@@ -27,6 +45,8 @@ Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed) {
 void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t seed, uint32_t tick) {
     roam.previous_frames.swap(roam.frames);
     look_round(roam.walkers);
+    for (const Creature& c : roam.creatures)
+        walk_on_surface(roam.compound, roam.walkers, c.walker, c.walker + 1, seed, tick, k_tick);
     // A block of the gait's walkers at least, which lie side by side.
     parallel_for(workers, crowd.count, 4 * k_block, [&](size_t begin, size_t end, int) {
         SurfaceWalkers& w = roam.walkers;
@@ -37,6 +57,18 @@ void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t 
             crowd.motion.velocity[i] = crowd.motion.wish[i] = way / k_tick;
             crowd.motion.turn_rate[i] = w.turn_rate[i];
             carry_feet(gait, i, crowd.motion.position[i], -w.turn_rate[i] * k_tick, at_height(-way, 0));
+        }
+    });
+}
+
+void step_creatures(Roam& roam, Linkages& linkages, Workers& workers) {
+    parallel_for(workers, roam.creatures.size(), 1, [&](size_t begin, size_t end, int) {
+        for (size_t n = begin; n < end; ++n) {
+            Creature& creature = roam.creatures[n];
+            step_creature(roam.compound, roam.walkers, creature, k_tick);
+            const Linkage& bones = linkages.all[n];
+            place_creature(bones, creature,
+                           std::span(linkages.places).subspan(linkages.ranges[n].joints, bones.rest.size()));
         }
     });
 }

@@ -7,6 +7,7 @@
 
 #include "sim/base/parallel_for.h"
 #include "sim/base/result.h"
+#include "sim/creature/creature.h"
 #include "sim/crowd/crowd.h"
 #include "sim/gait/gait.h"
 #include "sim/pose/pose.h"
@@ -16,7 +17,8 @@ namespace flaneur {
 
 struct Roam {
     Compound compound;
-    SurfaceWalkers walkers;
+    SurfaceWalkers walkers;           // people as in the crowd, then creatures
+    std::vector<Creature> creatures;  // their joints are linkages' places, the first linkages' of the world
     // Where a walker that stands at the origin and faces +z stands and faces.
     struct Frame {
         Vec3 position;
@@ -25,12 +27,15 @@ struct Roam {
     std::vector<Frame> frames, previous_frames;  // after the last tick and the one before
 };
 
-// Sets a crowd that stands on its stage down on a compound, each with the speed that it prefers. Refuses one
-// with nothing to walk on.
-Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint64_t seed);
+// Sets a crowd that stands on its stage down on a compound, each with the speed that it prefers, and so many
+// creatures of a metre and more. Refuses one with nothing to walk on, or no room.
+Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures, uint64_t seed);
 
 // One tick: walks on the compound, and tells crowd and feet what their stage does under them.
 void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t seed, uint32_t tick);
+
+// The creatures' bones after that, on their walkers. `linkages` has one for each of them, first of all.
+void step_creatures(Roam& roam, Linkages& linkages, Workers& workers);
 
 // A joint of a walker that stands at `root` on the stage, with its `heading`, set onto a frame.
 JointPose set_onto(const Roam::Frame& frame, Vec3 root, float heading, const JointPose& joint);

@@ -55,7 +55,8 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
-    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, w.roam->frames);
+    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, w.roam->frames,
+        w.roam->creatures);
 }
 
 // The same for lists that grow and shrink, but the corners.

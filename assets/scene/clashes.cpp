@@ -31,10 +31,10 @@ OrderedJson both(std::initializer_list<const char*> keys, const OrderedJson& pro
     if (!properties.empty()) schema["properties"] = properties;
     return schema;
 }
-// The key is there, with these rules, and the built-in platform is not.
-OrderedJson needs_platform(const char* key, const OrderedJson& properties) {
+// The key is there, with these rules, and the built-in place of this name is not.
+OrderedJson needs_built(const char* name, const char* key, const OrderedJson& properties) {
     OrderedJson schema = both({key}, properties);
-    schema["not"] = both({"built"}, {{"built", {{"const", "platform"}}}});
+    schema["not"] = both({"built"}, {{"built", {{"const", name}}}});
     return schema;
 }
 
@@ -64,13 +64,18 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return both({"built", key}, {{"built", {{"const", "asteroid"}}}});
      }},
+    {"creatures", R"("creatures" walk on the asteroid; "built" must be "asteroid")",
+     [](const Scene& s, const Json&) { return s.creatures > 0 && s.built != BuiltIn::asteroid; },
+     [](const char* key) {
+         return needs_built("asteroid", key, {{key, {{"minimum", 1}}}});
+     }},
     {"platform", R"("platform" is the outline of one; "built" must be "platform")",
      [](const Scene& s, const Json&) { return !s.platform.empty() && s.built != BuiltIn::platform; },
-     [](const char* key) { return needs_platform(key, OrderedJson::object()); }},
+     [](const char* key) { return needs_built("platform", key, OrderedJson::object()); }},
     {"habit", R"("habit": who staggers does so on a platform; "built" must be "platform")",
      [](const Scene& s, const Json&) { return s.habit == Habit::stagger && s.built != BuiltIn::platform; },
      [](const char* key) {
-         return needs_platform(key, {{key, {{"const", "stagger"}}}});
+         return needs_built("platform", key, {{key, {{"const", "stagger"}}}});
      }},
     {"habit", R"("habit": on the asteroid everybody goes straight on; leave it out)",
      [](const Scene& s, const Json&) { return s.habit == Habit::ramble && s.built == BuiltIn::asteroid; },

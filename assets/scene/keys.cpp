@@ -31,6 +31,14 @@ SceneKey<Scene> mix_key(const char* name, const char* meaning) {
             meaning, [](SceneReading&, Scene& s, const Json& v) { s.mix.*Times = v; }};
 }
 
+// A value that is taken as it stands.
+template <auto Member>
+SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,
+                          const char* meaning) {
+    return {name,    rule,    usual,
+            example, meaning, [](SceneReading&, Scene& s, const Json& v) { s.*Member = v; }};
+}
+
 // One of an enumeration by its name.
 template <auto Member, const auto& Names>
 SceneKey<Scene> word_key(const char* name, const char* usual, const char* example, const char* meaning) {
@@ -62,19 +70,12 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"("scene.schema.json")",
          "Where this schema is, for editors; the program does not read it.",
          [](Reading&, Scene&, const Json&) {}},
-        {"about",
-         {text},
-         nullptr,
-         R"("The market on a Saturday")",
-         "One line on the scene, as `flaneur scenes` shows it.",
-         [](Reading&, Scene& s, const Json& v) { s.about = v; }},
-        {"city",
-         {text},
-         nullptr,
-         R"("berlin.osm.pbf")",
-         "An OpenStreetMap extract (.osm, .osm.pbf) or a glTF scene (.glb, .gltf); without it, the built-in "
-         "district. A relative path starts at the scene's folder.",
-         [](Reading&, Scene& s, const Json& v) { s.city = v; }},
+        plain_key<&Scene::about>("about", {text}, nullptr, R"("The market on a Saturday")",
+                                 "One line on the scene, as `flaneur scenes` shows it."),
+        plain_key<&Scene::city>("city", {text}, nullptr, R"("berlin.osm.pbf")",
+                                "An OpenStreetMap extract (.osm, .osm.pbf) or a glTF scene (.glb, .gltf); "
+                                "without it, the built-in "
+                                "district. A relative path starts at the scene's folder."),
         {"center",
          {text, 0, 0,
           degrees("([0-8]?[0-9](\\.[0-9]*)?|90(\\.0*)?)") + ", *" +
@@ -85,13 +86,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "map "
          "or, of a large one, where there is most to see.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_place(v), s.center); }},
-        {"radius",
-         {number, k_least_map_radius, k_most_map_radius},
-         nullptr,
-         "800",
-         "How far the part of an OpenStreetMap city that is drawn reaches from its middle to each side, "
-         "metres; without it, as far as can be built in half a minute.",
-         [](Reading&, Scene& s, const Json& v) { s.radius = v; }},
+        plain_key<&Scene::radius>(
+            "radius", {number, k_least_map_radius, k_most_map_radius}, nullptr, "800",
+            "How far the part of an OpenStreetMap city that is drawn reaches from its middle to each side, "
+            "metres; without it, as far as can be built in half a minute."),
         word_key<&Scene::built, k_built_in_names>(
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
@@ -103,47 +101,27 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "The corners of the built-in platform, 3 to 16, each X,Z in metres: any convex outline within 400 "
          "m.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_platform(v), s.platform); }},
-        {"terrain",
-         {text},
-         nullptr,
-         R"("N43E007.hgt.zip")",
-         "Heights of the ground under an OpenStreetMap city: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF "
-         "(.tif); without it, level ground. A relative path starts at the scene's folder.",
-         [](Reading&, Scene& s, const Json& v) { s.terrain = v; }},
-        {"scale",
-         {number, k_least_scale, k_most_scale},
-         "1",
-         "0.01",
-         "Metres to a unit of a glTF city.",
-         [](Reading&, Scene& s, const Json& v) { s.scale = v; }},
-        {"blocks",
-         {whole, 1, 32},
-         "4",
-         "1",
-         "Blocks along an edge of the built-in district, which grows where its walkers need more.",
-         [](Reading&, Scene& s, const Json& v) { s.blocks = v; }},
-        {"seed",
-         {whole, 0, 0x1p64},
-         "1",
-         "7",
-         "Another seed makes other people, ways and, built in, another city.",
-         [](Reading&, Scene& s, const Json& v) { s.seed = v; }},
-        {"walkers",
-         {whole, 0, k_max_walkers},
-         "500",
-         "2000",
-         "How many people walk.",
-         [](Reading&, Scene& s, const Json& v) { s.walkers = v; }},
+        plain_key<&Scene::terrain>(
+            "terrain", {text}, nullptr, R"("N43E007.hgt.zip")",
+            "Heights of the ground under an OpenStreetMap city: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF "
+            "(.tif); without it, level ground. A relative path starts at the scene's folder."),
+        plain_key<&Scene::scale>("scale", {number, k_least_scale, k_most_scale}, "1", "0.01",
+                                 "Metres to a unit of a glTF city."),
+        plain_key<&Scene::blocks>(
+            "blocks", {whole, 1, 32}, "4", "1",
+            "Blocks along an edge of the built-in district, which grows where its walkers need more."),
+        plain_key<&Scene::seed>("seed", {whole, 0, 0x1p64}, "1", "7",
+                                "Another seed makes other people, ways and, built in, another city."),
+        plain_key<&Scene::walkers>("walkers", {whole, 0, k_max_walkers}, "500", "2000",
+                                   "How many people walk."),
+        plain_key<&Scene::creatures>("creatures", {whole, 0, 100}, "0", "5",
+                                     "How many creatures of six legs walk on the asteroid."),
         word_key<&Scene::habit, k_habit_names>(
             "habit", R"("wander")", R"("ramble")",
             "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, "
             "on the built-in platform, stagger along circles."),
-        {"drunk",
-         {number, 0, 1},
-         "0",
-         "0.8",
-         "How drunk they are, from not at all to hardly able to walk.",
-         [](Reading&, Scene& s, const Json& v) { s.drunk = v; }},
+        plain_key<&Scene::drunk>("drunk", {number, 0, 1}, "0", "0.8",
+                                 "How drunk they are, from not at all to hardly able to walk."),
         {"people",
          {people},
          nullptr,
@@ -215,14 +193,12 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "Whether people leave at doors, stops and the edges of the map, and as many others come in there; "
          "else the same people walk all the time.",
          [](Reading&, Scene& s, const Json& v) { s.stays = !v.get<bool>(); }},
-        {"demand",
-         {text},
-         nullptr,
-         R"("demand.json")",
-         "A file of people who come in somewhere at a time, go where they are sent and leave there: a .json "
-         "or "
-         "SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder.",
-         [](Reading&, Scene& s, const Json& v) { s.demand = v; }},
+        plain_key<&Scene::demand>(
+            "demand", {text}, nullptr, R"("demand.json")",
+            "A file of people who come in somewhere at a time, go where they are sent and leave there: a "
+            ".json "
+            "or "
+            "SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder."),
         {"camera",
          {text, 0, 0,
           "street|overview|crowd|(follow|eyes):0*[0-9]{1,6}|map|map:" + coordinate_pattern() + "," +

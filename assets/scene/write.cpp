@@ -66,6 +66,7 @@ std::string scene_text(const Scene& s) {
     tell("blocks", s.blocks, is_of(s, BuiltIn::district));
     tell("seed", s.seed, s.seed != usual.seed);
     json["walkers"] = s.walkers;
+    tell("creatures", s.creatures, s.creatures > 0);
     tell("habit", k_habit_names[static_cast<int>(s.habit)], s.habit != usual.habit);
     tell("drunk", short_number(s.drunk), s.drunk > 0);
     tell("people", people_of(s.people), !s.people.empty());

@@ -110,6 +110,7 @@ void step_linkages(Linkages& linkages, Workers& workers, uint32_t tick) {
     parallel_for(workers, linkages.all.size(), 1, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) {
             const Linkage& f = linkages.all[i];
+            if (f.kind == Linkage::Kind::led) continue;
             const auto [joints, first] = linkages.ranges[i];
             const std::span targets = std::span(linkages.targets).subspan(first, f.leads.size());
             std::ranges::transform(f.leads, targets.begin(),

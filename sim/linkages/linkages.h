@@ -22,8 +22,9 @@ struct Sway {
 Vec3 sway_at(const Sway& sway, uint32_t tick);
 
 struct Linkage {
-    // How its joints may turn: any way, in a chain or a tree; within cones; about one axis, as a finger.
-    enum class Kind : uint8_t { chain, tree, cones, hinges };
+    // How its joints may turn: any way, in a chain or a tree; within cones; about one axis, as a finger. One
+    // that is led has no targets: whoever leads it writes its places.
+    enum class Kind : uint8_t { chain, tree, cones, hinges, led };
     std::string name;
     Kind kind = Kind::chain;
     Solver solver = Solver::fabrik;  // of a chain

@@ -305,7 +305,8 @@ Result<Loaded> load(const Options& options) {
     if (!made) return made.error();
     loaded.world = std::move(*made);
     if (is_of(scene, BuiltIn::asteroid)) {
-        Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound);
+        Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound,
+                                    static_cast<uint32_t>(scene.creatures));
         if (!set) return set.error();
     }
     if (is_of(scene, BuiltIn::gallery))
@@ -334,7 +335,10 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     if (!options.sendings.empty()) options.capacity = world.crowd.capacity;
     order.ground = world.ground;
     order.mesh = navmesh_bytes(*world.navmesh);
-    if (world.roam) order.compound = world.roam->compound;
+    if (world.roam) {
+        order.compound = world.roam->compound;
+        order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
+    }
     order.linkages = world.linkages.all;
     return order;
 }
@@ -346,10 +350,10 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
     if (!mesh) return mesh.error();
     auto made = make_world(order.ground, std::move(*mesh), order.options, progress);
     if (made && order.compound) {
-        Result<void> set = set_down(**made, *order.compound);
+        Result<void> set = set_down(**made, *order.compound, order.creatures);
         if (!set) return set.error();
     }
-    if (made) (*made)->linkages = make_linkages(order.linkages);
+    if (made && !order.compound) (*made)->linkages = make_linkages(order.linkages);
     return made;
 }
 
