@@ -264,9 +264,13 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
                      : key == "terrain" || key == "center" || key == "radius" ? "a.osm"
                                                                               : "";
         if (!plain.city.empty()) one["city"] = plain.city;
-        plain.built = key == "platform" ? BuiltIn::platform : BuiltIn::district;
-        if (key == "platform") one["built"] = "platform";
-        plain.camera.kind = key == "platform" ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
+        // These need their place.
+        plain.built = key == "platform"    ? BuiltIn::platform
+                      : key == "creatures" ? BuiltIn::asteroid
+                                           : BuiltIn::district;
+        const bool is_elsewhere = plain.built != BuiltIn::district;
+        if (is_elsewhere) one["built"] = k_built_in_names[static_cast<size_t>(plain.built)];
+        plain.camera.kind = is_elsewhere ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -91,15 +91,16 @@ TEST(Creatures, StandOnTheRockForTenMinutes) {
             }
             more_up += up > 3;
             for (size_t j = 1; j < f.rest.size(); ++j)
-                bone = std::max(bone, std::fabs(length(p[j] - p[static_cast<size_t>(f.shape.parents[j])]) -
-                                                f.bones[j]));
+                bone = std::max(
+                    bone, std::fabs(length(p[j] - p[static_cast<size_t>(f.shape.parents[j])]) - f.bones[j]));
         }
     }
-    std::printf("creatures: feet slide %.4f m, %.4f m off, ends miss by %.4f m, bones by %.5f m; up turns "
-                "%.2f rad/s; %u steps, more than three feet up for %.2f %%; %.1f m each; %u of %u knees "
-                "hang\n",
-                slide, float_off, missed, bone, turn, steps, 100.0 * more_up / (k_count * k_ticks), way / k_count,
-                low_knees, knees);
+    std::printf(
+        "creatures: feet slide %.4f m, %.4f m off, ends miss by %.4f m, bones by %.5f m; up turns "
+        "%.2f rad/s; %u steps, more than three feet up for %.2f %%; %.1f m each; %u of %u knees "
+        "hang\n",
+        slide, float_off, missed, bone, turn, steps, 100.0 * more_up / (k_count * k_ticks), way / k_count,
+        low_knees, knees);
     EXPECT_EQ(slide, 0);
     EXPECT_LT(float_off, 0.01f);
     EXPECT_LT(missed, 0.01f);

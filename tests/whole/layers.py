@@ -25,7 +25,7 @@ sim/animation: sim/base, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/surface: sim/base
-sim/creature: sim/base, sim/ik, sim/linkages, sim/surface
+sim/creature: sim/base, sim/linkages, sim/surface
 sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
