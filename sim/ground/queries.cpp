@@ -23,6 +23,15 @@ static size_t cell_under(const Grid& grid, Vec2 p) {
     return static_cast<size_t>(cell.z) * grid.width + static_cast<size_t>(cell.x);
 }
 
+// Whether `p`, no farther than the slack beyond the lines along a triangle's edges, is that near to it:
+// beyond the tip of a sliver it may be metres off.
+static bool is_by(const GridTriangle& t, Vec2 p) {
+    auto is_between = [](float v, float a, float b, float c) {
+        return v >= std::min({a, b, c}) - k_edge_slack && v <= std::max({a, b, c}) + k_edge_slack;
+    };
+    return is_between(p.x, t.a.x, t.b.x, t.c.x) && is_between(p.z, t.a.z, t.b.z, t.c.z);
+}
+
 static std::optional<GroundHit> ground_in(const Ground& ground, size_t c, Vec3 point, float up, float down) {
     if (c == k_outside) return std::nullopt;
     const Grid& grid = ground.triangle_grid;
@@ -46,6 +55,7 @@ static std::optional<GroundHit> ground_in(const Ground& ground, size_t c, Vec3 p
             wb < -k_edge_slack * (std::fabs(da.x) + std::fabs(da.z))) {
             continue;
         }
+        if (std::min({wa, wb, wd}) < 0 && !is_by(t, p)) continue;
         wa = std::max(wa, 0.0f), wb = std::max(wb, 0.0f), wd = std::max(wd, 0.0f);
         float sum = wa + wb + wd;
         if (sum <= 0) continue;

@@ -94,6 +94,22 @@ TEST(Ground, GroundHasNoGapsWhereALongEdgeIsDividedBesideItself) {
     }
 }
 
+// A step that leans against a floor, thinner than the slack beside its edges: it ends where it does, and none
+// of it is in the floor farther on along it.
+TEST(Ground, GroundEndsAtTheTipOfASliver) {
+    Ground ground;
+    add_floor(ground, {-4, -4}, {4, 4}, 0, Surface::plaza);
+    for (const Vec3 corner : {Vec3{0.1f, 0.2f, 0.1f}, {0.5f, 0.2f, 0.5005f}, {0.9f, 0.2f, 0.9f}}) {
+        ground.indices.push_back(static_cast<uint32_t>(ground.vertices.size()));
+        ground.vertices.push_back(corner);
+    }
+    ground.kinds.push_back(Surface::grass);
+    index_ground(ground);
+    auto height_at = [&](float along) { return ground_at(ground, {along, 0, along})->height; };
+    for (float along : {0.1f, 0.3f, 0.7f, 0.9f}) EXPECT_FLOAT_EQ(height_at(along), 0.2f) << along;
+    for (float along : {0.05f, 0.098f, 0.902f, 1.0f, 1.5f, 1.9f}) EXPECT_EQ(height_at(along), 0) << along;
+}
+
 TEST(Ground, GroundAgreesWithARayFromAbove) {
     Ground ground = terrain();
     for (uint32_t i = 0; i < 2000; ++i) {
