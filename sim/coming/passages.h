@@ -16,7 +16,8 @@ void come_by_door(Crowd& crowd, uint32_t walker, const Door& door, uint32_t tick
 void appear(Crowd& crowd, uint32_t walker);
 
 // Whether one who is to leave is out of sight. If not, it is brought to be: it goes through the door that it
-// faces, waits for it, gets before it once more or, where that cannot be, goes out of sight where it stands.
+// faces, waits for it, gets before it once more, also if others hold it up there, or, where that cannot be,
+// goes out of sight where it stands.
 bool has_left(Crowd& crowd, const Surroundings& around, uint32_t walker, uint32_t tick);
 
 // Whether somebody goes through this door, or through one so near that they would meet behind it.

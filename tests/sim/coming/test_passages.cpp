@@ -256,6 +256,44 @@ TEST(Passages, WhoComesInGoesStraightOnTowardsThoseWhoStandThere) {
     }
 }
 
+// Whom others keep from the door that it goes to is no longer in line before it: it makes way, gets before
+// the door again and goes.
+TEST(Passages, WhoIsHeldUpBeforeADoorLetsGoOfIt) {
+    auto w = made(1, true);
+    Crowd& c = w->crowd;
+    WalkerId who{};
+    auto is_before_a_door = [&] {
+        for (const Passage& p : c.passages)
+            if (who = {p.walker, c.slots.generation[p.walker]};
+                p.kind == Passage::Kind::out && !is_in_doorway(c, p.walker))
+                return true;
+        return false;
+    };
+    while (!is_before_a_door()) step(*w);
+    const uint32_t i = who.index;
+    const Vec3 place = c.motion.position[i];
+    const uint8_t tries = c.journeys[i].door_tries;
+    int held = 0;
+    for (; passage_of(c, i) && held < 60 * 10; ++held) {
+        c.motion.position[i] = place;
+        c.motion.velocity[i] = {0, 0};
+        step(*w);
+        ASSERT_TRUE(is_alive(*w, who));
+    }
+    EXPECT_GT(held, 60 * 6);
+    EXPECT_LT(held, 60 * 10) << "is still in line";
+    EXPECT_EQ(c.way_back[i].polygon, 0u);
+    EXPECT_EQ(c.journeys[i].insists_since, k_never);
+    EXPECT_EQ(c.journeys[i].door_tries, tries - 1);
+    Vec3 last = place;
+    for (int tick = 0; tick < 60 * 60 && is_alive(*w, who); ++tick) {
+        last = c.motion.position[i];
+        step(*w);
+    }
+    EXPECT_FALSE(is_alive(*w, who));
+    EXPECT_GT(depth_of(last), 0.9f);
+}
+
 // A house at z = 5 whose front is `width` wide and that is `depth` deep, with ground before it.
 Ground house(float width, float depth, float height = 3) {
     Ground ground;
