@@ -204,6 +204,11 @@ static void end_path(const Crowd& c, Journey& j, uint32_t i, uint32_t tick, uint
     j.pause_until = tick + k_retry;
 }
 
+// Whether only those who stand there can keep it from its goal.
+static bool is_at_goal(const Journey& j, Vec2 p) {
+    return length(on_ground(j.goal.position) - p) < k_corner_view;
+}
+
 // Others stand where it would pass, or it has strayed: another path, right of way, or another goal.
 static void get_unstuck(const Crowd& c, Journey& j, uint32_t i, Vec2 p, bool at_goal, uint32_t tick,
                         uint64_t seed) {
@@ -268,7 +273,8 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
         }
         if (!passed) {
             if (distance < j.closest - k_progress) {
-                if (j.closest < 1e8f) j.stuck = 0;  // else a stretch has only begun
+                // Else a stretch has only begun, or it is shoved to and fro by those who stand at its goal.
+                if (j.closest < 1e8f && !is_at_goal(j, p)) j.stuck = 0;
                 j.closest = distance;
                 j.closest_tick = tick;
             }
@@ -290,8 +296,7 @@ Vec2 follow_path(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t
             const Vec2 beside = lerp(j.stretch_start, here, closest_on(j.stretch_start, here, p));
             const float off = length(beside - p);
             if ((since > k_patience || off > k_far_off) && j.path_due == PathDue::no) {
-                bool at_goal = length(on_ground(j.goal.position) - p) < k_corner_view;
-                get_unstuck(c, j, i, p, at_goal, tick, seed);
+                get_unstuck(c, j, i, p, is_at_goal(j, p), tick, seed);
             }
             // At the corner, but on the side from where the border hides the next one: out and round it.
             if (!last && distance < k_corner_touch) return way_round(c, i);
