@@ -17,7 +17,7 @@ static constexpr float k_clear_of_end = 0.03f;   // m/s, at which one gets clear
 static constexpr int k_borders = 6;
 static constexpr float k_narrow = 0.2f, k_pinched = 0.04f;        // metres between two borders
 static constexpr float k_opposite = -0.8f, k_parallel = -0.998f;  // cosines between them
-static constexpr float k_in_the_way = 0.35f;  // metres between bodies at which one is in the way
+static constexpr float k_in_the_way = 0.35f;  // metres between bodies, or prams, at which one is in the way
 static constexpr float k_against = -0.5f;     // cosine between the courses of two who meet
 static constexpr float k_throng = 0.15f;      // metres between bodies
 static constexpr float k_shuffle = 0.24f;     // m/s, of one who does not turn for it
@@ -37,6 +37,21 @@ static_assert(k_firm + k_neighbours <= k_most_planes);
 // Whether two with these courses go the same way.
 static bool go_together(Vec2 mine, Vec2 theirs) { return dot(mine, theirs) > k_same_way; }
 
+// Whether one, or the pram that it pushes, is where another, or the other's pram, would go.
+static bool is_in_the_way(const Seen& me, const Seen& other) {
+    const Vec2 to_me = on_ground(me.position - other.position);
+    const float speed = length(other.velocity);
+    auto is_before = [&](Vec2 way, float radii) {
+        const float distance = length(way);
+        return distance - radii < k_in_the_way && dot(other.velocity, way) > 0.4f * distance * speed;
+    };
+    const bool mine = me.ahead != Vec2{}, theirs = other.ahead != Vec2{};
+    return is_before(to_me, me.radius + other.radius) ||
+           (mine && is_before(to_me + me.ahead, k_pram_radius + other.radius)) ||
+           (theirs && is_before(to_me - other.ahead, me.radius + k_pram_radius)) ||
+           (mine && theirs && is_before(to_me + me.ahead - other.ahead, 2 * k_pram_radius));
+}
+
 // One's own claim, or a better one of somebody into whose way one has come.
 static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_t insists) {
     const Seen& me = rows.all[d.at[lane]];
@@ -46,11 +61,7 @@ static Claim claim_of(const SeenRows& rows, const Deciders& d, int lane, uint32_
         const Seen& other = rows.all[d.near[lane][k]];
         Claim inherited = other.claim;
         if (inherited.since == k_never || ++inherited.heirs > k_most_heirs || !(inherited < claim)) continue;
-        Vec2 to_me = on_ground(me.position - other.position);
-        float distance = length(to_me), speed = length(other.velocity);
-        float gap = distance - me.radius - other.radius;
-        bool in_the_way = gap < k_in_the_way && dot(other.velocity, to_me) > 0.4f * distance * speed;
-        if (in_the_way) claim = inherited;
+        if (is_in_the_way(me, other)) claim = inherited;
     }
     return claim;
 }

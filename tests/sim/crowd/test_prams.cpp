@@ -52,6 +52,29 @@ TEST(Prams, AreTurnedOnTheSpotPastWhoStandsBeside) {
     }
 }
 
+// Who pushes a pram that sticks out into the way of somebody who insists takes over that one's right to get
+// on, however far back it stands itself.
+TEST(Prams, WhoseStandsInTheWayInheritsTheRightOfWay) {
+    Ground ground = square(20);
+    index_ground(ground);
+    for (const float aside : {0.0f, 3.0f}) {
+        WorldPtr w = world_with_prams(ground);
+        const WalkerId comes = add(*w, {0, 0, 0}, 0, 0),
+                       pushes = add(*w, {1.2f + aside, 0, 0.7f}, 1, -k_pi / 2);
+        ASSERT_TRUE(send_to(*w, comes, {0, 0, 8}));
+        Journey& journey = w->crowd.journeys[comes.index];
+        bool inherits = false;
+        for (int tick = 0; tick < 60; ++tick) {
+            journey.insists_since = 0;
+            journey.insists_from = on_ground(w->crowd.motion.position[comes.index]);
+            step(*w);
+            const Claim& claim = w->crowd.decision.claim[pushes.index];
+            inherits |= claim.since == 0 && claim.owner == comes.index;
+        }
+        EXPECT_EQ(inherits, aside == 0) << aside;
+    }
+}
+
 // A dog-leg between walls, hardly wide enough for the mesh: round one corner and at once round the next.
 TEST(Prams, GetThroughADogLeg) {
     for (const float wide : {1.6f, 1.8f, 2.2f}) {
