@@ -102,6 +102,24 @@ TEST(Ways, AreDrawnOfThoseWithoutAGoal) {
     }
 }
 
+// Of each who walks on the asteroid two rays, the normals that they met and their mean.
+TEST(Ways, AreDrawnOnTheAsteroid) {
+    Options options;
+    options.scene = load_scene("asteroid").value();
+    options.scene.walkers = 30;
+    options.scene.creatures = 1;
+    Result<Loaded> loaded = load(options);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    for (int tick = 0; tick < 60; ++tick) step(*loaded->world);
+    Camera camera;
+    camera.eye = {0, 0, 30};
+    camera.target = {0, 0, 0};
+    Overlay overlay;
+    add_ways({*loaded->world, loaded->characters, camera}, overlay);
+    EXPECT_GT(overlay.lines.size(), 0u);
+    EXPECT_EQ(overlay.lines.size() % 5, 0u);
+}
+
 TEST_F(OverlayTest, BonesLieInTheirBodies) {
     frame_of(parse_work_views({"skeletons"}).value());
     for (uint32_t i = 0; i < 12; ++i)

@@ -15,6 +15,7 @@ void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay) {
     const Linkages& linkages = input.world.linkages;
     for (size_t i = 0; i < linkages.all.size(); ++i) {
         const Linkage& linkage = linkages.all[i];
+        if (linkage.kind == Linkage::Kind::led) continue;
         const auto [joints, targets] = linkages.ranges[i];
         const Solved& solved = linkages.solved[i];
         const glm::vec3 root =

@@ -55,6 +55,11 @@ constexpr LegendEntry k_skeleton_legend[] = {
 constexpr LegendEntry k_way_legend[] = {{"largest circles; blocked rays", k_barred_colour},
                                         {"the circle it goes along", k_chosen_colour},
                                         {"free rays", k_free_colour}};
+constexpr LegendEntry k_probe_legend[] = {{"ray down ahead", k_ray_colours[0]},
+                                          {"ray down behind", k_ray_colours[1]},
+                                          {"normal ahead", k_normal_colours[0]},
+                                          {"normal behind", k_normal_colours[1]},
+                                          {"their mean", k_mean_colour}};
 
 uint32_t mixed(uint32_t a, uint32_t b, float t) {
     uint32_t out = 0;
@@ -108,16 +113,16 @@ struct LetteredLegend {
     }
 };
 
-void letter_legends(WorkViews views, Overlay& overlay) {
+void letter_legends(WorkViews views, const World& world, Overlay& overlay) {
     LetteredLegend lettered;
-    for (const Legend& legend : legends_of(views)) lettered.add(legend);
+    for (const Legend& legend : legends_of(views, world)) lettered.add(legend);
     for (const auto* lines : {&lettered.grounds, &lettered.rows})
         overlay.lines.insert(overlay.lines.end(), lines->begin(), lines->end());
 }
 
 }  // namespace
 
-std::vector<Legend> legends_of(WorkViews views) {
+std::vector<Legend> legends_of(WorkViews views, const World& world) {
     using enum WorkView;
     std::vector<Legend> legends;
     auto add = [&](WorkView view, const char* title, std::span<const LegendEntry> entries) {
@@ -131,7 +136,10 @@ std::vector<Legend> legends_of(WorkViews views) {
     add(density, "Density", k_density_legend);
     add(walkable, "Walkable", k_walkable_legend);
     add(skeletons, "Skeletons", k_skeleton_legend);
-    add(ways, "Ways", k_way_legend);
+    if (world.roam)
+        add(ways, "Ways", k_probe_legend);
+    else
+        add(ways, "Ways", k_way_legend);
     return legends;
 }
 
@@ -185,7 +193,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
         add_gait_gizmos(input, people, overlay);
         add_linkage_gizmos(input, overlay);
     }
-    if (overlay.letters_legends) letter_legends(views, overlay);
+    if (overlay.letters_legends) letter_legends(views, input.world, overlay);
     frame.lines = overlay.lines;
     frame.fills = overlay.fills;
 }

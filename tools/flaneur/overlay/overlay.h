@@ -50,7 +50,7 @@ struct Legend {
     const char* title;
     std::vector<LegendEntry> entries;
 };
-std::vector<Legend> legends_of(WorkViews views);
+std::vector<Legend> legends_of(WorkViews views, const World& world);
 
 // The views, each adding to the overlay.
 void add_density(const OverlayInput& input, Overlay& overlay);
@@ -86,6 +86,9 @@ inline constexpr uint32_t k_left_colour = ink(0x3fa7b5), k_right_colour = ink(0x
 // Of ways: the document's red and blue, and green.
 inline constexpr uint32_t k_barred_colour = ink(0xd8352a), k_chosen_colour = ink(0x2a62d8),
                           k_free_colour = ink(0x3fae5a);
+// And of the ways on a compound: rays ahead and behind, normals where they hit, and their mean.
+inline constexpr uint32_t k_ray_colours[] = {ink(0xf2d433), ink(0xe8402f)},
+                          k_normal_colours[] = {ink(0x4fc24a), ink(0xd64bc4)}, k_mean_colour = ink(0x39c6d6);
 inline constexpr uint32_t k_trunk_colour = ink(0xf3e9d8), k_joint_colour = ink(0xffffff);
 
 }  // namespace flaneur

@@ -1,4 +1,5 @@
-// What those go by who have no goal: the circles of one who staggers, the rays of one who rambles.
+// What those go by who have no goal: the circles of one who staggers, the rays of one who rambles, or of one
+// who walks on a compound.
 #include <algorithm>
 #include <cmath>
 
@@ -62,9 +63,30 @@ void add_rays(const OverlayInput& input, const Wayfarer& way, bool with_fan, Ove
         for (const float degrees : k_fan_behind) ray(degrees, k_ray_aside);
 }
 
+// In the document's colours: rays yellow and red, normals green and magenta, their mean cyan.
+void add_probes(const SurfaceWalkers& walkers, glm::vec3 eye, Overlay& overlay) {
+    constexpr float k_normal = 0.5f, k_mean = 0.9f;  // metres
+    auto line = [&](uint32_t colour, Vec3 a, Vec3 b) {
+        add_line(overlay.lines, {.pixels = 2, .colour = colour}, to_glm(a), to_glm(b));
+    };
+    for (size_t i = 0; i < walkers.position.size(); ++i) {
+        const glm::vec3 to_eye = eye - to_glm(walkers.position[i]);
+        const bool is_behind_rock = glm::dot(to_eye, to_glm(walkers.up[i])) < 0;
+        if (is_behind_rock || glm::length(to_eye) > k_reach) continue;
+        const SurfaceProbe& probe = walkers.probes[i];
+        for (size_t k = 0; k < std::size(probe.sides); ++k) {
+            const SurfaceProbe::Side& side = probe.sides[k];
+            line(k_ray_colours[k], side.from, side.is_hit ? side.point : side.to);
+            if (side.is_hit) line(k_normal_colours[k], side.point, side.point + side.normal * k_normal);
+        }
+        line(k_mean_colour, probe.point, probe.point + probe.normal * k_mean);
+    }
+}
+
 }  // namespace
 
 void add_ways(const OverlayInput& input, Overlay& overlay) {
+    if (input.world.roam) return add_probes(input.world.roam->walkers, input.camera.eye, overlay);
     const Crowd& c = input.world.crowd;
     std::vector<std::pair<float, const Wayfarer*>> near;
     for (const Wayfarer& way : c.wayfarers) {

@@ -205,7 +205,7 @@ void lay_out_loading(const std::string& city, const std::string& doing, const ch
 
 void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     if (viewer.presentation.is_on) return lay_out_presentation(show, viewer, size, scale);
-    const std::vector<Legend> legends = legends_of(show.work_views);
+    const std::vector<Legend> legends = legends_of(show.work_views, *show.loaded.world);
     const Card card = card_of(show, viewer);
     plan_picture(
         viewer, {static_cast<float>(size.width), static_cast<float>(size.height)}, scale,
