@@ -32,8 +32,13 @@ Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures
         radius.push_back(creature_radius(size));
     }
     roam.walkers = place_on_surface(roam.compound, speed, radius, seed);
-    if (roam.walkers.position.size() != speed.size())
+    const size_t placed = roam.walkers.position.size();
+    if (placed == 0 && !speed.empty())
         return Error{"There is nothing to walk on where walkers are set down; give it closed shapes."};
+    if (placed != speed.size())
+        return Error{"Only " + std::to_string(placed) + " of " + std::to_string(crowd.count) +
+                     " walkers and " + std::to_string(creatures) +
+                     " creatures find room all round it; ask for fewer."};
     for (uint32_t n = 0; n < creatures; ++n)
         roam.creatures.push_back(
             make_creature(roam.compound, roam.walkers, crowd.count + n, size_of_creature(seed, n)));

@@ -28,7 +28,7 @@ struct Roam {
 };
 
 // Sets a crowd that stands on its stage down on a compound, each with the speed that it prefers, and so many
-// creatures of a metre and more. Refuses one with nothing to walk on, or no room.
+// creatures of a metre and more. Refuses one with nothing to walk on, or without room for all.
 Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures, uint64_t seed);
 
 // One tick: walks on the compound, and tells crowd and feet what their stage does under them.

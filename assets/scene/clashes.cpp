@@ -64,6 +64,11 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return both({"built", key}, {{"built", {{"const", "asteroid"}}}});
      }},
+    {"demand", R"("demand" sends people through a city, and nobody can be sent on the asteroid)",
+     [](const Scene& s, const Json&) { return !s.demand.empty() && s.built == BuiltIn::asteroid; },
+     [](const char* key) {
+         return both({"built", key}, {{"built", {{"const", "asteroid"}}}, {key, {{"minLength", 1}}}});
+     }},
     {"creatures", R"("creatures" walk on the asteroid; "built" must be "asteroid")",
      [](const Scene& s, const Json&) { return s.creatures > 0 && s.built != BuiltIn::asteroid; },
      [](const char* key) {

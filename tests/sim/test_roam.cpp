@@ -97,6 +97,12 @@ TEST(Roam, NothingToWalkOnIsRefused) {
     auto world = make_world(std::make_shared<Ground>(level_stage()), options);
     ASSERT_TRUE(world);
     EXPECT_FALSE(set_down(**world, {}));
+    // A ball on which there is room for some of them.
+    Compound small;
+    small.spheres.push_back({{0, 0, 0}, 1.5f});
+    const Result<void> full = set_down(**world, small, 30);
+    ASSERT_FALSE(full);
+    EXPECT_NE(full.error().message.find("find room"), std::string::npos) << full.error().message;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace flaneur {
 namespace {
 
 constexpr int k_sides = 16;
-constexpr float k_target = 0.05f;  // metres, radius
+constexpr float k_target = 0.05f;  // metres, radius, at least
 constexpr uint32_t k_colours[] = {rgb(0x3f7fa6), rgb(0xc9603f), rgb(0x7a9a3c), rgb(0xc59a2e),
                                   rgb(0x6d5aa8), rgb(0x2f9189), rgb(0xc98f6a), rgb(0xd8a98a),
                                   rgb(0x5d6f86), rgb(0xa8496b), rgb(0x7c6144)};
@@ -32,6 +32,13 @@ std::vector<Part> parts_of(const Linkage& f) {
     for (uint32_t j = 0; j < f.rest.size(); ++j) parts.push_back({false, j});
     for (uint32_t e = 0; e < f.leads.size(); ++e) parts.push_back({true, e});
     return parts;
+}
+
+// So that it is seen round the end that has come there.
+float target_radius(const Linkage& f, uint32_t target) {
+    const auto joint = static_cast<size_t>(std::ranges::find(f.shape.effectors, static_cast<int>(target)) -
+                                           f.shape.effectors.begin());
+    return std::max(k_target, 1.05f * f.girth[joint]);
 }
 
 // Of a solid of revolution about +y.
@@ -81,7 +88,7 @@ void add_part(PersonMesh& mesh, const Linkage& f, const Part& part, uint32_t col
     constexpr float k_quarter = k_pi / 2, k_knuckle = 1.2f, k_end = 0.8f;  // of the girth
     std::vector<Ring> rings;
     if (part.is_target) {
-        add_ball_rings(rings, k_target, 0, -k_quarter, k_quarter, k_target_colour);
+        add_ball_rings(rings, target_radius(f, part.number), 0, -k_quarter, k_quarter, k_target_colour);
     } else if (part.number == 0) {
         add_ball_rings(rings, 1.35f * f.girth[0], 0, -k_quarter, k_quarter, shaded(colour, 0.75f));
     } else {
@@ -144,8 +151,8 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
                 const auto [at, up] = place(part);
                 low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
                 high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-                if (!part.is_target)
-                    longest = std::max(longest, f.bones[part.number] + 2 * f.girth[part.number]);
+                longest = std::max(longest, part.is_target ? target_radius(f, part.number)
+                                                           : f.bones[part.number] + 2 * f.girth[part.number]);
                 const Quat turn = rotation_between({0, 1, 0}, up);
                 frame.palette.push_back({{turn.x, turn.y, turn.z, turn.w}, {at.x, at.y, at.z, 0}});
             }

@@ -51,7 +51,7 @@ Result<BenchLoad> parse_load(const std::string& text) {
     if (text == "compare") return BenchLoad::compare;
     return Error{
         excerpt(text) +
-        " is none of frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate, gauntlet and ik, "
+        " is none of frame, window, crowd, tick, pose, ik, city, peers, sweep, scale, ablate and gauntlet, "
         "which bench measures, and compare"};
 }
 
@@ -85,11 +85,11 @@ void add_walkers(CLI::App& bench, SceneWords& words, Options& options) {
 void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     CLI::App* bench = app.add_subcommand("bench", "Measure")->footer(k_bench_footer);
     bench->callback([&] { options.command = Command::bench; });
-    add_parsed(
-        *bench, "load", parse_load, options.load,
-        "What to measure: frame, window, crowd, tick, pose, city, peers, sweep, scale, ablate or gauntlet; "
-        "or compare",
-        "LOAD", "")
+    add_parsed(*bench, "load", parse_load, options.load,
+               "What to measure: frame, window, crowd, tick, pose, ik, city, peers, sweep, scale, ablate or "
+               "gauntlet; "
+               "or compare",
+               "LOAD", "")
         ->required();
     bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
         ->type_name("FILE")

@@ -150,7 +150,7 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     if (is_of(options.scene, BuiltIn::asteroid) && options.command == Command::render &&
         camera.kind != fixed && camera.kind != overview) {
         return Error{who + told_camera(camera) +
-                     ", is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
+                     " is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
                      "22,13,34/1,0,0."};
     }
     const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
