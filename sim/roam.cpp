@@ -66,14 +66,23 @@ void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t 
     });
 }
 
+Linkages make_bones(const std::vector<Creature>& creatures) {
+    std::vector<Linkage> all;
+    all.reserve(creatures.size());
+    for (const Creature& creature : creatures) all.push_back(creature_linkage(creature.size));
+    Linkages bones = make_linkages(std::move(all));
+    for (size_t n = 0; n < creatures.size(); ++n)
+        place_creature(bones.all[n], creatures[n], places_of(bones, n));
+    bones.previous_places = bones.places;
+    return bones;
+}
+
 void step_creatures(Roam& roam, Linkages& linkages, Workers& workers) {
     parallel_for(workers, roam.creatures.size(), 1, [&](size_t begin, size_t end, int) {
         for (size_t n = begin; n < end; ++n) {
             Creature& creature = roam.creatures[n];
             step_creature(roam.compound, roam.walkers, creature, k_tick);
-            const Linkage& bones = linkages.all[n];
-            place_creature(bones, creature,
-                           std::span(linkages.places).subspan(linkages.ranges[n].joints, bones.rest.size()));
+            place_creature(linkages.all[n], creature, places_of(linkages, n));
         }
     });
 }

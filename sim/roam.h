@@ -34,7 +34,10 @@ Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures
 // One tick: walks on the compound, and tells crowd and feet what their stage does under them.
 void step_roam(Roam& roam, Crowd& crowd, Gait& gait, Workers& workers, uint64_t seed, uint32_t tick);
 
-// The creatures' bones after that, on their walkers. `linkages` has one for each of them, first of all.
+// The creatures' bones as they stand.
+Linkages make_bones(const std::vector<Creature>& creatures);
+
+// And after that, on their walkers. `linkages` has one for each of them, first of all.
 void step_creatures(Roam& roam, Linkages& linkages, Workers& workers);
 
 // A joint of a walker that stands at `root` on the stage, with its `heading`, set onto a frame.

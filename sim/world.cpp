@@ -161,14 +161,7 @@ Result<void> set_down(World& world, Compound compound, uint32_t creatures) {
     auto roam = make_roam(std::move(compound), world.crowd, creatures, world.seed);
     if (!roam) return roam.error();
     world.roam = std::make_unique<Roam>(std::move(roam).value());
-    std::vector<Linkage> bones;
-    for (const Creature& creature : world.roam->creatures) bones.push_back(creature_linkage(creature.size));
-    world.linkages = make_linkages(std::move(bones));
-    for (size_t n = 0; n < world.roam->creatures.size(); ++n)
-        place_creature(world.linkages.all[n], world.roam->creatures[n],
-                       std::span(world.linkages.places)
-                           .subspan(world.linkages.ranges[n].joints, world.linkages.all[n].rest.size()));
-    world.linkages.previous_places = world.linkages.places;
+    world.linkages = make_bones(world.roam->creatures);
     world.drive = drive_roam;
     // On the mesh they have neither place nor goal any more: each walks at its middle, and is carried from
     // there.

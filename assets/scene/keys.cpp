@@ -72,10 +72,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          [](Reading&, Scene&, const Json&) {}},
         plain_key<&Scene::about>("about", {text}, nullptr, R"("The market on a Saturday")",
                                  "One line on the scene, as `flaneur scenes` shows it."),
-        plain_key<&Scene::city>("city", {text}, nullptr, R"("berlin.osm.pbf")",
-                                "An OpenStreetMap extract (.osm, .osm.pbf) or a glTF scene (.glb, .gltf); "
-                                "without it, the built-in "
-                                "district. A relative path starts at the scene's folder."),
+        plain_key<&Scene::city>(
+            "city", {text}, nullptr, R"("berlin.osm.pbf")",
+            "An OpenStreetMap extract (.osm, .osm.pbf) or a glTF scene (.glb, .gltf); "
+            "without it, the built-in district. A relative path starts at the scene's folder."),
         {"center",
          {text, 0, 0,
           degrees("([0-8]?[0-9](\\.[0-9]*)?|90(\\.0*)?)") + ", *" +
@@ -196,9 +196,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::demand>(
             "demand", {text}, nullptr, R"("demand.json")",
             "A file of people who come in somewhere at a time, go where they are sent and leave there: a "
-            ".json "
-            "or "
-            "SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder."),
+            ".json or SUMO's .rou.xml; see docs/demand.md. A relative path starts at the scene's folder."),
         {"camera",
          {text, 0, 0,
           "street|overview|crowd|(follow|eyes):0*[0-9]{1,6}|map|map:" + coordinate_pattern() + "," +

@@ -65,7 +65,48 @@ Linkage standing_body(Vec3 place, RandomKey key) {
     return f;
 }
 
-std::vector<Linkage> make_linkages_on(const std::vector<Vec3>& places, uint64_t seed) {
+// The middles of their tops.
+std::vector<Vec3> plinths() {
+    std::vector<Vec3> places;
+    for (size_t row = 0; row < std::size(k_rows); ++row)
+        for (int n = 0; n < k_in_rows[row]; ++n)
+            places.push_back(
+                {k_apart * (static_cast<float>(n) - 0.5f * static_cast<float>(k_in_rows[row] - 1)), k_plinth,
+                 k_rows[row]});
+    return places;
+}
+
+}  // namespace
+
+City build_gallery(uint64_t seed) {
+    const RandomKey key{seed, 0, 0, Purpose::city};
+    City hall;
+    hall.ground.name = "gallery";
+    hall.ground.vertices = {
+        {-k_half, 0, k_back}, {-k_half, 0, k_front}, {k_half, 0, k_front}, {k_half, 0, k_back}};
+    hall.ground.indices = {0, 1, 2, 0, 2, 3};
+    hall.ground.kinds.assign(2, Surface::plaza);
+    hall.ground_axes.assign(2, {1, 0});
+    Scenery& s = hall.scenery;
+    add_courses(s, box({-k_half, k_back}, {k_half, k_front}), -2 * k_above_meadow, 0, k_paving,
+                SceneryUse::backdrop);
+    add_block(s, {-k_half, k_back - k_thick}, {k_half, k_back}, -2 * k_above_meadow, k_wall, k_plaster,
+              SceneryUse::solid);
+    for (const Vec3 place : plinths()) {
+        const Vec2 half{k_plinth_half, k_plinth_half}, middle = on_ground(place);
+        add_block(s, middle - half, middle + half, 0, k_plinth, k_limestone, SceneryUse::solid);
+    }
+    const Meadow meadow{
+        .level = 1.45f * k_half, .from = 6, .below = k_above_meadow, .turn = 2 * k_pi * random_unit(key)};
+    add_land(s, meadow);
+    index_city(hall);
+    add_trees(hall, meadow, 1.4f * k_half, key);
+    list_obstacles(hall);
+    return hall;
+}
+
+std::vector<Linkage> make_exhibits(uint64_t seed) {
+    const std::vector<Vec3> places = plinths();
     constexpr int k_joints = 10;
     constexpr float k_bone = 0.2f;
     auto key = [&](uint32_t n) { return RandomKey{seed, n, 0, Purpose::city}; };
@@ -77,13 +118,15 @@ std::vector<Linkage> make_linkages_on(const std::vector<Vec3>& places, uint64_t 
         lead_chain(f, place(), k_bone * (k_joints - 1), key(0));
         linkages.push_back(std::move(f));
     }
-    linkages.push_back(chain_linkage(3, 0.8f, Solver::two_bone));
-    lead_chain(linkages.back(), places[linkages.size() - 1] + Vec3{0, 0.4f, 0}, 1.15f, key(0));
-    linkages.back().root.middle = places[linkages.size() - 1];
-    linkages.push_back(cone_linkage(k_joints, k_bone, 25 * k_radians));
-    linkages.back().root.middle = places[linkages.size() - 1];
-    linkages.back().leads[0] =
-        swaying(linkages.back().root.middle + Vec3{0, 1.35f, 0.25f}, {0.4f, 0.12f, 0.35f}, key(0), 0);
+    Linkage limb = chain_linkage(3, 0.8f, Solver::two_bone);
+    lead_chain(limb, place() + Vec3{0, 0.4f, 0}, 1.15f, key(0));
+    limb.root.middle = place();
+    linkages.push_back(std::move(limb));
+
+    Linkage cones = cone_linkage(k_joints, k_bone, 25 * k_radians);
+    cones.root.middle = place();
+    cones.leads[0] = swaying(place() + Vec3{0, 1.35f, 0.25f}, {0.4f, 0.12f, 0.35f}, key(0), 0);
+    linkages.push_back(std::move(cones));
 
     constexpr float k_finger = 1.6f;
     Linkage finger = finger_linkage(k_finger);
@@ -110,41 +153,6 @@ std::vector<Linkage> make_linkages_on(const std::vector<Vec3>& places, uint64_t 
     stand(tree, place(), 0.99f, {0.04f, 0.04f, 0.04f}, key(5));
     linkages.push_back(std::move(tree));
     return linkages;
-}
-
-}  // namespace
-
-Gallery make_gallery(uint64_t seed) {
-    const RandomKey key{seed, 0, 0, Purpose::city};
-    Gallery gallery;
-    City& hall = gallery.hall;
-    hall.ground.name = "gallery";
-    hall.ground.vertices = {
-        {-k_half, 0, k_back}, {-k_half, 0, k_front}, {k_half, 0, k_front}, {k_half, 0, k_back}};
-    hall.ground.indices = {0, 1, 2, 0, 2, 3};
-    hall.ground.kinds.assign(2, Surface::plaza);
-    hall.ground_axes.assign(2, {1, 0});
-    Scenery& s = hall.scenery;
-    add_courses(s, box({-k_half, k_back}, {k_half, k_front}), -2 * k_above_meadow, 0, k_paving,
-                SceneryUse::backdrop);
-    add_block(s, {-k_half, k_back - k_thick}, {k_half, k_back}, -2 * k_above_meadow, k_wall, k_plaster,
-              SceneryUse::solid);
-    std::vector<Vec3> places;
-    for (size_t row = 0; row < std::size(k_rows); ++row)
-        for (int n = 0; n < k_in_rows[row]; ++n) {
-            const float x = k_apart * (static_cast<float>(n) - 0.5f * static_cast<float>(k_in_rows[row] - 1));
-            const Vec2 half{k_plinth_half, k_plinth_half}, middle{x, k_rows[row]};
-            add_block(s, middle - half, middle + half, 0, k_plinth, k_limestone, SceneryUse::solid);
-            places.push_back(at_height(middle, k_plinth));
-        }
-    const Meadow meadow{
-        .level = 1.45f * k_half, .from = 6, .below = k_above_meadow, .turn = 2 * k_pi * random_unit(key)};
-    add_land(s, meadow);
-    index_city(hall);
-    add_trees(hall, meadow, 1.4f * k_half, key);
-    list_obstacles(hall);
-    gallery.linkages = make_linkages_on(places, seed);
-    return gallery;
 }
 
 }  // namespace flaneur

@@ -10,10 +10,8 @@
 
 namespace flaneur {
 
-struct Gallery {
-    City hall;
-    std::vector<Linkage> linkages;  // from left to right, as those who face the wall see them
-};
-Gallery make_gallery(uint64_t seed);
+City build_gallery(uint64_t seed);
+// What stands on its plinths, row by row from left to right as those who face the wall see them.
+std::vector<Linkage> make_exhibits(uint64_t seed);
 
 }  // namespace flaneur

@@ -50,14 +50,6 @@ Frame frame_of(const Creature& c) { return {cross(c.up, c.ahead), c.up, c.ahead}
 
 Vec3 square_to(Vec3 v, Vec3 up, Vec3 otherwise) { return normalize_or(v - up * dot(v, up), otherwise); }
 
-Vec3 turned_towards(Vec3 from, Vec3 to, float most) {
-    const SinCos s = sin_cos(most);
-    const float cosine = dot(from, to);
-    if (cosine >= s.cosine) return to;
-    const Vec3 aside = normalize_or(to - from * cosine, {});
-    return normalize_or(from * s.cosine + aside * s.sine, from);
-}
-
 Vec3 hip_of(const Creature& c, int leg) {
     return c.middle + frame_of(c)(Vec3{side_of(leg) * k_hip_beside, 0, k_hip_before[leg % 3]} * c.size);
 }
@@ -87,8 +79,8 @@ struct Pace {
 };
 
 // As quick as it takes for the standing feet not to be left much farther meanwhile.
-Pace pace_of(const SurfaceWalkers& w, const Creature& c, float moved, float dt) {
-    const float speed = moved / dt;
+Pace pace_of(const SurfaceWalkers& w, const Creature& c, float dt) {
+    const float speed = w.moved[c.walker] / dt;
     const float feet = speed + std::fabs(w.turn_rate[c.walker]) * k_beside * c.size;
     return {c.ahead * speed, w.turn_rate[c.walker],
             clamp(0.5f * k_reach * c.size / std::max(feet, 0.01f), k_shortest, k_longest)};
@@ -108,7 +100,7 @@ void begin_step(const Compound& compound, const Creature& c, int number, const P
     leg = {leg.foot, leg.foot, found->point, found->normal, 0};
 }
 
-void swing(Creature& c, CreatureLeg& leg, const Pace& pace, float dt) {
+void swing(const Creature& c, CreatureLeg& leg, const Pace& pace, float dt) {
     leg.swing = std::min(leg.swing + dt / pace.seconds, 1.0f);
     const float t = smoothstep(0, 1, leg.swing);
     const Vec3 over = normalize_or(leg.normal + c.up, c.up);
@@ -178,7 +170,7 @@ void step_creature(const Compound& compound, const SurfaceWalkers& w, Creature& 
     for (const CreatureLeg& leg : c.legs) feet += dot(leg.to - place, c.up) / k_creature_legs;
     const float wanted = k_high * c.size + clamp(feet, -k_most_rise * c.size, k_most_rise * c.size);
     c.middle = place + c.up * lerp(high, wanted, std::min(k_settle * dt, 1.0f));
-    step_legs(compound, c, pace_of(w, c, w.moved[c.walker], dt), dt);
+    step_legs(compound, c, pace_of(w, c, dt), dt);
 }
 
 Linkage creature_linkage(float size) {

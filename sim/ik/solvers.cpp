@@ -32,15 +32,20 @@ void reach(const Chain& c) {
     for (size_t i = 0; i < c.places.size(); ++i) c.places[i] = of(p[i]);
 }
 
+// Sets bone i, which began at `before`, where it now begins, turned; `before` becomes where it ended.
+void turn_bone(const Chain& c, size_t i, Quat turn, Vec3& before) {
+    const Vec3 bone = rotate(turn, c.places[i + 1] - before);
+    before = c.places[i + 1];
+    c.places[i + 1] = c.places[i] + normalize_or(bone, {0, 1, 0}) * c.bones[i];
+}
+
 // Turns bone i, and all after it, by turns[0] .. turns[i], the last of them first.
 void turn_bones(const Chain& c, const Quat* turns) {
     Quat turn{0, 0, 0, 1};
     Vec3 before = c.places[0];
     for (size_t i = 0; i < c.bones.size(); ++i) {
         turn = normalize(turn * turns[i]);
-        const Vec3 bone = rotate(turn, c.places[i + 1] - before);
-        before = c.places[i + 1];
-        c.places[i + 1] = c.places[i] + normalize_or(bone, {0, 1, 0}) * c.bones[i];
+        turn_bone(c, i, turn, before);
     }
 }
 
@@ -50,11 +55,7 @@ void descend(const Chain& c) {
         if (length(end) < 1e-6f || length(wanted) < 1e-6f) continue;
         const Quat turn = rotation_between(normalize_or(end, {}), normalize_or(wanted, {}));
         Vec3 before = c.places[i];
-        for (size_t j = i; j < c.bones.size(); ++j) {
-            const Vec3 bone = rotate(turn, c.places[j + 1] - before);
-            before = c.places[j + 1];
-            c.places[j + 1] = c.places[j] + normalize_or(bone, {0, 1, 0}) * c.bones[j];
-        }
+        for (size_t j = i; j < c.bones.size(); ++j) turn_bone(c, j, turn, before);
     }
 }
 

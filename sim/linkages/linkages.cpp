@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 
 #include "sim/base/math.h"
 #include "sim/ik/fabrik-inl.h"
@@ -85,6 +84,11 @@ Vec3 sway_at(const Sway& sway, uint32_t tick) {
     return sway.middle + Vec3{sway.reach.x * wave(0), sway.reach.y * wave(1), sway.reach.z * wave(2)};
 }
 
+std::span<Vec3> places_of(Linkages& linkages, size_t number) {
+    return std::span(linkages.places)
+        .subspan(linkages.ranges[number].joints, linkages.all[number].rest.size());
+}
+
 Linkages make_linkages(std::vector<Linkage> all) {
     Linkages linkages;
     linkages.all = std::move(all);
@@ -99,27 +103,23 @@ Linkages make_linkages(std::vector<Linkage> all) {
     linkages.previous_places = linkages.places;
     linkages.previous_targets = linkages.targets;
     linkages.solved.resize(linkages.all.size());
-    linkages.us.resize(linkages.all.size());
     return linkages;
 }
 
 void step_linkages(Linkages& linkages, Workers& workers, uint32_t tick) {
-    using Clock = std::chrono::steady_clock;
     linkages.previous_places = linkages.places;
     linkages.previous_targets = linkages.targets;
     parallel_for(workers, linkages.all.size(), 1, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) {
             const Linkage& f = linkages.all[i];
             if (f.kind == Linkage::Kind::led) continue;
-            const auto [joints, first] = linkages.ranges[i];
-            const std::span targets = std::span(linkages.targets).subspan(first, f.leads.size());
+            const std::span targets =
+                std::span(linkages.targets).subspan(linkages.ranges[i].targets, f.leads.size());
             std::ranges::transform(f.leads, targets.begin(),
                                    [&](const Sway& lead) { return sway_at(lead, tick + 1); });
-            const auto start = Clock::now();
-            const std::span places = std::span(linkages.places).subspan(joints, f.rest.size());
+            const std::span places = places_of(linkages, i);
             set_out(f, places, sway_at(f.root, tick + 1));
             linkages.solved[i] = solve_linkage(f, places, targets);
-            linkages.us[i] = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
         }
     });
 }

@@ -53,8 +53,10 @@ struct Linkages {
     std::vector<Vec3> places, previous_places;    // after the last tick and the one before, metres
     std::vector<Vec3> targets, previous_targets;  // the same
     std::vector<Solved> solved;                   // of each linkage in the last tick
-    std::vector<double> us;                       // microseconds that took; measured, never read here
 };
+
+// The joints of one of them.
+std::span<Vec3> places_of(Linkages& linkages, size_t number);
 
 // At rest, with their targets where they begin.
 Linkages make_linkages(std::vector<Linkage> all);

@@ -45,15 +45,6 @@ Vec3 turned(Vec3 v, Vec3 axis, float angle) {
     return v * s.cosine + cross(axis, v) * s.sine;
 }
 
-// From one unit vector towards another, by `most` radians at most.
-Vec3 turned_towards(Vec3 from, Vec3 to, float most) {
-    SinCos s = sin_cos(most);
-    float cosine = dot(from, to);
-    if (cosine >= s.cosine) return to;
-    Vec3 aside = normalize_or(to - from * cosine, {});
-    return normalize_or(from * s.cosine + aside * s.sine, from);
-}
-
 Vec3 square_to(Vec3 v, Vec3 up) {
     Vec3 other = std::fabs(up.x) < 0.7f ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
     return normalize_or(v - up * dot(v, up), normalize_or(cross(up, other), {0, 0, 1}));
@@ -146,6 +137,14 @@ Quat frame_of(Vec3 up, Vec3 ahead) {
     Vec3 forward = rotate(upright, {0, 0, 1});
     float sine = dot(cross(forward, ahead), up), cosine = dot(forward, ahead);
     return upright * rotation_y(arctan2(sine, cosine));
+}
+
+Vec3 turned_towards(Vec3 from, Vec3 to, float most) {
+    SinCos s = sin_cos(most);
+    float cosine = dot(from, to);
+    if (cosine >= s.cosine) return to;
+    Vec3 aside = normalize_or(to - from * cosine, {});
+    return normalize_or(from * s.cosine + aside * s.sine, from);
 }
 
 void look_round(SurfaceWalkers& w) {

@@ -61,4 +61,7 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& walkers, size_t b
 // The rotation that takes +y to `up` and +z to `ahead`, unit and square to each other.
 Quat frame_of(Vec3 up, Vec3 ahead);
 
+// From one unit vector towards another, by `most` radians at most.
+Vec3 turned_towards(Vec3 from, Vec3 to, float most);
+
 }  // namespace flaneur

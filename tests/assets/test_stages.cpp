@@ -125,7 +125,7 @@ TEST(PlatformStage, OutlinesAreReadAndTold) {
 // For a minute. The tree by chance has too many tips to be with all of them where they are led.
 TEST(GalleryStage, WhatItShowsReachesItsTargets) {
     constexpr float k_near = 0.005f, k_near_of_tree = 0.15f;
-    Linkages linkages = make_linkages(make_gallery(1).linkages);
+    Linkages linkages = make_linkages(make_exhibits(1));
     ASSERT_EQ(linkages.all.size(), 11u);
     WorkersPtr workers = make_workers(2);
     std::vector<float> worst(linkages.all.size());

@@ -37,12 +37,9 @@ Herd herd(uint32_t count, uint64_t seed) {
         radius.push_back(creature_radius(sizes.back()));
     }
     h.roam.walkers = place_on_surface(h.roam.compound, speed, radius, seed);
-    std::vector<Linkage> bones;
-    for (uint32_t n = 0; n < count; ++n) {
+    for (uint32_t n = 0; n < count; ++n)
         h.roam.creatures.push_back(make_creature(h.roam.compound, h.roam.walkers, n, sizes[n]));
-        bones.push_back(creature_linkage(sizes[n]));
-    }
-    h.linkages = make_linkages(std::move(bones));
+    h.linkages = make_bones(h.roam.creatures);
     return h;
 }
 void tick_herd(Herd& h, Workers& workers, uint64_t seed, uint32_t tick) {
@@ -71,7 +68,7 @@ TEST(Creatures, StandOnTheRockForTenMinutes) {
         for (uint32_t n = 0; n < k_count; ++n) {
             const Creature &was = before[n], &is = h.roam.creatures[n];
             const Linkage& f = h.linkages.all[n];
-            const Vec3* p = h.linkages.places.data() + h.linkages.ranges[n].joints;
+            const std::span p = places_of(h.linkages, n);
             ASSERT_NEAR(length(is.up), 1, 1e-4f);
             turn = std::max(turn, arccos(std::min(dot(was.up, is.up), 1.0f)) / k_tick);
             way += h.roam.walkers.moved[n];

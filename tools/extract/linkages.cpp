@@ -1,7 +1,6 @@
 // Linkages as skinned meshes: each bone, and each target, is a solid of revolution that moves with a joint of
 // its own.
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "assets/colour.h"
@@ -27,11 +26,11 @@ struct Part {
     bool is_target;
     uint32_t number;
 };
-std::vector<Part> parts_of(const Linkage& f) {
-    std::vector<Part> parts;
-    for (uint32_t j = 0; j < f.rest.size(); ++j) parts.push_back({false, j});
-    for (uint32_t e = 0; e < f.leads.size(); ++e) parts.push_back({true, e});
-    return parts;
+// Bones first, then targets.
+size_t part_count(const Linkage& f) { return f.rest.size() + f.leads.size(); }
+Part part_of(const Linkage& f, size_t p) {
+    const size_t bones = f.rest.size();
+    return {p >= bones, static_cast<uint32_t>(p < bones ? p : p - bones)};
 }
 
 // So that it is seen round the end that has come there.
@@ -106,10 +105,9 @@ std::vector<PersonMesh> extract_linkages(const Linkages& linkages) {
     std::vector<PersonMesh> meshes;
     for (size_t i = 0; i < linkages.all.size(); ++i) {
         const Linkage& f = linkages.all[i];
-        const std::vector<Part> parts = parts_of(f);
-        for (size_t p = 0; p < parts.size(); ++p) {
+        for (size_t p = 0; p < part_count(f); ++p) {
             if (p % k_palette_joints == 0) meshes.emplace_back().lods.resize(1);
-            add_part(meshes.back(), f, parts[p], k_colours[i % std::size(k_colours)],
+            add_part(meshes.back(), f, part_of(f, p), k_colours[i % std::size(k_colours)],
                      static_cast<uint8_t>(p % k_palette_joints));
         }
     }
@@ -120,7 +118,7 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
     uint32_t mesh = first_mesh;
     for (size_t i = 0; i < linkages.all.size(); ++i) {
         const Linkage& f = linkages.all[i];
-        const auto [joints, targets] = linkages.ranges[i];
+        const uint32_t joints = linkages.ranges[i].joints, targets = linkages.ranges[i].targets;
         auto joint_at = [&](size_t j) {
             return lerp(linkages.previous_places[joints + j], linkages.places[joints + j], between);
         };
@@ -134,10 +132,8 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
             const Vec3 from = joint_at(static_cast<size_t>(f.shape.parents[part.number]));
             return {from, normalize_or(joint_at(part.number) - from, {0, 1, 0})};
         };
-        const std::vector<Part> parts = parts_of(f);
-        for (size_t first = 0; first < parts.size(); first += k_palette_joints, ++mesh) {
-            const std::span some = std::span(parts).subspan(first).first(
-                std::min<size_t>(k_palette_joints, parts.size() - first));
+        for (size_t first = 0; first < part_count(f); first += k_palette_joints, ++mesh) {
+            const size_t end = std::min(first + k_palette_joints, part_count(f));
             WalkerDraw draw;
             draw.mesh = mesh;
             draw.is_upright = false;
@@ -145,9 +141,10 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
             draw.instance.scale = 1;
             draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
             std::ranges::fill(draw.instance.tints, 0xffffffffu);
-            Vec3 low = place(some[0]).first, high = low;
+            Vec3 low = place(part_of(f, first)).first, high = low;
             float longest = k_target;
-            for (const Part& part : some) {
+            for (size_t p = first; p < end; ++p) {
+                const Part part = part_of(f, p);
                 const auto [at, up] = place(part);
                 low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
                 high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};

@@ -55,8 +55,7 @@ TEST(Linkages, KeepTheirBonesAndFollowTheirTargets) {
         step_linkages(linkages, *workers, tick);
         for (size_t i = 0; i < linkages.all.size(); ++i) {
             const Linkage& f = linkages.all[i];
-            const std::span places =
-                std::span(linkages.places).subspan(linkages.ranges[i].joints, f.rest.size());
+            const std::span places = places_of(linkages, i);
             ASSERT_LT(worst_bone(f, places), 2e-5f) << f.name << " at " << tick;
             ASSERT_EQ(places[0], sway_at(f.root, tick + 1));
             missed[i] += linkages.solved[i].off > (f.leads.size() > 8 ? 0.15f : 0.005f);

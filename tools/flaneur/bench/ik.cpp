@@ -1,6 +1,5 @@
 // Ways of inverse kinematics beside each other: chains of ten joints, as in table 8 of "An implementation
 // guide to procedural animation", which is from Aristidou & Lasenby (2011), and trees by chance.
-#include <array>
 #include <cstdio>
 
 #include "sim/base/math.h"

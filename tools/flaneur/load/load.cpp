@@ -186,7 +186,7 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::asteroid)) return make_asteroid(scene.seed, scene.walkers).stage;
     if (is_of(scene, BuiltIn::platform)) return build_platform(platform_of(scene));
     if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
-    if (is_of(scene, BuiltIn::gallery)) return make_gallery(scene.seed).hall;
+    if (is_of(scene, BuiltIn::gallery)) return build_gallery(scene.seed);
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -309,8 +309,7 @@ Result<Loaded> load(const Options& options) {
                                     static_cast<uint32_t>(scene.creatures));
         if (!set) return set.error();
     }
-    if (is_of(scene, BuiltIn::gallery))
-        loaded.world->linkages = make_linkages(make_gallery(scene.seed).linkages);
+    if (is_of(scene, BuiltIn::gallery)) loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
     return loaded;
 }
 

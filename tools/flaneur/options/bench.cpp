@@ -87,8 +87,7 @@ void add_bench(CLI::App& app, SceneWords& words, Options& options) {
     bench->callback([&] { options.command = Command::bench; });
     add_parsed(*bench, "load", parse_load, options.load,
                "What to measure: frame, window, crowd, tick, pose, ik, city, peers, sweep, scale, ablate or "
-               "gauntlet; "
-               "or compare",
+               "gauntlet; or compare",
                "LOAD", "")
         ->required();
     bench->add_option("files", options.compared, "Of compare: figures that --json wrote, before and after")
