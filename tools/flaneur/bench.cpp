@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "sim/base/isa.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/bench/compare.h"
 #include "tools/flaneur/bench/gauntlet/gauntlet.h"
@@ -116,10 +117,12 @@ double resident_mb() {
 int core_count() { return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u)); }
 
 void add_setting(Figures& figures, const Options& options, const World& world) {
-    figures.setting = {{"city", city_name(options.scene)},
-                       {"walkers", world.crowd.count},
-                       {"threads", thread_count(*world.workers)},
-                       {"measured", options.bench_frames}};
+    figures.setting = {
+        {"city", city_name(options.scene)},
+        {"walkers", world.crowd.count},
+        {"threads", thread_count(*world.workers)},
+        {"instructions", options.isa == "best" ? std::string(isa_names().back()) : options.isa},
+        {"measured", options.bench_frames}};
 }
 
 void add_stages(Figures& figures, const World& world) {
@@ -132,6 +135,7 @@ Result<void> run_bench(const Options& options) {
             return Error{"bench compare takes two files: flaneur bench compare before.json after.json"};
         return bench_compare(options.compared[0], options.compared[1], options.tolerance);
     }
+    if (Result<void> isa = use_isa(options.isa); !isa) return isa;
     if (options.load == BenchLoad::sweep) return run_sweep(options);
     Result<PartFilePtr> json = open_if_asked(options.json);
     if (!json) return json.error();

@@ -34,10 +34,11 @@ bool has_built_in(const Options& options) {
 
 const UselessWhere k_useless[] = {
     {Command::bench,
-     {"--scene",     "--city",   "--center",  "--radius",   "--terrain", "--scale",   "--seed",  "--idle",
-      "--walkers",   "--time",   "--weather", "--side",     "--stay",    "--demand",  "--lod",   "--threads",
-      "--character", "--force",  "--device",  "--validate", "--size",    "--quality", "--light", "--camera",
-      "--fov",       "--frames", "--warm-up", "--move",     "--count",   "--out",     "--json",  "--trace"},
+     {"--scene",   "--city",    "--center",    "--radius",  "--terrain", "--scale",    "--seed",
+      "--idle",    "--walkers", "--time",      "--weather", "--side",    "--stay",     "--demand",
+      "--lod",     "--threads", "--character", "--force",   "--device",  "--validate", "--size",
+      "--quality", "--light",   "--camera",    "--fov",     "--frames",  "--warm-up",  "--move",
+      "--count",   "--out",     "--json",      "--trace",   "--isa"},
      [](const Options& o) { return o.load == BenchLoad::compare; },
      "is not for bench compare, which measures nothing"},
     {Command::bench,
@@ -90,6 +91,13 @@ const UselessWhere k_useless[] = {
       "--threads", "--frames",  "--warm-up", "--size",    "--quality", "--camera", "--fov"},
      [](const Options& o) { return o.load == BenchLoad::gauntlet; },
      "is not for bench gauntlet, which plays the same everywhere"},
+    {Command::bench,
+     {"--isa"},
+     [](const Options& o) {
+         return o.load != BenchLoad::crowd && o.load != BenchLoad::tick && o.load != BenchLoad::frame &&
+                o.load != BenchLoad::sweep && o.load != BenchLoad::scale;
+     },
+     "is for bench crowd, bench tick, bench frame, bench sweep and bench scale; bench pose measures each"},
     {Command::bench,
      {"--move"},
      [](const Options& o) { return o.load != BenchLoad::frame; },

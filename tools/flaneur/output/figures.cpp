@@ -91,6 +91,12 @@ nlohmann::ordered_json benchmark_of(const Series& series, const Figures& figures
     return json;
 }
 
+// Two, and more where two would leave nothing of it.
+int decimals_of(double value) {
+    if (value == std::floor(value)) return 0;
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(std::fabs(value)))), 2, 6);
+}
+
 }  // namespace
 
 void add_sample(Figures& figures, std::string_view stage, double ms, std::string_view within) {
@@ -133,7 +139,7 @@ void print_figures(const Figures& figures) {
     print_longest(figures);
     if (!figures.counts.empty()) std::printf("\n");
     for (const auto& [name, value] : figures.counts)
-        std::printf("%-20s %9.*f\n", name.c_str(), value == std::floor(value) ? 0 : 2, value);
+        std::printf("%-20s %9.*f\n", name.c_str(), decimals_of(value), value);
 }
 
 std::string figures_json(const Figures& figures, const std::string& command) {
