@@ -12,6 +12,7 @@
 #include "assets/look.h"
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
+#include "sim/fall/planned_push.h"
 
 namespace flaneur {
 
@@ -65,6 +66,7 @@ struct Scene {
     std::vector<PeopleShare> people;    // empty: the built-in people
     PeopleMix mix;                      // of the built-in ones
     std::vector<Addition> added;        // to the city
+    std::vector<PlannedPush> pushes;    // that people get
     std::vector<std::string> idles;     // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                  // 0..1,000,000
     int creatures = 0;                  // 0..100, of six legs, on the asteroid
@@ -119,6 +121,11 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path);
 // The JSON schema (draft 7) of scene files, from the table that reads them; assets/scenes/scene.schema.json
 // is a copy.
 std::string scene_schema();
+
+// "2.5 12 60,0": a push 2.5 s after the start, of walker 12 (* is everybody), by 60 newton seconds along x,
+// and back.
+Result<PlannedPush> parse_push(const std::string& text);
+std::string told_push(const PlannedPush& push);
 
 // "-8,-5 8,-5 0,9": the corners of a platform, and back. Refuses what make_platform() does.
 inline constexpr float k_widest_platform = 400;  // metres from the origin

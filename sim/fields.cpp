@@ -193,6 +193,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("getting_slow", 'h', hash(c.traffic.coming));
     add("traffic_done", 'u', c.traffic.done);
     add("linkages", 'h', hash(w.linkages.places));
+    add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     add("driven", 'U', c.driven.walker);
     for_each_word(FieldName{"driven_wish", &k_crowd}, c.driven.walker == k_nobody ? nullptr : &c.driven.wish,
                   each);
@@ -204,6 +205,7 @@ uint64_t hash_world(const World& world) {
     uint64_t hash = mix(world.seed) ^ world.tick;
     hash = mix(hash ^ hash_crowd(world.crowd));
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
+    if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {

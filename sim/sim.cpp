@@ -348,6 +348,16 @@ bool let_jump(World& w, WalkerId id) {
     return true;
 }
 
+bool push(World& w, WalkerId id, Vec2 impulse) {
+    if (!is_alive(w, id) || w.roam || own_of(w.crowd.passages, id.index) ||
+        w.crowd.identity.ahead[id.index] > 0)
+        return false;
+    push_walker(w, id.index, impulse / mass_of(w.gait.people[id.index / k_block], id.index % k_block));
+    return true;
+}
+
+bool has_fallen(const World& w, WalkerId id) { return is_alive(w, id) && is_down(w.crowd, id.index); }
+
 bool has_arrived(const World& w, WalkerId id) {
     return is_alive(w, id) && w.crowd.journeys[id.index].errand != Errand::wander &&
            has_arrived(w.crowd, id.index);

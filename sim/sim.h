@@ -46,6 +46,7 @@
 #include "sim/crowd/habit.h"
 #include "sim/crowd/pass_on.h"
 #include "sim/crowd/walker_id.h"
+#include "sim/fall/planned_push.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/navigation/navmesh.h"
@@ -109,6 +110,7 @@ struct WorldOptions {
     std::vector<Sending> sendings{};
     float hour = 17.5f;              // of the day, 0..24, at the first tick: who goes where
     PassOn pass_on = PassOn::right;  // the side on which people pass who come from the other way
+    std::vector<PlannedPush> pushes{};  // that people get by and by
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 
@@ -154,6 +156,14 @@ bool let_wander(World& world, WalkerId id);
 // where the ground ahead has a gap or a ledge, as far as that asks for. Nothing changes where it goes, and
 // nothing happens while it jumps already. False if it is gone.
 bool let_jump(World& world, WalkerId id);
+// Pushes a walker at the height of its chest by so many newton seconds, along the ground plane (a push of 50
+// changes the speed of one of 70 kg by 0.7 m/s). It sways, or steps, or falls, lies for a moment and gets up:
+// nobody falls whose speed changes by less than k_harmless_push, all do by more than k_felling_push, and
+// between by how it stands to the push, how old, tall and sober it is (sim/fall/balance.h). False if it is
+// gone, comes in or leaves just now, pushes a pram or roams a compound.
+bool push(World& world, WalkerId id, Vec2 impulse);
+// Whether it falls, lies or gets up.
+bool has_fallen(const World& world, WalkerId id);
 // Ways to go without a goal of one's own, until it is sent or let do something else. All keep off walls and
 // out of others' way as anybody does. One who goes by somebody who is gone stands. Each refuses a walker that
 // is gone, and what its last argument cannot be.

@@ -120,8 +120,9 @@ void step_pose(World& w) {
         restrain_legs(w.gait, block, block + 1, dt, w.previous_poses, w.poses);
     });
     add_idles(w);
+    for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
+    step_falls(w);
     for_due_blocks(w, [&](size_t block, float dt) {
-        hold_items(w, block, dt);
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
         if (w.crowd.at_once[block] == 1) return;
         // Until they step again both are the same.
@@ -163,8 +164,18 @@ void drive_roam(World& w) {
     timed(w, Stage::move, [&] { step_roam(*w.roam, w.crowd, w.gait, *w.workers, w.seed, w.tick); });
 }
 
+static void give_planned_pushes(World& w) {
+    for (const PlannedPush& planned : w.pushes) {
+        if (planned.tick != w.tick) continue;
+        for (const WalkerId id : w.crowd.slots.living)
+            if (planned.walker == k_everybody || planned.walker == id.index)
+                (void)push(w, id, planned.impulse);
+    }
+}
+
 void step(World& w) {
     FLANEUR_ZONE("tick");
+    give_planned_pushes(w);
     w.drive(w);
     step_bodies(w);
     count_journeys(w);

@@ -104,6 +104,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->habit = options.habit;
     world->platform = options.platform;
     world->drunk = options.drunk;
+    world->pushes = options.pushes;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
@@ -204,6 +205,7 @@ void start_body(World& w, uint32_t walker) {
 }
 
 void end_body(World& w, uint32_t walker) {
+    forget_fall(w, walker);
     end_walker(w.gait, walker, w.kinds[0].body, w.seed);
     pose_newcomer(w, walker);
 }

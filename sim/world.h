@@ -17,6 +17,7 @@
 #include "sim/body/personality.h"
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
+#include "sim/falls.h"
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
@@ -46,6 +47,7 @@ struct World {
     Habit habit = Habit::wander;
     std::vector<Vec2> platform;
     float drunk = 0;
+    std::vector<PlannedPush> pushes;
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
 
@@ -56,6 +58,7 @@ struct World {
     Linkages linkages;           // that are no people; mostly none
     Gait gait;
     ClipLayer idles;
+    Falls falls;                                      // who has been pushed
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
     std::vector<TrailBlock> trails, previous_trails;  // the same
 

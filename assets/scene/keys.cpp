@@ -24,6 +24,10 @@ constexpr size_t k_most_depth = 8, k_most_values = 10'000;
 void read_people(SceneReading& r, Scene& scene, const Json& list);
 void read_added(SceneReading& r, Scene& scene, const Json& list);
 
+void read_pushes(SceneReading& r, Scene& scene, const Json& list) {
+    for (const Json& text : list) take_parsed(r, parse_push(text), scene.pushes.emplace_back());
+}
+
 template <float PeopleMix::*Times>
 SceneKey<Scene> mix_key(const char* name, const char* meaning) {
     return {name,    {KeyKind::number, 0, k_most_mix},
@@ -146,6 +150,14 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          R"([{"what": "wall", "at": "0,0,0", "to": "8,0,0"}])",
          "What is put into the city: things in the way, walls, closed streets, benches, lamps and entrances.",
          read_added},
+        {"pushes",
+         {texts},
+         nullptr,
+         R"(["2.5 * 60,0"])",
+         "Pushes that people get: \"SECONDS WALKER X,Z\", when, who (a number, or * for everybody) and by "
+         "how "
+         "many newton seconds along the ground.",
+         read_pushes},
         {"idles",
          {texts},
          nullptr,

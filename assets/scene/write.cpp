@@ -40,6 +40,12 @@ Json added_of(const std::vector<Addition>& added) {
     return list;
 }
 
+Json pushes_of(const std::vector<PlannedPush>& pushes) {
+    Json list = Json::array();
+    for (const PlannedPush& push : pushes) list.push_back(told_push(push));
+    return list;
+}
+
 }  // namespace
 
 std::string told_time(float hour) {
@@ -73,6 +79,7 @@ std::string scene_text(const Scene& s) {
     for (const MixKey& of : k_mix)
         tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);
     tell("added", added_of(s.added), !s.added.empty());
+    tell("pushes", pushes_of(s.pushes), !s.pushes.empty());
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -26,7 +26,8 @@ enum class Purpose : uint32_t {
     hold,
     coming,
     way,
-    personality
+    personality,
+    fall
 };
 
 // splitmix64's finalizer: a bijection of 64-bit numbers whose output bits each depend on every input bit.

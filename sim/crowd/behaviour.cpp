@@ -374,13 +374,16 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
                             uint64_t seed) {
     Journey& j = c.journeys[i];
     const bool is_beside = c.way_back[i].polygon != 0, is_driven = i == c.driven.walker;
-    if (is_driven) j.closest_tick = tick;  // who is led by hand is not held up
+    const bool lies = is_down(c, i);
+    if (is_driven || lies) j.closest_tick = tick;  // who is led by hand is not held up
     const bool waits = tick < j.pause_until;
-    const bool goes_on = is_beside || is_driven;  // whatever the errand
+    const bool goes_on = is_beside || is_driven || lies;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;
     WayWish wish{{0, 0}, false};
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
-    if (passage)
+    if (lies)
+        wish.wanted = {};
+    else if (passage)
         wish.wanted = go_through(c, i, *passage);
     else if (is_beside)
         wish.wanted = go_back(c, mesh, thread, i);
@@ -435,7 +438,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         uint32_t i = c.next_path + k < c.count ? c.next_path + k : c.next_path + k - c.count;
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
-        if (i == c.driven.walker || (j.leaves && j.arrived)) continue;
+        if (i == c.driven.walker || (j.leaves && j.arrived) || is_down(c, i)) continue;
         c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }

@@ -141,6 +141,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     take_away(c.wayfarers, i);
     take_away(c.passages, i);
     if (c.driven.walker == i) c.driven = {};
+    (void)take_away(c.downed, i);
 }
 
 const Passage* passage_of(const Crowd& c, uint32_t i) { return own_of(c.passages, i); }
@@ -178,6 +179,19 @@ void drive(Crowd& c, uint32_t i) {
     c.journeys[i].insists_since = k_never;
 }
 
+bool is_down(const Crowd& c, uint32_t i) { return !c.downed.empty() && own_of(c.downed, i) != nullptr; }
+
+void go_down(Crowd& c, uint32_t i) {
+    turn_back(c, i);
+    c.downed.insert(take_away(c.downed, i), {i, {}});
+    c.motion.velocity[i] = c.motion.wish[i] = {};
+    c.journeys[i].insists_since = k_never;
+}
+
+void lie_across(Crowd& c, uint32_t i, Vec2 across) {
+    if (Downed* own = own_of(c.downed, i)) own->across = across;
+}
+
 // Of those who go by a way only who leads goes to a goal.
 static bool has_goal(const Crowd& c, uint32_t i) {
     if (c.journeys[i].errand != Errand::by_way) return true;
@@ -185,17 +199,26 @@ static bool has_goal(const Crowd& c, uint32_t i) {
     return way && way->kind == Wayfarer::Kind::lead;
 }
 
-void let_go(Crowd& c) {
-    if (c.driven.walker == k_nobody) return;
-    Journey& j = c.journeys[c.driven.walker];
-    // From where it is now. Who follows sees for himself whether he needs one.
-    if (!has_goal(c, c.driven.walker))
+// Finds its way anew, from where it is now. Who follows sees for himself whether he needs one.
+static void go_on_from_here(Crowd& c, uint32_t i) {
+    Journey& j = c.journeys[i];
+    if (!has_goal(c, i))
         j.corner = j.corner_count;
     else if (j.path_due == PathDue::no)
         j.path_due = PathDue::to_goal;
     j.pause_until = 0;
     j.arrived = false;
+}
+
+void let_go(Crowd& c) {
+    if (c.driven.walker == k_nobody) return;
+    go_on_from_here(c, c.driven.walker);
     c.driven = {};
+}
+
+void get_up(Crowd& c, uint32_t i) {
+    (void)take_away(c.downed, i);
+    go_on_from_here(c, i);
 }
 
 void go_by_way(Crowd& c, const Wayfarer& way) {

@@ -70,6 +70,12 @@ struct Passage {
 };
 inline constexpr uint32_t k_shown = 32;  // ticks until one who appears or vanishes has
 
+// Who has fallen, lies or gets up: stays where it is, whatever it wants, and others go round it.
+struct Downed {
+    uint32_t walker = 0;
+    Vec2 across{};  // metres from its place, where the hips are, to the chest
+};
+
 // Who they are; constant.
 struct CrowdIdentity {
     std::vector<float> preferred_speed;  // metres a second, 0.3 .. 2
@@ -236,6 +242,7 @@ struct Crowd {
     std::vector<NavPoint> way_back;
     std::vector<Passage> passages;    // of those who come in or leave just now, by walker
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
+    std::vector<Downed> downed;       // by walker
     Driven driven;
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
@@ -323,6 +330,12 @@ void turn_back(Crowd& crowd, uint32_t walker);
 // most.
 void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
+
+// From now on a walker is down, across a way or not; and up again, to go on from where it is.
+void go_down(Crowd& crowd, uint32_t walker);
+void lie_across(Crowd& crowd, uint32_t walker, Vec2 across);
+void get_up(Crowd& crowd, uint32_t walker);
+bool is_down(const Crowd& crowd, uint32_t walker);
 
 // From now on it goes this way.
 void go_by_way(Crowd& crowd, const Wayfarer& way);

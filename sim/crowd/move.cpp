@@ -189,6 +189,10 @@ static Vec2 turns_pram_to(const Contacts& near, float heading, Vec2 wanted) {
 static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, float dt) {
     uint32_t i = c.scratch.seen.all[at].id;
     CrowdMotion& m = c.motion;
+    if (is_down(c, i)) {
+        m.velocity[i] = m.wish[i] = {};
+        return;
+    }
     const bool pushes = c.identity.ahead[i] > 0;
     const By by = pushes ? By::wheels : By::feet;
     Vec2 wish = wish_on(m.under[i], c.decision.chosen[i], c.identity.stair_pace[i]);

@@ -8,29 +8,11 @@
 #include <hwy/highway.h>
 
 #include "sim/base/rows-inl.h"
+#include "sim/pose/range-inl.h"
 
-#ifndef FLANEUR_SIM_POSE_JOINT_RANGE
-#define FLANEUR_SIM_POSE_JOINT_RANGE
+#ifndef FLANEUR_SIM_POSE_LEG_RANGES
+#define FLANEUR_SIM_POSE_LEG_RANGES
 namespace flaneur {
-
-// A range as directions: sines and cosines of its ends, half a degree inside.
-struct RangeEnd {
-    float sine, cosine;
-};
-struct JointRange {
-    RangeEnd bend_low, bend_high;
-    float side_low, side_high;
-    RangeEnd half_twist;  // of the turn, either way
-};
-
-inline JointRange range_of(const JointLimits& limits) {
-    auto end = [](float degrees) {
-        SinCos s = sin_cos(degrees * k_radians);
-        return RangeEnd{s.sine, s.cosine};
-    };
-    return {end(limits.bend.low + 0.5f), end(limits.bend.high - 0.5f), end(limits.side.low + 0.5f).sine,
-            end(limits.side.high - 0.5f).sine, end(0.5f * limits.twist.high - 0.25f)};
-}
 
 // Of hip, knee, ankle and toes. The knee's is not asked for: its solver keeps it.
 inline constexpr size_t k_knee_of_leg = 1;
@@ -64,27 +46,6 @@ HWY_INLINE Q4<L> rotation_ps(const PoseBlock& pose, size_t joint, size_t parent,
            load_rotation<L>(pose.rotation[joint], lane);
 }
 
-// A turn of a part that hangs along -y, as JointLimits sees it.
-struct Swing {
-    V3<L> along_ps;         // where the part points, outward +x
-    L low_bend, high_bend;  // sines of what the bend lies beyond either end, times something positive
-};
-// `q` takes (0, -1, 0) to `along_ps`. A bend by b is the direction (-cos b, sin b) in (y, z), so that the
-// cross product of the two tells the side on which the part lies of the range's end.
-HWY_INLINE Swing swing_of(Q4<L> q, const JointRange& range, float outward) {
-    V3<L> along{(q.w * q.z - q.x * q.y) * L(2.0f * outward), (q.x * q.x + q.z * q.z) * L(2.0f) - L(1.0f),
-                (q.y * q.z + q.w * q.x) * L(-2.0f)};
-    return {along, along.z * L(range.bend_low.cosine) + along.y * L(range.bend_low.sine),
-            along.z * L(range.bend_high.cosine) + along.y * L(range.bend_high.sine)};
-}
-
-HWY_INLINE LaneMask beyond(Q4<L> q, const JointRange& range, float outward) {
-    Swing s = swing_of(q, range, outward);
-    L twist = abs(q.y) * L(range.half_twist.cosine) - abs(q.w) * L(range.half_twist.sine);
-    return (s.low_bend < L(0.0f)) | (s.high_bend > L(0.0f)) | (s.along_ps.x < L(range.side_low)) |
-           (s.along_ps.x > L(range.side_high)) | (twist > L(0.0f));
-}
-
 // The turn, or as much of it as a turn by twice `half` is.
 HWY_INLINE Q4<L> at_most(Q4<L> turn, SinCosOf<L> half) {
     L sign = select(turn.w < L(0.0f), L(-1.0f), L(1.0f));
@@ -92,34 +53,6 @@ HWY_INLINE Q4<L> at_most(Q4<L> turn, SinCosOf<L> half) {
     L scale = sign * half.sine / sine;
     Q4<L> part{turn.x * scale, turn.y * scale, turn.z * scale, half.cosine};
     return select(abs(turn.w) < half.cosine, part, turn);
-}
-
-// The turn with its twist about y at most twice `half`; where it takes y to stays.
-HWY_INLINE Q4<L> twist_at_most(Q4<L> turn, SinCosOf<L> half) {
-    SinCosOf<L> is = twist_about_y(turn);
-    L sine = select(is.sine < L(0.0f), -half.sine, half.sine);
-    SinCosOf<L> back{sine * is.cosine - half.cosine * is.sine, half.cosine * is.cosine + sine * is.sine};
-    return select(abs(is.sine) > half.sine, turned_y(turn, back), turn);
-}
-
-// The nearest turn within the range: its bend, then its side, then its twist.
-HWY_INLINE Q4<L> within(Q4<L> q, const JointRange& range, float outward) {
-    Swing s = swing_of(q, range, outward);
-    L x = clamp(s.along_ps.x, L(range.side_low), L(range.side_high));
-    // Behind the joint a bend lies beyond both ends: the nearer one counts.
-    L nearer_high = s.along_ps.z * L(range.bend_high.sine - range.bend_low.sine) -
-                    s.along_ps.y * L(range.bend_high.cosine - range.bend_low.cosine);
-    LaneMask high = (s.high_bend > L(0.0f)) & ((s.low_bend >= L(0.0f)) | (nearer_high > L(0.0f)));
-    LaneMask low = s.low_bend < L(0.0f);
-    L length2 = s.along_ps.z * s.along_ps.z + s.along_ps.y * s.along_ps.y;
-    L is = L(1.0f) / sqrt(max(length2, L(1e-12f))), wanted = sqrt(L(1.0f) - x * x);
-    L sine = select(high, L(range.bend_high.sine), select(low, L(range.bend_low.sine), s.along_ps.z * is));
-    L cosine =
-        select(high, L(range.bend_high.cosine), select(low, L(range.bend_low.cosine), -s.along_ps.y * is));
-    V3<L> from{s.along_ps.x * L(outward), s.along_ps.y, s.along_ps.z},
-        to{x * L(outward), -cosine * wanted, sine * wanted};
-    Q4<L> turned = rotation_between(from, to) * q;
-    return twist_at_most(turned, {L(range.half_twist.sine), L(range.half_twist.cosine)});
 }
 
 // Feet and toes point ahead: as if they hung.

@@ -22,15 +22,16 @@ sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
 sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ik
 sim/animation: sim/base, sim/pose
+sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/base, sim/body, sim/crowd, sim/ground
+assets: sim/base, sim/body, sim/crowd, sim/fall, sim/ground
 assets/plan: assets, sim/base
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
@@ -47,7 +48,7 @@ assets/cache: assets, assets/files, sim/base, sim/navigation
 assets/gltf: assets, assets/files, sim/base
 assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
 assets/gltf/character: assets, assets/cache, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
-assets/scene: assets, assets/files, sim/ways
+assets/scene: assets, assets/files, sim/base, sim/ways
 assets sources: assets, sim/base
 
 shaders:

@@ -69,6 +69,20 @@ void drive_asked(Show& show, Viewer& v) {
     tell(v, "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
 }
 
+void push_asked(Show& show, Viewer& v, float impulse) {
+    World& world = *show.loaded.world;
+    std::optional<uint32_t> who = v.selected ? v.selected : v.hovered;
+    if (!who && v.choice.kind == CameraChoice::Kind::follow) who = v.choice.walker;
+    if (!who || !is_there(world.crowd, *who))
+        return tell(v, "Click or follow somebody, or point at them, to push them.");
+    const Vec3 at = world.crowd.motion.position[*who];
+    const Vec2 way = normalize_or(Vec2{at.x - v.camera.eye.x, at.z - v.camera.eye.z}, {0, 1});
+    if (!push(world, {*who, world.crowd.slots.generation[*who]}, way * impulse))
+        return tell(
+            v, "Whoever pushes a pram, comes in or leaves just now, or walks on an asteroid, is not pushed.");
+    v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
+}
+
 bool jump_driven(Show& show) {
     if (!is_driving(show)) return false;
     World& world = *show.loaded.world;

@@ -268,6 +268,10 @@ constexpr std::array k_actions = {
     Action{"Save as a scene", "Ctrl+S", GLFW_KEY_S, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { begin_naming(v); }},
     Action{"Drive who was asked about, or let go", "X", GLFW_KEY_X, 0, drive_asked},
+    Action{"Push who was asked about", "P", GLFW_KEY_P, 0,
+           [](Show& show, Viewer& v) { push_asked(show, v, k_shove); }},
+    Action{"Push so hard that it falls", "Shift+P", GLFW_KEY_P, GLFW_MOD_SHIFT,
+           [](Show& show, Viewer& v) { push_asked(show, v, k_hard_shove); }},
 };
 
 }  // namespace

@@ -55,6 +55,8 @@ void lay_out_walker(Show& show, uint32_t walker, Viewer& v, float scale) {
     tip("4");
     go_beside("Stop driving", scale);
     if (ImGui::Button(is_driving(show) ? "Stop driving" : "Drive")) drive_asked(show, v);
+    ImGui::SameLine();
+    if (ImGui::Button("Push")) push_asked(show, v, ImGui::GetIO().KeyShift ? k_hard_shove : k_shove);
     tip("X");
     go_beside("Gait", scale);
     if (ImGui::Button("Gait")) v.room = v.room == Room::gait ? Room::none : Room::gait;

@@ -1,0 +1,244 @@
+#include "sim/fall/fall.h"
+
+#include <algorithm>
+
+#include "sim/base/math.h"
+
+namespace flaneur {
+
+namespace {
+
+Vec3 row_of(const float (&rows)[3][k_block], int lane) {
+    return {rows[0][lane], rows[1][lane], rows[2][lane]};
+}
+Quat turn_of(const float (&rows)[4][k_block], int lane) {
+    return {rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]};
+}
+void set_row(float (&rows)[3][k_block], int lane, Vec3 v) {
+    rows[0][lane] = v.x, rows[1][lane] = v.y, rows[2][lane] = v.z;
+}
+
+// Degrees that each part is bent ahead, and the limbs also outward, elbows and knees as they bend.
+struct Guard {
+    float trunk, neck, neck_aside;
+    float arm, arm_out, elbow;
+    float thigh, thigh_out, knee;
+};
+constexpr Guard k_ahead = {6, -25, 0, 80, 18, 40, 22, 6, 45};
+constexpr Guard k_back = {16, 38, 0, -38, 38, 25, 55, 10, 65};
+constexpr Guard k_near = {6, 5, 22, 25, 68, 35, 35, 12, 45};  // of a fall to that side
+constexpr Guard k_far = {6, 5, 22, 35, 30, 50, 35, 4, 55};
+constexpr Guard k_slack = {4, 6, 0, 18, 26, 30, 10, 8, 16};
+
+Quat bent(float ahead) { return rotation_x(-ahead * k_radians); }
+Quat bent(float ahead, float outward, float side) {
+    return rotation_z(side * outward * k_radians) * bent(ahead);
+}
+
+Guard mix_of(const Guard& a, const Guard& b, float t) {
+    return {lerp(a.trunk, b.trunk, t), lerp(a.neck, b.neck, t),           lerp(a.neck_aside, b.neck_aside, t),
+            lerp(a.arm, b.arm, t),     lerp(a.arm_out, b.arm_out, t),     lerp(a.elbow, b.elbow, t),
+            lerp(a.thigh, b.thigh, t), lerp(a.thigh_out, b.thigh_out, t), lerp(a.knee, b.knee, t)};
+}
+
+// rad/s of muscles alone; see TumbleAims.
+struct Haste {
+    float trunk, neck, arm, leg;
+};
+constexpr Haste k_stiff = {16, 16, 8, 26}, k_guarded = {12, 14, 13, 9}, k_loose = {5, 6, 3, 3};
+constexpr float k_stays = 0.12f, k_guards = 0.35f;  // seconds until one has felt it, and until arms go out
+constexpr float k_slackens = 0.8f;                  // seconds
+
+bool is_limb(int s, int left, int right, int parts) {
+    return (s >= left && s < left + parts) || (s >= right && s < right + parts);
+}
+float pick(const Haste& h, int s) {
+    return s == skull ? h.neck : s <= thorax ? h.trunk : is_limb(s, left_arm, right_arm, 3) ? h.arm : h.leg;
+}
+
+Quat guard_of(int s, const Guard& left, const Guard& right, float neck_aside) {
+    const bool is_left = (s >= left_arm && s <= left_palm) || (s >= left_thigh && s <= left_sole);
+    const Guard& g = is_left ? left : right;
+    const float side = is_left ? 1.0f : -1.0f;
+    switch (s) {
+        case belly:
+        case thorax:
+            return rotation_x(0.5f * (left.trunk + right.trunk) * k_radians);
+        case skull:
+            return rotation_z(neck_aside * k_radians) *
+                   rotation_x(0.5f * (left.neck + right.neck) * k_radians);
+        case left_arm:
+        case right_arm:
+            return bent(g.arm, g.arm_out, side);
+        case left_forearm:
+        case right_forearm:
+            return bent(g.elbow);
+        case left_thigh:
+        case right_thigh:
+            return bent(g.thigh, g.thigh_out, side);
+        case left_shank:
+        case right_shank:
+            return bent(-g.knee);
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+std::array<Quat, k_segment_count> turns_of(const TumbleBlock& block, int lane) {
+    std::array<Quat, k_segment_count> turns{};
+    for (int s = 1; s < k_segment_count; ++s)
+        turns[s] =
+            conjugate(turn_of(block.rotation[k_segments[s].parent], lane)) * turn_of(block.rotation[s], lane);
+    return turns;
+}
+
+void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
+              const std::array<Quat, k_segment_count>& stood, Vec2 to, float seconds, float lain) {
+    // The direction as the body sees it.
+    const Vec3 own = rotate(conjugate(turn_of(block.rotation[thorax], lane)), at_height(to, 0));
+    const Vec2 way = normalize_or(Vec2{own.x, own.z}, {0, 1});
+    const float ahead = std::max(way.z, 0.0f) * way.z, back = std::max(-way.z, 0.0f) * -way.z;
+    auto guard = [&](bool is_near) {
+        const Guard g = mix_of(is_near ? k_near : k_far, ahead > back ? k_ahead : k_back, ahead + back);
+        return mix_of(g, k_slack, smoothstep(0, k_slackens, lain));
+    };
+    const Guard left = guard(way.x > 0), right = guard(way.x < 0);
+    const float neck_aside = (way.x > 0 ? 1.0f : -1.0f) * left.neck_aside;
+    const float feels = smoothstep(k_stays, k_guards, seconds), slack = smoothstep(0, k_slackens, lain);
+    for (int s = 1; s < k_segment_count; ++s) {
+        const Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), feels);
+        const float values[] = {turn.x, turn.y, turn.z, turn.w};
+        for (int i = 0; i < 4; ++i) aims.turn[s][i][lane] = values[i];
+        aims.haste[s][lane] =
+            lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), feels), pick(k_loose, s), slack);
+        aims.drag[s][lane] = lerp(8, 40, slack);
+    }
+}
+
+void go_limp(TumbleAims& aims, int lane) {
+    for (int s = 0; s < k_segment_count; ++s) {
+        for (int i = 0; i < 4; ++i) aims.turn[s][i][lane] = i == 3 ? 1.0f : 0.0f;
+        aims.haste[s][lane] = 0, aims.drag[s][lane] = 4;
+    }
+}
+
+void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
+                 Vec3 origin, const Surroundings& around, float floor) {
+    constexpr float k_up = 0.6f, k_down = 3, k_level = 0.02f, k_foreseen = 0.08f, k_near_wall = 1.4f;
+    std::array<Vec3, k_ball_count> at, moving;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const Segment s = k_segment_of_ball[k];
+        const Vec3 arm = rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
+        at[k] = origin + row_of(block.place[s], lane) + arm;
+        moving[k] = row_of(block.velocity[s], lane) + cross(row_of(block.spin[s], lane), arm);
+    }
+    std::array<std::optional<GroundHit>, k_ball_count> hits;
+    ground_at(around, at, k_up, k_down, hits.data());
+    auto set_ground = [&](int k, Vec3 place, Vec3 normal) {
+        set_row(planes.normal[k], lane, normal);
+        planes.offset[k][lane] = dot(normal, place - origin);
+    };
+    // Over one plane each meets what is below it.
+    const std::optional<GroundHit> first = hits[0];
+    bool is_plane = first.has_value();
+    for (int k = 1; k < k_ball_count && is_plane; ++k) {
+        if (!hits[k]) is_plane = false;
+        if (!is_plane) break;
+        const Vec3 step = at_height(on_ground(at[k] - at[0]), hits[k]->height - first->height);
+        is_plane = std::fabs(dot(step, first->normal)) < k_level &&
+                   length_squared(hits[k]->normal - first->normal) < k_level;
+    }
+    for (int k = 0; k < k_ball_count; ++k) {
+        set_row(planes.wall[k], lane, {0, 1, 0});
+        planes.wall_offset[k][lane] = k_no_plane;
+    }
+    // On steps, kerbs and rubble a ball meets what is highest under it, and as a wall what is higher than its
+    // middle close by.
+    auto set_uneven = [&](int k) {
+        const float r = shapes.radius[k][lane];
+        const float far = r + 0.1f + k_foreseen * length(on_ground(moving[k]));
+        const Vec3 normal = hits[k] ? hits[k]->normal : Vec3{0, 1, 0};
+        const float height = hits[k] ? hits[k]->height : floor;
+        set_ground(k, at_height(on_ground(at[k]), height), normal);
+        auto height_at = [&](Vec2 by) {
+            const auto hit = ground_at(around, at[k] + at_height(by, 0), k_up, k_down);
+            return hit ? hit->height : height;
+        };
+        constexpr Vec2 k_ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+        Vec2 up_hill{};
+        float highest = height, under = height;
+        for (const Vec2 way : k_ways) {
+            const float there = height_at(way * far);
+            up_hill += way * (there - height);
+            highest = std::max(highest, there);
+            under = std::max(under, height_at(way * (0.7f * r)));
+        }
+        if (under > height + k_level && under < at[k].y)
+            set_ground(k, at_height(on_ground(at[k]), under), {0, 1, 0});
+        const float climbs = length(up_hill);
+        if (highest < at[k].y || climbs < k_level) return;
+        // How far its edge is.
+        const Vec2 way = up_hill / climbs;
+        float free = 0, full = far;
+        for (int i = 0; i < 4; ++i) {
+            const float middle = 0.5f * (free + full);
+            (height_at(way * middle) < at[k].y ? free : full) = middle;
+        }
+        if (height >= at[k].y) return;  // is in it: comes out upward
+        planes.has_walls = 1;
+        set_row(planes.wall[k], lane, at_height(-way, 0));
+        planes.wall_offset[k][lane] = dot(at_height(-way, 0), at[k] - origin) - full;
+    };
+    for (int k = 0; k < k_ball_count; ++k) {
+        if (is_plane) {
+            set_ground(k, at_height(on_ground(at[k]), hits[k]->height), hits[k]->normal);
+            continue;
+        }
+        set_uneven(k);
+    }
+    if (!closest_wall(around, at[0], k_near_wall)) return;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const float reach = shapes.radius[k][lane] + 0.1f + k_foreseen * length(moving[k]);
+        const auto wall = closest_wall(around, at[k], reach);
+        if (!wall) continue;
+        planes.has_walls = 1;
+        set_row(planes.wall[k], lane, wall->normal);
+        planes.wall_offset[k][lane] = dot(wall->normal, wall->point - origin);
+    }
+}
+
+float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane) {
+    float most = 0;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const Segment s = k_segment_of_ball[k];
+        const Vec3 arm = rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
+        most = std::max(
+            most, length_squared(row_of(block.velocity[s], lane) + cross(row_of(block.spin[s], lane), arm)));
+    }
+    return std::sqrt(most);
+}
+
+void calm(TumbleBlock& block, int lane, float share) {
+    for (int s = 0; s < k_segment_count; ++s)
+        for (int i = 0; i < 3; ++i) {
+            block.velocity[s][i][lane] *= share;
+            block.spin[s][i][lane] *= share;
+        }
+}
+
+bool is_down(const TumbleBlock& block, const TumbleShapes& shapes, const TumblePlanes& planes, int lane) {
+    constexpr float k_touch = 0.03f;
+    constexpr int k_trunk_balls = 7;  // the first: pelvis, belly, thorax, skull
+    for (int k = 0; k < k_trunk_balls; ++k) {
+        const Segment s = k_segment_of_ball[k];
+        const Vec3 middle = row_of(block.place[s], lane) +
+                            rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
+        const float clear = dot(row_of(planes.normal[k], lane), middle) - planes.offset[k][lane];
+        if (clear < shapes.radius[k][lane] + k_touch) return true;
+    }
+    return false;
+}
+
+}  // namespace flaneur

@@ -1,0 +1,37 @@
+// One who falls: what its muscles try meanwhile, what its body meets, and when it has come to rest.
+#pragma once
+
+#include "sim/fall/body_pose.h"
+#include "sim/fall/tumble.h"
+#include "sim/ground/surroundings.h"
+
+namespace flaneur {
+
+// What muscles do `seconds` after a fall in the direction `to` (unit, on the ground plane) began. At first
+// the body stays as stiff as it stood, `stood` by segment against what carries it; then arms go where the
+// ground comes from, knees give way and the head draws back from it (Hsiao & Robinovitch, "Common protective
+// movements govern unexpected falls from standing height", Journal of Biomechanics 31, 1998); and `lain`
+// seconds after the trunk has come down all goes slack.
+void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
+              const std::array<Quat, k_segment_count>& stood, Vec2 to, float seconds, float lain);
+// Nothing is tried.
+void go_limp(TumbleAims& aims, int lane);
+
+// Each segment of the lane against what carries it, as it is.
+std::array<Quat, k_segment_count> turns_of(const TumbleBlock& block, int lane);
+
+// What balls of the lane are near: the ground below and about them, and walls. `floor` is the height of the
+// ground where there is none.
+void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const TumbleShapes& shapes,
+                 Vec3 origin, const Surroundings& around, float floor);
+
+// The fastest that anything of the lane moves, m/s.
+float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane);
+
+// Slows the lane down to `share` of how it moves.
+void calm(TumbleBlock& block, int lane, float share);
+
+// Whether the trunk or the skull touches the ground of the planes.
+bool is_down(const TumbleBlock& block, const TumbleShapes& shapes, const TumblePlanes& planes, int lane);
+
+}  // namespace flaneur

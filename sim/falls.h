@@ -1,0 +1,73 @@
+// Those of a world who have been pushed: who sway and step, who fall, lie and get up again. What becomes of
+// their bodies is in sim/fall; here is what it has to do with crowd, gait and poses.
+#pragma once
+
+#include <vector>
+
+#include "sim/fall/balance.h"
+#include "sim/fall/body_pose.h"
+#include "sim/fall/rising.h"
+#include "sim/fall/tumble.h"
+
+namespace flaneur {
+
+struct World;
+
+enum class FallPhase : uint32_t {
+    sways,  // is on its feet, and may be about to fall
+    falls,
+    lies,
+    rises,
+};
+
+struct Fall {
+    uint32_t walker = 0;
+    FallPhase phase = FallPhase::sways;
+    uint32_t began = 0;     // tick at which this phase did
+    uint32_t falls_at = 0;  // tick, of one who sways; ~0u: it stays on its feet
+    Vec2 to{};              // the way it is pushed, unit
+    Vec2 gives{};           // m/s that a push leaves to the body that falls, beside what it has
+    TrunkSway sway{};       // along the world's axes
+    // Of one who falls.
+    uint32_t lane = 0;          // in Falls::blocks
+    Vec3 origin{};              // of the places in that block
+    float floor = 0;            // height of the ground where it stood
+    float energy = 0;           // joules, that it may have when the trunk is down
+    float lain = 0, still = 0;  // seconds since the trunk came down, and that nothing moves
+    Segments segments{};
+    std::array<Quat, k_segment_count> stood{};
+    Residue residue{};
+    // Of one who lies or rises.
+    RiseStage stage = RiseStage::side;
+    float share = 0;               // of this stage
+    float slowness = 1;            // of the old and the heavy
+    std::array<float, 2> lifts{};  // metres that feet are bent out of the ground
+    uint32_t rises_at = 0;
+    Lie lie{};
+    Vec2 hips_at{};
+    BodyPose from{};
+};
+
+struct Falls {
+    std::vector<Fall> all;  // by walker
+    // Sixteen who fall, by lane; scratch but for `blocks`.
+    std::vector<TumbleBlock> blocks;
+    std::vector<TumbleShapes> shapes;
+    std::vector<TumbleAims> aims;
+    std::vector<TumblePlanes> planes;
+    std::vector<uint32_t> lane_of;  // who has a lane: index into `all`, or ~0u; anew each tick
+};
+
+// See push() in sim/sim.h; `change` is of the speed, m/s, on the ground plane.
+void push_walker(World& world, uint32_t walker, Vec2 change);
+
+// After poses are found, before what trails them: poses of those in `falls` are set anew.
+void step_falls(World& world);
+
+// Of all that the next tick depends on.
+uint64_t hash_falls(const World& world);
+
+// It is gone, whatever became of it.
+void forget_fall(World& world, uint32_t walker);
+
+}  // namespace flaneur

