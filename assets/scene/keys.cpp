@@ -151,7 +151,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "What is put into the city: things in the way, walls, closed streets, benches, lamps and entrances.",
          read_added},
         {"pushes",
-         {texts},
+         {texts, 0, 0, R"([0-9]+(\.[0-9]*)? (\*|[0-9]{1,6}) )" + corner},
          nullptr,
          R"(["2.5 * 60,0"])",
          "Pushes that people get: \"SECONDS WALKER X,Z\", when, who (a number, or * for everybody) and by "

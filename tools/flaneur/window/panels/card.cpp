@@ -55,9 +55,10 @@ void lay_out_walker(Show& show, uint32_t walker, Viewer& v, float scale) {
     tip("4");
     go_beside("Stop driving", scale);
     if (ImGui::Button(is_driving(show) ? "Stop driving" : "Drive")) drive_asked(show, v);
-    ImGui::SameLine();
-    if (ImGui::Button("Push")) push_asked(show, v, ImGui::GetIO().KeyShift ? k_hard_shove : k_shove);
     tip("X");
+    go_beside("Push", scale);
+    if (ImGui::Button("Push")) push_asked(show, v, ImGui::GetIO().KeyShift ? k_hard_shove : k_shove);
+    tip("P; with Shift so hard that it falls");
     go_beside("Gait", scale);
     if (ImGui::Button("Gait")) v.room = v.room == Room::gait ? Room::none : Room::gait;
     tip("the angles of its legs, and its steps (J)");
