@@ -26,6 +26,7 @@ void turn(Show&, Viewer& v) {
 constexpr std::array k_actions = {
     Action{"Before and after: techniques of bodies side by side", "Shift+J", GLFW_KEY_J, GLFW_MOD_SHIFT,
            split_techniques},
+    Action{"Technique: gait, steps on the ground; off: limbs by curves", "", 0, 0, turn<&Techniques::gait>},
     Action{"Technique: feet, legs solved to the ground", "", 0, 0, turn<&Techniques::feet>},
     Action{"Technique: soles, tilted with the ground", "", 0, 0, turn<&Techniques::soles>},
     Action{"Technique: heels that rise", "", 0, 0, turn<&Techniques::heels>},

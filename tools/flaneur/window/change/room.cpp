@@ -268,6 +268,13 @@ constexpr std::array k_actions = {
     Action{"Save as a scene", "Ctrl+S", GLFW_KEY_S, GLFW_MOD_CONTROL,
            [](Show&, Viewer& v) { begin_naming(v); }},
     Action{"Drive who was asked about, or let go", "X", GLFW_KEY_X, 0, drive_asked},
+    Action{"Drive by turns of 45 degrees a key, or as keys are held", "Shift+X", GLFW_KEY_X, GLFW_MOD_SHIFT,
+           [](Show& show, Viewer& v) {
+               drive_by_turns(show, v, !v.change.driving.is_by_turns);
+               if (!is_driving(show))
+                   tell(v, v.change.driving.is_by_turns ? "X drives by turns of 45 degrees."
+                                                        : "X drives as keys are held.");
+           }},
 };
 
 }  // namespace
