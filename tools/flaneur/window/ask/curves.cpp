@@ -55,8 +55,8 @@ void lay_out_curves(Show& show, Viewer& v, float width) {
     if (ImGui::Checkbox("limbs follow curves", &is_drawn)) v.techniques.on.gait = !is_drawn;
     tip("bodies are drawn as in The Walker Report; it is the technique gait, off");
     LimbCurves how = march.how;
-    ImGui::Checkbox("people go as they do", &is_gone_by);
-    tip("who goes by rays does so at the pace of the curves, and turns one turn at a time");
+    ImGui::Checkbox("people go at their pace", &is_gone_by);
+    tip("those who go by rays do so as fast as the curves take them, and turn as slowly as said below");
     if (ImGui::Checkbox("drive by turns of 45 degrees", &is_by_turns)) drive_by_turns(show, v, is_by_turns);
     tip("Left and Right turn once, Up goes on, Down stops (Shift+X)");
     ImGui::PushItemWidth(width * 0.6f);

@@ -181,7 +181,8 @@ void mark_gait(Show& show, Viewer& v, FrameInput& frame) {
         add_footprint(show.overlay.lines, pen, print.heel + lift, print.tip + lift, print.normal);
     }
     if (show.people.walkers[*who].instance.palette != k_no_palette) {
-        const OverlayInput input{world, show.loaded.characters, v.camera};
+        const Without* without = show.draws_whole ? nullptr : &show.without;
+        const OverlayInput input{world, show.loaded.characters, v.camera, 1, without};
         add_contact_marks(input, *who, show.overlay);
         add_gizmos_of(input, show.people, *who, show.overlay);
     }
