@@ -113,6 +113,16 @@ TEST(Drive, OtherKeysAndOtherWaysStayAsTheyAre) {
     EXPECT_FALSE(press_in_drive(GLFW_KEY_LEFT, 0, d->show, d->viewer)) << "nobody is driven";
 }
 
+TEST(Drive, AnotherSceneIsDrivenInItsWay) {
+    auto d = driven();
+    for (const char* scene : {"walker-curves", "walker-report"}) {
+        Options options;
+        options.scene = load_scene(scene).value();
+        start_changes(options, d->show, d->viewer);
+        EXPECT_EQ(d->viewer.change.driving.is_by_turns, std::string(scene) == "walker-curves");
+    }
+}
+
 TEST(Drive, LimbsAreLedOtherwiseFromThisTickOn) {
     auto d = driven();
     d->press(GLFW_KEY_ESCAPE);

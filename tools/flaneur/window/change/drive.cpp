@@ -102,7 +102,7 @@ void drive_by_turns(Show& show, Viewer& v, bool is_by_turns) {
 
 bool press_in_drive(int key, int mods, Show& show, Viewer& v) {
     Driving& d = v.change.driving;
-    if (!is_driving(show) || !d.is_by_turns || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT))) return false;
+    if (!d.is_by_turns || !is_driving(show) || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT))) return false;
     auto is_one_of = [&](int a, int b) { return key == a || key == b; };
     if (is_one_of(GLFW_KEY_UP, GLFW_KEY_W)) return d.goes_on = true;
     if (is_one_of(GLFW_KEY_DOWN, GLFW_KEY_S)) return d.goes_on = false, true;
