@@ -13,6 +13,7 @@
 #include "sim/base/result.h"
 #include "sim/crowd/habit.h"
 #include "sim/fall/planned_push.h"
+#include "sim/limbs/limbs.h"
 
 namespace flaneur {
 
@@ -71,6 +72,7 @@ struct Scene {
     int walkers = 500;                  // 0..1,000,000
     int creatures = 0;                  // 0..100, of six legs, on the asteroid
     Habit habit = Habit::wander;        // what they do; they stagger on a platform only
+    LimbLead limbs = LimbLead::gait;    // what leads theirs; curves only of those who ramble
     float drunk = 0;                    // 0..1, see WorldOptions
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district

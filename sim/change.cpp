@@ -39,6 +39,23 @@ void make_room(World& w, uint32_t capacity) {
     w.previous_trails.resize(w.poses.size());
     for (size_t block = before; block < w.poses.size(); ++block) w.previous_poses[block] = w.poses[block];
     make_room_to_come(w);
+    if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);
+}
+
+void set_pace(World& w, uint32_t walker) {
+    March& march = w.crowd.march;
+    if (!is_on(march)) return;
+    const float leg = w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
+    march.pace[walker] = pace_of(march.how, leg);
+}
+
+void go_by_curves(World& w, LimbLead limbs, const LimbCurves& how) {
+    March& march = w.crowd.march;
+    march.how = how;
+    const uint32_t slots = limbs == LimbLead::curves ? w.crowd.capacity : 0;
+    march.pace.resize(slots);
+    march.turns.resize(slots);
+    for (uint32_t i = 0; i < slots; ++i) set_pace(w, i);
 }
 
 static float passed_hours(const World& w) { return static_cast<float>(w.tick) * (k_tick / 3600); }

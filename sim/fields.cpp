@@ -194,6 +194,10 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("traffic_done", 'u', c.traffic.done);
     add("linkages", 'h', hash(w.linkages.places));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
+    const bool marches = is_on(c.march);
+    add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
+    add("march_pace", 'h', marches ? hash(c.march.pace) : 0);
+    add("march_turns", 'h', marches ? hash(c.march.turns) : 0);
     add("driven", 'U', c.driven.walker);
     for_each_word(FieldName{"driven_wish", &k_crowd}, c.driven.walker == k_nobody ? nullptr : &c.driven.wish,
                   each);

@@ -49,6 +49,7 @@
 #include "sim/fall/planned_push.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
+#include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
 
@@ -87,6 +88,10 @@ struct WorldOptions {
     uint32_t walkers = 0;   // of them set down by chance at the start, 0.95..1.05 times their body, to wander
     Habit habit = Habit::wander;   // theirs,
     std::vector<Vec2> platform{};  // and where they stagger
+    // Whether those who ramble do so at the pace of limbs on curves, and turn as slowly; and how. Of poses
+    // see pose_without() in sim/without.h.
+    LimbLead limbs = LimbLead::gait;
+    LimbCurves curves{};
     float drunk =
         0;  // how much everybody has had, 0..1: 1 hardly walks; see add_drink() in sim/body/manner.h
     uint64_t seed = 1;   // of all that is left to chance

@@ -16,8 +16,8 @@ constexpr uint64_t k_mark = 0x38'74'73'2e'72'75'6c'66;  // "flur.st8"
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 4) + 32 +
-                                   sizeof(Onlookers) + 24 + sizeof(Traffic));
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 4) + 40 +
+                                   sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March));
 
 // Before all else; how many of each follow.
 struct Head {
@@ -29,8 +29,10 @@ struct Head {
     uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, spare = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
+    LimbCurves how{};
+    uint32_t marches = 0;
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 128, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 168, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -69,6 +71,8 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.downed, head.downed);
     each(w.falls.all, head.falls);
     each(w.falls.blocks, head.tumbles);
+    each(w.crowd.march.pace, head.marches);
+    each(w.crowd.march.turns, head.marches);
     each(w.gait.canes, head.canes);
     each(w.gait.prams, head.prams);
     each(w.idles.plays, head.plays);
@@ -99,6 +103,8 @@ Head head_of(const World& w) {
     head.widest = c.widest;
     head.strays = c.scratch.strays;
     head.driven = c.driven;
+    head.how = c.march.how;
+    head.marches = size(c.march.pace);
     head.traffic = c.traffic.done;
     head.living = size(c.slots.living);
     head.left = size(c.slots.left);
@@ -186,7 +192,8 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
             "the world that it was saved of."};
     Crowd& c = w.crowd;
     const bool fits = head->count <= c.capacity && head->living <= head->count && head->left <= head->count &&
-                      (head->driven.walker == k_nobody || head->driven.walker < head->count);
+                      (head->driven.walker == k_nobody || head->driven.walker < head->count) &&
+                      (head->marches == 0 || head->marches == c.capacity);
     const size_t wanted = fits ? sizeof *head + bytes_after(w, *head) : 0;
     if (bytes.size() != wanted)
         return Error{"This state is cut short or damaged: it has " + std::to_string(bytes.size()) +
@@ -204,6 +211,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     c.widest = head->widest;
     c.scratch.strays = head->strays;
     c.driven = head->driven;
+    c.march.how = head->how;
     c.count = head->count;
     Coming& coming = w.coming;
     coming.successors.next = head->next_successor;

@@ -144,6 +144,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->idles = make_layer(options.idles, world->crowd.capacity);
     world->poses.resize(world->gait.blocks.size());
     pose_everybody(*world);
+    go_by_curves(*world, options.limbs, options.curves);
     if (Result<void> done = set_off(*world); !done) return done.error();
     if (progress) progress("setting down the walkers", 1);
     return world;
@@ -201,6 +202,7 @@ static void pose_newcomer(World& w, uint32_t walker) {
 
 void start_body(World& w, uint32_t walker) {
     start_feet(w, walker);
+    set_pace(w, walker);
     pose_newcomer(w, walker);
 }
 

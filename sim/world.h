@@ -96,6 +96,12 @@ void make_room(World& world, uint32_t capacity);
 // What coming and going takes, so that ticks allocate nothing. Allocates; after either changed.
 void make_room_to_come(World& world);
 
+// From now on those who ramble go by the curves, or as they like, and rays are so long. Allocates; between
+// two ticks. See sim/limbs/limbs.h.
+void go_by_curves(World& world, LimbLead limbs, const LimbCurves& how);
+// At which pace a new one does.
+void set_pace(World& world, uint32_t walker);
+
 // The hour of the day after the last tick, 0..24, and another one that it shall be.
 float hour_now(const World& world);
 void set_hour(World& world, float hour);

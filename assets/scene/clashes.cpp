@@ -87,6 +87,13 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return both({"built", key}, {{"built", {{"const", "asteroid"}}}, {key, {{"const", "ramble"}}}});
      }},
+    {"limbs", R"("limbs" go by curves of those who ramble; "habit" must be "ramble")",
+     [](const Scene& s, const Json&) { return s.limbs == LimbLead::curves && s.habit != Habit::ramble; },
+     [](const char* key) {
+         OrderedJson schema = both({key}, {{key, {{"const", "curves"}}}});
+         schema["not"] = both({"habit"}, {{"habit", {{"const", "ramble"}}}});
+         return schema;
+     }},
     {"blocks", R"("blocks" is of the built-in district, and "city" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && !s.city.empty(); },
      [](const char* key) {

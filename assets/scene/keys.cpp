@@ -124,6 +124,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "habit", R"("wander")", R"("ramble")",
             "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, "
             "on the built-in platform, stagger along circles."),
+        word_key<&Scene::limbs, k_limb_lead_names>("limbs", R"("gait")", R"("curves")",
+                                                   "What leads the limbs of those who ramble: steps planned "
+                                                   "on the ground; or four targets on curves, at "
+                                                   "whose pace they go, and they turn slowly."),
         plain_key<&Scene::drunk>("drunk", {number, 0, 1}, "0", "0.8",
                                  "How drunk they are, from not at all to hardly able to walk."),
         {"people",

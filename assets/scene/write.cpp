@@ -74,6 +74,7 @@ std::string scene_text(const Scene& s) {
     json["walkers"] = s.walkers;
     tell("creatures", s.creatures, s.creatures > 0);
     tell("habit", k_habit_names[static_cast<int>(s.habit)], s.habit != usual.habit);
+    tell("limbs", k_limb_lead_names[static_cast<int>(s.limbs)], s.limbs != usual.limbs);
     tell("drunk", short_number(s.drunk), s.drunk > 0);
     tell("people", people_of(s.people), !s.people.empty());
     for (const MixKey& of : k_mix)

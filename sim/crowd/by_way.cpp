@@ -37,6 +37,10 @@ struct Goer {
     Vec3 at() const { return c.motion.position[i]; }
     float speed() const { return c.identity.preferred_speed[i]; }
     float ahead() const { return c.identity.ahead[i]; }
+    // Until it decides again.
+    float seconds() const {
+        return static_cast<float>(std::max<uint32_t>(c.at_once[i / k_block], k_decision_ticks)) * k_tick;
+    }
     float clear_way(float yaw, float reach) const {
         return flaneur::clear_way(c, mesh, thread, i, yaw, reach);
     }
@@ -140,17 +144,30 @@ static WayWish flee(const Goer& g) {
     return {heading_direction(chosen) * (k_flees * g.speed()), false};
 }
 
+// By how many degrees one turns whose ray ahead meets something after `ahead` metres.
+static float turn_away(const Goer& g, float ahead) {
+    const float reach = g.c.march.how.ray_aside;
+    auto clear = [&](float degrees) { return g.clear_way(g.way.bearing + degrees * k_radians, reach); };
+    const auto free = free_way(clear, reach, key_of(g, ++g.way.turns));
+    return free ? *free : longest_way(clear, ahead);
+}
+
 static WayWish ramble(const Goer& g) {
-    const float ahead = g.clear_way(g.way.bearing, k_ray_ahead);
-    if (ahead < k_ray_ahead) {
-        auto clear = [&](float degrees) {
-            return g.clear_way(g.way.bearing + degrees * k_radians, k_ray_aside);
-        };
-        const auto free = free_way(clear, key_of(g, ++g.way.turns));
-        const float turn = free ? *free : longest_way(clear, ahead);
-        g.way.bearing = wrap_angle(g.way.bearing + turn * k_radians);
+    March& march = g.c.march;
+    const bool marches = is_on(march);
+    if (marches && is_turning(march.turns[g.i])) {
+        g.way.bearing = turn_on(march.turns[g.i], g.seconds());
+        return {heading_direction(g.way.bearing) * march.pace[g.i], false};
     }
-    return {heading_direction(g.way.bearing) * g.speed(), false};
+    const float ahead = g.clear_way(g.way.bearing, march.how.ray_ahead);
+    if (ahead < march.how.ray_ahead) {
+        const float turn = turn_away(g, ahead);
+        if (!marches)
+            g.way.bearing = wrap_angle(g.way.bearing + turn * k_radians);
+        else if (turn != 0)
+            march.turns[g.i] = begin_turn(march.how, g.way.bearing, turn);
+    }
+    return {heading_direction(g.way.bearing) * (marches ? march.pace[g.i] : g.speed()), false};
 }
 
 Strider strider_of(const Crowd& c, uint32_t i) {
@@ -186,8 +203,7 @@ static WayWish wish_of(const Goer& g) {
         case Wayfarer::Kind::stagger:
             break;
     }
-    const uint32_t ticks = std::max<uint32_t>(g.c.at_once[g.i / k_block], k_decision_ticks);
-    return stagger(g, static_cast<float>(ticks) * k_tick);
+    return stagger(g, g.seconds());
 }
 
 WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint32_t tick, uint64_t seed) {

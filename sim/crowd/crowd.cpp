@@ -225,6 +225,7 @@ void go_by_way(Crowd& c, const Wayfarer& way) {
     const uint32_t i = way.walker;
     turn_back(c, i);
     c.wayfarers.insert(take_away(c.wayfarers, i), way)->bearing = c.motion.heading[i];
+    if (is_on(c.march)) c.march.turns[i] = {};
     Journey next;
     next.goal = {c.motion.position[i], c.motion.polygon[i]};
     next.trip = c.journeys[i].trip + 1;
@@ -267,6 +268,11 @@ uint64_t hash_crowd(const Crowd& c) {
         if (is_there(c, i))
             for_each_value(c, i, [&](const FieldName&, const auto& value) { h = hash_value(h, value); });
     if (c.driven.walker != k_nobody) h = hash_value(h, c.driven);
+    if (is_on(c.march)) {
+        h = hash_value(h, c.march.how);
+        h = hash_bytes(h, c.march.pace.data(), c.march.pace.size() * sizeof(float));
+        h = hash_bytes(h, c.march.turns.data(), c.march.turns.size() * sizeof(SlowTurn));
+    }
     const Traffic& traffic = c.traffic;
     if (traffic.is_slow || traffic.done > 0) {
         h = hash_bytes(h, traffic.slow.data(), traffic.slow.size() * sizeof(float));

@@ -23,6 +23,7 @@
 #include "sim/crowd/walker_id.h"
 #include "sim/ground/door.h"
 #include "sim/ground/surroundings.h"
+#include "sim/limbs/limbs.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/navigation/traffic.h"
 #include "sim/ways/stride.h"
@@ -219,6 +220,15 @@ struct Driven {
 };
 inline constexpr float k_fastest_driven = 4;
 
+// Those who ramble as limbs on curves take them: at the pace of their legs, and turning one turn at a time,
+// each of which takes its time. Of all, how.
+struct March {
+    LimbCurves how;
+    std::vector<float> pace;      // m/s, by slot; empty: nobody marches
+    std::vector<SlowTurn> turns;  // by slot, the last one
+};
+inline bool is_on(const March& march) { return !march.pace.empty(); }
+
 // Who looks on. A block of walkers who are all farther than `reach` from every eye is afar: they decide at
 // 7.5 Hz, and then go k_afar_ticks at once; twice as far they do at 3.75 Hz, and go k_farther_ticks. Without
 // eyes nobody is.
@@ -244,6 +254,7 @@ struct Crowd {
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     std::vector<Downed> downed;       // by walker
     Driven driven;
+    March march;
     PassOn pass_on = PassOn::right;
     Onlookers onlookers;
     std::vector<uint8_t>

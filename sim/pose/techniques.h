@@ -8,8 +8,8 @@ namespace flaneur {
 
 // Those that are on. They change how bodies look and nothing of how people walk.
 struct Techniques {
-    bool feet = true, soles = true, heels = true, pelvis = true, limits = true, trunk = true, look = true,
-         walls = true, holds = true, canes = true, prams = true, idles = true;
+    bool gait = true, feet = true, soles = true, heels = true, pelvis = true, limits = true, trunk = true,
+         look = true, walls = true, holds = true, canes = true, prams = true, idles = true;
     bool operator==(const Techniques&) const = default;
 };
 
@@ -19,7 +19,10 @@ struct TechniqueInfo {
     std::string_view what;     // it does
     std::string_view without;  // it, what bodies do
 };
-inline constexpr std::array<TechniqueInfo, 12> k_techniques = {{
+inline constexpr std::array<TechniqueInfo, 13> k_techniques = {{
+    {"gait", &Techniques::gait, "feet step to places on the ground that are planned, and bodies follow",
+     "hands and feet follow four targets on curves, as in The Walker Report. Where it is off, all others but "
+     "canes, prams and idles are too"},
     {"feet", &Techniques::feet, "legs are solved, by two bones, from the hips to where feet stand and swing",
      "legs follow the mean curves of people on level ground: feet slide, hang over lower ground and sink "
      "into "

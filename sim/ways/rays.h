@@ -8,22 +8,23 @@
 
 namespace flaneur {
 
-inline constexpr float k_ray_ahead = 4, k_ray_aside = 5;  // metres, of the ray straight on and of the others
+inline constexpr float k_ray_ahead = 4,
+                       k_ray_aside = 5;  // metres, usually, of the ray straight on and of the others
 inline constexpr float k_fan[] = {-90, -60, -45, -30, -20, -10, 0, 10, 20, 30, 45, 60, 90};  // degrees
 inline constexpr float k_fan_behind[] = {-130, -120, -100, 100, 120, 130};  // if none of those is free
 
 inline constexpr float k_near_wall = 1;  // metres of the ray ahead, where all others are short
 
 // By how many degrees, more than 0 to the left, one turns before whom the ray ahead has met something: by one
-// of the free ones by chance. None: all are blocked. clear(degrees) says how many metres a ray of k_ray_aside
+// of the free ones by chance. None: all are blocked. clear(degrees) says how many metres a ray of `reach`
 // comes.
 template <class Clear>
-std::optional<float> free_way(const Clear& clear, RandomKey key) {
+std::optional<float> free_way(const Clear& clear, float reach, RandomKey key) {
     auto choose = [&](const auto& fan) -> std::optional<float> {
         float free[std::size(k_fan)];
         uint32_t count = 0;
         for (const float degrees : fan)
-            if (clear(degrees) >= k_ray_aside) free[count++] = degrees;
+            if (clear(degrees) >= reach) free[count++] = degrees;
         if (count == 0) return {};
         return free[static_cast<uint32_t>(random_unit(key) * static_cast<float>(count))];
     };

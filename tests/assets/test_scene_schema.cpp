@@ -271,6 +271,8 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
         const bool is_elsewhere = plain.built != BuiltIn::district;
         if (is_elsewhere) one["built"] = k_built_in_names[static_cast<size_t>(plain.built)];
         plain.camera.kind = is_elsewhere ? CameraChoice::Kind::overview : CameraChoice::Kind::street;
+        plain.habit = key == "limbs" ? Habit::ramble : Habit::wander;
+        if (key == "limbs") one["habit"] = "ramble";
         Result<Scene> scene = parse_scene(one.dump(), "it");
         ASSERT_TRUE(scene) << scene.error().message;
         EXPECT_EQ(*scene == plain, key == "$schema") << key;

@@ -122,12 +122,16 @@ TEST(Options, BodiesAreDrawnWithoutWhatIsNamed) {
     Options options = parsed({"render", "--without", "feet,walls", "--out", "a.png"});
     EXPECT_FALSE(options.techniques.feet || options.techniques.walls);
     EXPECT_TRUE(options.techniques.pelvis && options.techniques.holds);
-    EXPECT_EQ(told_without(options.techniques), "feet,walls");
+    EXPECT_EQ(told_without(options.techniques, LimbLead::gait), "feet,walls");
     EXPECT_EQ(parsed({"view"}).techniques, Techniques{});
-    EXPECT_EQ(told_without({}), "");
+    EXPECT_EQ(told_without({}, LimbLead::gait), "");
     for (const TechniqueInfo& technique : k_techniques)
-        EXPECT_EQ(told_without(*parse_without(std::string(technique.name))), technique.name);
-    for (const char* text : {"feet,", "", "feat"}) EXPECT_FALSE(parse_without(text)) << text;
+        EXPECT_EQ(told_without(*parse_without(std::string(technique.name)), LimbLead::gait), technique.name);
+    EXPECT_EQ(parsed({"view", "--scene", "walker-curves"}).techniques, usual_techniques(LimbLead::curves));
+    EXPECT_EQ(parsed({"view", "--scene", "walker-curves", "--without", "none"}).techniques, Techniques{});
+    EXPECT_EQ(told_without({}, LimbLead::curves), "none");
+    EXPECT_EQ(told_without(usual_techniques(LimbLead::curves), LimbLead::curves), "");
+    for (const char* text : {"feet,", "", "feat", "none,feet"}) EXPECT_FALSE(parse_without(text)) << text;
     EXPECT_NE(parse_without("pelvsi").error().message.find("Did you mean pelvis?"), std::string::npos);
 }
 

@@ -72,7 +72,7 @@ TEST_F(OverlayTest, EachViewShowsSomethingAndNoneNothing) {
 
 // What the two documents draw: of one who staggers two circles and a third, of one who rambles rays.
 TEST(Ways, AreDrawnOfThoseWithoutAGoal) {
-    for (const char* scene : {"drunk-stride", "walker-report"}) {
+    for (const char* scene : {"drunk-stride", "walker-report", "walker-curves"}) {
         Options options;
         options.scene = load_scene(scene).value();
         options.scene.walkers = 3;

@@ -14,24 +14,25 @@ sim/base:
 sim/body: sim/base
 sim/ik: sim/base
 sim/linkages: sim/base, sim/ik
+sim/limbs: sim/base
 sim/ground: sim/base
 sim/navigation: sim/base, sim/ground
 sim/ways: sim/base
 sim/gait/curves: sim/base
 sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
-sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ik
+sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ground, sim/ik, sim/limbs
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
-sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
+sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/base, sim/body, sim/crowd, sim/fall, sim/ground
+assets: sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
 assets/plan: assets, sim/base
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
@@ -100,7 +101,7 @@ tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
 tools/flaneur/overlay: renderer, sim, sim/gait, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
-tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
+tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/limbs, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/navigation, tools/flaneur/options
 tools/flaneur/window/frame:
@@ -112,7 +113,7 @@ tools/flaneur/window/time: assets, sim, tools/extract, tools/flaneur/history, to
 tools/flaneur/window/kept: assets, tools/flaneur/window/cameras, tools/flaneur/window/time
 tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
-tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure
+tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame

@@ -46,6 +46,11 @@ TEST(Command, TellsWhatBodiesAreDrawnWithout) {
     EXPECT_NE(all.find(" --without feet,canes "), std::string::npos) << all;
     EXPECT_EQ(all.find("walls"), std::string::npos) << all;
     EXPECT_EQ(command_of({"--without", "walls"}, shown()), command_of({}, shown()));
+    s = shown();
+    s.limbs = LimbLead::curves;
+    EXPECT_NE(command_of({}, s).find(" --without none "), std::string::npos) << "limbs go by curves there";
+    s.techniques = usual_techniques(s.limbs);
+    EXPECT_EQ(command_of({}, s), command_of({}, shown()));
 }
 
 TEST(Command, TellsMapsAndLensesToTheLastBit) {

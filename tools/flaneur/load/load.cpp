@@ -288,6 +288,7 @@ Result<Loaded> load(const Options& options) {
     world.platform = platform_of(scene);
     world.drunk = scene.drunk;
     world.pushes = scene.pushes;
+    world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
     auto progress = [](std::string_view what, float done) {
@@ -330,6 +331,8 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.platform = world.platform;
     options.drunk = world.drunk;
     options.pushes = world.pushes;
+    options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
+    options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);
     options.leaving = world.crowd.demand.leaving;
     options.sendings = world.coming.sendings;

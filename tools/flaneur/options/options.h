@@ -210,9 +210,11 @@ struct Options {
 
 // "me.glb", "me.glb:2.5" or "builtin:9": a file or the built-in people, and their share of the walkers.
 Result<PeopleShare> parse_people(const std::string& text);
-// "feet,walls": all techniques but these; and back, of those that are off.
+// Without what bodies are drawn usually where limbs are led so.
+Techniques usual_techniques(LimbLead limbs);
+// "feet,walls": all techniques but these; "none": all. And back, of those that are off; "": as is usual.
 Result<Techniques> parse_without(const std::string& text);
-std::string told_without(Techniques techniques);
+std::string told_without(Techniques techniques, LimbLead limbs);
 // 0 .. 2^64 - 1.
 Result<uint64_t> parse_seed(const std::string& text);
 // "21.5:24"

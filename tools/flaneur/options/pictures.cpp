@@ -104,13 +104,13 @@ void add_lod(CLI::App& app, Options& options) {
                "METRES|off", "");
 }
 
-void add_without(CLI::App& app, Options& options) {
+void add_without(CLI::App& app, SceneWords& words) {
     std::string names;
     for (const TechniqueInfo& technique : k_techniques)
         names.append(names.empty() ? "" : ", ").append(technique.name);
-    add_parsed(app, "--without", parse_without, options.techniques,
+    add_parsed(app, "--without", parse_without, words.techniques,
                ("Draw bodies without some of what makes them, such as feet,walls: " + names +
-                "; see docs/gait.md. They walk as ever")
+                "; or none; see docs/gait.md. They walk as ever")
                    .c_str(),
                "NAME,...", "");
 }
@@ -122,7 +122,7 @@ void add_view(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*view, words, options);
     add_camera_option(*view, words);
     add_work_views(*view, words);
-    add_without(*view, options);
+    add_without(*view, words);
     add_lod(*view, options);
     add_trace_option(*view, options);
     view->add_flag("--capture", options.captures,
@@ -145,7 +145,7 @@ void add_render(CLI::App& app, SceneWords& words, Options& options) {
     add_drawing_options(*render, words, options);
     add_camera_option(*render, words);
     add_work_views(*render, words);
-    add_without(*render, options);
+    add_without(*render, words);
     add_lod(*render, options);
     add_trace_option(*render, options);
     add_parsed(*render, "--frames", parse_ticks, options.ticks,

@@ -239,6 +239,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.fov) options.scene.fov = *words.fov;
     if (words.fov && options.scene.camera.kind == CameraChoice::Kind::map)
         return Error{"--fov is for a picture in perspective: a map is as wide as map:X,Z,ACROSS says."};
+    options.techniques = words.techniques.value_or(usual_techniques(options.scene.limbs));
     if (words.size) options.scene.size = *words.size;
     if (words.quality) options.scene.quality = *words.quality;
     if (words.views) options.scene.views = *words.views;

@@ -29,6 +29,7 @@ struct SceneWords {
     std::optional<float> fov;
     std::optional<Size> size;
     std::optional<WorkViews> views;
+    std::optional<Techniques> techniques;
 };
 
 // An option whose text one of the parse_ functions takes apart. What they refuse with begins with the text.

@@ -51,6 +51,7 @@ Result<Techniques> parse_without(const std::string& text) {
     known.reserve(k_techniques.size());
     for (const TechniqueInfo& technique : k_techniques) known.emplace_back(technique.name);
     Techniques techniques;
+    if (text == "none") return techniques;
     for (const std::string_view name : split(text, ',')) {
         if (name.empty()) return Error{excerpt(text) + " has a comma that no technique stands beside"};
         const auto* found = std::ranges::find(k_techniques, name, &TechniqueInfo::name);
@@ -62,7 +63,15 @@ Result<Techniques> parse_without(const std::string& text) {
     return techniques;
 }
 
-std::string told_without(Techniques techniques) {
+Techniques usual_techniques(LimbLead limbs) {
+    Techniques techniques;
+    techniques.gait = limbs == LimbLead::gait;
+    return techniques;
+}
+
+std::string told_without(Techniques techniques, LimbLead limbs) {
+    if (techniques == usual_techniques(limbs)) return "";
+    if (techniques == Techniques{}) return "none";
     std::string text;
     for (const TechniqueInfo& technique : k_techniques)
         if (!(techniques.*technique.is_on)) text.append(text.empty() ? "" : ",").append(technique.name);

@@ -98,7 +98,7 @@ std::string record_of(const Options& options) {
     put("--size", std::to_string(s.size.width) + "x" + std::to_string(s.size.height));
     put("--quality", s.quality);
     put("--transparent", options.is_transparent ? "yes" : "");
-    put("--without", told_without(options.techniques));
+    put("--without", told_without(options.techniques, options.scene.limbs));
     put("--view", joined(names_of(s.views)));
     put("--frames", "from " + std::to_string(t.first) + " by " + std::to_string(t.step));
     return record.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -133,10 +133,36 @@ void add_hand_gizmos(const World& world, const OverlayInput& input, const People
              joint_place(input, people, i, side == k_left ? left_upper_arm : right_upper_arm));
 }
 
+// Whether limbs go by curves.
+bool are_led(const OverlayInput& input) {
+    return input.without && !input.without->on.gait && !input.without->clocks.empty();
+}
+
+// The targets, as balls, and from where limbs go to them.
+void add_curve_gizmos(const OverlayInput& input, const PeopleFrame& people, uint32_t i, Overlay& overlay) {
+    const World& world = input.world;
+    const Without& w = *input.without;
+    const PlacedTargets targets =
+        targets_of(world.gait, i, world.crowd.march.how, w.clocks, world.around, w.poses);
+    auto add = [&](Vec3 target, Joint root, uint32_t colour) {
+        Pen ball{.radius_a = 0.05f, .radius_b = 0.05f, .pixels = 1, .place = GizmoPlace::in_world_hidden};
+        ball.colour = colour;
+        add_point(overlay.lines, ball, to_glm(target));
+        add_line(overlay.lines, {.pixels = 1.2f, .colour = colour}, to_glm(target),
+                 joint_place(input, people, i, root));
+    };
+    for (Side side : {k_left, k_right}) {
+        const uint32_t colour = side == k_left ? k_left_colour : k_right_colour;
+        add(targets.feet[side], side == k_left ? left_upper_leg : right_upper_leg, colour);
+        add(targets.hands[side], side == k_left ? left_upper_arm : right_upper_arm, colour);
+    }
+}
+
 }  // namespace
 
 void add_contact_marks(const OverlayInput& input, uint32_t i, Overlay& overlay) {
     const World& world = input.world;
+    if (are_led(input)) return;
     for (Side side : {k_left, k_right}) {
         const FootBlock& foot = world.gait.blocks[i / k_block].feet[side];
         if (foot.swinging[i % k_block]) continue;
@@ -166,7 +192,9 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
               at + on_ground(crowd.motion.velocity[i]), up);
     add_arrow(overlay.lines, {.pixels = 1.3f, .colour = ink(0x8fc15a, 0.6f)}, at,
               at + on_ground(crowd.decision.wanted[i]), up);
+    if (are_led(input)) add_curve_gizmos(input, people, i, overlay);
     for (Side side : {k_left, k_right}) {
+        if (are_led(input)) break;
         add_foot_gizmos(world, i, side, overlay);
         add_hand_gizmos(world, input, people, i, side, overlay);
     }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/without.h"
 #include "sim/world.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/options/options.h"
@@ -34,7 +35,8 @@ struct OverlayInput {
     const World& world;
     const std::vector<Character>& characters;
     const Camera& camera;
-    float between = 1;  // the last two ticks
+    float between = 1;                 // the last two ticks
+    const Without* without = nullptr;  // by which people are drawn, as they were last caught up; null: whole
 };
 
 // Sets what `views` ask for in `frame`, which refers to `overlay` and `people` then.

@@ -54,13 +54,14 @@ void add_rays(const OverlayInput& input, const Wayfarer& way, bool with_fan, Ove
         if (comes < reach) add_cross(overlay.lines, pen, to_glm(end), k_hit);
         return comes;
     };
+    const LimbCurves& how = c.march.how;
     // The fan decides where the ray ahead has met something.
-    const bool is_blocked = ray(0, k_ray_ahead) < k_ray_ahead;
+    const bool is_blocked = ray(0, how.ray_ahead) < how.ray_ahead;
     if (!is_blocked && !with_fan) return;
     float longest = 0;
-    for (const float degrees : k_fan) longest = std::max(longest, ray(degrees, k_ray_aside));
-    if (longest < k_ray_aside)
-        for (const float degrees : k_fan_behind) ray(degrees, k_ray_aside);
+    for (const float degrees : k_fan) longest = std::max(longest, ray(degrees, how.ray_aside));
+    if (longest < how.ray_aside)
+        for (const float degrees : k_fan_behind) ray(degrees, how.ray_aside);
 }
 
 // In the document's colours: rays yellow and red, normals green and magenta, their mean cyan.

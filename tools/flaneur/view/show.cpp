@@ -162,8 +162,9 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     frame.is_overcast = show.is_overcast;
     frame.lit_windows = show.lit_windows;
     const Camera close = close_camera(camera);
-    lay_over({*show.loaded.world, show.loaded.characters, close, between}, show.work_views, show.people,
-             show.overlay, frame);
+    lay_over({*show.loaded.world, show.loaded.characters, close, between,
+              show.draws_whole ? nullptr : &show.without},
+             show.work_views, show.people, show.overlay, frame);
     dot_people(show, make_view(camera, static_cast<uint32_t>(size.width), static_cast<uint32_t>(size.height)),
                camera, frame);
     return frame;

@@ -214,6 +214,7 @@ void act_on_presses(Show& show, Viewer& v) {
             continue;
         }
         if (v.panel_keys.are_on && press_in_panels(press.key, press.mods, v)) continue;
+        if (press_in_drive(press.key, press.mods, show, v)) continue;
         const Action* found = nullptr;
         for (const ActionGroup& group : action_groups())
             for (const Action& action : group.actions)

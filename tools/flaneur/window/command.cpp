@@ -81,6 +81,7 @@ Shown shown_now(const Show& show, const Viewer& v, Size size) {
                 {},
                 {}};
     shown.techniques = show.without.on;
+    shown.limbs = v.change.scene.limbs;
     if (v.change.scene.is_overcast != show.is_overcast) shown.is_overcast = show.is_overcast;
     if (v.change.scene.quality != v.quality) shown.quality = quality_name(*show.renderer);
     return shown;
@@ -104,7 +105,7 @@ void write_changed(const Show& show, const Viewer& v, Shown& shown) {
 std::string command_of(const std::vector<std::string>& words, const Shown& shown) {
     Line line = line_of({"flaneur", "render"}, words, shown);
     line.add("--view", views_of(shown.views));
-    line.add("--without", told_without(shown.techniques));
+    line.add("--without", told_without(shown.techniques, shown.limbs));
     line.add("--frames", std::to_string(shown.tick));
     line.add("--out", "picture.png");
     if (shown.is_transparent) line.words.emplace_back("--transparent");

@@ -20,7 +20,8 @@ struct Shown {
     bool is_transparent = false;           // where there is sky
     bool has_lens = false;                 // the words, or the scene that they name, have one
     std::optional<bool> is_overcast = {};  // if the weather is not that of the words
-    Techniques techniques = {};            // by which bodies are drawn
+    Techniques techniques = {};            // by which bodies are drawn,
+    LimbLead limbs = LimbLead::gait;       // of a scene whose limbs are led so
     std::string quality = {};              // if it is not that of the words; empty: as they say
     std::string scene = {};                // a file that says all of it, in place of the words; empty: none
 };

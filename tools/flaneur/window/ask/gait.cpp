@@ -10,6 +10,7 @@
 #include "tools/extract/convert.h"
 #include "tools/flaneur/overlay/overlay.h"
 #include "tools/flaneur/window/actions.h"
+#include "tools/flaneur/window/ask/curves.h"
 #include "tools/flaneur/window/ask/techniques.h"
 #include "tools/flaneur/window/measure/plot.h"
 #include "tools/flaneur/window/widgets.h"
@@ -180,7 +181,8 @@ void mark_gait(Show& show, Viewer& v, FrameInput& frame) {
         add_footprint(show.overlay.lines, pen, print.heel + lift, print.tip + lift, print.normal);
     }
     if (show.people.walkers[*who].instance.palette != k_no_palette) {
-        const OverlayInput input{world, show.loaded.characters, v.camera};
+        const Without* without = show.draws_whole ? nullptr : &show.without;
+        const OverlayInput input{world, show.loaded.characters, v.camera, 1, without};
         add_contact_marks(input, *who, show.overlay);
         add_gizmos_of(input, show.people, *who, show.overlay);
     }
@@ -243,6 +245,7 @@ void lay_out_gait(Show& show, Viewer& v, float scale) {
     const float width = width_in(v, SidePanel::room, k_wide);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     lay_out_techniques(show, v, width, scale);
+    lay_out_curves(show, v, width);
     ImGui::Checkbox("steps, contacts and targets", &v.watch.shows_steps);
     const std::optional<uint32_t> who = watched(v);
     if (who && !world.roam && is_there(world.crowd, *who))

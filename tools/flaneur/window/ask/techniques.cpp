@@ -26,6 +26,7 @@ void turn(Show&, Viewer& v) {
 constexpr std::array k_actions = {
     Action{"Before and after: techniques of bodies side by side", "Shift+J", GLFW_KEY_J, GLFW_MOD_SHIFT,
            split_techniques},
+    Action{"Technique: gait, steps on the ground; off: limbs by curves", "", 0, 0, turn<&Techniques::gait>},
     Action{"Technique: feet, legs solved to the ground", "", 0, 0, turn<&Techniques::feet>},
     Action{"Technique: soles, tilted with the ground", "", 0, 0, turn<&Techniques::soles>},
     Action{"Technique: heels that rise", "", 0, 0, turn<&Techniques::heels>},
@@ -41,6 +42,13 @@ constexpr std::array k_actions = {
     Action{"Techniques: all on", "", 0, 0, [](Show&, Viewer& v) { v.techniques.on = {}; }},
 };
 static_assert(k_actions.size() == k_techniques.size() + 2);
+
+// Whether it makes a difference: without the gait most do not.
+bool holds(const TechniqueInfo& technique, const Techniques& on) {
+    const auto is = [&](bool Techniques::*other) { return technique.is_on == other; };
+    return on.gait || is(&Techniques::gait) || is(&Techniques::canes) || is(&Techniques::prams) ||
+           is(&Techniques::idles);
+}
 
 void lay_out_half(const char* name, float middle, const std::string& text, Size size, float foot) {
     ImGui::SetNextWindowPos({middle * static_cast<float>(size.width), foot}, ImGuiCond_Always, {0.5f, 1});
@@ -82,8 +90,10 @@ void lay_out_techniques(Show& show, Viewer& v, float width, float scale) {
     if (ImGui::BeginTable("techniques", columns, 0, {width, 0})) {
         for (const TechniqueInfo& technique : k_techniques) {
             ImGui::TableNextColumn();
+            ImGui::BeginDisabled(!holds(technique, v.techniques.on));
             ImGui::Checkbox(technique.name.data(), &(v.techniques.on.*technique.is_on));
-            if (!ImGui::IsItemHovered()) continue;
+            ImGui::EndDisabled();
+            if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) continue;
             constexpr float k_tip = 320;
             begin_tip_beside(k_tip * scale);
             ImGui::Text("On: %s.", technique.what.data());

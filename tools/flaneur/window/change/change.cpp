@@ -129,6 +129,7 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
                  .who = scene.people,
                  .mix = scene.mix};
     c.designs = {{c.carried}, 0, 0, {0}};
+    c.driving.is_by_turns = scene.limbs == LimbLead::curves;
 }
 
 bool is_as_opened(const Change& c) {

@@ -23,6 +23,16 @@ struct ChangeGrip {
     Vec3 from;                    // where it was taken hold of
 };
 
+// How who is driven goes.
+struct Driving {
+    bool is_by_turns =
+        false;  // as pressed once: on and on, or not; and about by 45 degrees, slowly. Else as held
+    bool goes_on = false;
+    float heading = 0;
+    SlowTurn turn;
+    uint32_t tick = 0;  // as of which these are
+};
+
 struct Change {
     Scene scene;        // as the window was opened
     Designs designs;    // what is wanted
@@ -40,6 +50,7 @@ struct Change {
     char typed_hour[16] = {};
     char path[256] = "out/scene.json";
     bool is_naming = false, starts_naming = false;
+    Driving driving;
 };
 
 // The window shows the scene of these options now.

@@ -16,6 +16,8 @@ namespace {
 
 constexpr float k_run = 3, k_run_with_pram = 1.6f;  // m/s
 constexpr float k_dead = 0.2f;                      // of a stick
+constexpr float k_goes = 0.3f;                      // m/s, at which one goes on rather than stands
+constexpr float k_turn_of_key = 45;                 // degrees
 
 struct Asked {
     Vec2 way;  // x to the right, z ahead; of length 1 at most
@@ -44,6 +46,27 @@ Asked asked_of(GLFWwindow* window) {
 
 }  // namespace
 
+// From where it is now.
+static void begin_driving(const Show& show, Viewer& v) {
+    const World& world = *show.loaded.world;
+    const Crowd& c = world.crowd;
+    Driving& d = v.change.driving;
+    const Vec2 velocity = c.motion.velocity[c.driven.walker];
+    d.goes_on = length(velocity) > k_goes;
+    d.heading = c.motion.heading[c.driven.walker];
+    d.turn = {};
+    d.tick = world.tick;
+}
+
+static void tell_keys(Viewer& v) {
+    tell(
+        v,
+        v.change.driving.is_by_turns
+            ? "Up: go on. Down: stop. Left, Right: turn by 45 degrees. Shift: run. Space: jump. Esc gives it "
+              "back to its errand."
+            : "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
+}
+
 bool is_driving(const Show& show) { return show.loaded.world->crowd.driven.walker != k_nobody; }
 
 bool let_go_of_driven(Show& show, Viewer& v) {
@@ -66,7 +89,40 @@ void drive_asked(Show& show, Viewer& v) {
     v.selected = who;
     choose(v, CameraChoice::Kind::follow);
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
-    tell(v, "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
+    begin_driving(show, v);
+    tell_keys(v);
+}
+
+void drive_by_turns(Show& show, Viewer& v, bool is_by_turns) {
+    v.change.driving.is_by_turns = is_by_turns;
+    if (!is_driving(show)) return;
+    begin_driving(show, v);
+    tell_keys(v);
+}
+
+bool press_in_drive(int key, int mods, Show& show, Viewer& v) {
+    Driving& d = v.change.driving;
+    if (!d.is_by_turns || !is_driving(show) || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT))) return false;
+    auto is_one_of = [&](int a, int b) { return key == a || key == b; };
+    if (is_one_of(GLFW_KEY_UP, GLFW_KEY_W)) return d.goes_on = true;
+    if (is_one_of(GLFW_KEY_DOWN, GLFW_KEY_S)) return d.goes_on = false, true;
+    const bool is_left = is_one_of(GLFW_KEY_LEFT, GLFW_KEY_A);
+    if (!is_left && !is_one_of(GLFW_KEY_RIGHT, GLFW_KEY_D)) return false;
+    if (is_turning(d.turn)) return true;
+    d.goes_on = true;
+    d.turn =
+        begin_turn(show.loaded.world->crowd.march.how, d.heading, is_left ? k_turn_of_key : -k_turn_of_key);
+    return true;
+}
+
+Vec2 wish_by_turns(const World& world, Driving& d, std::optional<float> speed) {
+    const Crowd& c = world.crowd;
+    const uint32_t walker = c.driven.walker;
+    if (is_turning(d.turn)) d.heading = turn_on(d.turn, static_cast<float>(world.tick - d.tick) * k_tick);
+    d.tick = world.tick;
+    if (!d.goes_on) return {};
+    const float own = is_on(c.march) ? c.march.pace[walker] : c.identity.preferred_speed[walker];
+    return heading_direction(d.heading) * speed.value_or(own);
 }
 
 void push_asked(Show& show, Viewer& v, float impulse) {
@@ -90,14 +146,19 @@ bool jump_driven(Show& show) {
     return let_jump(world, {walker, world.crowd.slots.generation[walker]});
 }
 
-void steer_driven(GLFWwindow* window, Show& show, const Viewer& v) {
+void steer_driven(GLFWwindow* window, Show& show, Viewer& v) {
     if (!is_driving(show)) return;
     Crowd& crowd = show.loaded.world->crowd;
     const uint32_t walker = crowd.driven.walker;
     const Asked asked = asked_of(window);
+    const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
+    if (v.change.driving.is_by_turns) {
+        const std::optional<float> speed = asked.runs ? std::optional(run) : std::nullopt;
+        crowd.driven.wish = wish_by_turns(*show.loaded.world, v.change.driving, speed);
+        return;
+    }
     const glm::vec3 way = v.camera.target - v.camera.eye;
     const Vec2 ahead = normalize_or(Vec2{way.x, way.z}, {0, 1}), right{-ahead.z, ahead.x};
-    const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
     const float speed = asked.runs ? run : crowd.identity.preferred_speed[walker];
     crowd.driven.wish = (ahead * asked.way.z + right * asked.way.x) * speed;
 }

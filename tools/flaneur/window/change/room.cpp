@@ -272,6 +272,13 @@ constexpr std::array k_actions = {
            [](Show& show, Viewer& v) { push_asked(show, v, k_shove); }},
     Action{"Push so hard that it falls", "Shift+P", GLFW_KEY_P, GLFW_MOD_SHIFT,
            [](Show& show, Viewer& v) { push_asked(show, v, k_hard_shove); }},
+    Action{"Drive by turns of 45 degrees a key, or as keys are held", "Shift+X", GLFW_KEY_X, GLFW_MOD_SHIFT,
+           [](Show& show, Viewer& v) {
+               drive_by_turns(show, v, !v.change.driving.is_by_turns);
+               if (!is_driving(show))
+                   tell(v, v.change.driving.is_by_turns ? "X drives by turns of 45 degrees."
+                                                        : "X drives as keys are held.");
+           }},
 };
 
 }  // namespace

@@ -52,6 +52,8 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.views = show.work_views;
     s.quality = v.quality;
+    const bool marches = is_on(show.loaded.world->crowd.march);
+    s.limbs = marches && s.habit == Habit::ramble ? LimbLead::curves : LimbLead::gait;
     s.camera = camera_of(v);
     if (s.camera.kind == CameraChoice::Kind::follow && s.camera.walker >= d.people)
         s.camera = {CameraChoice::Kind::fixed,
