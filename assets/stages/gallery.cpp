@@ -109,12 +109,15 @@ std::vector<Linkage> make_exhibits(uint64_t seed) {
     const std::vector<Vec3> places = plinths();
     constexpr int k_joints = 10;
     constexpr float k_bone = 0.2f;
+    // Else what a method leaves of each tick adds up, and chains curl up in minutes.
+    constexpr float k_recoil = 0.03f;
     auto key = [&](uint32_t n) { return RandomKey{seed, n, 0, Purpose::city}; };
     std::vector<Linkage> linkages;
     auto place = [&] { return places[linkages.size()]; };
     for (const Solver solver : {Solver::fabrik, Solver::ccd, Solver::transpose, Solver::damped}) {
         Linkage f = chain_linkage(k_joints, k_bone, solver);
-        f.patience.iterations = 200;
+        f.method.patience.iterations = 200;
+        f.recoil = k_recoil;
         lead_chain(f, place(), k_bone * (k_joints - 1), key(0));
         linkages.push_back(std::move(f));
     }
@@ -145,8 +148,8 @@ std::vector<Linkage> make_exhibits(uint64_t seed) {
     linkages.push_back(standing_body(place(), key(3)));
 
     Linkage octopus = octopus_linkage(6, 1.1f);
-    stand(octopus, place() + Vec3{0, 1.15f, 0}, 0.7f, {0.2f, 0.2f, 0.2f}, key(4));
-    octopus.root = swaying(octopus.root.middle, {0.1f, 0.15f, 0.1f}, key(4), 900);
+    stand(octopus, place() + Vec3{0, 0.5f, 0}, 0.72f, {0.18f, 0.14f, 0.18f}, key(4));
+    octopus.root = swaying(octopus.root.middle, {0.1f, 0.12f, 0.1f}, key(4), 900);
     linkages.push_back(std::move(octopus));
 
     Linkage tree = random_tree_linkage(40, 0.24f, seed);

@@ -72,7 +72,7 @@ Tried try_trees(int joints) {
     constexpr int k_trees = 200;
     return try_all(k_trees, k_tolerance * k_bone * k_joints, [&](uint32_t n) {
         Linkage tree = random_tree_linkage(joints, k_bone, n + 1);
-        tree.patience = {k_tolerance * k_bone * k_joints, k_most};
+        tree.method.patience = {k_tolerance * k_bone * k_joints, k_most};
         std::vector<Vec3> turned(tree.rest.size());
         for (size_t j = 1; j < turned.size(); ++j) {
             const auto parent = static_cast<size_t>(tree.shape.parents[j]);
@@ -86,7 +86,7 @@ Tried try_trees(int joints) {
             if (const int e = tree.shape.effectors[j]; e != k_no_effector)
                 targets[static_cast<size_t>(e)] = turned[j];
         std::vector<Vec3> places = tree.rest;
-        return solve_linkage(tree, places, targets);
+        return solve_linkage(tree, tree.method, places, targets);
     });
 }
 
