@@ -24,9 +24,10 @@ sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ik
 sim/animation: sim/base, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
+sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/figures, sim/gait, sim/ground, sim/hands, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -38,7 +39,7 @@ assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
-assets/stages: assets, sim/base, sim/linkages, sim/surface, sim/ways
+assets/stages: assets, sim, sim/base, sim/figures, sim/linkages, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
@@ -76,7 +77,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/pose
+tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/figures, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:

@@ -61,4 +61,33 @@ void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay) {
     }
 }
 
+void add_figure_gizmos(const OverlayInput& input, Overlay& overlay) {
+    constexpr float k_letters = 9, k_over = 0.3f;  // pixels; metres over the head
+    constexpr float k_reach = 16;                  // metres from the eye
+    const Troupe& figures = input.world.figures;
+    for (size_t i = 0; i < figures.plans.size(); ++i) {
+        const FigurePlan& plan = figures.plans[i];
+        const Vec3 at = joint_between(figures, i, head, input.between).position;
+        if (glm::length(to_glm(at) - input.camera.eye) > k_reach) continue;
+        std::string now_at;
+        if (plan.by == FigurePlan::By::keys) {
+            const KeyInputs now =
+                key_inputs(figures.gait.blocks[i / k_block], i % k_block, figures.moves[i].crouch);
+            char numbers[80];
+            std::snprintf(numbers, sizeof numbers, "speed %.2f, crouch %.2f, lean %+.2f, leap %.2f",
+                          static_cast<double>(now.rows[key_speed]), static_cast<double>(now.rows[key_crouch]),
+                          2 * static_cast<double>(now.rows[key_lean]) - 1,
+                          static_cast<double>(now.rows[key_leap]));
+            now_at = numbers;
+        }
+        float down = now_at.empty() ? 0 : -1.8f * k_letters;
+        for (const std::string_view words : {std::string_view(plan.name), std::string_view(now_at)}) {
+            add_text(overlay.lines,
+                     {{at.x, at.y + k_over, at.z}, {-0.5f * text_width(words, k_letters), down}}, words,
+                     ink(0xf6f3ec), k_letters);
+            down += 1.8f * k_letters;
+        }
+    }
+}
+
 }  // namespace flaneur
