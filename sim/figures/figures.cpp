@@ -58,25 +58,20 @@ void move(const FigurePlan& plan, const Ground& ground, const FigureWish& want, 
     m.crouch += clamp(want.crouch - m.crouch, -k_crouch_rate * k_tick, k_crouch_rate * k_tick);
 }
 
-struct Rows {
-    std::vector<Vec3> position;
-    std::vector<Vec2> velocity, wish;
-    std::vector<float> heading, turn_rate, brakes;
-    explicit Rows(const std::vector<FigureMove>& moves) {
-        for (const FigureMove& m : moves) {
-            position.push_back(m.position);
-            velocity.push_back(m.motion.velocity);
-            wish.push_back(m.motion.aim);
-            heading.push_back(m.motion.heading);
-            turn_rate.push_back(m.motion.turn_rate);
-            brakes.push_back(m.motion.brakes);
-        }
+RootMotion told(const std::vector<FigureMove>& moves, FigureRows& rows) {
+    const size_t count = moves.size();
+    rows.position.resize(count), rows.velocity.resize(count), rows.wish.resize(count);
+    rows.heading.resize(count), rows.turn_rate.resize(count), rows.brakes.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+        const Motion& motion = moves[i].motion;
+        rows.position[i] = moves[i].position;
+        rows.velocity[i] = motion.velocity, rows.wish[i] = motion.aim;
+        rows.heading[i] = motion.heading, rows.turn_rate[i] = motion.turn_rate;
+        rows.brakes[i] = motion.brakes;
     }
-    RootMotion root() const {
-        return {position.data(),  velocity.data(), heading.data(),
-                turn_rate.data(), wish.data(),     brakes.data()};
-    }
-};
+    return {rows.position.data(),  rows.velocity.data(), rows.heading.data(),
+            rows.turn_rate.data(), rows.wish.data(),     rows.brakes.data()};
+}
 
 // Joints and where they are told from.
 void copy_walker(const std::vector<PoseBlock>& poses, size_t walker, size_t figure, Vec3 aside,
@@ -101,16 +96,12 @@ size_t walker_of(const Troupe& f, size_t figure) {
 // Who lacks a technique is posed once more.
 void pose_by_techniques(Troupe& f) {
     f.poses = f.whole;
-    std::vector<PoseBlock> bare(f.whole.size());
-    std::vector<Techniques> done;
-    for (const FigurePlan& plan : f.plans) {
-        if (std::ranges::find(done, plan.on) != done.end()) continue;
-        done.push_back(plan.on);
-        const bool is_whole = plan.on == Techniques{};
-        if (!is_whole) pose_bare(f.gait, 0, bare.size(), plan.on, f.whole, bare);
+    for (const Techniques& on : f.sets) {
+        const bool is_whole = on == Techniques{};
+        if (!is_whole) pose_bare(f.gait, 0, f.bare.size(), on, f.whole, f.bare);
         for (size_t i = 0; i < f.plans.size(); ++i)
-            if (f.plans[i].on == plan.on)
-                copy_walker(is_whole ? f.whole : bare, walker_of(f, i), i, f.plans[i].aside, f.poses);
+            if (f.plans[i].on == on)
+                copy_walker(is_whole ? f.whole : f.bare, walker_of(f, i), i, f.plans[i].aside, f.poses);
     }
 }
 
@@ -122,7 +113,7 @@ void pose_all(Troupe& f) {
         if (plan.by == FigurePlan::By::keys)
             pose_by_keys(f.trees[i], key_inputs(f.gait.blocks[i / k_block], i % k_block, f.moves[i].crouch),
                          f.gait, i, posed);
-        if (plan.by == FigurePlan::By::statue) pose_as_key(plan.key, false, f.bodies[i], f.gait, i, posed);
+        if (plan.by == FigurePlan::By::statue) pose_as(f.keys[i], f.bodies[i], f.gait, i, posed);
     }
 }
 
@@ -167,13 +158,15 @@ Troupe make_figures(std::vector<FigurePlan> plans, std::shared_ptr<const Ground>
         f.bodies.push_back(bodies[plan.kind]);
         f.trees.push_back(plan.by == FigurePlan::By::keys ? key_tree(bodies[plan.kind], plan.curves)
                                                           : BlendTree{});
+        f.keys.push_back(key_pose(bodies[plan.kind], plan.key));
         manners.push_back(manner_of(plan));
+        if (std::ranges::find(f.sets, plan.on) == f.sets.end()) f.sets.push_back(plan.on);
         numbers.push_back(static_cast<uint32_t>(numbers.size()));
     }
-    const Rows rows(f.moves);
-    start_gait(f.gait, f.plans.size(), f.bodies, numbers.data(), scales.data(), rows.root(),
+    start_gait(f.gait, f.plans.size(), f.bodies, numbers.data(), scales.data(), told(f.moves, f.rows),
                surroundings_of(*f.ground), seed, manners.data());
     f.whole.resize(f.gait.blocks.size());
+    f.bare.resize(f.whole.size());
     pose_blocks(f.gait, 0, f.whole.size(), f.whole);
     f.before = f.whole;
     pose_all(f);
@@ -202,8 +195,7 @@ void step_figures(Troupe& f, uint64_t seed, uint32_t tick) {
         move(f.plans[i], *f.ground, want, stair_pace(leg_length(f.bodies[i])), f.moves[i]);
         if (want.leaps) jump(f.gait, i);
     }
-    const Rows rows(f.moves);
-    const RootMotion root = rows.root();
+    const RootMotion root = told(f.moves, f.rows);
     advance_gait(f.gait, 0, count, root, around, seed, tick, k_tick);
     reach_for_walls(f.gait, 0, count, root, around, seed, tick, k_tick);
     for (size_t i = 0; i < count; ++i) f.moves[i].motion.feet = footwork(f.gait, i, f.moves[i].position);

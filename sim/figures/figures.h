@@ -46,15 +46,27 @@ struct FigureMove {
     Motion motion;
 };
 
+// What the gait is told of them, one value a figure.
+struct FigureRows {
+    std::vector<Vec3> position;
+    std::vector<Vec2> velocity, wish;
+    std::vector<float> heading, turn_rate, brakes;
+};
+
 struct Troupe {
     std::vector<FigurePlan> plans;
     std::shared_ptr<const Ground> ground;
     std::vector<Body> bodies;      // of each
     std::vector<BlendTree> trees;  // of each; empty where no keys make it
+    std::vector<LocalPose> keys;   // of each, of which statues are
     std::vector<FigureMove> moves;
     Gait gait;
     std::vector<PoseBlock> whole, before;          // as the gait has them, after the last tick and before
     std::vector<PoseBlock> poses, previous_poses;  // as they are seen, the same
+    std::vector<Techniques> sets;                  // that plans have on, each once
+    // Of one tick alone.
+    FigureRows rows;
+    std::vector<PoseBlock> bare;
 };
 
 // What everybody does in a tick who varies, m/s and share: a round of k_figure_round ticks.
@@ -68,7 +80,7 @@ FigureWish figure_wish(const FigurePlan& plan, uint32_t tick);
 // Standing at the start of their ways. `bodies` are of the plans' kinds.
 Troupe make_figures(std::vector<FigurePlan> plans, std::shared_ptr<const Ground> ground,
                     const std::vector<Body>& bodies, uint64_t seed);
-// A tick. Nothing of it depends on how many threads there are.
+// A tick, which allocates nothing.
 void step_figures(Troupe& figures, uint64_t seed, uint32_t tick);
 // What follows from moves and gait, after these were written over.
 void pose_figures_anew(Troupe& figures);

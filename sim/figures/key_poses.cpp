@@ -308,10 +308,9 @@ void pose_by_keys(const BlendTree& tree, const KeyInputs& inputs, const Gait& ga
     copy_lane(keys, lane, posed);
 }
 
-void pose_as_key(KeyPose pose, bool is_mirrored, const Body& body, const Gait& gait, size_t walker,
-                 PoseBlock& posed) {
+void pose_as(const LocalPose& pose, const Body& body, const Gait& gait, size_t walker, PoseBlock& posed) {
     const size_t lane = walker % k_block;
-    const Places at = places_of(body, key_pose(body, pose, is_mirrored));
+    const Places at = places_of(body, pose);
     for (size_t j = 0; j < k_joint_count; ++j) set_joint(posed, j, lane, {at.joint[j], at.turn[j]});
     set_onto_root(gait.blocks[walker / k_block], lane, 0, posed);
 }

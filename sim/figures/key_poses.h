@@ -70,8 +70,7 @@ KeyInputs key_inputs(const GaitBlock& gait, size_t lane, float crouch);
 // air, and the hips come down as far as these ask. The lane of `posed` is written over.
 void pose_by_keys(const BlendTree& tree, const KeyInputs& inputs, const Gait& gait, size_t walker,
                   PoseBlock& posed);
-// One key pose, as it is, of a walker who stands at its root.
-void pose_as_key(KeyPose pose, bool is_mirrored, const Body& body, const Gait& gait, size_t walker,
-                 PoseBlock& posed);
+// One pose, as it is, of a walker of this body who stands at its root.
+void pose_as(const LocalPose& pose, const Body& body, const Gait& gait, size_t walker, PoseBlock& posed);
 
 }  // namespace flaneur

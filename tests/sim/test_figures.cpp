@@ -7,7 +7,7 @@
 #include "sim/base/rng.h"
 #include "sim/base/tick.h"
 #include "sim/figures/figures.h"
-#include "tests/sim/small_grounds.h"
+#include "tests/sim/allocations.h"
 
 namespace flaneur {
 namespace {
@@ -229,6 +229,17 @@ TEST(Figures, WithoutATechniqueAFigureGoesInStepWithItsTwin) {
                                        joint_pose(f.poses, 1, left_foot).position));
     }
     EXPECT_GT(apart, 0.03f);
+}
+
+TEST(Figures, ATickAllocatesNothing) {
+    FigurePlan statue = round_walk(FigurePlan::By::statue), bare = round_walk(FigurePlan::By::techniques);
+    statue.way.resize(1);
+    bare.on.feet = false;
+    Troupe f = make_figures({round_walk(FigurePlan::By::keys), statue, bare}, plain(), {k_body}, 1);
+    for (uint32_t tick = 0; tick < 10; ++tick) step_figures(f, 1, tick);
+    const size_t before = allocations();
+    for (uint32_t tick = 10; tick < 600; ++tick) step_figures(f, 1, tick);
+    EXPECT_EQ(allocations() - before, 0u);
 }
 
 // What is kept of a state is all that the next tick reads.
