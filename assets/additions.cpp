@@ -117,6 +117,17 @@ std::string told(const Addition& a, size_t number) {
     return text + " at " + metres(a.at.x) + "," + metres(a.at.y) + "," + metres(a.at.z) + ", ";
 }
 
+// Whether a thing of this size would stand in a solid, such as a plinth.
+bool is_in_solid(const Ground& ground, Vec3 place, Vec2 half) {
+    constexpr float k_foot = 0.1f, k_low = 1;  // metres; what is higher up lets things stand below
+    const float least = std::min(half.x, half.z);
+    const Vec3 foot = place + Vec3{0, k_foot, 0};
+    const auto above = raycast(ground, foot, {0, 1, 0}, k_low);
+    if (above && above->what == RayHit::What::solid) return true;
+    const auto beside = closest_wall(ground, foot, least);
+    return beside && beside->face == ~0u;
+}
+
 // What is wrong with it there; empty: nothing.
 std::string add_one(City& city, const Addition& a) {
     const Ground& ground = city.ground;
@@ -148,6 +159,13 @@ std::string add_one(City& city, const Addition& a) {
         return "";
     }
     const Prop prop = prop_of(a, *place);
+    if (is_in_solid(ground, *place, half_footprint(prop))) return "would stand in what is there";
+    for (const Prop& other : city.props) {
+        const Vec2 half = half_footprint(prop), others = half_footprint(other);
+        const float near = 0.7f * (std::min(half.x, half.z) + std::min(others.x, others.z));
+        const Vec3 apart = other.position - *place;
+        if (length(on_ground(apart)) < near && std::fabs(apart.y) < 1) return "would stand in what is there";
+    }
     put(city, prop);
     if (a.kind == AddedKind::bench) {
         const Vec2 ahead = heading_direction(prop.yaw);

@@ -54,7 +54,9 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(d.wanted, d.course, d.aim, d.looks, d.chosen, d.claim);
     some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
-    all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets);
+    all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
+    all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
+        w.linkages.held);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
     all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, w.roam->frames,
@@ -146,12 +148,12 @@ uint64_t state_mark(const World& w) {
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
-    for (size_t size :
-         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
-          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                       w.roam->compound.capsules.size() + 1
-                 : 0})
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.linkages.places.size(), w.figures.plans.size(),
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;
@@ -238,6 +240,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     if (w.roam) w.roam->previous_frames = w.roam->frames;
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
+    pose_figures_anew(w.figures);
     return {};
 }
 

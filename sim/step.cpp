@@ -137,6 +137,7 @@ void step_bodies(World& w) {
     timed(w, Stage::pose, [&] {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);
+        step_figures(w.figures, w.seed, w.tick);
         if (w.roam) step_creatures(*w.roam, w.linkages, *w.workers);
     });
     ++w.tick;

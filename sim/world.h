@@ -18,6 +18,7 @@
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
 #include "sim/falls.h"
+#include "sim/figures/figures.h"
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
@@ -56,6 +57,7 @@ struct World {
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Linkages linkages;           // that are no people; mostly none
+    Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;
     Falls falls;                                      // who has been pushed

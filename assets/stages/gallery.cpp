@@ -1,6 +1,7 @@
 #include "assets/stages/gallery.h"
 
 #include "assets/colour.h"
+#include "assets/stages/dais.h"
 #include "assets/stages/meadow.h"
 #include "assets/stages/solids.h"
 #include "sim/base/math.h"
@@ -11,6 +12,7 @@ namespace flaneur {
 namespace {
 
 constexpr float k_half = 15, k_back = -6, k_front = 9;  // metres: of the terrace, along x and z
+constexpr float k_dais_back = -17.4f;                   // the same, of what people do not walk on
 constexpr float k_above_meadow = 0.3f;
 constexpr float k_wall = 2.75f, k_thick = 0.4f;            // metres, of the wall behind
 constexpr float k_plinth = 0.825f, k_plinth_half = 0.45f;  // metres
@@ -18,16 +20,6 @@ constexpr float k_apart = 3.3f;                            // metres between pli
 constexpr float k_rows[] = {-3, 1.6f};                     // along z
 constexpr int k_in_rows[] = {6, 5};
 constexpr uint32_t k_paving = rgb(0xbdb7ab), k_limestone = rgb(0xd8d0c0), k_plaster = rgb(0xe4dfd5);
-
-std::vector<Vec2> box(Vec2 low, Vec2 high) {
-    return {{low.x, low.z}, {high.x, low.z}, {high.x, high.z}, {low.x, high.z}};
-}
-
-void add_block(Scenery& s, Vec2 low, Vec2 high, float bottom, float top, uint32_t colour, SceneryUse use) {
-    const std::vector<Vec2> outline = box(low, high);
-    add_courses(s, outline, bottom, top, colour, use);
-    add_lid(s, outline, top, shaded(colour, 1.04f), use);
-}
 
 // Periods of some seconds, no two axes alike, so that a target goes on and on where it has not been.
 Sway swaying(Vec3 middle, Vec3 reach, RandomKey key, uint32_t draw) {
@@ -88,10 +80,11 @@ City build_gallery(uint64_t seed) {
     hall.ground.kinds.assign(2, Surface::plaza);
     hall.ground_axes.assign(2, {1, 0});
     Scenery& s = hall.scenery;
-    add_courses(s, box({-k_half, k_back}, {k_half, k_front}), -2 * k_above_meadow, 0, k_paving,
+    add_courses(s, box_outline({-k_half, k_back}, {k_half, k_front}), -2 * k_above_meadow, 0, k_paving,
                 SceneryUse::backdrop);
-    add_block(s, {-k_half, k_back - k_thick}, {k_half, k_back}, -2 * k_above_meadow, k_wall, k_plaster,
-              SceneryUse::solid);
+    build_dais(s, {-k_half, k_dais_back}, {k_half, k_back});
+    add_block(s, {-k_half, k_dais_back - k_thick}, {k_half, k_dais_back}, -2 * k_above_meadow, k_wall,
+              k_plaster, SceneryUse::solid);
     for (const Vec3 place : plinths()) {
         const Vec2 half{k_plinth_half, k_plinth_half}, middle = on_ground(place);
         add_block(s, middle - half, middle + half, 0, k_plinth, k_limestone, SceneryUse::solid);
@@ -109,12 +102,15 @@ std::vector<Linkage> make_exhibits(uint64_t seed) {
     const std::vector<Vec3> places = plinths();
     constexpr int k_joints = 10;
     constexpr float k_bone = 0.2f;
+    // Else what a method leaves of each tick adds up, and chains curl up in minutes.
+    constexpr float k_recoil = 0.03f;
     auto key = [&](uint32_t n) { return RandomKey{seed, n, 0, Purpose::city}; };
     std::vector<Linkage> linkages;
     auto place = [&] { return places[linkages.size()]; };
     for (const Solver solver : {Solver::fabrik, Solver::ccd, Solver::transpose, Solver::damped}) {
         Linkage f = chain_linkage(k_joints, k_bone, solver);
-        f.patience.iterations = 200;
+        f.method.patience.iterations = 200;
+        f.recoil = k_recoil;
         lead_chain(f, place(), k_bone * (k_joints - 1), key(0));
         linkages.push_back(std::move(f));
     }
@@ -145,8 +141,8 @@ std::vector<Linkage> make_exhibits(uint64_t seed) {
     linkages.push_back(standing_body(place(), key(3)));
 
     Linkage octopus = octopus_linkage(6, 1.1f);
-    stand(octopus, place() + Vec3{0, 1.15f, 0}, 0.7f, {0.2f, 0.2f, 0.2f}, key(4));
-    octopus.root = swaying(octopus.root.middle, {0.1f, 0.15f, 0.1f}, key(4), 900);
+    stand(octopus, place() + Vec3{0, 0.5f, 0}, 0.72f, {0.18f, 0.14f, 0.18f}, key(4));
+    octopus.root = swaying(octopus.root.middle, {0.1f, 0.12f, 0.1f}, key(4), 900);
     linkages.push_back(std::move(octopus));
 
     Linkage tree = random_tree_linkage(40, 0.24f, seed);

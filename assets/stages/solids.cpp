@@ -40,6 +40,16 @@ void add_courses(Scenery& s, std::span<const Vec2> outline, float bottom, float 
     }
 }
 
+std::vector<Vec2> box_outline(Vec2 low, Vec2 high) {
+    return {{low.x, low.z}, {high.x, low.z}, {high.x, high.z}, {low.x, high.z}};
+}
+
+void add_block(Scenery& s, Vec2 low, Vec2 high, float bottom, float top, uint32_t colour, SceneryUse use) {
+    const std::vector<Vec2> outline = box_outline(low, high);
+    add_courses(s, outline, bottom, top, colour, use);
+    add_lid(s, outline, top, shaded(colour, 1.04f), use);
+}
+
 void add_lid(Scenery& s, std::span<const Vec2> outline, float height, uint32_t colour, SceneryUse use) {
     const auto first = static_cast<uint32_t>(s.vertices.size());
     for (const Vec2 corner : outline)

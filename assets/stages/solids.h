@@ -16,7 +16,11 @@ void add_quad(Scenery& scenery, std::span<const Vec3, 4> corners, uint32_t colou
 // each other.
 void add_courses(Scenery& scenery, std::span<const Vec2> outline, float bottom, float top, uint32_t colour,
                  SceneryUse use, bool round = false);
-// Its top.
+// A box, with its top.
+std::vector<Vec2> box_outline(Vec2 low, Vec2 high);
+void add_block(Scenery& scenery, Vec2 low, Vec2 high, float bottom, float top, uint32_t colour,
+               SceneryUse use);
+// A prism's top.
 void add_lid(Scenery& scenery, std::span<const Vec2> outline, float height, uint32_t colour, SceneryUse use);
 
 }  // namespace flaneur

@@ -137,7 +137,7 @@ void reach_for_walls(Gait& gait, size_t begin, size_t end, const RootMotion& roo
         if (!busy && tick % k_ask_ticks != walker % k_ask_ticks) continue;
         uint32_t mood = 1 + (tick + walker * 97) / k_mood_ticks;
         float speed = length(root.velocity[i]);
-        bool willing = random_unit({seed, walker, mood, Purpose::touch}) < k_mood &&
+        bool willing = random_unit({seed, walker, mood, Purpose::touch}) < k_mood * std::max(touches, 1.0f) &&
                        speed < (busy ? k_hold_speed : k_start_speed) && g.running[lane] == 0;
         if (!busy && !willing) continue;
 

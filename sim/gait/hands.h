@@ -14,8 +14,9 @@ namespace flaneur {
 struct Stepper;
 
 // One tick of `dt` seconds for the hands of walkers [begin, end); comes after advance_gait. Some people touch
-// walls, by a style drawn from (seed, walker), and these now and then: a hand whose side has a facade or a
-// garden wall within the arm's length goes to its closest point, a little ahead, between hip and chest.
+// walls, by a style drawn from (seed, walker), and these now and then; whose Manner::touches is 1.5 or more
+// at every wall. A hand whose side has a facade or a garden wall within the arm's length goes to its closest
+// point, a little ahead, between hip and chest.
 //
 // Only one hand of a walker reaches, that on the nearer side, never across the body. Its place is on the
 // wall's plane while `reach` is near 1, and moves no faster than the walker and 0.6 m/s; `reach` rises and

@@ -11,7 +11,7 @@
 
 namespace flaneur {
 
-enum class Solver : uint8_t {
+enum class Solver : uint32_t {
     fabrik,     // fabrik-inl.h
     ccd,        // cyclic coordinate descent (Wang & Chen 1991): joint by joint from the last, turned so that
                 // the end points at the target
@@ -27,6 +27,7 @@ inline constexpr std::string_view k_solver_names[k_solver_count] = {"FABRIK", "C
 struct Patience {
     float tolerance = 0.001f;
     int iterations = 2000;
+    bool operator==(const Patience&) const = default;
 };
 struct Solved {
     int iterations = 0;

@@ -40,9 +40,9 @@ void lead(Linkage& f, const std::vector<int>& parents, const std::vector<int>& e
 
 Linkage chain_linkage(int joints, float bone, Solver solver) {
     Linkage f;
-    f.solver = solver;
+    f.method.solver = solver;
     f.name = k_solver_names[static_cast<size_t>(solver)];
-    f.patience.iterations = 2000;
+    f.method.patience.iterations = 2000;
     std::vector<int> parents;
     const float girth = 0.16f * bone;
     int last = add_bone(f, parents, -1, {}, girth);
@@ -60,9 +60,9 @@ Linkage cone_linkage(int joints, float bone, float most) {
     Linkage f = chain_linkage(joints, bone, Solver::fabrik);
     f.kind = Linkage::Kind::cones;
     f.name = "joints within cones";
-    f.patience.iterations = 200;
+    f.method.patience.iterations = 200;
     f.limits.assign(f.bones.size() - 1, sin_cos(most).cosine);
-    f.is_eager = true;
+    f.recoil = 1;
     return f;
 }
 
@@ -72,7 +72,7 @@ Linkage finger_linkage(float length) {
     Linkage f;
     f.kind = Linkage::Kind::hinges;
     f.name = "a finger of hinges";
-    f.is_eager = true;
+    f.recoil = 1;
     std::vector<int> parents;
     const float shares[] = {0.48f, 0.30f, 0.22f}, bent[] = {0.4f, 0.5f, 0.3f};
     int last = add_bone(f, parents, -1, {}, 0.11f * length);
@@ -92,7 +92,7 @@ Linkage hand_linkage(float length) {
     Linkage f;
     f.kind = Linkage::Kind::tree;
     f.name = "a hand";
-    f.is_eager = true;
+    f.recoil = 1;
     std::vector<int> parents, tips;
     const int wrist = add_bone(f, parents, -1, {}, 0.09f * length);
     struct Finger {
@@ -123,7 +123,7 @@ Linkage body_linkage(float height) {
     Linkage f;
     f.kind = Linkage::Kind::tree;
     f.name = "a body by six targets";
-    f.is_eager = true;
+    f.recoil = 1;
     std::vector<int> parents, ends;
     auto at = [&](float x, float y, float z) { return Vec3{x, y, z} * height; };
     const int pelvis = add_bone(f, parents, -1, {}, 0.065f * height);

@@ -5,6 +5,7 @@
 
 #include "assets/additions.h"
 #include "assets/scene.h"
+#include "assets/stages/dais.h"
 #include "assets/stages/gallery.h"
 #include "assets/stages/platform.h"
 #include "sim/base/math.h"
@@ -123,6 +124,91 @@ TEST(PlatformStage, OutlinesAreReadAndTold) {
 }
 
 // For a minute. The tree by chance has too many tips to be with all of them where they are led.
+std::vector<Kind> man_and_woman() { return {{standard_body(1.78f)}, {standard_body(1.66f), 1, 30, true}}; }
+
+// What a body's figure and its twin do with the ground and the walls of the dais.
+struct Shown {
+    float in_ground = 0, over_ground = 0;  // metres of a sole that stands
+    float reach = 0;                       // of a hand, at most
+    float on_wall = 9;                     // metres from the palm to the wall, least
+};
+Shown watch(const Troupe& f, size_t i, Shown shown) {
+    const uint32_t twin = f.plans[i].twin_of;
+    const size_t walker = twin == k_no_twin ? i : twin;
+    const GaitBlock& gait = f.gait.blocks[walker / k_block];
+    const size_t lane = walker % k_block;
+    for (const Side side : {k_left, k_right}) {
+        if (gait.feet[side].swinging[lane] == 0) {
+            const Sole s = sole(f.poses, f.gait, i, side);
+            const auto under = ground_at(*f.ground, s.ball, 0.5f, 1);
+            if (!under) continue;
+            const auto under_heel = ground_at(*f.ground, s.heel, 0.5f, 1);
+            const float low = std::min(s.ball.y - under->height, s.tip.y - under->height),
+                        heel = under_heel ? s.heel.y - under_heel->height : low;
+            shown.in_ground = std::max({shown.in_ground, -low, -heel});
+            shown.over_ground = std::max(shown.over_ground, std::min(low, heel));
+        }
+        shown.reach = std::max(shown.reach, gait.hands[side].reach[lane]);
+        const Vec3 hand = joint_pose(f.poses, i, side == k_left ? left_hand : right_hand).position;
+        if (const auto wall = closest_wall(*f.ground, hand, 1))
+            shown.on_wall = std::min(shown.on_wall, wall->distance);
+    }
+    return shown;
+}
+
+// Each pair: with the technique it does what its label says, and without it does not.
+TEST(GalleryStage, FiguresStandOnWhatIsThereAndTouchItAndTheirTwinsDoNot) {
+    const std::vector<Kind> kinds = man_and_woman();
+    Troupe f =
+        make_figures(make_figure_plans(kinds), make_figure_ground(), {kinds[0].body, kinds[1].body}, 1);
+    std::vector<Shown> shown(f.plans.size());
+    for (uint32_t tick = 0; tick < 3600; ++tick) {
+        step_figures(f, 1, tick);
+        for (size_t i = 0; i < shown.size(); ++i) shown[i] = watch(f, i, shown[i]);
+    }
+    for (const size_t pair : {0u, 2u, 4u}) {
+        EXPECT_LT(shown[pair].in_ground, 0.09f) << f.plans[pair].name;
+        EXPECT_GT(shown[pair + 1].in_ground, shown[pair].in_ground + 0.04f) << f.plans[pair].name;
+    }
+    for (const size_t pair : {6u, 8u}) {
+        EXPECT_GT(shown[pair].reach, 0.99f) << f.plans[pair].name;
+        EXPECT_LT(shown[pair].on_wall, 0.13f) << f.plans[pair].name << ", wrist to wall";
+    }
+    float turns[2] = {0, 0};
+    for (uint32_t tick = 3600; tick < 4800; ++tick) {
+        step_figures(f, 1, tick);
+        for (size_t i = 0; i < 2; ++i) {
+            const Quat facing = joint_pose(f.poses, 10 + i, head).rotation;
+            turns[i] = std::max(turns[i], std::fabs(rotate(facing, {0, 0, 1}).x));
+        }
+    }
+    EXPECT_GT(turns[0], 0.3f) << "looks about";
+    EXPECT_LT(turns[1], 0.15f);
+    // Nobody leaves its way, and nobody comes into another's.
+    for (size_t i = 0; i < f.plans.size(); ++i) {
+        float near = 9;
+        for (const Vec2 corner : f.plans[i].way)
+            near = std::min(near, length(corner - on_ground(f.moves[i].position - f.plans[i].aside)));
+        EXPECT_LT(near, 1.8f) << f.plans[i].name;
+    }
+}
+
+TEST(GalleryStage, NothingIsPutIntoItsPlinthsNorIntoEachOther) {
+    const City hall = build_gallery(1);
+    auto put = [&](std::vector<Addition> added) {
+        City city = hall;
+        return static_cast<bool>(add_to_city(city, added));
+    };
+    using enum AddedKind;
+    for (const AddedKind kind : {planter, tree, bench, lamp}) {
+        EXPECT_FALSE(put({{kind, {0, 0, 1.6f}, {}, 0}})) << "in the middle of a plinth";
+        EXPECT_FALSE(put({{kind, {0.38f, 0, 1.9f}, {}, 30}})) << "in its corner";
+        EXPECT_TRUE(put({{kind, {0, 0, 5}, {}, 0}}));
+        EXPECT_FALSE(put({{kind, {0, 0, 5}, {}, 0}, {planter, {0.05f, 0, 5}, {}, 0}}));
+        EXPECT_TRUE(put({{kind, {0, 0, 5}, {}, 0}, {planter, {2.5f, 0, 5}, {}, 0}}));
+    }
+}
+
 TEST(GalleryStage, WhatItShowsReachesItsTargets) {
     constexpr float k_near = 0.005f, k_near_of_tree = 0.15f;
     Linkages linkages = make_linkages(make_exhibits(1));

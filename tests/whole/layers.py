@@ -26,9 +26,10 @@ sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
+sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -40,7 +41,7 @@ assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
-assets/stages: assets, sim/base, sim/linkages, sim/surface, sim/ways
+assets/stages: assets, sim, sim/base, sim/figures, sim/linkages, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
@@ -78,7 +79,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/pose
+tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/figures, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:
@@ -103,7 +104,8 @@ tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/bas
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/limbs, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
-tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/navigation, tools/flaneur/options
+tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/linkages, sim/navigation, tools/flaneur/options
+tools/flaneur/window/exhibits: renderer, sim/linkages, tools/flaneur/options
 tools/flaneur/window/frame:
 tools/flaneur/window/measure: tools/flaneur/measure, tools/flaneur/view
 tools/flaneur/window/open: renderer, tools/flaneur/options, tools/flaneur/view
@@ -111,11 +113,12 @@ tools/flaneur/window/record: renderer, tools/flaneur/options, tools/flaneur/outp
 tools/flaneur/window/settings: renderer, sim/base, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/time: assets, sim, tools/extract, tools/flaneur/history, tools/flaneur/measure, tools/flaneur/overlay, tools/flaneur/window/change
 tools/flaneur/window/kept: assets, tools/flaneur/window/cameras, tools/flaneur/window/time
-tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
+tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
+tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
 tools/flaneur/window/kept sources: assets/files, sim/base, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/kept, tools/flaneur/window/open
 tools/flaneur/window/measure sources: renderer, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/output, tools/flaneur/overlay, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/measure, tools/flaneur/window/time
@@ -123,7 +126,7 @@ tools/flaneur/window/open sources: assets, assets/files, tools/flaneur/console, 
 tools/flaneur/window/record sources: sim/base, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/measure, tools/flaneur/window/record
 tools/flaneur/window/settings sources: assets/files, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/settings
 tools/flaneur/window/time sources: renderer, sim, sim/base, tools/flaneur/load, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/measure, tools/flaneur/window/time
-tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
+tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/files, assets/gltf/city, sim, sim/base, sim/ground, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/linkages, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras

@@ -75,7 +75,15 @@ struct Linkages;  // of sim/linkages/linkages.h
 // What of a world's linkages is uploaded, to come after its people in SceneMeshes::people, the first as mesh
 // `first_mesh`; and adds them as they are between ticks to what extract_people() found.
 std::vector<PersonMesh> extract_linkages(const Linkages& linkages);
-void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& people, float between = 1);
+// `first_id`: how many exhibits come before them.
+void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& people, float between = 1,
+                  uint32_t first_id = 0);
+
+struct Troupe;  // of sim/figures/figures.h
+// Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
+// kind].
+void add_figures(const Troupe& figures, const std::vector<Character>& characters, PeopleFrame& people,
+                 float between = 1);
 
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h

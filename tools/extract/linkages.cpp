@@ -114,7 +114,8 @@ std::vector<PersonMesh> extract_linkages(const Linkages& linkages) {
     return meshes;
 }
 
-void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& frame, float between) {
+void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& frame, float between,
+                  uint32_t first_id) {
     uint32_t mesh = first_mesh;
     for (size_t i = 0; i < linkages.all.size(); ++i) {
         const Linkage& f = linkages.all[i];
@@ -137,7 +138,7 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
             WalkerDraw draw;
             draw.mesh = mesh;
             draw.is_upright = false;
-            draw.id = id_of(IdKind::scenery, 0);
+            draw.id = id_of(IdKind::exhibit, first_id + static_cast<uint32_t>(i));
             draw.instance.scale = 1;
             draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
             std::ranges::fill(draw.instance.tints, 0xffffffffu);

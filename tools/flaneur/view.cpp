@@ -262,7 +262,9 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         Mouse free = here;
         const bool is_elsewhere = is_panels || shift > 0;
         const bool is_taken = draw_with_mouse(show, was, here, one, is_elsewhere, v) ||
-                              take_mouse(show, was, here, one, is_elsewhere, v) || is_driving(show);
+                              take_mouse(show, was, here, one, is_elsewhere, v) ||
+                              drag_target(show, was, here, one, is_elsewhere || is_putting(v), v) ||
+                              is_driving(show);
         if (is_taken) free.is_held = free.has_clicked = false;
         const auto seconds = static_cast<float>(std::min(passed, k_longest_move));
         Steering hands = steering_of(window, was, free, v) + read_pad(window, seconds, v);
@@ -291,6 +293,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
             mark_gait(show, v, frame);
             mark_measures(show, v, frame);
             mark_changes(v, show, frame);
+            mark_targets(v, show, frame);
             end_part(v.costs, CostOf::people, glfwGetTime());
             if (Result<void> done =
                     suit_gui(gui, window, *show.renderer, v.settings.letters, v.settings.is_light);

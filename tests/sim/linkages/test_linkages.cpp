@@ -4,6 +4,7 @@
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
+#include "sim/base/tick.h"
 #include "sim/linkages/linkages.h"
 
 namespace flaneur {
@@ -113,13 +114,93 @@ TEST(Linkages, AreTheSameOnEveryNumberOfThreads) {
     EXPECT_EQ(places[0], places[1]);
 }
 
+// Whoever is held is there, to the bit; who was let go of is back where it sways, and never faster than it
+// may.
+TEST(Linkages, TargetsStayWhereTheyAreHeldAndGoBackWithoutAJump) {
+    Linkages held = make_linkages(one_of_each()), free = make_linkages(one_of_each());
+    WorkersPtr workers = make_workers(2);
+    const float most = k_return_speed * k_tick * 1.0001f;
+    for (uint32_t tick = 0; tick < 600; ++tick) {
+        const bool is_held = tick >= 100 && tick < 300;
+        for (size_t t = 0; t < held.held.size(); t += 2) {
+            Vec3 place;
+            uint32_t draw = 0;
+            for (float* x : {&place.x, &place.y, &place.z})
+                *x = random_between({tick / 50, static_cast<uint32_t>(t)}, -2, 2, draw++);
+            held.held[t] = {free.targets[t] + place, is_held};
+        }
+        step_linkages(held, *workers, tick);
+        step_linkages(free, *workers, tick);
+        for (size_t t = 0; t < held.held.size(); ++t) {
+            if (held.held[t].is_held) {
+                ASSERT_EQ(held.targets[t], held.held[t].place);
+            } else if (tick >= 300) {
+                ASSERT_LE(length(held.targets[t] - held.previous_targets[t]), most) << t << " in " << tick;
+            }
+        }
+    }
+    EXPECT_EQ(held.targets, free.targets);
+}
+
+// Each chain follows by each method that it takes; what it does not take is refused.
+TEST(Linkages, ChainsFollowByEveryMethodThatTheyTake) {
+    WorkersPtr workers = make_workers(1);
+    for (const int joints : {3, 10}) {
+        int taken = 0;
+        for (uint32_t s = 0; s < k_solver_count; ++s) {
+            Linkage chain = chain_linkage(joints, 0.2f, Solver::fabrik);
+            chain.leads[0].middle = chain.rest.back() * 0.7f;
+            chain.leads[0].reach = {0.1f, 0.05f, 0.1f};
+            for (uint32_t& period : chain.leads[0].period) period = 240;
+            const Method method{static_cast<Solver>(s), {0.001f, 500}};
+            if (!takes(chain, method)) continue;
+            ++taken;
+            Linkages linkages = make_linkages({chain});
+            linkages.methods[0] = method;
+            for (uint32_t tick = 0; tick < 480; ++tick) {
+                step_linkages(linkages, *workers, tick);
+                ASSERT_LE(linkages.solved[0].off, 0.001f) << k_solver_names[s] << " in " << tick;
+            }
+        }
+        EXPECT_EQ(taken, joints == 3 ? 5 : 4);
+    }
+    const Linkage hand = hand_linkage(1);
+    EXPECT_TRUE(takes(hand, {Solver::fabrik, {0.01f, 1}}));
+    EXPECT_FALSE(takes(hand, {Solver::ccd, {0.01f, 1}}));
+    EXPECT_FALSE(takes(hand, {Solver::fabrik, {0.0f, 1}}));
+    EXPECT_FALSE(takes(hand, {Solver::fabrik, {0.01f, 0}}));
+}
+
+// Each tick a hundredth of the way to rest: what curled up opens again, and bones keep their lengths.
+TEST(Linkages, WhatRecoilsDoesNotStayCurledUp) {
+    WorkersPtr workers = make_workers(1);
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        Linkage chain = chain_linkage(10, 0.2f, Solver::fabrik);
+        chain.recoil = 0.03f;
+        Linkages linkages = make_linkages({chain});
+        for (size_t j = 1; j < 10; ++j) {
+            Vec3 by;
+            uint32_t draw = 0;
+            for (float* x : {&by.x, &by.y, &by.z})
+                *x = random_between({seed, static_cast<uint32_t>(j)}, -1, 1, draw++);
+            linkages.places[j] = linkages.places[j - 1] + normalize_or(by, {0, 1, 0}) * 0.2f;
+        }
+        for (uint32_t tick = 0; tick < 600; ++tick) {
+            step_linkages(linkages, *workers, tick);
+            ASSERT_LT(worst_bone(chain, places_of(linkages, 0)), 1e-5f);
+        }
+        for (size_t j = 0; j < 10; ++j)
+            EXPECT_LT(length(linkages.places[j] - chain.rest[j]), 0.02f) << seed << ", " << j;
+    }
+}
+
 // Trees of many sub-bases go where they have been turned to.
 TEST(Linkages, TreesByChanceReachWhatTheyCan) {
     int reached = 0, tried = 0;
     for (int joints = 2; joints <= 64; ++joints)
         for (uint64_t seed = 1; seed <= 8; ++seed) {
             Linkage f = random_tree_linkage(joints, 0.2f, seed);
-            f.patience = {0.001f, 5000};
+            f.method.patience = {0.001f, 5000};
             std::vector<Vec3> turned(f.rest.size()), targets(f.leads.size());
             for (size_t j = 1; j < turned.size(); ++j) {
                 const auto parent = static_cast<size_t>(f.shape.parents[j]);
@@ -134,7 +215,7 @@ TEST(Linkages, TreesByChanceReachWhatTheyCan) {
                     targets[static_cast<size_t>(e)] = turned[j];
             }
             std::vector<Vec3> places = f.rest;
-            reached += solve_linkage(f, places, targets).off <= 0.001f;
+            reached += solve_linkage(f, f.method, places, targets).off <= 0.001f;
             ++tried;
             ASSERT_LT(worst_bone(f, places), 1e-5f);
         }

@@ -30,7 +30,8 @@ constexpr Row k_rows[] = {{Solver::fabrik, 15.461},
 
 struct Tried {
     std::vector<double> iterations;
-    double us = 0;  // a solution
+    std::vector<double> ms;  // a solution, the mean of each batch
+    double us = 0;           // a solution
     int missed = 0;
 };
 
@@ -46,14 +47,19 @@ Vec3 target_of(uint32_t n, float reach) {
 
 template <class Solve>
 Tried try_all(int tries, float tolerance, const Solve& solve) {
+    constexpr int k_batches = 20;
     Tried out;
-    const auto start = std::chrono::steady_clock::now();
-    for (int n = 0; n < tries; ++n) {
-        const Solved solved = solve(static_cast<uint32_t>(n));
-        out.iterations.push_back(solved.iterations);
-        out.missed += solved.off > tolerance;
+    const int each = tries / k_batches;
+    for (int batch = 0; batch < k_batches; ++batch) {
+        const auto start = std::chrono::steady_clock::now();
+        for (int n = batch * each; n < (batch + 1) * each; ++n) {
+            const Solved solved = solve(static_cast<uint32_t>(n));
+            out.iterations.push_back(solved.iterations);
+            out.missed += solved.off > tolerance;
+        }
+        out.ms.push_back(ms_since(start) / each);
     }
-    out.us = 1000 * ms_since(start) / tries;
+    for (const double ms : out.ms) out.us += 1000 * ms / k_batches;
     return out;
 }
 
@@ -72,7 +78,7 @@ Tried try_trees(int joints) {
     constexpr int k_trees = 200;
     return try_all(k_trees, k_tolerance * k_bone * k_joints, [&](uint32_t n) {
         Linkage tree = random_tree_linkage(joints, k_bone, n + 1);
-        tree.patience = {k_tolerance * k_bone * k_joints, k_most};
+        tree.method.patience = {k_tolerance * k_bone * k_joints, k_most};
         std::vector<Vec3> turned(tree.rest.size());
         for (size_t j = 1; j < turned.size(); ++j) {
             const auto parent = static_cast<size_t>(tree.shape.parents[j]);
@@ -86,7 +92,7 @@ Tried try_trees(int joints) {
             if (const int e = tree.shape.effectors[j]; e != k_no_effector)
                 targets[static_cast<size_t>(e)] = turned[j];
         std::vector<Vec3> places = tree.rest;
-        return solve_linkage(tree, places, targets);
+        return solve_linkage(tree, tree.method, places, targets);
     });
 }
 
@@ -103,7 +109,7 @@ void tell(Figures& figures, const std::string& name, const Tried& tried, double 
     std::printf("%-26s %10.1f %8.0f %10s %9.2f %12.3f %9d\n", name.c_str(), average, median, beside, tried.us,
                 tried.us / average, tried.missed);
     figures.counts.emplace_back(name + ", iterations", average);
-    figures.counts.emplace_back(name + ", us a solution", tried.us);
+    figures.series.push_back({name, tried.ms, {}, "ns"});
     figures.counts.emplace_back(name + ", missed", tried.missed);
 }
 

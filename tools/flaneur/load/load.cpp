@@ -16,6 +16,7 @@
 #include "assets/gltf/character/clip.h"
 #include "assets/population.h"
 #include "assets/stages/asteroid.h"
+#include "assets/stages/dais.h"
 #include "assets/stages/field.h"
 #include "assets/stages/gallery.h"
 #include "assets/stages/platform.h"
@@ -256,6 +257,12 @@ static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptio
     return {};
 }
 
+static void set_figures(std::vector<FigurePlan> plans, std::shared_ptr<const Ground> ground, World& world) {
+    std::vector<Body> bodies;
+    for (const Kind& kind : world.kinds) bodies.push_back(kind.body);
+    world.figures = make_figures(std::move(plans), std::move(ground), bodies, world.seed);
+}
+
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
@@ -311,7 +318,10 @@ Result<Loaded> load(const Options& options) {
                                     static_cast<uint32_t>(scene.creatures));
         if (!set) return set.error();
     }
-    if (is_of(scene, BuiltIn::gallery)) loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
+    if (is_of(scene, BuiltIn::gallery)) {
+        loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
+        set_figures(make_figure_plans(loaded.world->kinds), make_figure_ground(), *loaded.world);
+    }
     return loaded;
 }
 
@@ -344,6 +354,8 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
         order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
     }
     order.linkages = world.linkages.all;
+    order.figures = world.figures.plans;
+    order.figure_ground = world.figures.ground;
     return order;
 }
 
@@ -357,7 +369,10 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         Result<void> set = set_down(**made, *order.compound, order.creatures);
         if (!set) return set.error();
     }
-    if (made && !order.compound) (*made)->linkages = make_linkages(order.linkages);
+    if (made && !order.compound) {
+        (*made)->linkages = make_linkages(order.linkages);
+        set_figures(order.figures, order.figure_ground, **made);
+    }
     return made;
 }
 

@@ -31,7 +31,9 @@ struct PeopleOrder {
     std::string mesh;  // bytes of the ground's navmesh: one is a world's own
     std::optional<Compound> compound;
     uint32_t creatures = 0;         // on it,
-    std::vector<Linkage> linkages;  // or without it
+    std::vector<Linkage> linkages;  // or without it,
+    std::vector<FigurePlan> figures;
+    std::shared_ptr<const Ground> figure_ground;
 };
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);

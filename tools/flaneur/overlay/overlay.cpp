@@ -55,6 +55,8 @@ constexpr LegendEntry k_skeleton_legend[] = {
 constexpr LegendEntry k_way_legend[] = {{"largest circles; blocked rays", k_barred_colour},
                                         {"the circle it goes along", k_chosen_colour},
                                         {"free rays", k_free_colour}};
+constexpr LegendEntry k_exhibit_legend[] = {{"where a figure goes", k_free_colour},
+                                            {"where a target will be, four seconds", k_chosen_colour}};
 constexpr LegendEntry k_probe_legend[] = {{"ray down ahead", k_ray_colours[0]},
                                           {"ray down behind", k_ray_colours[1]},
                                           {"normal ahead", k_normal_colours[0]},
@@ -138,6 +140,8 @@ std::vector<Legend> legends_of(WorkViews views, const World& world) {
     add(skeletons, "Skeletons", k_skeleton_legend);
     if (world.roam)
         add(ways, "Ways", k_probe_legend);
+    else if (!world.figures.plans.empty())
+        add(ways, "Ways", k_exhibit_legend);
     else
         add(ways, "Ways", k_way_legend);
     return legends;
@@ -192,6 +196,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
     if (views[gizmos]) {
         add_gait_gizmos(input, people, overlay);
         add_linkage_gizmos(input, overlay);
+        add_figure_gizmos(input, overlay);
     }
     if (overlay.letters_legends) letter_legends(views, input.world, overlay);
     frame.lines = overlay.lines;

@@ -1,5 +1,5 @@
 // What those go by who have no goal: the circles of one who staggers, the rays of one who rambles, or of one
-// who walks on a compound.
+// who walks on a compound; and the ways of the gallery's figures and targets.
 #include <algorithm>
 #include <cmath>
 
@@ -84,9 +84,36 @@ void add_probes(const SurfaceWalkers& walkers, glm::vec3 eye, Overlay& overlay) 
     }
 }
 
+// Where figures of the gallery go, and where targets will be.
+void add_exhibit_ways(const World& world, Overlay& overlay) {
+    Pen pen = k_thin;
+    pen.colour = k_free_colour;
+    const Troupe& figures = world.figures;
+    for (size_t i = 0; i < figures.plans.size(); ++i) {
+        const FigurePlan& plan = figures.plans[i];
+        const float height = figures.moves[i].position.y + k_over;
+        auto corner = [&](size_t k) {
+            return to_glm(at_height(plan.way[k % plan.way.size()], height) + plan.aside);
+        };
+        for (size_t k = 0; k < plan.way.size(); ++k) add_line(overlay.lines, pen, corner(k), corner(k + 1));
+    }
+    constexpr uint32_t k_ticks = 240, k_apart = 6;
+    pen.colour = k_chosen_colour;
+    const Linkages& linkages = world.linkages;
+    for (size_t i = 0; i < linkages.all.size(); ++i)
+        for (size_t e = 0; e < linkages.all[i].leads.size(); ++e) {
+            if (linkages.held[linkages.ranges[i].targets + e].is_held) continue;
+            const Sway& sway = linkages.all[i].leads[e];
+            for (uint32_t t = 0; t < k_ticks; t += k_apart)
+                add_line(overlay.lines, pen, to_glm(sway_at(sway, world.tick + t)),
+                         to_glm(sway_at(sway, world.tick + t + k_apart)));
+        }
+}
+
 }  // namespace
 
 void add_ways(const OverlayInput& input, Overlay& overlay) {
+    if (!input.world.figures.plans.empty()) add_exhibit_ways(input.world, overlay);
     if (input.world.roam) return add_probes(input.world.roam->walkers, input.camera.eye, overlay);
     const Crowd& c = input.world.crowd;
     std::vector<std::pair<float, const Wayfarer*>> near;

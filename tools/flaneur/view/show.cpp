@@ -151,8 +151,9 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     if (!show.draws_whole) catch_up(show.without, *show.loaded.world);
     extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs,
                    show.draws_whole ? nullptr : &show.without);
+    add_figures(show.loaded.world->figures, show.loaded.characters, show.people, between);
     add_linkages(show.loaded.world->linkages, static_cast<uint32_t>(show.loaded.characters.size()),
-                 show.people, between);
+                 show.people, between, static_cast<uint32_t>(show.loaded.world->figures.plans.size()));
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;

@@ -17,6 +17,7 @@
 #include "tools/flaneur/window/change/room.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
+#include "tools/flaneur/window/exhibits/exhibits.h"
 #include "tools/flaneur/window/gui.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/measure/drawing.h"
@@ -184,6 +185,7 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"Measure", measure_actions()},
         ActionGroup{"Change", change_actions()},
         ActionGroup{"Who comes", who_actions(), "More or fewer children, old people, prams", "T"},
+        ActionGroup{"Exhibits of inverse kinematics", exhibit_actions()},
         ActionGroup{"Undo and redo", k_editing},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},

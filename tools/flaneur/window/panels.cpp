@@ -47,6 +47,8 @@ constexpr RoomPanel k_rooms[] = {
     {Room::gait, "Gait", "how the selected walker walks (J)", lay_out_gait},
     {Room::change, "Change", "time of day, weather, people, and what stands in the streets (T)",
      lay_out_change},
+    {Room::exhibits, "Exhibits", "what moves exhibits: methods, iterations, targets (Shift+T)",
+     lay_out_exhibits},
     {Room::record, "Show", "pictures and films (F12, R)", lay_out_record},
     {Room::frame, "Frame", "what a picture costs, and what makes it slow (I)", lay_out_frame},
     {Room::settings, "Settings", "of panels and of how one moves (Ctrl+,)", lay_out_settings},
@@ -221,7 +223,10 @@ void lay_out_panels(Show& show, Viewer& viewer, Size size, float scale) {
     lay_out_tool(show, viewer, scale);
     lay_out_map(viewer, size, scale);
     lay_out_legends(legends, viewer, scale);
-    lay_out_bar(show, viewer, k_rooms, scale);
+    std::vector<RoomPanel> rooms(std::begin(k_rooms), std::end(k_rooms));
+    if (!has_exhibits(*show.loaded.world))
+        std::erase_if(rooms, [](const RoomPanel& room) { return room.room == Room::exhibits; });
+    lay_out_bar(show, viewer, rooms, scale);
     lay_out_state(viewer);
     lay_out_room(show, viewer, scale);
     lay_out_timeline(show, viewer, size, scale);

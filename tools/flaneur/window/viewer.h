@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/cameras/cameras.h"
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/events.h"
+#include "tools/flaneur/window/exhibits/exhibits.h"
 #include "tools/flaneur/window/frame/costs.h"
 #include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/layout.h"
@@ -38,6 +39,7 @@ enum class Room : uint8_t {
     find,
     gait,
     change,
+    exhibits,
     record,
     frame,
     settings
@@ -86,6 +88,7 @@ struct Viewer {
     std::string note;       // told for a while
     double note_until = 0;  // of the panels' time
     Change change;
+    ExhibitsRoom exhibits;
     uint64_t deeds = 0;  // that were done so far and can be undone, here and in the room Measure
     Opening opening;
     Record record;

@@ -76,6 +76,17 @@ void carry_people(Show& show, Viewer& v) {
     if (follows && !is_there(world.crowd, v.choice.walker)) take_off(v);
 }
 
+// Targets that a hand holds, and methods.
+void carry_exhibits(Show& show, Viewer& v) {
+    Change& c = v.change;
+    World& world = *show.loaded.world;
+    const Design& wanted = current(c.designs);
+    if (!set_exhibits(c.carried, wanted, world)) return;
+    c.carried.held = wanted.held, c.carried.methods = wanted.methods;
+    c.late = std::max(c.late, std::max(world.tick, 1u));
+    changed_by_hand(v.time, world);
+}
+
 // Takes in what has been made, and has the next thing made.
 Result<void> carry_additions(Show& show, Viewer& v) {
     Change& c = v.change;
@@ -127,7 +138,9 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
                  .is_overcast = scene.is_overcast,
                  .people = static_cast<uint32_t>(walkers(*show.loaded.world).size()),
                  .who = scene.people,
-                 .mix = scene.mix};
+                 .mix = scene.mix,
+                 .held = show.loaded.world->linkages.held,
+                 .methods = show.loaded.world->linkages.methods};
     c.designs = {{c.carried}, 0, 0, {0}};
     c.driving.is_by_turns = scene.limbs == LimbLead::curves;
 }
@@ -151,6 +164,7 @@ Result<void> carry_on(Show& show, Viewer& v) {
     carry_time_and_weather(show, v);
     carry_shares(show, v);
     carry_people(show, v);
+    carry_exhibits(show, v);
     v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
     return carry_additions(show, v);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assets/scene.h"
+#include "sim/linkages/linkages.h"
 
 namespace flaneur {
 
@@ -16,6 +17,8 @@ struct Design {
     uint32_t people = 0;
     std::vector<PeopleShare> who{};  // as Scene::people
     PeopleMix mix{};
+    std::vector<HeldTarget> held{};  // as Linkages::held
+    std::vector<Method> methods{};   // as Linkages::methods
     bool operator==(const Design&) const = default;
 };
 

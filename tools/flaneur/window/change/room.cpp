@@ -288,6 +288,8 @@ static const char* told_difference(const Design& a, const Design& b) {
     return a.added != b.added                             ? "what was put into the city"
            : a.people != b.people                         ? "the number of people"
            : a.is_overcast != b.is_overcast               ? "the weather"
+           : a.held != b.held                             ? "where targets are held"
+           : a.methods != b.methods                       ? "how exhibits are solved"
            : a.hour != b.hour || a.hour_set != b.hour_set ? "the time of day"
                                                           : "who comes";
 }

@@ -84,6 +84,7 @@ void take_run(Show& show, Viewer& v, std::unique_ptr<World> world) {
     if (v.choice.walker >= v.walkers) v.choice.walker = 0;
     v.clock.due = 0;
     ++v.time.run;
+    set_exhibits(v.change.carried, *show.loaded.world);
     begin_run(v.time, *show.loaded.world);
     recall_marks(show, v);
     tell(v, "Seed " + std::to_string(show.loaded.world->seed) + ", from the start");
