@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x37'74'73'2e'72'75'6c'66;  // "flur.st7"
+constexpr uint64_t k_mark = 0x38'74'73'2e'72'75'6c'66;  // "flur.st8"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
@@ -55,8 +55,8 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
-    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, w.roam->frames,
-        w.roam->creatures);
+    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, s.leaps, s.wish,
+        w.roam->frames, w.roam->creatures);
 }
 
 // The same for lists that grow and shrink, but the corners.

@@ -60,19 +60,26 @@ void drive_asked(Show& show, Viewer& v) {
     if (!who && v.choice.kind == CameraChoice::Kind::follow) who = v.choice.walker;
     if (!who || !is_there(world.crowd, *who))
         return tell(v, "Click or follow somebody, or point at them, to drive them.");
-    if (world.roam) return tell(v, "Nobody is driven on the asteroid.");
     drive(world.crowd, *who);
     v.choice.walker = *who;
     v.selected = who;
     choose(v, CameraChoice::Kind::follow);
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
-    tell(v, "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
+    tell(v, world.roam
+                ? "Arrows or W A S D: walk. Shift: run. Space: leap, onto the body overhead where it is near "
+                  "enough. "
+                  "Esc lets it go its own way."
+                : "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
 }
 
 bool jump_driven(Show& show) {
     if (!is_driving(show)) return false;
     World& world = *show.loaded.world;
     const uint32_t walker = world.crowd.driven.walker;
+    if (world.roam) {
+        ask_leap(world.roam->walkers, walker);
+        return true;
+    }
     return let_jump(world, {walker, world.crowd.slots.generation[walker]});
 }
 
@@ -82,6 +89,14 @@ void steer_driven(GLFWwindow* window, Show& show, const Viewer& v) {
     const uint32_t walker = crowd.driven.walker;
     const Asked asked = asked_of(window);
     const glm::vec3 way = v.camera.target - v.camera.eye;
+    if (World& world = *show.loaded.world; world.roam) {
+        SurfaceWalkers& w = world.roam->walkers;
+        const Vec3 up = w.up[walker], sight{way.x, way.y, way.z};
+        const Vec3 on = normalize_or(sight - up * dot(sight, up), w.ahead[walker]), aside = cross(on, up);
+        const float most = asked.runs ? k_run : crowd.identity.preferred_speed[walker];
+        w.wish[walker] = (on * asked.way.z + aside * asked.way.x) * most;
+        return;
+    }
     const Vec2 ahead = normalize_or(Vec2{way.x, way.z}, {0, 1}), right{-ahead.z, ahead.x};
     const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
     const float speed = asked.runs ? run : crowd.identity.preferred_speed[walker];

@@ -99,7 +99,7 @@ void lay_out_people(const Show& show, Viewer& v, float scale) {
     const bool is_roam = show.loaded.world->roam != nullptr;
     auto people = static_cast<int>(current(c.designs).people);
     ImGui::TextUnformatted("People");
-    if (is_roam) return ImGui::TextDisabled("as many as there are: the asteroid has no way to it");
+    if (is_roam) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
     ImGui::SetNextItemWidth(170 * scale);
     constexpr int k_most_slid = 100'000;  // more are typed
     const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_most_slid, "%d",
