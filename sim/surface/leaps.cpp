@@ -44,9 +44,9 @@ bool is_apart(const Flyer& a, const Flyer& b, float metres) {
     return true;
 }
 
-bool has_room(const SurfaceWalkers& w, size_t i, Vec3 place) {
+bool has_room(const SurfaceWalkers& w, size_t i, Vec3 place, float apart) {
     return std::ranges::none_of(w.seen, [&](const SurfaceSeen& s) {
-        const float room = s.radius + w.radius[i] + k_land_apart;
+        const float room = s.radius + w.radius[i] + apart;
         return s.walker != i && length_squared(s.position - place) < room * room;
     });
 }
@@ -110,8 +110,13 @@ void begin_leaps(const Compound& c, const Gravity& g, SurfaceWalkers& w, uint64_
         has_planned = true;
         const bool is_asked = leap.is_asked != 0;
         std::optional<Leap> way = way_of(c, g, w, i, company, false, dt);
-        if (!way && is_asked) way = way_of(c, g, w, i, company, true, dt);
-        if (way && !has_room(w, i, way->place)) way.reset();
+        if (way && !has_room(w, i, way->place, k_land_apart)) way.reset();
+        if (!way && is_asked) {
+            // Where it stands nobody comes nearer than they walk past each other.
+            way = way_of(c, g, w, i, company, true, dt);
+            if (way && !has_room(w, i, way->place, 0)) way.reset();
+        }
+        if (!way && is_asked) continue;  // perhaps a moment later
         leap = way ? *way : Leap{};
         if (!way) continue;
         leap.stage = LeapStage::crouches;
