@@ -86,6 +86,20 @@ static Result<void> set_off(World& world) {
     return {};
 }
 
+Result<void> change_platform(World& w, const std::vector<Vec2>& corners) {
+    std::vector<uint32_t> who;
+    for (const Wayfarer& way : w.crowd.wayfarers)
+        if (way.kind == Wayfarer::Kind::stagger) who.push_back(way.walker);
+    // First who needs the most room, as above.
+    std::ranges::stable_sort(who, [&](uint32_t a, uint32_t b) {
+        return room_to_turn(strider_of(w.crowd, a)) > room_to_turn(strider_of(w.crowd, b));
+    });
+    for (const uint32_t i : who)
+        if (Result<void> can = let_stagger(w, {i, w.crowd.slots.generation[i]}, corners); !can) return can;
+    w.platform = corners;
+    return {};
+}
+
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                                           const WorldOptions& options,
                                           const std::function<bool(std::string_view, float)>& progress) {

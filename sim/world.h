@@ -88,6 +88,11 @@ Result<void> set_down(World& world, Compound compound, uint32_t creatures = 0, G
 void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                    std::span<const Destination> destinations, std::span<const Rectangle> changed);
 
+// From now on those who stagger do so on this outline, under all of which there is ground: circles that it
+// does not hold any more are replaced within a decision, and who is off it comes onto it. Refuses what
+// let_stagger() refuses of anybody; nothing has changed then. Between two ticks.
+Result<void> change_platform(World& world, const std::vector<Vec2>& corners);
+
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);
 

@@ -16,6 +16,7 @@ struct Design {
     uint32_t people = 0;
     std::vector<PeopleShare> who{};  // as Scene::people
     PeopleMix mix{};
+    std::vector<Vec2> platform{};  // its corners; none: they are on no platform
     bool operator==(const Design&) const = default;
 };
 
@@ -41,6 +42,9 @@ void give_up(Designs& designs);
 // The scene that was opened, with a design in place of its own. The sun stands where the hour has it, unless
 // that is the scene's.
 Scene scene_with(Scene opened, const Design& design);
+
+// Of the ground plane, about both outlines and a little more.
+Rectangle area_about(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
 
 // What differs between the two, as areas of the ground plane.
 std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b);

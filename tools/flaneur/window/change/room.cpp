@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/panels.h"
@@ -275,6 +276,7 @@ constexpr std::array k_actions = {
 // In a few words, the first thing by which two designs differ.
 static const char* told_difference(const Design& a, const Design& b) {
     return a.added != b.added                             ? "what was put into the city"
+           : a.platform != b.platform                     ? "the platform"
            : a.people != b.people                         ? "the number of people"
            : a.is_overcast != b.is_overcast               ? "the weather"
            : a.hour != b.hour || a.hour_set != b.hour_set ? "the time of day"
@@ -324,6 +326,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     ImGui::Spacing();
     lay_out_people(show, v, scale);
     lay_out_who(show, v, scale);
+    lay_out_platform(show, v, scale);
     if (!show.loaded.world->roam) {
         ImGui::Spacing();
         lay_out_tools(v, scale);
