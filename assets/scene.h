@@ -47,9 +47,9 @@ inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
-enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
-                                                        "gallery"};
+enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets };
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform",
+                                                        "field",    "gallery",  "planets"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -60,20 +60,21 @@ struct Scene {
     std::optional<MapPlace> center;  // of an OpenStreetMap city: what is drawn lies about it
     float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
     BuiltIn built = BuiltIn::district;  // without a city: all round the asteroid, on a platform in
-                                        // the water, on a walled field, by a row of figures
+                                        // the water, on a walled field, by a row of figures, on planets
     std::vector<Vec2> platform;         // its corners, metres; see make_platform(); empty: k_usual_platform
-    std::string terrain;                // an elevation file under an OpenStreetMap city; empty: level ground
-    float scale = 1;                    // metres to a unit of a glTF city: 0.0001..10,000
-    std::vector<PeopleShare> people;    // empty: the built-in people
-    PeopleMix mix;                      // of the built-in ones
-    std::vector<Addition> added;        // to the city
-    std::vector<PlannedPush> pushes;    // that people get
-    std::vector<std::string> idles;     // FILE or FILE:CLIP, glTF animations that those who stand play
-    int walkers = 500;                  // 0..1,000,000
-    int creatures = 0;                  // 0..100, of six legs, on the asteroid
-    Habit habit = Habit::wander;        // what they do; they stagger on a platform only
-    LimbLead limbs = LimbLead::gait;    // what leads theirs; curves only of those who ramble
-    float drunk = 0;                    // 0..1, see WorldOptions
+    std::string rock;                 // what the asteroid is: k_torus or a glTF file of a closed mesh; or ""
+    std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
+    float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
+    std::vector<PeopleShare> people;  // empty: the built-in people
+    PeopleMix mix;                    // of the built-in ones
+    std::vector<Addition> added;      // to the city
+    std::vector<PlannedPush> pushes;  // that people get
+    std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
+    int walkers = 500;                // 0..1,000,000
+    int creatures = 0;                // 0..100, of six legs, on a small world
+    Habit habit = Habit::wander;      // what they do; they stagger on a platform only
+    LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
+    float drunk = 0;                  // 0..1, see WorldOptions
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24
@@ -98,6 +99,11 @@ struct SceneFault {
 };
 
 inline bool is_of(const Scene& scene, BuiltIn built) { return scene.city.empty() && scene.built == built; }
+// All round which people walk, so that up is not one way.
+inline bool is_small_world(const Scene& scene) {
+    return is_of(scene, BuiltIn::asteroid) || is_of(scene, BuiltIn::planets);
+}
+inline constexpr std::string_view k_torus = "torus";
 inline const std::vector<Vec2>& platform_of(const Scene& scene) {
     return scene.platform.empty() ? k_usual_platform : scene.platform;
 }

@@ -137,6 +137,7 @@ struct GroundBelow {
 struct Camera {
     glm::vec3 eye{0, 1.6f, 0};
     glm::vec3 target{0, 1.6f, 1};
+    glm::vec3 up{0, 1, 0};      // what is up in the picture, unit; not the way it looks
     float vertical_fov = 0.6f;  // radians
     float near_plane = 0.1f;    // metres; the far plane is at infinity (reversed depth)
     float clear_air = 0;        // metres before the eye in which there is no haze, for maps from high above

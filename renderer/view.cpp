@@ -37,7 +37,10 @@ View make_view(const Camera& camera, uint32_t width, uint32_t height) {
 
     const float distance = glm::length(target - eye);
     const glm::vec3 forward = distance > 1e-6f ? (target - eye) / distance : glm::vec3(0, 0, 1);
-    const glm::vec3 right = level_across(forward);
+    const bool is_usual = camera.up == glm::vec3(0, 1, 0) || !is_finite(camera.up);
+    const glm::vec3 across = glm::cross(forward, camera.up);
+    const bool is_level = is_usual || !(glm::length(across) > 1e-4f);
+    const glm::vec3 right = is_level ? level_across(forward) : glm::normalize(across);
     const glm::vec3 up = glm::cross(right, forward);
     const float tan_y = std::tan(fov / 2);
     const float tan_x = tan_y * static_cast<float>(width) / static_cast<float>(height);

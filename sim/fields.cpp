@@ -25,6 +25,7 @@ void for_each_array(const World& w, const Each& each) {
         add("frame", w.roam->frames);
         add("position", s.position), add("up", s.up), add("ahead", s.ahead), add("speed", s.speed);
         add("pace", s.pace), add("turn_rate", s.turn_rate), add("moved", s.moved);
+        if (w.roam->gravity.bodies > 1) add("leap", s.leaps);
     }
     each(FieldName{"gait"}, w.gait.blocks);
     each(FieldName{"person"}, w.gait.people);
@@ -95,6 +96,17 @@ void for_each_word(const FieldName& name, const T& value, const Each& each) {
     } else if constexpr (std::is_same_v<T, Roam::Frame>) {
         for_each_word(FieldName{"position", &name}, value.position, each);
         for_each_word(FieldName{"rotation", &name}, value.rotation, each);
+    } else if constexpr (std::is_same_v<T, Leap>) {
+        for_each_word(FieldName{"stage", &name}, value.stage, each);
+        for_each_word(FieldName{"is_asked", &name}, value.is_asked, each);
+        for_each_word(FieldName{"to", &name}, value.to, each);
+        for_each_word(FieldName{"velocity", &name}, value.velocity, each);
+        for_each_word(FieldName{"place", &name}, value.place, each);
+        for_each_word(FieldName{"normal", &name}, value.normal, each);
+        parts(std::initializer_list<Named>{{"seconds", value.seconds},
+                                           {"lasts", value.lasts},
+                                           {"turn", value.turn},
+                                           {"landing", value.landing}});
     } else if constexpr (std::is_same_v<T, std::span<const Vec3>>) {
         each(name, 'h', static_cast<uint32_t>(hash_bytes(1, value.data(), value.size_bytes())));
     } else {

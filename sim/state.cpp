@@ -11,7 +11,7 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x38'74'73'2e'72'75'6c'66;  // "flur.st8"
+constexpr uint64_t k_mark = 0x39'74'73'2e'72'75'6c'66;  // "flur.st9"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
@@ -59,8 +59,8 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
         w.linkages.held);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
-    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, w.roam->frames,
-        w.roam->creatures);
+    all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, s.leaps, s.wish,
+        w.roam->frames, w.roam->creatures);
 }
 
 // The same for lists that grow and shrink, but the corners.

@@ -86,6 +86,20 @@ static Result<void> set_off(World& world) {
     return {};
 }
 
+Result<void> change_platform(World& w, const std::vector<Vec2>& corners) {
+    std::vector<uint32_t> who;
+    for (const Wayfarer& way : w.crowd.wayfarers)
+        if (way.kind == Wayfarer::Kind::stagger) who.push_back(way.walker);
+    // First who needs the most room, as above.
+    std::ranges::stable_sort(who, [&](uint32_t a, uint32_t b) {
+        return room_to_turn(strider_of(w.crowd, a)) > room_to_turn(strider_of(w.crowd, b));
+    });
+    for (const uint32_t i : who)
+        if (Result<void> can = let_stagger(w, {i, w.crowd.slots.generation[i]}, corners); !can) return can;
+    w.platform = corners;
+    return {};
+}
+
 Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                                           const WorldOptions& options,
                                           const std::function<bool(std::string_view, float)>& progress) {
@@ -159,10 +173,22 @@ static void start_feet(World& w, uint32_t walker) {
                  passage ? surroundings_of(indoors) : w.around, w.seed, manner_of(w, walker));
 }
 
-Result<void> set_down(World& world, Compound compound, uint32_t creatures) {
-    auto roam = make_roam(std::move(compound), world.crowd, creatures, world.seed);
+static void teach_to_leap(World& w) {
+    constexpr float k_middle = 0.55f;               // of the height
+    constexpr float k_youngest = 6, k_oldest = 65;  // years
+    for (uint32_t i = 0; i < w.crowd.count; ++i) {
+        const Kind& kind = w.kinds[w.crowd.identity.body[i]];
+        w.roam->walkers.middle[i] = k_middle * kind.body.height * w.crowd.identity.scale[i];
+        const bool is_free = kind.body.cane == Vec3{} && kind.body.pram == Vec3{};
+        w.roam->walkers.leaps_at_will[i] = is_free && kind.age >= k_youngest && kind.age < k_oldest;
+    }
+}
+
+Result<void> set_down(World& world, Compound compound, uint32_t creatures, Gravity gravity) {
+    auto roam = make_roam(std::move(compound), world.crowd, creatures, world.seed, std::move(gravity));
     if (!roam) return roam.error();
     world.roam = std::make_unique<Roam>(std::move(roam).value());
+    teach_to_leap(world);
     world.linkages = make_bones(world.roam->creatures);
     world.drive = drive_roam;
     // On the mesh they have neither place nor goal any more: each walks at its middle, and is carried from

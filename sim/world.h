@@ -82,8 +82,9 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
                                           const std::function<bool(std::string_view, float)>& progress = {});
 
 // Sets everybody down on a compound, and so many creatures of six legs, which are its linkages. The ground is
-// level and becomes their stage.
-Result<void> set_down(World& world, Compound compound, uint32_t creatures = 0);
+// level and becomes their stage. `gravity` as make_roam() takes it. Where it is of several bodies all leap
+// now and then but the old, small children, and who has a cane or pushes a pram.
+Result<void> set_down(World& world, Compound compound, uint32_t creatures = 0, Gravity gravity = {});
 
 // Exchanges the ground that people stand on, the mesh that they find their ways by and what draws them,
 // between two ticks. `ground` is as it was but within `changed`, and `mesh` is its own, as rebuild_navmesh()
@@ -91,6 +92,11 @@ Result<void> set_down(World& world, Compound compound, uint32_t creatures = 0);
 // compound.
 void change_ground(World& world, std::shared_ptr<const Ground> ground, NavmeshPtr mesh,
                    std::span<const Destination> destinations, std::span<const Rectangle> changed);
+
+// From now on those who stagger do so on this outline, under all of which there is ground: circles that it
+// does not hold any more are replaced within a decision, and who is off it comes onto it. Refuses what
+// let_stagger() refuses of anybody; nothing has changed then. Between two ticks.
+Result<void> change_platform(World& world, const std::vector<Vec2>& corners);
 
 // Room for so many walkers from now on, if there is less. Allocates; between two ticks.
 void make_room(World& world, uint32_t capacity);

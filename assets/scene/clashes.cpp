@@ -12,6 +12,7 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
+bool is_round(const Scene& s) { return s.built == BuiltIn::asteroid || s.built == BuiltIn::planets; }
 bool is_map(const Scene& scene) { return kind_of(scene.city) == FileKind::map; }
 
 // A city that is a map, as a schema says it of one that must be there.
@@ -38,41 +39,59 @@ OrderedJson needs_built(const char* name, const char* key, const OrderedJson& pr
     return schema;
 }
 
+// The key is there, with these rules, and so is a small world.
+OrderedJson on_small_world(const char* key, const OrderedJson& rules) {
+    OrderedJson properties = {{"built", {{"enum", {"asteroid", "planets"}}}}};
+    if (!rules.empty()) properties[key] = rules;
+    return both({"built", key}, properties);
+}
+
 constexpr SceneClash k_clashes[] = {
     {"built", R"("built" is a place of its own, and "city" another; people walk in one)",
      [](const Scene& s, const Json&) { return s.built != BuiltIn::district && !s.city.empty(); },
      [](const char* key) {
          return both({key, "city"}, {{key, {{"not", {{"const", "district"}}}}}});
      }},
-    {"camera", R"("camera": on the asteroid it is overview, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
+    {"camera",
+     R"("camera": where up is not one way it is overview, follow:ID, or EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0)",
      [](const Scene& s, const Json&) {
-         bool on_ground =
-             s.camera.kind != CameraChoice::Kind::overview && s.camera.kind != CameraChoice::Kind::fixed;
-         return s.built == BuiltIn::asteroid && on_ground;
+         using enum CameraChoice::Kind;
+         const bool on_ground =
+             s.camera.kind != overview && s.camera.kind != fixed && s.camera.kind != follow;
+         return is_round(s) && on_ground;
      },
      [](const char* key) {
-         return both({"built", key}, {{"built", {{"const", "asteroid"}}},
-                                      {key, {{"pattern", "^(street|crowd|map|(follow|eyes|map):.*)$"}}}});
+         return on_small_world(key, {{"pattern", "^(street|crowd|map|(eyes|map):.*)$"}});
      }},
     {"blocks", R"("blocks" is of the built-in district, and "built" says another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && s.built != BuiltIn::district; },
      [](const char* key) {
          return both({"built", key}, {{"built", {{"not", {{"const", "district"}}}}}});
      }},
-    {"added", R"("added" is what is put into a city, and nobody walks in one on the asteroid)",
-     [](const Scene& s, const Json& json) { return json.contains("added") && s.built == BuiltIn::asteroid; },
+    {"added", R"("added" is what is put into a city, and nobody walks in one on the asteroid or the planets)",
+     [](const Scene& s, const Json& json) { return json.contains("added") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"demand",
+     R"("demand" sends people through a city, and nobody can be sent on the asteroid or the planets)",
+     [](const Scene& s, const Json&) { return !s.demand.empty() && is_round(s); },
      [](const char* key) {
-         return both({"built", key}, {{"built", {{"const", "asteroid"}}}});
+         return on_small_world(key, {{"minLength", 1}});
      }},
-    {"demand", R"("demand" sends people through a city, and nobody can be sent on the asteroid)",
-     [](const Scene& s, const Json&) { return !s.demand.empty() && s.built == BuiltIn::asteroid; },
+    {"side", R"("side": on the asteroid and the planets people pass where there is room; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("side") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"creatures",
+     R"("creatures" walk on the asteroid or the planets; "built" must be "asteroid" or "planets")",
+     [](const Scene& s, const Json&) { return s.creatures > 0 && !is_round(s); },
      [](const char* key) {
-         return both({"built", key}, {{"built", {{"const", "asteroid"}}}, {key, {{"minLength", 1}}}});
+         OrderedJson schema = both({key}, {{key, {{"minimum", 1}}}});
+         schema["not"] = both({"built"}, {{"built", {{"enum", {"asteroid", "planets"}}}}});
+         return schema;
      }},
-    {"creatures", R"("creatures" walk on the asteroid; "built" must be "asteroid")",
-     [](const Scene& s, const Json&) { return s.creatures > 0 && s.built != BuiltIn::asteroid; },
+    {"rock", R"("rock" is what the asteroid is; "built" must be "asteroid")",
+     [](const Scene& s, const Json&) { return !s.rock.empty() && s.built != BuiltIn::asteroid; },
      [](const char* key) {
-         return needs_built("asteroid", key, {{key, {{"minimum", 1}}}});
+         return needs_built("asteroid", key, {{key, {{"minLength", 1}}}});
      }},
     {"platform", R"("platform" is the outline of one; "built" must be "platform")",
      [](const Scene& s, const Json&) { return !s.platform.empty() && s.built != BuiltIn::platform; },
@@ -82,10 +101,10 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return needs_built("platform", key, {{key, {{"const", "stagger"}}}});
      }},
-    {"habit", R"("habit": on the asteroid everybody goes straight on; leave it out)",
-     [](const Scene& s, const Json&) { return s.habit == Habit::ramble && s.built == BuiltIn::asteroid; },
+    {"habit", R"("habit": on the asteroid and the planets everybody goes straight on; leave it out)",
+     [](const Scene& s, const Json&) { return s.habit == Habit::ramble && is_round(s); },
      [](const char* key) {
-         return both({"built", key}, {{"built", {{"const", "asteroid"}}}, {key, {{"const", "ramble"}}}});
+         return on_small_world(key, {{"const", "ramble"}});
      }},
     {"limbs", R"("limbs" go by curves of those who ramble; "habit" must be "ramble")",
      [](const Scene& s, const Json&) { return s.limbs == LimbLead::curves && s.habit != Habit::ramble; },

@@ -97,7 +97,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         word_key<&Scene::built, k_built_in_names>(
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
-            "walk; a platform in still water; a walled field."),
+            "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
+            "another of which people leap."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,
@@ -105,6 +106,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "The corners of the built-in platform, 3 to 16, each X,Z in metres: any convex outline within 400 "
          "m.",
          [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_platform(v), s.platform); }},
+        plain_key<&Scene::rock>(
+            "rock", {text}, nullptr, R"("torus")",
+            "What the asteroid is: torus, or a .glb or .gltf of any closed mesh, which is made 36 m long. A "
+            "relative path starts at the scene's folder."),
         plain_key<&Scene::terrain>(
             "terrain", {text}, nullptr, R"("N43E007.hgt.zip")",
             "Heights of the ground under an OpenStreetMap city: an SRTM tile (.hgt, .hgt.zip) or a GeoTIFF "
@@ -119,7 +124,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::walkers>("walkers", {whole, 0, k_max_walkers}, "500", "2000",
                                    "How many people walk."),
         plain_key<&Scene::creatures>("creatures", {whole, 0, 100}, "0", "5",
-                                     "How many creatures of six legs walk on the asteroid."),
+                                     "How many creatures of six legs walk on the asteroid or the planets."),
         word_key<&Scene::habit, k_habit_names>(
             "habit", R"("wander")", R"("ramble")",
             "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, "
@@ -219,7 +224,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
               coordinate_pattern() + "," + across + "(," + bearing + ")?|" + point + "/" + point},
          R"("street")",
          R"("0,1.7,-20/0,1.5,0")",
-         "Where to look from: street, overview (on the asteroid, where it is usual), crowd, follow:ID "
+         "Where to look from: street, overview (on the asteroid and the planets, where it is usual), crowd, "
+         "follow:ID "
          "(behind a walker, numbered from 0), eyes:ID (through its eyes), map (of all of the city), "
          "map:X,Z,ACROSS or map:X,Z,ACROSS,BEARING (its middle, its width, metres, and the degrees clockwise "
          "from north that are up), or EX,EY,EZ/TX,TY,TZ: where the eye is and what it looks at, metres.",

@@ -53,6 +53,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     auto beside = [&](std::string& other) { other = (path.parent_path() / other).string(); };
     if (!scene->city.empty()) beside(scene->city);
     if (!scene->terrain.empty()) beside(scene->terrain);
+    if (!scene->rock.empty() && scene->rock != k_torus) beside(scene->rock);
     if (!scene->demand.empty()) beside(scene->demand);
     for (PeopleShare& people : scene->people) {
         if (!people.character.empty()) beside(people.character);

@@ -67,6 +67,7 @@ std::string scene_text(const Scene& s) {
     tell("radius", short_number(s.radius), s.radius > 0);
     tell("built", k_built_in_names[static_cast<int>(s.built)], s.built != usual.built);
     tell("platform", told_platform(s.platform), !s.platform.empty());
+    tell("rock", s.rock, !s.rock.empty());
     tell("terrain", s.terrain, !s.terrain.empty());
     tell("scale", short_number(s.scale), s.scale != usual.scale);
     tell("blocks", s.blocks, is_of(s, BuiltIn::district));

@@ -20,11 +20,15 @@ constexpr float k_reach = 0.24f;                      // how far a foot is left 
 constexpr float k_beyond = 0.8f;                      // and of that, how far ahead it is put
 constexpr float k_lift = 0.2f;                        // of a step
 constexpr float k_shortest = 0.1f, k_longest = 0.3f;  // seconds, of a step
-constexpr float k_trunk_turn = 2;                     // radians a second, of its up
 constexpr float k_settle = 8;                         // a second, of its height
 constexpr float k_leg = 1.25f;                        // of its 1.33 m of bones, how far it is stretched
 constexpr float k_most_rise = 0.25f;                  // of the trunk with its feet
 constexpr float k_creeps = 0.05f;                     // metres a second
+constexpr float k_leap_crouch = 0.8f;                 // of people's crouch before and after a leap
+constexpr float k_leap_settle = 20;                   // a second, of its height meanwhile
+constexpr float k_draws = 5;                          // a second, of its feet in flight
+constexpr float k_drawn[] = {0.7f, -0.6f};            // of where they rest: beside and before; size, below
+constexpr float k_reaches = 0.45f;                    // seconds before it lands
 constexpr int k_leg_joints = 4;                       // hip, coxa's end, knee, foot
 
 // Of the trunk, after its middle: head, neck of the abdomen, abdomen, two antennae of two.
@@ -42,21 +46,21 @@ constexpr float k_girths[] = {0.045f, 0.035f, 0.022f};
 float side_of(int leg) { return leg < 3 ? 1.0f : -1.0f; }
 bool is_even(int leg) { return leg % 2 == 0; }  // left front and hind, right middle
 
-struct Frame {
+struct Axes {
     Vec3 left, up, ahead;
     Vec3 operator()(Vec3 v) const { return left * v.x + up * v.y + ahead * v.z; }
 };
-Frame frame_of(const Creature& c) { return {cross(c.up, c.ahead), c.up, c.ahead}; }
+Axes axes_of(const Creature& c) { return {cross(c.up, c.ahead), c.up, c.ahead}; }
 
 Vec3 square_to(Vec3 v, Vec3 up, Vec3 otherwise) { return normalize_or(v - up * dot(v, up), otherwise); }
 
 Vec3 hip_of(const Creature& c, int leg) {
-    return c.middle + frame_of(c)(Vec3{side_of(leg) * k_hip_beside, 0, k_hip_before[leg % 3]} * c.size);
+    return c.middle + axes_of(c)(Vec3{side_of(leg) * k_hip_beside, 0, k_hip_before[leg % 3]} * c.size);
 }
 
 // Below its place beside the trunk, on ground that goes on as it is under the middle.
 Vec3 home_of(const Creature& c, int leg) {
-    return c.middle + frame_of(c)(Vec3{side_of(leg) * k_beside, -k_high, k_before[leg % 3]} * c.size);
+    return c.middle + axes_of(c)(Vec3{side_of(leg) * k_beside, -k_high, k_before[leg % 3]} * c.size);
 }
 
 // The surface that a foot finds about `spot`: a wall between the trunk and the air over it, the ground under
@@ -138,9 +142,47 @@ void step_legs(const Compound& compound, Creature& c, const Pace& pace, float dt
     }
 }
 
+// Legs stretch as it leaves, are drawn in below it, and stretched again before it lands.
+void fly_creature(const SurfaceWalkers& w, const Leap& leap, Creature& c, float dt) {
+    const Vec3 before = c.middle;
+    const Axes was = axes_of(c);
+    c.up = w.up[c.walker];
+    c.ahead = square_to(w.ahead[c.walker], c.up, c.ahead);
+    c.middle = w.position[c.walker] + c.up * (k_high * c.size);
+    const Axes is = axes_of(c);
+    const float reaches = smoothstep(leap.lasts - k_reaches, leap.lasts, leap.seconds);
+    for (int i = 0; i < k_creature_legs; ++i) {
+        CreatureLeg& leg = c.legs[i];
+        const Vec3 home = home_of(c, i) - c.middle;
+        const float high = dot(home, c.up);
+        const Vec3 drawn = (home - c.up * high) * k_drawn[0] + c.up * (k_drawn[1] * c.size);
+        // The foot goes along with the trunk.
+        const Vec3 off = leg.foot - before;
+        const Vec3 along = is({dot(off, was.left), dot(off, was.up), dot(off, was.ahead)});
+        leg.foot = c.middle + lerp(along, lerp(drawn, home, reaches), std::min(k_draws * dt, 1.0f));
+        leg.from = leg.to = leg.foot;
+        leg.normal = c.up;
+        leg.swing = 0.5f;
+    }
+}
+
+void land_creature(const Compound& compound, const SurfaceWalkers& w, Creature& c) {
+    c.middle = w.position[c.walker] + c.up * (k_high * c.size);
+    for (int i = 0; i < k_creature_legs; ++i) {
+        CreatureLeg& leg = c.legs[i];
+        auto found = foothold(compound, c, home_of(c, i));
+        if (!found) found = cast_ray(compound, c.middle, -c.up, 4 * k_high * c.size);
+        if (found) leg = {leg.foot, leg.foot, found->point, found->normal, 0};
+    }
+}
+
 }  // namespace
 
 float creature_radius(float size) { return 0.8f * size; }
+float creature_height(float size) { return k_high * size; }
+bool is_standing(const Creature& c) {
+    return std::ranges::all_of(c.legs, [](const CreatureLeg& leg) { return leg.swing == 1; });
+}
 
 Creature make_creature(const Compound& compound, const SurfaceWalkers& w, uint32_t walker, float size) {
     Creature c;
@@ -162,14 +204,20 @@ Creature make_creature(const Compound& compound, const SurfaceWalkers& w, uint32
 }
 
 void step_creature(const Compound& compound, const SurfaceWalkers& w, Creature& c, float dt) {
+    const Leap& leap = w.leaps[c.walker];
+    if (leap.stage == LeapStage::flies) return fly_creature(w, leap, c, dt);
+    const bool lands = leap.stage == LeapStage::absorbs && leap.seconds == 0;
+    if (lands) land_creature(compound, w, c);
     const Vec3 place = w.position[c.walker];
     const float high = dot(c.middle - place, c.up);
-    c.up = turned_towards(c.up, w.up[c.walker], k_trunk_turn * dt);
+    c.up = turned_towards(c.up, w.up[c.walker], k_creature_turn * dt);
     c.ahead = square_to(w.ahead[c.walker], c.up, c.ahead);
     float feet = 0;
     for (const CreatureLeg& leg : c.legs) feet += dot(leg.to - place, c.up) / k_creature_legs;
-    const float wanted = k_high * c.size + clamp(feet, -k_most_rise * c.size, k_most_rise * c.size);
-    c.middle = place + c.up * lerp(high, wanted, std::min(k_settle * dt, 1.0f));
+    const float crouch = k_leap_crouch * leap_crouch(leap, c.size);
+    const float wanted = k_high * c.size - crouch + clamp(feet, -k_most_rise * c.size, k_most_rise * c.size);
+    c.middle =
+        place + c.up * lerp(high, wanted, std::min((crouch > 0 ? k_leap_settle : k_settle) * dt, 1.0f));
     step_legs(compound, c, pace_of(w, c, dt), dt);
 }
 
@@ -202,14 +250,14 @@ Linkage creature_linkage(float size) {
 }
 
 void place_creature(const Linkage& f, const Creature& c, std::span<Vec3> places) {
-    const Frame frame = frame_of(c);
+    const Axes axes = axes_of(c);
     places[0] = c.middle;
     size_t at = 1;
     for (const Part& part : k_trunk)
-        places[at++] = places[static_cast<size_t>(part.parent)] + frame(part.at * c.size);
+        places[at++] = places[static_cast<size_t>(part.parent)] + axes(part.at * c.size);
     for (int number = 0; number < k_creature_legs; ++number, at += k_leg_joints) {
         const Vec3 foot = c.legs[number].foot, hip = hip_of(c, number);
-        const Vec3 out = square_to(foot - hip, c.up, frame.left * side_of(number));
+        const Vec3 out = square_to(foot - hip, c.up, axes.left * side_of(number));
         // A knee that stands up, from which the legs are bent: so it never turns over.
         const std::span leg = places.subspan(at, k_leg_joints);
         leg[0] = hip;

@@ -31,13 +31,19 @@ struct Creature {
 
 // Metres to each side that it takes.
 float creature_radius(float size);
+// And from the ground to its trunk's middle.
+float creature_height(float size);
+inline constexpr float k_creature_turn = 2;  // radians a second, that its up turns at most
+// Whether all of its feet are down.
+bool is_standing(const Creature& creature);
 // Its bones at rest; who draws it finds its joints where step_creature() puts them.
 Linkage creature_linkage(float size);
 
 // Where its walker is, all feet on the surface below.
 Creature make_creature(const Compound& compound, const SurfaceWalkers& walkers, uint32_t walker, float size);
 
-// One tick of `dt` seconds after its walker's.
+// One tick of `dt` seconds after its walker's. In a leap its feet are drawn in below it, and each looks for
+// ground as it lands.
 void step_creature(const Compound& compound, const SurfaceWalkers& walkers, Creature& creature, float dt);
 
 // Joints of its linkage, as many as that has, as it stands now.

@@ -33,6 +33,7 @@ struct Compound {
     std::vector<Capsule> capsules;
     std::vector<Vec3> vertices;
     std::vector<uint32_t> indices;  // three a triangle, counter-clockwise from outside
+    std::vector<Vec3> middles;      // of the pieces that these are in; none: they are one
 
     // Filled by index_compound.
     std::vector<CompoundBox> boxes;

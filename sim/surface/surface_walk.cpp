@@ -28,6 +28,11 @@ constexpr float k_swerve = 1.4f;       // radians a second, at most, to get out 
 constexpr float k_brake = 3;           // metres a second each second, as it means to,
 constexpr float k_hardest_brake = 6;   // and where another comes in its way
 constexpr float k_same_side = 0.3f;    // cosine between the ups of those who can meet
+constexpr float k_landed_turn = 0.3f;  // radians a second, of up
+constexpr float k_gathers = 2.5f;      // m/s2, with which one stops who is to leap
+constexpr float k_led_gain = 4;        // m/s2, of who is led by hand,
+constexpr float k_led_turn = 3;        // its radians a second at most,
+constexpr float k_led_comes = 5;       // and for each radian that it looks elsewhere than it is to go
 
 // Between 0 and 1, smooth over time and unlike anybody else's.
 float whim(uint64_t seed, size_t walker, uint32_t tick) {
@@ -130,6 +135,26 @@ Meeting meet_others(const SurfaceWalkers& w, size_t i, float dt) {
     return out;
 }
 
+// What one means to do in a tick, by itself.
+struct Intent {
+    float turn_rate = 0;  // radians a second
+    float speed = 0;      // m/s
+    float gain = k_gain;  // m/s2
+};
+
+Intent intent_of(const SurfaceWalkers& w, size_t i, uint64_t seed, uint32_t tick, float dt) {
+    if (w.leaps[i].stage == LeapStage::gathers) return {0, std::max(w.pace[i] - k_gathers * dt, 0.0f)};
+    if (w.leaps[i].stage != LeapStage::none) return {};
+    if (i != w.led) return {k_bend * (2 * whim(seed, i, tick) - 1), w.speed[i], k_gain};
+    const Vec3 up = w.up[i], ahead = w.ahead[i], wish = w.wish[i] - up * dot(w.wish[i], up);
+    const float speed = length(wish);
+    if (speed < k_stands) return {0, 0, k_led_gain};
+    const float off = arctan2(dot(cross(ahead, wish), up), dot(ahead, wish));
+    const float turn = clamp(k_led_comes * off, -k_led_turn, k_led_turn);
+    // Who is to go back turns before it goes.
+    return {turn, speed * clamp(dot(ahead, wish) / speed, 0, 1), k_led_gain};
+}
+
 }  // namespace
 
 Quat frame_of(Vec3 up, Vec3 ahead) {
@@ -148,9 +173,16 @@ Vec3 turned_towards(Vec3 from, Vec3 to, float most) {
 }
 
 void look_round(SurfaceWalkers& w) {
-    w.seen.resize(w.position.size());
-    for (uint32_t i = 0; i < w.seen.size(); ++i)
-        w.seen[i] = {w.position[i], w.up[i], w.ahead[i] * w.pace[i], w.radius[i], i};
+    const auto count = static_cast<uint32_t>(w.position.size());
+    w.seen.reserve(2 * size_t{count});
+    w.seen.clear();
+    for (uint32_t i = 0; i < count; ++i) {
+        const Leap& leap = w.leaps[i];
+        if (leap.stage != LeapStage::flies)
+            w.seen.push_back({w.position[i], w.up[i], w.ahead[i] * w.pace[i], w.radius[i], i});
+        if (leap.stage == LeapStage::flies || leap.stage == LeapStage::crouches)
+            w.seen.push_back({leap.place, leap.normal, {}, w.radius[i], i});
+    }
     std::ranges::sort(w.seen, [](const SurfaceSeen& a, const SurfaceSeen& b) {
         return a.position.x != b.position.x ? a.position.x < b.position.x : a.walker < b.walker;
     });
@@ -162,7 +194,8 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
     std::vector<Vec3> middles;
     for (const Sphere& s : c.spheres) middles.push_back(s.centre);
     for (const Capsule& s : c.capsules) middles.push_back((s.a + s.b) * 0.5f);
-    if (!c.vertices.empty()) {
+    middles.insert(middles.end(), c.middles.begin(), c.middles.end());
+    if (!c.vertices.empty() && c.middles.empty()) {
         Vec3 sum;
         for (Vec3 v : c.vertices) sum += v;
         middles.push_back(sum / static_cast<float>(c.vertices.size()));
@@ -197,17 +230,29 @@ SurfaceWalkers place_on_surface(const Compound& c, const std::vector<float>& spe
     w.turn_rate.resize(w.position.size());
     w.moved.resize(w.position.size());
     w.probes.resize(w.position.size());
+    w.leaps.resize(w.position.size());
+    w.wish.resize(w.position.size());
+    w.leaps_at_will.resize(w.position.size());
+    w.stands.resize(w.position.size());
+    w.middle.resize(w.position.size(), 1);
     return w;
 }
 
 void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, size_t end, uint64_t seed,
                      uint32_t tick, float dt) {
     for (size_t i = begin; i < end; ++i) {
+        const LeapStage stage = w.leaps[i].stage;
+        if (stage == LeapStage::flies || stage == LeapStage::crouches) {
+            w.turn_rate[i] = w.moved[i] = w.pace[i] = 0;
+            continue;
+        }
         Vec3 position = w.position[i], up = w.up[i];
         const Meeting meeting = meet_others(w, i, dt);
-        w.turn_rate[i] = k_bend * (2 * whim(seed, i, tick) - 1) + meeting.swerve;
+        const Intent intent = intent_of(w, i, seed, tick, dt);
+        const bool is_free = stage == LeapStage::none && i != w.led;
+        w.turn_rate[i] = intent.turn_rate + (is_free ? meeting.swerve : 0);
         Vec3 ahead = turned(w.ahead[i], up, w.turn_rate[i] * dt);
-        const float most = std::min({w.pace[i] + k_gain * dt, w.speed[i], meeting.fastest});
+        const float most = std::min({w.pace[i] + intent.gain * dt, intent.speed, meeting.fastest});
         w.pace[i] = std::max({most, w.pace[i] - k_hardest_brake * dt, 0.0f});
         Vec3 there = position + ahead * (w.pace[i] * dt);
         SurfaceProbe& p = w.probes[i];
@@ -217,7 +262,9 @@ void walk_on_surface(const Compound& compound, SurfaceWalkers& w, size_t begin, 
             w.moved[i] = 0;
             continue;
         }
-        up = turned_towards(up, p.normal, k_most_turn * dt);
+        // Both feet stand where one lands: up comes round without moving them.
+        const float most_turn = stage == LeapStage::absorbs ? k_landed_turn : k_most_turn;
+        up = turned_towards(up, p.normal, most_turn * dt);
         // The points' mean lies beside a curved surface: down, or up, to it.
         auto hit = surface_below(compound, p.point + up * k_high, up, k_deep);
         Vec3 next = hit ? hit->point : p.point;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/surface/compound.h"
+#include "sim/surface/leap.h"
 
 namespace flaneur {
 
@@ -39,8 +39,16 @@ struct SurfaceWalkers {
     std::vector<float> moved;      // metres along the surface in the last tick
     std::vector<float> radius;     // of the body, metres
     std::vector<SurfaceProbe> probes;
-    std::vector<SurfaceSeen> seen;  // by x; see look_round()
-    float widest = 0;               // radius of any, metres
+    std::vector<Leap> leaps;
+    std::vector<float> middle;           // of the body over its feet, metres
+    std::vector<uint8_t> leaps_at_will;  // 1: by itself, where another body is overhead
+    std::vector<uint8_t> stands;         // 1: all of its feet are down and at rest, as its body has it
+    std::vector<Vec3> wish;              // m/s, of the one that is led by hand
+    uint32_t led = k_nobody_led;         // which that is
+    std::vector<SurfaceSeen> seen;       // by x; see look_round()
+    float widest = 0;                    // radius of any, metres
+
+    static constexpr uint32_t k_nobody_led = 0xffffffffu;
 };
 
 // Sets `count` walkers down where rays towards the compound's parts from random directions first meet it.
@@ -49,12 +57,15 @@ struct SurfaceWalkers {
 SurfaceWalkers place_on_surface(const Compound& compound, const std::vector<float>& speed,
                                 const std::vector<float>& radius, uint64_t seed);
 
-// Before a tick: what all will see of each other in it.
+// Before a tick: what all will see of each other in it. Who leaps is seen where it will land, and until it
+// has left where it stands too.
 void look_round(SurfaceWalkers& walkers);
 
 // One tick of `dt` seconds for walkers [begin, end): each strolls ahead, bending its way a little now to one
 // side, now to the other; whom it would come too near to within some seconds it turns away from, to its right
-// where that is all one, and it brakes behind whom it cannot get round. Of others it reads `seen` alone.
+// where that is all one, and it brakes behind whom it cannot get round. Of others it reads `seen` alone. Who
+// is led goes where its wish leads. Who gathers for a leap stops, and who is in one stays where it is: see
+// leaps.h.
 void walk_on_surface(const Compound& compound, SurfaceWalkers& walkers, size_t begin, size_t end,
                      uint64_t seed, uint32_t tick, float dt);
 

@@ -265,9 +265,9 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
                                                                               : "";
         if (!plain.city.empty()) one["city"] = plain.city;
         // These need their place.
-        plain.built = key == "platform"    ? BuiltIn::platform
-                      : key == "creatures" ? BuiltIn::asteroid
-                                           : BuiltIn::district;
+        plain.built = key == "platform"                     ? BuiltIn::platform
+                      : key == "creatures" || key == "rock" ? BuiltIn::asteroid
+                                                            : BuiltIn::district;
         const bool is_elsewhere = plain.built != BuiltIn::district;
         if (is_elsewhere) one["built"] = k_built_in_names[static_cast<size_t>(plain.built)];
         plain.camera.kind = is_elsewhere ? CameraChoice::Kind::overview : CameraChoice::Kind::street;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/ways/rays.h"
+#include "tools/extract/ids.h"
 #include "tools/flaneur/load/load.h"
 #include "tools/flaneur/overlay/lettering.h"
 #include "tools/flaneur/overlay/overlay.h"
@@ -118,6 +119,49 @@ TEST(Ways, AreDrawnOnTheAsteroid) {
     add_ways({*loaded->world, loaded->characters, camera}, overlay);
     EXPECT_GT(overlay.lines.size(), 0u);
     EXPECT_EQ(overlay.lines.size() % 5, 0u);
+}
+
+// Trails lie on the rock, creatures have bones and speeds, and nothing is told of a ground plane.
+TEST(SmallWorlds, ShowWhatThereIs) {
+    Options options;
+    options.scene = load_scene("planets").value();
+    options.scene.walkers = 30;
+    options.scene.creatures = 2;
+    Result<Loaded> loaded = load(options);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    World& world = *loaded->world;
+    Overlay overlay;
+    for (int tick = 0; tick < 240; ++tick) {
+        step(world);
+        follow_trails(world, overlay.trails);
+    }
+    Camera camera;
+    camera.eye = {20, 8, 30};
+    camera.target = {0, 0, 0};
+    PeopleFrame people;
+    extract_people(world, loaded->characters, people);
+    add_linkages(world.linkages, static_cast<uint32_t>(loaded->characters.size()), people);
+    auto frame_of = [&](const char* view) {
+        FrameInput frame;
+        lay_over({world, loaded->characters, camera}, parse_work_views({view}).value(), people, overlay,
+                 frame);
+        return frame;
+    };
+    EXPECT_GT(frame_of("trails").lines.size(), 30u);
+    EXPECT_GT(frame_of("skeletons").lines.size(), 2 * 31u);
+    for (const char* none : {"density", "walkable"}) {
+        EXPECT_EQ(frame_of(none).lines.size() + frame_of(none).fills.size(), 0u) << none;
+        EXPECT_TRUE(legends_of(parse_work_views({none}).value(), world).empty()) << none;
+    }
+    frame_of("speed");
+    size_t creatures = 0;
+    for (const WalkerDraw& draw : people.walkers) {
+        if (kind_of_id(draw.id) != IdKind::creature) continue;
+        ++creatures;
+        EXPECT_LT(number_of_id(draw.id), 2u);
+        EXPECT_NE(draw.instance.tints[0], 0xffffffffu);
+    }
+    EXPECT_GE(creatures, 2u);
 }
 
 TEST_F(OverlayTest, BonesLieInTheirBodies) {

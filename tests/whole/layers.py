@@ -1,8 +1,10 @@
-#!/usr/bin/env python3
-"""layers.py ROOT: who includes whom, how full the rooms are, and that names are defined once.
+#!/ usr / bin / env python3
+""
+    "layers.py ROOT: who includes whom, how full the rooms are, and that names are defined once.
 
-The table says which rooms a room may include, besides itself. A room may name only rooms above it, so no circle can be
-stated; every folder that holds code is a room; and an arrow that nobody takes any more has to go. Where a folder's
+    The table says which rooms a room may include,
+    besides itself.A room may name only rooms above it, so no circle can be stated;
+every folder that holds code is a room; and an arrow that nobody takes any more has to go. Where a folder's
 public headers lie below its other rooms and its sources above them, those are two rooms: "assets" and "assets sources".
 """
 import os
@@ -93,7 +95,7 @@ tools/rendercheck: assets/files, tools/flaneur/options, tools/rendercheck/files,
 tools/flaneur/output: assets/files, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/tracks: assets/files, assets/trajectories, sim, sim/base, tools/flaneur/output
 tools/flaneur/validate: assets/trajectories, sim, sim/base, sim/ground, sim/navigation, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/plot
-tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/stages, sim, sim/base, tools/flaneur/console, tools/flaneur/options
+tools/flaneur/load: assets, assets/cache, assets/demand, assets/files, assets/gltf/character, assets/gltf/city, assets/stages, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/check: assets/files, sim, sim/base, tools/flaneur/console, tools/flaneur/options
 tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/curves, sim/ground, sim/hands, sim/pose, tools/flaneur/output
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
@@ -117,7 +119,7 @@ tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, 
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
-tools/flaneur/window/change sources: assets/files, sim/base, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
+tools/flaneur/window/change sources: assets/files, assets/stages, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
 tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
 tools/flaneur/window/kept sources: assets/files, sim/base, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/kept, tools/flaneur/window/open

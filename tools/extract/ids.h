@@ -9,8 +9,20 @@ namespace flaneur {
 // What an id is of, and which numbers they have: Surface of the ground, or k_kerb_number; indices of
 // City::buildings for houses and for what has no facade, which is a wall; of City::props for trees, cars and
 // other props; WalkerId::index, of a walker with all that it carries and pushes; 0 for scenery; of
-// Troupe::plans, and after them of Linkages::all, for exhibits.
-enum class IdKind : uint8_t { none, ground, house, wall, tree, car, prop, scenery, walker, exhibit };
+// Roam::creatures; of Troupe::plans, and after them of Linkages::all, for exhibits.
+enum class IdKind : uint8_t {
+    none,
+    ground,
+    house,
+    wall,
+    tree,
+    car,
+    prop,
+    scenery,
+    walker,
+    creature,
+    exhibit
+};
 inline constexpr uint32_t k_kerb_number = 9;
 // Of what nobody counts, such as a wall that is no building's, and of all numbers beyond.
 inline constexpr uint32_t k_last_number = (1u << 20) - 1;

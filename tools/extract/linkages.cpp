@@ -138,7 +138,9 @@ void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& fr
             WalkerDraw draw;
             draw.mesh = mesh;
             draw.is_upright = false;
-            draw.id = id_of(IdKind::exhibit, first_id + static_cast<uint32_t>(i));
+            draw.id = f.kind == Linkage::Kind::led
+                          ? id_of(IdKind::creature, static_cast<uint32_t>(i))
+                          : id_of(IdKind::exhibit, first_id + static_cast<uint32_t>(i));
             draw.instance.scale = 1;
             draw.instance.palette = static_cast<uint32_t>(frame.palette.size());
             std::ranges::fill(draw.instance.tints, 0xffffffffu);

@@ -197,6 +197,7 @@ void extract_people(const World& world, const std::vector<Character>& characters
             // Over the edges of treads a wide spot would hang in the air.
             if (world.gait.blocks[i / k_block].tread[i % k_block] > 0) ground_below.body = {};
             if (world.roam) {
+                bend_in_leap(*world.roam, i, between, joints);
                 set_onto_surface(*world.roam, crowd, i, between, joints);
                 for (GroundPlane* plane : {&ground_below.feet[0], &ground_below.feet[1], &ground_below.body})
                     set_onto_surface(*world.roam, crowd, i, between, *plane);

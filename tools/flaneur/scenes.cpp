@@ -10,7 +10,9 @@ namespace flaneur {
 
 // Whether its people can be set down: on a stage that is made within a moment, as any other command does it.
 static Result<void> try_stage(const Options& options, const Scene& scene) {
-    if (!is_of(scene, BuiltIn::platform) && !is_of(scene, BuiltIn::field)) return {};
+    const bool is_made_at_once =
+        is_of(scene, BuiltIn::platform) || is_of(scene, BuiltIn::field) || is_small_world(scene);
+    if (!is_made_at_once) return {};
     Options of_scene = options;
     of_scene.scene = scene;
     const Result<Loaded> loaded = load(of_scene);

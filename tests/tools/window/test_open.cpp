@@ -6,6 +6,7 @@
 
 #include "tests/folder.h"
 #include "tools/flaneur/window/open/complete.h"
+#include "tools/flaneur/window/open/pictures.h"
 #include "tools/flaneur/window/open/plan.h"
 #include "tools/flaneur/window/open/recent.h"
 #include "tools/flaneur/window/viewer.h"
@@ -178,6 +179,16 @@ TEST(Complete, TheFolderAboveIsChosenButNotTyped) {
     press_in_opening(GLFW_KEY_ENTER, 0, show, v);
     EXPECT_EQ(prompt.becomes, above);
     EXPECT_TRUE(prompt.is_open);
+}
+
+TEST(Opening, EveryBuiltInSceneHasAPicture) {
+    const std::vector<RgbaImage> pictures = scene_pictures();
+    const std::vector<std::string> names = scene_names();
+    ASSERT_EQ(pictures.size(), names.size());
+    for (size_t i = 0; i < names.size(); ++i) {
+        EXPECT_EQ(pictures[i].width, 416u) << names[i] << ": tools/scene_pictures draws them";
+        EXPECT_EQ(pictures[i].height, 234u) << names[i];
+    }
 }
 
 TEST(Complete, BeginsWhereTheLastFileWasOrHere) {

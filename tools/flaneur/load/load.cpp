@@ -14,11 +14,13 @@
 #include "assets/demand/demand_file.h"
 #include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
+#include "assets/gltf/city/triangles.h"
 #include "assets/population.h"
 #include "assets/stages/asteroid.h"
 #include "assets/stages/dais.h"
 #include "assets/stages/field.h"
 #include "assets/stages/gallery.h"
+#include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
@@ -168,6 +170,31 @@ CityOptions city_options(const Scene& scene) {
             }};
 }
 
+// A file's triangles as a closed shape.
+static Result<RockMesh> load_rock(const std::string& path) {
+    constexpr float k_long = 36;  // metres
+    show_progress("reading " + path);
+    Result<GltfTriangles> read = load_triangles(path);
+    if (!read) return read.error();
+    Result<RockMesh> solid = make_rock_mesh(std::move(read->vertices), std::move(read->indices), k_long);
+    if (!solid) return Error{path + " " + solid.error().message + "."};
+    return solid;
+}
+
+// Of a scene that is_small_world().
+static Result<SmallWorld> make_small_world(const Scene& scene) {
+    constexpr float k_ring = 13, k_tube = 5;  // metres
+    constexpr int k_around = 192, k_across = 80;
+    if (Result<void> found = find_files(scene); !found) return found.error();
+    show_progress("making the rock");
+    if (is_of(scene, BuiltIn::planets)) return make_planets(scene.seed, scene.walkers);
+    if (scene.rock.empty()) return make_asteroid(scene.seed, scene.walkers);
+    Result<RockMesh> solid =
+        scene.rock == k_torus ? make_torus(k_ring, k_tube, k_around, k_across) : load_rock(scene.rock);
+    if (!solid) return solid.error();
+    return make_rock(*solid, scene.seed, scene.walkers);
+}
+
 Result<City> read_city(const Scene& scene) {
     Result<City> city = read_bare_city(scene);
     if (!city) return city;
@@ -184,7 +211,11 @@ Result<City> read_bare_city(const Scene& scene) {
         grows_with_walkers(scene) && blocks > scene.blocks && blocks >= k_many_blocks)
         say(scene.name + ": grows to " + std::to_string(blocks) + " times " + std::to_string(blocks) +
             " blocks for " + std::to_string(scene.walkers) + " walkers, which may take minutes to make.");
-    if (is_of(scene, BuiltIn::asteroid)) return make_asteroid(scene.seed, scene.walkers).stage;
+    if (is_small_world(scene)) {
+        Result<SmallWorld> world = make_small_world(scene);
+        if (!world) return world.error();
+        return std::move(world->stage);
+    }
     if (is_of(scene, BuiltIn::platform)) return build_platform(platform_of(scene));
     if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
     if (is_of(scene, BuiltIn::gallery)) return build_gallery(scene.seed);
@@ -217,6 +248,7 @@ Result<std::vector<Character>> make_people(const std::vector<PersonOptions>& opt
 
 std::vector<std::string> files_of(const Scene& scene) {
     std::vector<std::string> paths{scene.city, scene.terrain, scene.demand};
+    if (scene.rock != k_torus) paths.push_back(scene.rock);
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
     return paths;
@@ -243,7 +275,7 @@ static PassOn side_of(const Scene& scene, const City& city) {
 // Who leaves and who is sent, and room for those sent.
 static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptions& world) {
     constexpr uint32_t k_most_at_once = 20'000;
-    if (!scene.stays && !is_of(scene, BuiltIn::asteroid)) world.leaving = k_usual_leaving;
+    if (!scene.stays && !is_small_world(scene)) world.leaving = k_usual_leaving;
     world.capacity = world.walkers;
     if (scene.demand.empty()) return {};
     Result<SentPeople> sent = load_demand(scene.demand, *loaded.city);
@@ -267,7 +299,13 @@ Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
     Loaded loaded;
-    Result<City> bare = read_bare_city(scene);
+    std::optional<SmallWorld> round;
+    if (is_small_world(scene)) {
+        Result<SmallWorld> made = make_small_world(scene);
+        if (!made) return made.error();
+        round = std::move(*made);
+    }
+    Result<City> bare = round ? Result<City>(std::move(round->stage)) : read_bare_city(scene);
     if (!bare) return bare.error();
     loaded.city = loaded.bare = std::make_shared<const City>(std::move(*bare));
     if (!scene.added.empty()) {
@@ -313,9 +351,9 @@ Result<Loaded> load(const Options& options) {
     clear_progress();
     if (!made) return made.error();
     loaded.world = std::move(*made);
-    if (is_of(scene, BuiltIn::asteroid)) {
-        Result<void> set = set_down(*loaded.world, make_asteroid(scene.seed, scene.walkers).compound,
-                                    static_cast<uint32_t>(scene.creatures));
+    if (round) {
+        Result<void> set = set_down(*loaded.world, std::move(round->compound),
+                                    static_cast<uint32_t>(scene.creatures), std::move(round->gravity));
         if (!set) return set.error();
     }
     if (is_of(scene, BuiltIn::gallery)) {
@@ -351,6 +389,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     order.mesh = navmesh_bytes(*world.navmesh);
     if (world.roam) {
         order.compound = world.roam->compound;
+        order.gravity = world.roam->gravity;
         order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
     }
     order.linkages = world.linkages.all;
@@ -366,7 +405,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
     if (!mesh) return mesh.error();
     auto made = make_world(order.ground, std::move(*mesh), order.options, progress);
     if (made && order.compound) {
-        Result<void> set = set_down(**made, *order.compound, order.creatures);
+        Result<void> set = set_down(**made, *order.compound, order.creatures, order.gravity);
         if (!set) return set.error();
     }
     if (made && !order.compound) {

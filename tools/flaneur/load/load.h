@@ -30,7 +30,8 @@ struct PeopleOrder {
     std::shared_ptr<const Ground> ground;
     std::string mesh;  // bytes of the ground's navmesh: one is a world's own
     std::optional<Compound> compound;
-    uint32_t creatures = 0;         // on it,
+    Gravity gravity;                // of it,
+    uint32_t creatures = 0;         // and on it,
     std::vector<Linkage> linkages;  // or without it,
     std::vector<FigurePlan> figures;
     std::shared_ptr<const Ground> figure_ground;

@@ -139,7 +139,11 @@ void add_camera_option(CLI::App& app, SceneWords& words) {
         "DEGREES", "");
 }
 
-// Refuses a camera that has nothing to show, where something is drawn with it.
+static std::string told_place(const Scene& scene) {
+    return std::string(k_built_in_names[static_cast<size_t>(scene.built)]);
+}
+
+// Refuses a camera or a view that has nothing to show, where something is drawn with it.
 static Result<void> check_camera(const SceneWords& words, const Options& options) {
     using enum CameraChoice::Kind;
     bool is_drawn = options.command == Command::view || options.command == Command::render ||
@@ -147,17 +151,26 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
     if (!is_drawn) return {};
     const CameraChoice& camera = options.scene.camera;
     std::string who = words.camera ? "--camera " : "The camera of the scene " + words.scene + ", ";
-    if (is_of(options.scene, BuiltIn::asteroid) && options.command == Command::render &&
-        camera.kind != fixed && camera.kind != overview) {
+    const bool is_round = is_small_world(options.scene);
+    const WorkViews& views = options.scene.views;
+    if (is_round && (views[WorkView::density] || views[WorkView::walkable]))
+        return Error{std::string("The view ") + (views[WorkView::density] ? "density" : "walkable") +
+                     " is of the ground plane of a city, and here people walk all round."};
+    if (is_round && options.command == Command::render && camera.kind != fixed && camera.kind != overview &&
+        camera.kind != follow) {
         return Error{who + told_camera(camera) +
-                     " is for cities; on the asteroid say overview, or EX,EY,EZ/TX,TY,TZ, such as "
-                     "22,13,34/1,0,0."};
+                     " is for places where up is one way; here say overview, follow:ID, or "
+                     "EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0."};
     }
     const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
-    if (is_of_walker && camera.walker >= static_cast<uint32_t>(options.scene.walkers)) {
+    const int those = options.scene.walkers + (is_round ? options.scene.creatures : 0);
+    if (is_of_walker && camera.walker >= static_cast<uint32_t>(those)) {
         return Error{who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
                      " nobody: walkers are numbered from 0, and there are " +
-                     std::to_string(options.scene.walkers) + "."};
+                     std::to_string(options.scene.walkers) +
+                     (those > options.scene.walkers
+                          ? " and then " + std::to_string(options.scene.creatures) + " creatures."
+                          : ".")};
     }
     return {};
 }
@@ -171,6 +184,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
         options.scene.city = *words.city;
         options.scene.built = BuiltIn::district;
         options.scene.platform.clear();
+        options.scene.rock.clear();
+        options.scene.creatures = 0;
         if (options.scene.habit == Habit::stagger) options.scene.habit = Habit::wander;
         // What is said of the scene's own city.
         options.scene.about.clear();
@@ -214,11 +229,14 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.side) options.scene.side = *words.side;
     if (words.stays) options.scene.stays = true;
     if (words.demand) options.scene.demand = *words.demand;
-    if (is_of(options.scene, BuiltIn::asteroid) && words.stays)
-        return Error{"--stay is for cities: nobody leaves the asteroid anyway."};
-    if (is_of(options.scene, BuiltIn::asteroid) && !options.scene.demand.empty())
-        return Error{"Nobody can be sent anywhere on the asteroid, as " + options.scene.demand +
-                     " asks for; take a city."};
+    if (is_small_world(options.scene) && words.stays)
+        return Error{"--stay is for cities: nobody leaves the " + told_place(options.scene) + " anyway."};
+    if (is_small_world(options.scene) && words.side)
+        return Error{"--side is for cities: on the " + told_place(options.scene) +
+                     " people pass where there is room."};
+    if (is_small_world(options.scene) && !options.scene.demand.empty())
+        return Error{"Nobody can be sent anywhere on the " + told_place(options.scene) + ", as " +
+                     options.scene.demand + " asks for; take a city."};
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks = (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) +

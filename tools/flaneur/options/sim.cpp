@@ -124,11 +124,10 @@ Result<void> settle_measures(Options& options) {
     if (!options.measures.empty() && is_empty(options.plan))
         return Error{
             "--measures writes what lines and zones count: give some with --line, --zone or --measures-of."};
-    if (!is_empty(options.plan) && is_of(options.scene, BuiltIn::asteroid))
-        return Error{
-            "--line and --zone are of the ground plane of a city, and people walk all round the asteroid."};
-    if (!options.trajectories.empty() && is_of(options.scene, BuiltIn::asteroid))
-        return Error{"--trajectories are of a ground plane, and people walk all round the asteroid."};
+    if (!is_empty(options.plan) && is_small_world(options.scene))
+        return Error{"--line and --zone are of the ground plane of a city, and here people walk all round."};
+    if (!options.trajectories.empty() && is_small_world(options.scene))
+        return Error{"--trajectories are of a ground plane, and here people walk all round."};
     if (Result<void> named = name_all(options.plan); !named)
         return Error{named.error().message + ": give one of them another name, as in --line NAME:X,Z/X,Z."};
     return {};

@@ -218,6 +218,26 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
              ink(0xf6f3ec), 9);
 }
 
+void add_creature_bones(const OverlayInput& input, Overlay& overlay) {
+    if (!input.world.roam) return;
+    const Linkages& all = input.world.linkages;
+    for (size_t n = 0; n < input.world.roam->creatures.size(); ++n) {
+        const Linkage& f = all.all[n];
+        const size_t first = all.ranges[n].joints;
+        auto at = [&](size_t j) {
+            return to_glm(lerp(all.previous_places[first + j], all.places[first + j], input.between));
+        };
+        for (size_t j = 1; j < f.rest.size(); ++j) {
+            // Trunk, left and right legs, in the order of creature_linkage().
+            const size_t legs = f.rest.size() - 4 * size_t{k_creature_legs};
+            const uint32_t colour = j < legs                                 ? k_trunk_colour
+                                    : j - legs < size_t{2 * k_creature_legs} ? k_left_colour
+                                                                             : k_right_colour;
+            add_bone(overlay, colour, at(static_cast<size_t>(f.shape.parents[j])), at(j), 0.4f * f.girth[j]);
+        }
+    }
+}
+
 // Bones know no depth among themselves: those behind are drawn first, joints after the bones that meet there.
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {
     const glm::vec3 eye = input.camera.eye;
@@ -226,6 +246,7 @@ void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay
         const glm::vec3 centre = people.walkers[i].centre;
         if (is_before(input.camera, centre, k_bones_reach)) order.emplace_back(glm::length(centre - eye), i);
     }
+    add_creature_bones(input, overlay);
     std::sort(order.rbegin(), order.rend());
     auto depth_of = [&](const GizmoLine& line) {
         return glm::length(0.5f * (line.a + line.b) - eye) - (line.a == line.b ? 0.25f : 0.0f);

@@ -174,13 +174,13 @@ void add_walkable(const OverlayInput& input, Overlay& overlay) {
 void add_trails(const OverlayInput& input, Overlay& overlay) {
     const World& world = input.world;
     const Trails& trails = overlay.trails;
-    if (world.roam || trails.places.size() != size_t{world.crowd.count} * k_trail_places) return;
+    if (trails.places.size() != size_t{world.crowd.count} * k_trail_places) return;
     const uint32_t known = std::min(trails.taken, k_trail_places);
     for (uint32_t i = 0; i < world.crowd.count; ++i) {
         if (!is_there(world.crowd, i)) continue;
-        if (!(glm::length(to_glm(world.crowd.motion.position[i]) - input.camera.eye) < k_trail_reach))
-            continue;
-        Vec3 after = world.crowd.motion.position[i];
+        if (!(glm::length(to_glm(place_of(world, i)) - input.camera.eye) < k_trail_reach)) continue;
+        const glm::vec3 over = 0.03f * (world.roam ? to_glm(world.roam->walkers.up[i]) : glm::vec3(0, 1, 0));
+        Vec3 after = place_of(world, i);
         for (uint32_t age = 0; age < known; ++age) {
             const Vec3 before = trails.places[i * k_trail_places + (trails.taken - 1 - age) % k_trail_places];
             if (length(after - before) < 0.05f) continue;
@@ -189,8 +189,7 @@ void add_trails(const OverlayInput& input, Overlay& overlay) {
             // join.
             Pen pen{.pixels = 0.2f + 2.3f * fresh, .place = GizmoPlace::in_world_hidden};
             pen.colour = k_trail_colours[i % std::size(k_trail_colours)];
-            add_line(overlay.lines, pen, to_glm(before) + glm::vec3(0, 0.03f, 0),
-                     to_glm(after) + glm::vec3(0, 0.03f, 0));
+            add_line(overlay.lines, pen, to_glm(before) + over, to_glm(after) + over);
             after = before;
         }
     }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "tools/extract/convert.h"
+#include "tools/extract/ids.h"
 #include "tools/flaneur/overlay/lettering.h"
 #include "tools/flaneur/overlay/shapes.h"
 
@@ -84,6 +85,14 @@ void colour_by_speed(const World& world, PeopleFrame& people) {
     for (uint32_t i = 0; i < world.crowd.count; ++i)
         std::fill_n(people.walkers[i].instance.tints, k_tints,
                     speed_colour(length(world.crowd.motion.velocity[i])));
+    if (!world.roam) return;
+    for (size_t i = world.crowd.count; i < people.walkers.size(); ++i) {
+        WalkerDraw& draw = people.walkers[i];
+        if (kind_of_id(draw.id) != IdKind::creature) continue;
+        const Creature& creature = world.roam->creatures[number_of_id(draw.id)];
+        std::fill_n(draw.instance.tints, k_tints,
+                    speed_colour(world.roam->walkers.moved[creature.walker] / k_tick));
+    }
 }
 
 // From the lower left corner up, each row on a dark ground. Kept apart, so that it lies over all other lines.
@@ -128,7 +137,9 @@ std::vector<Legend> legends_of(WorkViews views, const World& world) {
     using enum WorkView;
     std::vector<Legend> legends;
     auto add = [&](WorkView view, const char* title, std::span<const LegendEntry> entries) {
-        if (views[view]) legends.push_back({title, {entries.begin(), entries.end()}});
+        const bool is_of_ground = view == density || view == walkable;
+        if (views[view] && !(world.roam && is_of_ground))
+            legends.push_back({title, {entries.begin(), entries.end()}});
     };
     std::vector<LegendEntry> speeds;
     for (const SpeedColour& colour : k_speed_colours) speeds.push_back({colour.what, colour.colour});
@@ -152,7 +163,7 @@ void follow_trails(const World& world, Trails& trails) {
     if (world.tick % k_trail_ticks != 0) return;
     trails.places.resize(size_t{crowd.count} * k_trail_places);
     for (uint32_t i = 0; i < crowd.count; ++i)
-        trails.places[i * k_trail_places + trails.taken % k_trail_places] = crowd.motion.position[i];
+        trails.places[i * k_trail_places + trails.taken % k_trail_places] = place_of(world, i);
     ++trails.taken;
 }
 

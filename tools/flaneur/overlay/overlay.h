@@ -21,6 +21,10 @@ inline constexpr uint32_t k_trail_ticks = 6;  // between two places
 
 // To be called after every tick while trails are wanted.
 void follow_trails(const World& world, Trails& trails);
+// Where somebody stands, on small worlds too.
+inline Vec3 place_of(const World& world, uint32_t walker) {
+    return world.roam ? world.roam->walkers.position[walker] : world.crowd.motion.position[walker];
+}
 
 struct Overlay {
     bool letters_legends = true;  // else whoever shows the picture has legends_of() elsewhere

@@ -308,7 +308,8 @@ Camera choose_camera(const Show& show, const CameraChoice& choice, float fov, Si
             case CameraChoice::Kind::crowd:
                 return crowd_camera(world);
             case CameraChoice::Kind::follow:
-                return follow_camera(world, choice.walker, between);
+                if (!world.roam) return follow_camera(world, choice.walker, between);
+                [[fallthrough]];
             case CameraChoice::Kind::eyes: {
                 CameraRig rig;
                 advance(rig, world, choice);

@@ -194,12 +194,19 @@ Gaze between(const Gaze& from, const Gaze& to, float share) {
 
 void advance(CameraRig& rig, const World& world, const CameraChoice& choice) {
     if (rig.choice != choice) rig = CameraRig(), rig.choice = choice;
+    if (world.roam) {
+        if (choice.kind != CameraChoice::Kind::follow || choice.walker >= followed_count(world)) return;
+        rig.is_round = true;
+        follow_round(rig.round_rig, world, choice.walker, rig.ticks == 0, k_tick);
+        ++rig.ticks;
+        return;
+    }
     const bool is_somebody =
         goes_along(choice.kind) && choice.walker < world.crowd.count && is_there(world.crowd, choice.walker);
     const bool is_same =
         rig.ticks == 0 || (is_somebody && rig.generation == world.crowd.slots.generation[choice.walker]);
     rig.is_left = goes_along(choice.kind) && rig.ticks > 0 && !is_same;
-    if (!is_somebody || !is_same || world.roam) return;
+    if (!is_somebody || !is_same) return;
     rig.generation = world.crowd.slots.generation[choice.walker];
     rig.before = rig.now;
     rig.now =
@@ -209,6 +216,11 @@ void advance(CameraRig& rig, const World& world, const CameraChoice& choice) {
 }
 
 Camera camera_of(const CameraRig& rig, float fov, float share) {
+    if (rig.is_round) {
+        Camera camera = camera_of(rig.round_rig, share);
+        if (fov > 0) camera.vertical_fov = fov;
+        return camera;
+    }
     Gaze gaze = between(rig.before, rig.now, share);
     if (share == 1) gaze = rig.now;
     if (fov > 0) gaze.fov = fov;

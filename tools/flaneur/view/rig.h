@@ -7,6 +7,7 @@
 #include "renderer/scene.h"
 #include "sim/world.h"
 #include "tools/flaneur/options/options.h"
+#include "tools/flaneur/view/round.h"
 
 namespace flaneur {
 
@@ -36,6 +37,8 @@ struct CameraRig {
     uint32_t generation = 0;  // of the walker's slot
     bool is_left = false;     // by the walker, who is gone
     Gaze before, now;         // at the last two ticks
+    bool is_round = false;    // on small worlds, of which it only follows:
+    RoundRig round_rig;
 
     // follow
     Spring feet[3], heading;

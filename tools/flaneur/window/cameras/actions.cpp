@@ -19,13 +19,13 @@ using enum CameraChoice::Kind;
 
 // Says so where it cannot.
 bool is_city(const Show& show, Viewer& v) {
-    if (show.loaded.world->roam) tell(v, "That is for cities: round the asteroid up is not one way.");
+    if (show.loaded.world->roam) tell(v, "That is for cities: here up is not one way.");
     return !show.loaded.world->roam;
 }
 
 template <CameraChoice::Kind To>
 void look(Show& show, Viewer& v) {
-    if (To == overview || is_city(show, v)) choose(v, To);
+    if (To == overview || To == follow || is_city(show, v)) choose(v, To);
 }
 
 void look_down(Show& show, Viewer& v) {
@@ -53,7 +53,8 @@ template <CameraChoice::Kind To>
 void go_along(Show& show, Viewer& v) {
     const auto who = somebody_or(show, v, v.choice.walker);
     if (!who) return tell(v, "There is nobody.");
-    if (!show.loaded.world->roam) v.choice.walker = *who;
+    if (To == eyes && !is_city(show, v)) return;
+    v.choice.walker = *who;
     look<To>(show, v);
 }
 
@@ -61,10 +62,11 @@ void go_along(Show& show, Viewer& v) {
 void go_along_with_next(Show& show, Viewer& v) {
     const bool is_going = goes_along(v.choice.kind);
     if (!is_going) return go_along<follow>(show, v);
-    const Crowd& crowd = show.loaded.world->crowd;
-    for (uint32_t i = 1; i <= crowd.count; ++i) {
-        const uint32_t who = (v.choice.walker + i) % crowd.count;
-        if (!is_there(crowd, who)) continue;
+    const World& world = *show.loaded.world;
+    const uint32_t count = followed_count(world);
+    for (uint32_t i = 1; i <= count; ++i) {
+        const uint32_t who = (v.choice.walker + i) % count;
+        if (who < world.crowd.count && !is_there(world.crowd, who)) continue;
         v.choice.walker = who;
         return choose(v, v.choice.kind);
     }

@@ -85,6 +85,7 @@ void take_off(Viewer& v) {
     v.choice.kind = CameraChoice::Kind::fixed;
     v.chosen = true;
     v.camera.clear_air = 0;
+    v.camera.up = {0, 1, 0};
 }
 
 CameraChoice kept_choice(const Viewer& v) {
@@ -116,7 +117,7 @@ void set_foot(const Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     const std::optional<Stroll> walk = set_foot(world, v.camera);
     if (!walk)
-        return tell(v, world.roam ? "One walks on foot in cities: round the asteroid up is not one way."
+        return tell(v, world.roam ? "One walks on foot in cities: here up is not one way."
                                   : "There is no ground to walk on, below or where you look.");
     choose(v, CameraChoice::Kind::fixed);
     v.cameras.walk = *walk;
@@ -190,7 +191,8 @@ bool move_camera(const Show& show, Size size, float seconds, float between, View
     Cameras& c = v.cameras;
     const World& world = *show.loaded.world;
     using enum CameraChoice::Kind;
-    if (world.roam && v.choice.kind != overview && v.choice.kind != fixed) choose(v, overview);
+    const bool is_round = v.choice.kind == overview || v.choice.kind == fixed || v.choice.kind == follow;
+    if (world.roam && !is_round) choose(v, overview);
     const bool is_new = !std::exchange(v.chosen, true);
     const float lens = lens_of(v);
     if (goes_along(v.choice.kind) && c.rig.choice != v.choice) advance(c.rig, world, v.choice);

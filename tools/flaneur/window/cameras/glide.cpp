@@ -54,6 +54,8 @@ void begin(Glide& glide, const World& world, const Camera& from, const Camera& t
 Camera camera_of(const Glide& glide) {
     if (!is_gliding(glide)) return glide.to;
     const float share = smoothstep(0, k_glide_seconds, glide.passed);
+    const glm::vec3 usual(0, 1, 0);
+    if (glide.from.up != usual || glide.to.up != usual) return mixed_camera(glide.from, glide.to, share);
     Gaze gaze = between(gaze_of(glide.from), gaze_of(glide.to), share);
     gaze.eye = eye_at(glide, share);
     Camera camera = camera_of(gaze);

@@ -19,7 +19,8 @@ inline void end(Glide& glide) { glide.passed = 1e9f; }
 // Over houses, if the straight way goes through some.
 void begin(Glide& glide, const World& world, const Camera& from, const Camera& to);
 
-// Where it is: leaves and arrives slowly, turns the shorter way round, and never rolls.
+// Where it is: leaves and arrives slowly, turns the shorter way round, and never rolls but between cameras
+// of which one does not have +y up.
 Camera camera_of(const Glide& glide);
 
 }  // namespace flaneur

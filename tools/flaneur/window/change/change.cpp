@@ -9,6 +9,7 @@
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/view/sun.h"
 #include "tools/flaneur/window/change/people.h"
+#include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/time/time.h"
 #include "tools/flaneur/window/viewer.h"
@@ -87,6 +88,26 @@ void carry_exhibits(Show& show, Viewer& v) {
     changed_by_hand(v.time, world);
 }
 
+// What of the platform can be as it is wanted already; the outline that its ground is to have now.
+std::vector<Vec2> carry_platform(Show& show, Viewer& v) {
+    Change& c = v.change;
+    World& world = *show.loaded.world;
+    const std::vector<Vec2>& wanted = current(c.designs).platform;
+    if (wanted.empty()) return {};
+    const PlatformStep step = next_step(world, c.ground, wanted);
+    const std::vector<Vec2>& ground = step.ground.empty() ? c.ground : step.ground;
+    if (!step.is_for_circles) return ground;
+    if (Result<void> done = change_platform(world, wanted); !done) {
+        tell(v, done.error().message);
+        give_up(c.designs);
+        return c.ground;
+    }
+    c.carried.platform = wanted;
+    c.late = std::max(c.late, std::max(world.tick, 1u));
+    changed_by_hand(v.time, world);
+    return ground;
+}
+
 // Takes in what has been made, and has the next thing made.
 Result<void> carry_additions(Show& show, Viewer& v) {
     Change& c = v.change;
@@ -99,7 +120,12 @@ Result<void> carry_additions(Show& show, Viewer& v) {
             return {};
         }
         const bool is_city = (**made).city != nullptr;
+        // Meanwhile somebody may have come back onto ground that was to go.
+        const std::vector<Vec2>& outline = current(c.designs).platform;
+        const bool is_cut = (**made).bare && (**made).ground == outline;
+        if (is_cut && !holds_everybody(*show.loaded.world, *(**made).mesh)) return {};
         c.carried.added = (**made).added;
+        c.ground = (**made).ground;
         const bool stays_beside = is_city && v.time.beside && !v.time.beside->city;
         if (stays_beside) v.time.beside->city = show.loaded.city;
         if (Result<void> done = move_in(show, std::move(**made), stays_beside); !done) return done;
@@ -111,8 +137,11 @@ Result<void> carry_additions(Show& show, Viewer& v) {
     }
     if (is_making(c.making)) return {};
     const std::vector<Addition>& wanted = current(c.designs).added;
-    if (wanted != c.carried.added || (is_dark(show) && !show.has_lamps))
-        begin(c.making, order_of(show, c, wanted));
+    const std::vector<Vec2> ground = carry_platform(show, v);
+    if (ground == c.ground && wanted == c.carried.added && (!is_dark(show) || show.has_lamps)) return {};
+    Order order = order_of(show, c, wanted);
+    order.ground = ground;
+    begin(c.making, std::move(order));
     return {};
 }
 
@@ -120,10 +149,13 @@ Result<void> carry_additions(Show& show, Viewer& v) {
 
 Order order_of(const Show& show, const Change& c, std::vector<Addition> added) {
     const World& world = *show.loaded.world;
-    Order order{
-        show.loaded.bare, show.loaded.city, c.carried.added, std::move(added), {}, {}, is_dark(show), 0};
+    Order order;
+    order.bare = show.loaded.bare, order.city = show.loaded.city;
+    order.before = c.carried.added, order.added = std::move(added);
+    order.with_lamps = is_dark(show);
     order.mesh = navmesh_bytes(*world.navmesh);
     order.settings = settings_of(*world.navmesh);
+    order.ground = order.ground_before = c.ground;
     return order;
 }
 
@@ -140,7 +172,9 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
                  .who = scene.people,
                  .mix = scene.mix,
                  .held = show.loaded.world->linkages.held,
-                 .methods = show.loaded.world->linkages.methods};
+                 .methods = show.loaded.world->linkages.methods,
+                 .platform = is_of(scene, BuiltIn::platform) ? platform_of(scene) : std::vector<Vec2>()};
+    c.ground = c.carried.platform;
     c.designs = {{c.carried}, 0, 0, {0}};
     c.driving.is_by_turns = scene.limbs == LimbLead::curves;
 }
@@ -149,7 +183,7 @@ bool is_as_opened(const Change& c) {
     const Design& now = c.carried;
     return c.late == 0 && now.added == c.scene.added && now.hour == c.scene.hour &&
            now.people == static_cast<uint32_t>(c.scene.walkers) && now.who == c.scene.people &&
-           now.mix == c.scene.mix;
+           now.mix == c.scene.mix && (now.platform.empty() || now.platform == platform_of(c.scene));
 }
 
 void want(Viewer& v, Design next, uint64_t gesture) {

@@ -43,6 +43,12 @@ struct Change {
     std::optional<Addition> ghost;   // what would be put down, or is being moved
     ChangeGrip grip;
     Making making;
+    // Of a platform: the outline of its ground, carried.platform being that of circles; the one that a slider
+    // changes, and what by; the corner that is dragged, and whereto.
+    std::vector<Vec2> ground, outline_was;
+    float platform_size = 100, platform_turn = 0;  // percent, degrees
+    std::optional<size_t> corner;
+    Vec2 corner_at;
     std::optional<Neighbourhood> home;  // where people come, for so many
     uint32_t home_people = 0;
     uint64_t next_gesture = 1, gesture = 0;  // of sliders

@@ -42,11 +42,23 @@ Scene scene_with(Scene s, const Design& d) {
     s.added = d.added;
     s.people = d.who;
     s.mix = d.mix;
+    if (!d.platform.empty() && d.platform != platform_of(s)) s.platform = d.platform;
     if (s.hour != d.hour) s.sun_height = s.sun_heading = std::nullopt;
     s.hour = d.hour;
     s.is_overcast = d.is_overcast;
     s.walkers = static_cast<int>(d.people);
     return s;
+}
+
+Rectangle area_about(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+    constexpr float k_more = 1;  // metres
+    Rectangle area{a[0], a[0]};
+    for (const std::vector<Vec2>* outline : {&a, &b})
+        for (const Vec2 p : *outline) {
+            area.low = {std::min(area.low.x, p.x), std::min(area.low.z, p.z)};
+            area.high = {std::max(area.high.x, p.x), std::max(area.high.z, p.z)};
+        }
+    return {area.low - Vec2{k_more, k_more}, area.high + Vec2{k_more, k_more}};
 }
 
 std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b) {

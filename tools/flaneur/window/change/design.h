@@ -19,6 +19,7 @@ struct Design {
     PeopleMix mix{};
     std::vector<HeldTarget> held{};  // as Linkages::held
     std::vector<Method> methods{};   // as Linkages::methods
+    std::vector<Vec2> platform{};    // its corners; none: they are on no platform
     bool operator==(const Design&) const = default;
 };
 
@@ -44,6 +45,9 @@ void give_up(Designs& designs);
 // The scene that was opened, with a design in place of its own. The sun stands where the hour has it, unless
 // that is the scene's.
 Scene scene_with(Scene opened, const Design& design);
+
+// Of the ground plane, about both outlines and a little more.
+Rectangle area_about(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
 
 // What differs between the two, as areas of the ground plane.
 std::vector<Rectangle> changed_areas(const std::vector<Addition>& a, const std::vector<Addition>& b);

@@ -58,10 +58,13 @@ static void begin_driving(const Show& show, Viewer& v) {
     d.tick = world.tick;
 }
 
-static void tell_keys(Viewer& v) {
+static void tell_keys(const World& world, Viewer& v) {
     tell(
         v,
-        v.change.driving.is_by_turns
+        world.roam
+            ? "Arrows or W A S D: walk. Shift: run. Space: leap, onto the body overhead where it is near "
+              "enough. Esc lets it go its own way."
+        : v.change.driving.is_by_turns
             ? "Up: go on. Down: stop. Left, Right: turn by 45 degrees. Shift: run. Space: jump. Esc gives it "
               "back to its errand."
             : "Arrows or W A S D: walk. Shift: run. Space: jump. Esc gives it back to its errand.");
@@ -83,26 +86,27 @@ void drive_asked(Show& show, Viewer& v) {
     if (!who && v.choice.kind == CameraChoice::Kind::follow) who = v.choice.walker;
     if (!who || !is_there(world.crowd, *who))
         return tell(v, "Click or follow somebody, or point at them, to drive them.");
-    if (world.roam) return tell(v, "Nobody is driven on the asteroid.");
     drive(world.crowd, *who);
     v.choice.walker = *who;
     v.selected = who;
     choose(v, CameraChoice::Kind::follow);
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
     begin_driving(show, v);
-    tell_keys(v);
+    tell_keys(world, v);
 }
 
 void drive_by_turns(Show& show, Viewer& v, bool is_by_turns) {
     v.change.driving.is_by_turns = is_by_turns;
     if (!is_driving(show)) return;
     begin_driving(show, v);
-    tell_keys(v);
+    tell_keys(*show.loaded.world, v);
 }
 
 bool press_in_drive(int key, int mods, Show& show, Viewer& v) {
     Driving& d = v.change.driving;
-    if (!d.is_by_turns || !is_driving(show) || (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT))) return false;
+    if (!d.is_by_turns || !is_driving(show) || show.loaded.world->roam ||
+        (mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)))
+        return false;
     auto is_one_of = [&](int a, int b) { return key == a || key == b; };
     if (is_one_of(GLFW_KEY_UP, GLFW_KEY_W)) return d.goes_on = true;
     if (is_one_of(GLFW_KEY_DOWN, GLFW_KEY_S)) return d.goes_on = false, true;
@@ -143,6 +147,10 @@ bool jump_driven(Show& show) {
     if (!is_driving(show)) return false;
     World& world = *show.loaded.world;
     const uint32_t walker = world.crowd.driven.walker;
+    if (world.roam) {
+        ask_leap(world.roam->walkers, walker);
+        return true;
+    }
     return let_jump(world, {walker, world.crowd.slots.generation[walker]});
 }
 
@@ -152,12 +160,20 @@ void steer_driven(GLFWwindow* window, Show& show, Viewer& v) {
     const uint32_t walker = crowd.driven.walker;
     const Asked asked = asked_of(window);
     const float run = crowd.identity.ahead[walker] > 0 ? k_run_with_pram : k_run;
-    if (v.change.driving.is_by_turns) {
+    if (v.change.driving.is_by_turns && !show.loaded.world->roam) {
         const std::optional<float> speed = asked.runs ? std::optional(run) : std::nullopt;
         crowd.driven.wish = wish_by_turns(*show.loaded.world, v.change.driving, speed);
         return;
     }
     const glm::vec3 way = v.camera.target - v.camera.eye;
+    if (World& world = *show.loaded.world; world.roam) {
+        SurfaceWalkers& w = world.roam->walkers;
+        const Vec3 up = w.up[walker], sight{way.x, way.y, way.z};
+        const Vec3 on = normalize_or(sight - up * dot(sight, up), w.ahead[walker]), aside = cross(on, up);
+        const float most = asked.runs ? k_run : crowd.identity.preferred_speed[walker];
+        w.wish[walker] = (on * asked.way.z + aside * asked.way.x) * most;
+        return;
+    }
     const Vec2 ahead = normalize_or(Vec2{way.x, way.z}, {0, 1}), right{-ahead.z, ahead.x};
     const float speed = asked.runs ? run : crowd.identity.preferred_speed[walker];
     crowd.driven.wish = (ahead * asked.way.z + right * asked.way.x) * speed;

@@ -8,6 +8,7 @@
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
 #include "tools/flaneur/view/show.h"
+#include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/input.h"
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/pick.h"
@@ -275,6 +276,10 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
         return ground_along(world, v.camera, ray_through(v.camera, size, pixel));
     };
     const auto place = is_panels ? std::nullopt : place_at(now.x, now.y);
+    const bool is_new = now.is_held && !before.is_held;
+    if (!c.grip.is_held &&
+        take_corner(show, before, now, is_new && !is_panels ? place_at(now.held_x, now.held_y) : place, v))
+        return true;
     if (c.grip.is_held) {
         if (place) hold(*place, v);
         if (c.grip.is_clicked ? before.is_held && !now.is_held : !now.is_held) let_go_of(world, v);
@@ -330,6 +335,7 @@ void mark_changes(const Viewer& v, Show& show, FrameInput& frame) {
         add_outline(world, added[i], pen_of(colour, GizmoPlace::in_world), lines);
     }
     if (c.ghost) add_outline(world, *c.ghost, pen_of(k_new, GizmoPlace::in_world), lines);
+    mark_platform(v, lines);
     frame.lines = lines;
 }
 

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <utility>
 
+#include "assets/stages/platform.h"
 #include "tools/extract/extract.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/change/design.h"
@@ -12,14 +13,22 @@ namespace flaneur {
 Result<Made> make(const Order& order) {
     Made made;
     made.added = order.added;
-    if (order.added == order.before) {
+    made.ground = order.ground;
+    const bool is_other_platform = order.ground != order.ground_before;
+    if (order.added == order.before && !is_other_platform) {
         made.lamps = extract_lamps(*order.city);
         return made;
     }
-    City city = *order.bare;
+    if (is_other_platform) {
+        Result<City> platform = build_platform(order.ground);
+        if (!platform) return platform.error();
+        made.bare = std::make_shared<const City>(std::move(*platform));
+    }
+    City city = is_other_platform ? *made.bare : *order.bare;
     if (Result<void> done = add_to_city(city, order.added); !done) return done.error();
     made.city = std::make_shared<const City>(std::move(city));
     made.changed = changed_areas(order.before, order.added);
+    if (is_other_platform) made.changed.push_back(area_about(order.ground_before, order.ground));
     const Ground &ground = made.city->ground, &before = order.city->ground;
     auto mesh = rebuild_navmesh(ground, order.settings, order.mesh, before.low, before.high, made.changed,
                                 order.threads);
@@ -33,7 +42,7 @@ Result<Made> make(const Order& order) {
 }
 
 void begin(Making& making, Order order) {
-    making.is_lamps = order.added == order.before;
+    making.is_lamps = order.added == order.before && order.ground == order.ground_before;
     making.coming = std::async(std::launch::async, [order = std::move(order)] { return make(order); });
 }
 
@@ -49,6 +58,7 @@ Result<void> move_in(Show& show, Made made, bool holds_old) {
             holds_old ? hold_city(*show.renderer, *made.drawn, {}) : upload_city(*show.renderer, *made.drawn);
         if (done && holds_old) done = exchange_cities(*show.renderer);
         if (!done) return done;
+        if (made.bare) show.loaded.bare = made.bare;
         show.loaded.city = made.city;
         change_ground(*show.loaded.world, std::shared_ptr<const Ground>(made.city, &made.city->ground),
                       std::move(made.mesh), made.city->destinations, made.changed);

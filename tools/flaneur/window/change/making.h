@@ -17,15 +17,18 @@ struct Show;
 
 // What is to be made, apart from everything that goes on.
 struct Order {
-    std::shared_ptr<const City> bare, city;  // without anything added, and as it is
-    std::vector<Addition> before, added;     // what is added to `city`, and to the one that is made
-    std::string mesh;                        // bytes of the mesh of `city`,
-    NavmeshSettings settings;                // and what it was made with
-    bool with_lamps = false;                 // the light of lamps too
+    std::shared_ptr<const City> bare, city;   // without anything added, and as it is
+    std::vector<Addition> before, added;      // what is added to `city`, and to the one that is made
+    std::string mesh;                         // bytes of the mesh of `city`,
+    NavmeshSettings settings;                 // and what it was made with
+    bool with_lamps = false;                  // the light of lamps too
+    std::vector<Vec2> ground_before, ground;  // outlines of a platform; none: it is no platform
     int threads = 0;
 };
 struct Made {
     std::vector<Addition> added;
+    std::vector<Vec2> ground;
+    std::shared_ptr<const City> bare;  // of another platform; else null
     std::shared_ptr<const City> city;  // null: the city stays, and only lamps were made
     NavmeshPtr mesh;
     std::vector<Rectangle> changed;

@@ -14,6 +14,7 @@
 #include "tools/flaneur/window/actions.h"
 #include "tools/flaneur/window/change/drive.h"
 #include "tools/flaneur/window/change/hand.h"
+#include "tools/flaneur/window/change/platform.h"
 #include "tools/flaneur/window/change/save.h"
 #include "tools/flaneur/window/change/who.h"
 #include "tools/flaneur/window/panels.h"
@@ -99,7 +100,7 @@ void lay_out_people(const Show& show, Viewer& v, float scale) {
     const bool is_roam = show.loaded.world->roam != nullptr;
     auto people = static_cast<int>(current(c.designs).people);
     ImGui::TextUnformatted("People");
-    if (is_roam) return ImGui::TextDisabled("as many as there are: the asteroid has no way to it");
+    if (is_roam) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
     ImGui::SetNextItemWidth(170 * scale);
     constexpr int k_most_slid = 100'000;  // more are typed
     const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_most_slid, "%d",
@@ -286,6 +287,7 @@ constexpr std::array k_actions = {
 // In a few words, the first thing by which two designs differ.
 static const char* told_difference(const Design& a, const Design& b) {
     return a.added != b.added                             ? "what was put into the city"
+           : a.platform != b.platform                     ? "the platform"
            : a.people != b.people                         ? "the number of people"
            : a.is_overcast != b.is_overcast               ? "the weather"
            : a.held != b.held                             ? "where targets are held"
@@ -337,6 +339,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     ImGui::Spacing();
     lay_out_people(show, v, scale);
     lay_out_who(show, v, scale);
+    lay_out_platform(show, v, scale);
     if (!show.loaded.world->roam) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

@@ -34,6 +34,7 @@ void move_paths(Scene& s, const std::string& folder) {
     s.city = from_folder(s.city, folder);
     s.terrain = from_folder(s.terrain, folder);
     s.demand = from_folder(s.demand, folder);
+    if (s.rock != k_torus) s.rock = from_folder(s.rock, folder);
     for (PeopleShare& people : s.people) people.character = from_folder(people.character, folder);
     for (std::string& idle : s.idles) idle = from_folder(idle, folder);
 }

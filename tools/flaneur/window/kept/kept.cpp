@@ -39,6 +39,7 @@ Scene city_of(const Scene& scene) {
     s.city = full(scene.city), s.terrain = full(scene.terrain);
     s.center = scene.center, s.radius = scene.radius, s.scale = scene.scale;
     s.built = scene.built, s.platform = scene.platform, s.blocks = scene.blocks;
+    s.rock = scene.rock == k_torus ? scene.rock : full(scene.rock);
     return s;
 }
 
