@@ -1,10 +1,8 @@
-#!/ usr / bin / env python3
-""
-    "layers.py ROOT: who includes whom, how full the rooms are, and that names are defined once.
+#!/usr/bin/env python3
+"""layers.py ROOT: who includes whom, how full the rooms are, and that names are defined once.
 
-    The table says which rooms a room may include,
-    besides itself.A room may name only rooms above it, so no circle can be stated;
-every folder that holds code is a room; and an arrow that nobody takes any more has to go. Where a folder's
+The table says which rooms a room may include, besides itself. A room may name only rooms above it, so no circle can be
+stated; every folder that holds code is a room; and an arrow that nobody takes any more has to go. Where a folder's
 public headers lie below its other rooms and its sources above them, those are two rooms: "assets" and "assets sources".
 """
 import os
