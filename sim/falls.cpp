@@ -54,20 +54,22 @@ void sway_pose(BodyPose& pose, Vec2 lean) {
     }
 }
 
-void take_lane(World& w, Fall& f) {
-    Falls& falls = w.falls;
-    std::vector<bool> taken(falls.blocks.size() * k_block, false);
-    for (const Fall& other : falls.all)
-        if (other.phase == FallPhase::falls) taken[other.lane] = true;
-    const size_t free = static_cast<size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
-    if (free == taken.size()) falls.blocks.push_back({});
-    f.lane = static_cast<uint32_t>(free);
+// The first that nobody has.
+void take_lane(Falls& falls, Fall& f) {
+    auto has = [&](uint32_t lane) {
+        return std::any_of(falls.all.begin(), falls.all.end(), [&](const Fall& other) {
+            return other.phase == FallPhase::falls && other.lane == lane;
+        });
+    };
+    f.lane = 0;
+    while (has(f.lane)) ++f.lane;
+    if (f.lane / k_block >= falls.blocks.size()) falls.blocks.push_back({});
 }
 
 void begin_fall(World& w, Fall& f) {
     const PersonBlock& person = person_of(w, f);
     const int lane = lane_in_gait(f);
-    take_lane(w, f);
+    take_lane(w.falls, f);
     TumbleBlock& block = w.falls.blocks[f.lane / k_block];
     const int own = static_cast<int>(f.lane % k_block);
     f.phase = FallPhase::falls;
@@ -251,10 +253,25 @@ void step_fall(World& w, Fall& f) {
 
 }  // namespace
 
+void make_room_to_fall(World& w, size_t count) {
+    Falls& falls = w.falls;
+    if (falls.all.capacity() >= count) return;
+    count = std::max(count, 2 * falls.all.capacity());
+    falls.all.reserve(count);
+    w.crowd.downed.reserve(count);
+    const size_t blocks = block_count(count);
+    falls.blocks.reserve(blocks);
+    falls.shapes.reserve(blocks);
+    falls.aims.reserve(blocks);
+    falls.planes.reserve(blocks);
+    falls.lane_of.reserve(blocks * k_block);
+}
+
 void push_walker(World& w, uint32_t walker, Vec2 change) {
     const float speed = length(change);
     if (speed < 1e-4f) return;
     std::vector<Fall>& all = w.falls.all;
+    make_room_to_fall(w, all.size() + 1);
     Fall* f = own_of(all, walker);
     if (f && f->phase != FallPhase::sways) {
         // Whoever is down already is pushed about as it lies; who gets up is steadied by both hands.

@@ -58,6 +58,9 @@ struct Falls {
     std::vector<uint32_t> lane_of;  // who has a lane: index into `all`, or ~0u; anew each tick
 };
 
+// So that ticks allocate nothing while no more than `count` have been pushed and are not done with it.
+void make_room_to_fall(World& world, size_t count);
+
 // See push() in sim/sim.h; `change` is of the speed, m/s, on the ground plane.
 void push_walker(World& world, uint32_t walker, Vec2 change);
 

@@ -160,6 +160,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     pose_everybody(*world);
     go_by_curves(*world, options.limbs, options.curves);
     if (Result<void> done = set_off(*world); !done) return done.error();
+    if (!world->pushes.empty()) make_room_to_fall(*world, world->crowd.capacity);
     if (progress) progress("setting down the walkers", 1);
     return world;
 }

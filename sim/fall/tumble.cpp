@@ -341,11 +341,11 @@ void tumble_here(const TumbleShapes& shapes, const TumbleAims& aims, const Tumbl
             solve_joints(w);
             for (BallPair pair : k_pairs) part_balls(w, pair);
             for (size_t k = 0; k < k_ball_count; ++k) {
-                slack[k] = max(slack[k] - L(k_out) * w.h, L(0.0f));
+                slack[k] = max(slack[k] - L(k_comes_out) * w.h, L(0.0f));
                 keep_out(w, k, load_place<L>(planes.normal[k], lane), row<L>(planes.offset[k], lane),
                          slack[k]);
                 if (!planes.has_walls) continue;
-                wall_slack[k] = max(wall_slack[k] - L(k_out) * w.h, L(0.0f));
+                wall_slack[k] = max(wall_slack[k] - L(k_comes_out) * w.h, L(0.0f));
                 keep_out(w, k, load_place<L>(planes.wall[k], lane), row<L>(planes.wall_offset[k], lane),
                          wall_slack[k]);
             }

@@ -36,7 +36,7 @@ struct alignas(64) TumbleAims {
 };
 
 // What each ball may meet in a tick: ground and wall as planes, through places where `along` the normal, unit
-// and out of it, is `offset`. A ball that is in one at the beginning is brought out at k_out m/s at most.
+// and out of it, is `offset`. A ball that is in one at the beginning is brought out at k_comes_out m/s at most.
 struct alignas(64) TumblePlanes {
     float normal[k_ball_count][3][k_block], offset[k_ball_count][k_block];
     float wall[k_ball_count][3][k_block], wall_offset[k_ball_count][k_block];
@@ -44,7 +44,7 @@ struct alignas(64) TumblePlanes {
 };
 inline constexpr float k_no_plane = -1e6f;  // as an offset: there is none
 
-inline constexpr float k_out = 0.8f;
+inline constexpr float k_comes_out = 0.8f;
 inline constexpr float k_grip = 0.7f;      // friction of clothes, skin and soles on ground and walls
 inline constexpr int k_tumble_steps = 20;  // in a tick
 

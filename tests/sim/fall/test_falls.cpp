@@ -13,6 +13,7 @@
 #include "sim/sim.h"
 #include "sim/state.h"
 #include "sim/world.h"
+#include "tests/sim/allocations.h"
 #include "tests/sim/small_grounds.h"
 
 namespace flaneur {
@@ -176,6 +177,15 @@ TEST(Falls, StepsAndWallsHold) {
     EXPECT_LT(tight.longest, 10);
     EXPECT_LT(tight.deepest, 0.02f);
     EXPECT_LT(tight.in_wall, 0.02f);
+}
+
+TEST(Falls, AllocateNothing) {
+    auto w = world_on(square(40), 50, 1, 1);
+    for (int i = 0; i < 60; ++i) step(*w);
+    push_all(*w, 2, 1);
+    const size_t before = allocations();
+    for (int i = 0; i < 600; ++i) step(*w);
+    EXPECT_EQ(allocations(), before);
 }
 
 TEST(Falls, AreTheSameOnAllThreadsAndInstructionSetsAndFromAState) {

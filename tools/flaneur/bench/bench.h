@@ -55,6 +55,9 @@ struct Kernel {
 double ns_each(size_t count, const std::function<void()>& work);
 // Three clips blended for so many walkers of 22 joints, each at times and with shares of its own.
 Kernel blend_kernel(size_t walkers);
+// A tick of the dynamics of people who fall, sixteen of each block of `gait`, whose last block is left out if
+// it is not full.
+Kernel fall_kernel(const Gait& gait, const std::vector<PoseBlock>& poses, const Surroundings& around);
 // FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);
 

@@ -77,6 +77,7 @@ std::vector<Kernel> kernels_of(Work& work) {
         {"trails", [&] { return trail_ns(work); }},
         {"advance", [&] { return advance_ns(work); }},
         blend_kernel(walkers),
+        fall_kernel(work.walking, work.world->poses, work.world->around),
     };
     for (Kernel& kernel : fabrik_kernels(walkers)) kernels.push_back(std::move(kernel));
     return kernels;
