@@ -113,8 +113,8 @@ struct WorldOptions {
     // People who are sent at their time, and leave where they are sent; beside `walkers`, and as far as
     // `capacity` lets them in.
     std::vector<Sending> sendings{};
-    float hour = 17.5f;              // of the day, 0..24, at the first tick: who goes where
-    PassOn pass_on = PassOn::right;  // the side on which people pass who come from the other way
+    float hour = 17.5f;                 // of the day, 0..24, at the first tick: who goes where
+    PassOn pass_on = PassOn::right;     // the side on which people pass who come from the other way
     std::vector<PlannedPush> pushes{};  // that people get by and by
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
