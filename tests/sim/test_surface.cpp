@@ -130,6 +130,11 @@ SurfaceWalkers one(Vec3 from, Vec3 up, Vec3 ahead) {
     w.radius = {0.25f};
     w.widest = 0.25f;
     w.probes.resize(1);
+    w.leaps.resize(1);
+    w.middle = {0.9f};
+    w.leaps_at_will = {0};
+    w.stands = {0};
+    w.wish.resize(1);
     return w;
 }
 
