@@ -200,7 +200,8 @@ void rise_on(World& w, Fall& f, const BodyPose& stance) {
         reach_with_leg(pose, person, lane, k_right, ankle(right_foot, k_lifts * leg_of(w, f.walker)));
         rest_on_ground(pose, f.segments, person, lane, w.around, f.floor, false, f.lifts, k_tick);
     } else {
-        const BodyPose end = end_of(f.stage, f.lie, person, lane, f.hips_at);
+        BodyPose end = end_of(f.stage, f.lie, person, lane, f.hips_at);
+        end.hips.y += w.crowd.motion.position[f.walker].y;
         pose = mixed(f.from, end, t);
         rest_on_ground(pose, f.segments, person, lane, w.around, f.floor, true, f.lifts, k_tick);
         keep_off_walls(pose, f.segments, person, lane, w.around);
@@ -268,6 +269,8 @@ void make_room_to_fall(World& w, size_t count) {
 }
 
 void push_walker(World& w, uint32_t walker, Vec2 change) {
+    constexpr float k_most = 8;  // m/s: harder than any fall from where one stands
+    if (const float wanted = length(change); wanted > k_most) change = change * (k_most / wanted);
     const float speed = length(change);
     if (speed < 1e-4f) return;
     std::vector<Fall>& all = w.falls.all;
@@ -297,6 +300,7 @@ void push_walker(World& w, uint32_t walker, Vec2 change) {
     if (times >= 1) f->falls_at = std::min(f->falls_at, w.tick + ticks_of(staggers));
     if (times >= 1 && f->falls_at <= w.tick) {
         f->gives += change;
+        if (const float gives = length(f->gives); gives > k_most) f->gives = f->gives * (k_most / gives);
         return;
     }
     // Feet follow no more than that.

@@ -74,7 +74,7 @@ Result<PlannedPush> parse_push(const std::string& text) {
     is_push = is_push && take_letter(left, ' ');
     const auto x = is_push ? take_number(left) : std::nullopt;
     const auto z = x && take_letter(left, ',') ? take_number(left) : std::nullopt;
-    if (!z || !left.empty())
+    if (!z || !left.empty() || !std::isfinite(*x) || !std::isfinite(*z))
         return Error{excerpt(text) +
                      " is no push: SECONDS WALKER X,Z, such as 2.5 12 60,0, or with * for everybody"};
     push.impulse = {*x, *z};

@@ -164,6 +164,17 @@ TEST(Falls, EverybodyGetsUpAgainOnLevelGround) {
     EXPECT_TRUE(w->crowd.downed.empty() || w->tick % 600 < 660);
 }
 
+TEST(Falls, AreTheSameHighUp) {
+    Ground high;
+    add_floor(high, {-20, -20}, {20, 20}, 37, Surface::plaza);
+    auto w = world_on(std::move(high), 40);
+    const Told told = pushed_about(*w, 2, 20);
+    EXPECT_GT(told.falls, 60u);
+    EXPECT_LT(told.longest, 10);
+    EXPECT_LT(told.deepest, 0.02f);
+    EXPECT_LT(told.farthest, 0.25f);
+}
+
 TEST(Falls, StepsAndWallsHold) {
     auto on_steps = world_on(steps(), 40);
     const Told steep = pushed_about(*on_steps, 2, 30);
