@@ -36,7 +36,7 @@ struct alignas(64) TumbleAims {
 };
 
 // What each ball may meet in a tick: ground and wall as planes, through places where `along` the normal, unit
-// and out of it, is `offset`. A ball that is in one at the beginning is brought out at k_comes_out m/s at most.
+// and out of it, is `offset`. One that is in it at the beginning comes out at k_comes_out m/s.
 struct alignas(64) TumblePlanes {
     float normal[k_ball_count][3][k_block], offset[k_ball_count][k_block];
     float wall[k_ball_count][3][k_block], wall_offset[k_ball_count][k_block];
