@@ -70,7 +70,8 @@ static void add_entrant(WaitingLine& line, const Entrant& entrant) {
 static void let_out(Coming& coming, Crowd& c, const Surroundings& around, uint32_t tick) {
     for (uint32_t i = 0; i < c.count; ++i) {
         const Journey& j = c.journeys[i];
-        if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i) || is_down(c, i))
+        if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i) ||
+            is_down(c, i))
             continue;
         if (!has_left(c, around, i, tick)) continue;
         if (j.errand == Errand::wander) add_entrant(coming.successors, {.number = coming.numbered++});
