@@ -25,7 +25,9 @@ twice() {
 rows=0
 while read -r scene quality time weather camera size view; do
     words=(--scene "$scene" --quality "$quality" --time "$time" --weather "$weather" --size "$size")
-    if [[ $scene == asteroid ]]; then camera=22,13,34/1,0,0; fi  # which has no streets
+    if [[ $scene == asteroid ]]; then  # which has no streets, nor a plane of ground
+        camera=22,13,34/1,0,0 view=${view/+walkable/} view=${view/density+/}
+    fi
     if [[ $view != none ]]; then words+=(--view "${view//+/,}"); fi
     twice "${words[@]}" --camera "$camera"
     rows=$((rows + 1))
