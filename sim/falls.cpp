@@ -1,13 +1,13 @@
 #include "sim/falls.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "sim/base/hash.h"
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/base/spans.h"
 #include "sim/fall/fall.h"
+#include "sim/fall/lane.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -135,21 +135,26 @@ void lie_down(World& w, Fall& f) {
     f.from = body_pose_of(w.previous_poses, f.walker);
 }
 
+// Where the crowd has it goes along the mesh towards `to`, onto ground up to `up` metres higher.
+void move_root(World& w, uint32_t walker, Vec2 to, float up) {
+    CrowdMotion& m = w.crowd.motion;
+    const NavPoint from{m.position[walker], m.polygon[walker]};
+    const NavPoint end =
+        move_along(*w.navmesh, 0, from, at_height(to, from.position.y), by_of(w.crowd, walker));
+    m.position[walker] = end.position;
+    m.polygon[walker] = end.polygon;
+    if (const auto hit = ground_at(w.around, end.position, up, 1.5f)) {
+        m.position[walker].y = hit->height;
+        m.under[walker] = *hit;
+    }
+}
+
 // Where it lies is where others find it, and from where it will walk on.
 void follow_hips(World& w, const Fall& f) {
-    CrowdMotion& m = w.crowd.motion;
     const auto places = places_of(body_pose_of(w.previous_poses, f.walker), person_of(w, f), lane_in_gait(f));
-    const NavPoint from{m.position[f.walker], m.polygon[f.walker]};
     const Vec2 hips_at = on_ground(places[hips]);
-    const NavPoint to =
-        move_along(*w.navmesh, 0, from, at_height(hips_at, from.position.y), by_of(w.crowd, f.walker));
-    m.position[f.walker] = to.position;
-    m.polygon[f.walker] = to.polygon;
-    if (const auto hit = ground_at(w.around, to.position, 0.5f, 1.5f)) {
-        m.position[f.walker].y = hit->height;
-        m.under[f.walker] = *hit;
-    }
-    m.velocity[f.walker] = {};
+    move_root(w, f.walker, hips_at, 0.5f);
+    w.crowd.motion.velocity[f.walker] = {};
     lie_across(w.crowd, f.walker, on_ground(places[upper_chest]) - hips_at);
 }
 
@@ -163,19 +168,10 @@ void begin_to_rise(World& w, Fall& f) {
     f.stage = first_stage(f.lie);
     f.hips_at = on_ground(f.from.hips);
     // It will stand ahead of there.
-    CrowdMotion& m = w.crowd.motion;
-    const Vec2 ahead = f.hips_at + heading_direction(f.lie.heading) * rise_ahead(leg_of(w, f.walker));
-    const NavPoint from{m.position[f.walker], m.polygon[f.walker]};
-    const NavPoint to =
-        move_along(*w.navmesh, 0, from, at_height(ahead, from.position.y), by_of(w.crowd, f.walker));
-    m.position[f.walker] = to.position;
-    m.polygon[f.walker] = to.polygon;
-    m.heading[f.walker] = f.lie.heading;
-    m.turn_rate[f.walker] = 0;
-    if (const auto hit = ground_at(w.around, to.position, 0.8f, 1.5f)) {
-        m.position[f.walker].y = hit->height;
-        m.under[f.walker] = *hit;
-    }
+    const Vec2 facing = heading_direction(f.lie.heading);
+    move_root(w, f.walker, f.hips_at + facing * rise_ahead(leg_of(w, f.walker)), 0.8f);
+    w.crowd.motion.heading[f.walker] = f.lie.heading;
+    w.crowd.motion.turn_rate[f.walker] = 0;
     const BodyPose drawn = body_pose_of(w.previous_poses, f.walker);
     start_body(w, f.walker);
     set_body_pose(w.previous_poses, person_of(w, f), f.walker, drawn);
@@ -296,9 +292,9 @@ void push_walker(World& w, uint32_t walker, Vec2 change) {
     }
     f->to = change / speed;
     const float times = speed / bearable_push(sturdiness_of(w, walker), change);
-    const float staggers = times >= 1 ? staggers_for(times) : 0;
-    if (times >= 1) f->falls_at = std::min(f->falls_at, w.tick + ticks_of(staggers));
-    if (times >= 1 && f->falls_at <= w.tick) {
+    const bool falls = times >= 1;
+    if (falls) f->falls_at = std::min(f->falls_at, w.tick + ticks_of(staggers_for(times)));
+    if (falls && f->falls_at <= w.tick) {
         f->gives += change;
         if (const float gives = length(f->gives); gives > k_most) f->gives = f->gives * (k_most / gives);
         return;

@@ -1,6 +1,7 @@
 #include "sim/fall/body_pose.h"
 
 #include "sim/base/math.h"
+#include "sim/fall/lane.h"
 #include "sim/pose/arm.h"
 
 namespace flaneur {
@@ -9,19 +10,6 @@ namespace {
 
 Vec3 joint_at(const PersonBlock& person, int lane, int joint) {
     return {person.joints[joint][0][lane], person.joints[joint][1][lane], person.joints[joint][2][lane]};
-}
-
-Vec3 row_of(const float (&rows)[3][k_block], int lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-Quat turn_of(const float (&rows)[4][k_block], int lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]};
-}
-void set_row(float (&rows)[3][k_block], int lane, Vec3 v) {
-    rows[0][lane] = v.x, rows[1][lane] = v.y, rows[2][lane] = v.z;
-}
-void set_row(float (&rows)[4][k_block], int lane, Quat q) {
-    rows[0][lane] = q.x, rows[1][lane] = q.y, rows[2][lane] = q.z, rows[3][lane] = q.w;
 }
 
 // The turn that takes x, y and z to these orthonormal axes.

@@ -3,20 +3,11 @@
 #include <algorithm>
 
 #include "sim/base/math.h"
+#include "sim/fall/lane.h"
 
 namespace flaneur {
 
 namespace {
-
-Vec3 row_of(const float (&rows)[3][k_block], int lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-Quat turn_of(const float (&rows)[4][k_block], int lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane]};
-}
-void set_row(float (&rows)[3][k_block], int lane, Vec3 v) {
-    rows[0][lane] = v.x, rows[1][lane] = v.y, rows[2][lane] = v.z;
-}
 
 // Degrees that each part is bent ahead, and the limbs also outward, elbows and knees as they bend.
 struct Guard {
@@ -109,18 +100,10 @@ void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
     const float feels = smoothstep(k_stays, k_guards, seconds), slack = smoothstep(0, k_slackens, lain);
     for (int s = 1; s < k_segment_count; ++s) {
         const Quat turn = nlerp(stood[s], guard_of(s, left, right, neck_aside), feels);
-        const float values[] = {turn.x, turn.y, turn.z, turn.w};
-        for (int i = 0; i < 4; ++i) aims.turn[s][i][lane] = values[i];
+        set_row(aims.turn[s], lane, turn);
         aims.haste[s][lane] =
             lerp(lerp(pick(k_stiff, s), pick(k_guarded, s), feels), pick(k_loose, s), slack);
         aims.drag[s][lane] = lerp(8, 40, slack);
-    }
-}
-
-void go_limp(TumbleAims& aims, int lane) {
-    for (int s = 0; s < k_segment_count; ++s) {
-        for (int i = 0; i < 4; ++i) aims.turn[s][i][lane] = i == 3 ? 1.0f : 0.0f;
-        aims.haste[s][lane] = 0, aims.drag[s][lane] = 4;
     }
 }
 
@@ -129,10 +112,9 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
     constexpr float k_up = 0.6f, k_down = 3, k_level = 0.02f, k_foreseen = 0.08f, k_near_wall = 1.4f;
     std::array<Vec3, k_ball_count> at, moving;
     for (int k = 0; k < k_ball_count; ++k) {
-        const Segment s = k_segment_of_ball[k];
-        const Vec3 arm = rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
-        at[k] = origin + row_of(block.place[s], lane) + arm;
-        moving[k] = row_of(block.velocity[s], lane) + cross(row_of(block.spin[s], lane), arm);
+        const BallMotion ball = ball_motion(block, shapes, k, lane, origin);
+        at[k] = ball.place;
+        moving[k] = ball.velocity;
     }
     std::array<std::optional<GroundHit>, k_ball_count> hits;
     ground_at(around, at, k_up, k_down, hits.data());
@@ -144,7 +126,7 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
     const std::optional<GroundHit> first = hits[0];
     bool is_plane = first.has_value();
     for (int k = 1; k < k_ball_count && is_plane; ++k) {
-        if (!hits[k]) is_plane = false;
+        is_plane = hits[k].has_value();
         if (!is_plane) break;
         const Vec3 step = at_height(on_ground(at[k] - at[0]), hits[k]->height - first->height);
         is_plane = std::fabs(dot(step, first->normal)) < k_level &&
@@ -178,7 +160,8 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
         if (under > height + k_level && under < at[k].y)
             set_ground(k, at_height(on_ground(at[k]), under), {0, 1, 0});
         const float climbs = length(up_hill);
-        if (highest < at[k].y || climbs < k_level) return;
+        // What it is in already it comes out of upward.
+        if (highest < at[k].y || climbs < k_level || height >= at[k].y) return;
         // How far its edge is.
         const Vec2 way = up_hill / climbs;
         float free = 0, full = far;
@@ -186,7 +169,6 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
             const float middle = 0.5f * (free + full);
             (height_at(way * middle) < at[k].y ? free : full) = middle;
         }
-        if (height >= at[k].y) return;  // is in it: comes out upward
         planes.has_walls = 1;
         set_row(planes.wall[k], lane, at_height(-way, 0));
         planes.wall_offset[k][lane] = dot(at_height(-way, 0), at[k] - origin) - full;
@@ -211,30 +193,16 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
 
 float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane) {
     float most = 0;
-    for (int k = 0; k < k_ball_count; ++k) {
-        const Segment s = k_segment_of_ball[k];
-        const Vec3 arm = rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
-        most = std::max(
-            most, length_squared(row_of(block.velocity[s], lane) + cross(row_of(block.spin[s], lane), arm)));
-    }
+    for (int k = 0; k < k_ball_count; ++k)
+        most = std::max(most, length_squared(ball_motion(block, shapes, k, lane).velocity));
     return std::sqrt(most);
-}
-
-void calm(TumbleBlock& block, int lane, float share) {
-    for (int s = 0; s < k_segment_count; ++s)
-        for (int i = 0; i < 3; ++i) {
-            block.velocity[s][i][lane] *= share;
-            block.spin[s][i][lane] *= share;
-        }
 }
 
 bool is_down(const TumbleBlock& block, const TumbleShapes& shapes, const TumblePlanes& planes, int lane) {
     constexpr float k_touch = 0.03f;
     constexpr int k_trunk_balls = 7;  // the first: pelvis, belly, thorax, skull
     for (int k = 0; k < k_trunk_balls; ++k) {
-        const Segment s = k_segment_of_ball[k];
-        const Vec3 middle = row_of(block.place[s], lane) +
-                            rotate(turn_of(block.rotation[s], lane), row_of(shapes.ball[k], lane));
+        const Vec3 middle = ball_motion(block, shapes, k, lane).place;
         const float clear = dot(row_of(planes.normal[k], lane), middle) - planes.offset[k][lane];
         if (clear < shapes.radius[k][lane] + k_touch) return true;
     }

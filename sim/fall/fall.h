@@ -14,9 +14,6 @@ namespace flaneur {
 // seconds after the trunk has come down all goes slack.
 void aim_fall(TumbleAims& aims, int lane, const TumbleBlock& block,
               const std::array<Quat, k_segment_count>& stood, Vec2 to, float seconds, float lain);
-// Nothing is tried.
-void go_limp(TumbleAims& aims, int lane);
-
 // Each segment of the lane against what carries it, as it is.
 std::array<Quat, k_segment_count> turns_of(const TumbleBlock& block, int lane);
 
@@ -27,9 +24,6 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
 
 // The fastest that anything of the lane moves, m/s.
 float liveliness(const TumbleBlock& block, const TumbleShapes& shapes, int lane);
-
-// Slows the lane down to `share` of how it moves.
-void calm(TumbleBlock& block, int lane, float share);
 
 // Whether the trunk or the skull touches the ground of the planes.
 bool is_down(const TumbleBlock& block, const TumbleShapes& shapes, const TumblePlanes& planes, int lane);

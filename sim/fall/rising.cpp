@@ -106,27 +106,22 @@ void rest_on_ground(BodyPose& pose, const Segments& segments, const PersonBlock&
                     const Surroundings& around, float floor, bool may_sink, std::array<float, 2>& lifts,
                     float dt) {
     constexpr float k_up = 1.2f, k_down = 3, k_step = 0.05f;
-    bool has_steps = false;
     // How far each ball is above the ground, or in it.
-    auto clearances = [&] {
-        const auto balls = balls_of(pose, segments, person, lane);
-        std::array<std::optional<GroundHit>, k_ball_count> hits;
-        ground_at(around, balls, k_up, k_down, hits.data());
-        std::array<float, k_ball_count> clear;
-        float lowest = 1e6f, highest = -1e6f;
-        for (int k = 0; k < k_ball_count; ++k) {
-            const float height = hits[k] ? hits[k]->height : floor;
-            const float slope = hits[k] ? hits[k]->normal.y : 1;
-            lowest = std::min(lowest, height), highest = std::max(highest, height);
-            clear[k] = balls[k].y - height - segments.radius[k] / std::max(slope, 0.5f);
-        }
-        has_steps = highest - lowest > k_step;
-        return clear;
-    };
+    const auto balls = balls_of(pose, segments, person, lane);
+    std::array<std::optional<GroundHit>, k_ball_count> hits;
+    ground_at(around, balls, k_up, k_down, hits.data());
+    std::array<float, k_ball_count> clear;
+    float lowest = 1e6f, highest = -1e6f;
+    for (int k = 0; k < k_ball_count; ++k) {
+        const float height = hits[k] ? hits[k]->height : floor;
+        const float slope = hits[k] ? hits[k]->normal.y : 1;
+        lowest = std::min(lowest, height), highest = std::max(highest, height);
+        clear[k] = balls[k].y - height - segments.radius[k] / std::max(slope, 0.5f);
+    }
+    const bool has_steps = highest - lowest > k_step;
     auto is_sole = [](int k) {
         return k_segment_of_ball[k] == left_sole || k_segment_of_ball[k] == right_sole;
     };
-    std::array<float, k_ball_count> clear = clearances();
     float least = 1e3f;
     for (int k = 0; k < k_ball_count; ++k)
         if (!is_sole(k)) least = std::min(least, clear[k]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/math.h"
+#include "sim/fall/lane.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/fall/tumble.cpp"
@@ -393,20 +394,16 @@ void tumble(const TumbleShapes& shapes, const TumbleAims& aims, const TumblePlan
     HWY_DYNAMIC_DISPATCH(tumble_here)(shapes, aims, planes, ranges, dt, block);
 }
 
-static void set_lane(float (&rows)[3][k_block], int lane, Vec3 v) {
-    rows[0][lane] = v.x, rows[1][lane] = v.y, rows[2][lane] = v.z;
-}
-
 void set_shape(TumbleShapes& shapes, int lane, const Segments& s) {
     for (int i = 0; i < k_segment_count; ++i) {
         const Vec3 inertia = s.inertia[i];
         shapes.lightness[i][lane] = 1 / s.mass[i];
-        set_lane(shapes.ease[i], lane, {1 / inertia.x, 1 / inertia.y, 1 / inertia.z});
-        set_lane(shapes.pivot[i], lane, s.pivot[i]);
-        set_lane(shapes.socket[i], lane, s.socket[i]);
+        set_row(shapes.ease[i], lane, {1 / inertia.x, 1 / inertia.y, 1 / inertia.z});
+        set_row(shapes.pivot[i], lane, s.pivot[i]);
+        set_row(shapes.socket[i], lane, s.socket[i]);
     }
     for (int k = 0; k < k_ball_count; ++k) {
-        set_lane(shapes.ball[k], lane, s.ball[k]);
+        set_row(shapes.ball[k], lane, s.ball[k]);
         shapes.radius[k][lane] = s.radius[k];
     }
 }
@@ -417,16 +414,11 @@ struct Energy {
 };
 Energy energies_of(const TumbleBlock& block, const Segments& s, int lane) {
     Energy energy;
-    auto row_of = [&](const float(&rows)[3][k_block]) {
-        return Vec3{rows[0][lane], rows[1][lane], rows[2][lane]};
-    };
     for (int i = 0; i < k_segment_count; ++i) {
-        const auto& q = block.rotation[i];
-        const Vec3 spin =
-            rotate(conjugate(Quat{q[0][lane], q[1][lane], q[2][lane], q[3][lane]}), row_of(block.spin[i]));
+        const Vec3 spin = rotate(conjugate(turn_of(block.rotation[i], lane)), row_of(block.spin[i], lane));
         const Vec3 moment{s.inertia[i].x * spin.x, s.inertia[i].y * spin.y, s.inertia[i].z * spin.z};
         energy.of_motion +=
-            0.5f * (s.mass[i] * length_squared(row_of(block.velocity[i])) + dot(moment, spin));
+            0.5f * (s.mass[i] * length_squared(row_of(block.velocity[i], lane)) + dot(moment, spin));
         energy.of_height += s.mass[i] * k_gravity * block.place[i][1][lane];
     }
     return energy;
@@ -443,12 +435,7 @@ float keep_energy(TumbleBlock& block, const Segments& segments, int lane, float 
     const float has = energy.of_motion + energy.of_height;
     if (has <= most) return has;
     const float left = std::max(most - energy.of_height, 0.0f);
-    const float share = energy.of_motion > left ? std::sqrt(left / energy.of_motion) : 1;
-    for (int i = 0; i < k_segment_count; ++i)
-        for (int k = 0; k < 3; ++k) {
-            block.velocity[i][k][lane] *= share;
-            block.spin[i][k][lane] *= share;
-        }
+    if (energy.of_motion > left) calm(block, lane, std::sqrt(left / energy.of_motion));
     return energy.of_height + std::min(left, energy.of_motion);
 }
 

@@ -11,6 +11,7 @@
 #include "sim/base/rng.h"
 #include "sim/base/tick.h"
 #include "sim/fall/fall.h"
+#include "sim/fall/lane.h"
 #include "sim/gait/gait.h"
 
 namespace flaneur {
@@ -28,10 +29,6 @@ struct Sixteen {
     Residue residue[k_block];
 };
 
-Vec3 row_of(const float (&rows)[3][k_block], int lane) {
-    return {rows[0][lane], rows[1][lane], rows[2][lane]};
-}
-
 std::optional<GroundHit> level(Vec3 point, float up, float down) {
     if (point.y + up < 0 || point.y - down > 0) return std::nullopt;
     return GroundHit{};
@@ -41,6 +38,14 @@ void ask_level(const void*, std::span<const Vec3> points, float up, float down,
     for (size_t i = 0; i < points.size(); ++i) hits[i] = level(points[i], up, down);
 }
 const Surroundings k_level{nullptr, ask_level, nullptr};
+
+// Nothing is tried; joints are a little stiff.
+void go_limp(TumbleAims& aims, int lane) {
+    for (int s = 0; s < k_segment_count; ++s) {
+        set_row(aims.turn[s], lane, Quat{});
+        aims.haste[s][lane] = 0, aims.drag[s][lane] = 4;
+    }
+}
 
 std::unique_ptr<Sixteen> sixteen(uint64_t seed) {
     auto s = std::make_unique<Sixteen>();
