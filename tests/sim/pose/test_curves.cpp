@@ -1,6 +1,5 @@
 // Limbs by curves: the report's figures, and what its walk promises.
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "sim/pose/curves.h"
 #include "sim/state.h"
 #include "sim/without.h"
+#include "tests/sim/pose/every_target.h"
 #include "tests/sim/random_poses.h"
 #include "tests/sim/small_grounds.h"
 
@@ -357,17 +357,10 @@ TEST(LimbCurves, SameBitsOnEveryInstructionSet) {
     Led led(marchers(bridge(), 4, 40));
     for (int t = 0; t < 300; ++t) led.step();
     const World& w = *led.world;
-    std::vector<PoseBlock> first, poses(w.poses.size());
-    for (auto target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-        if (!(hwy::SupportedTargets() & target)) continue;
-        hwy::SetSupportedTargetsForTest(target);
+    expect_same_on_every_target(w.poses.size(), [&](std::vector<PoseBlock>& poses) {
         pose_by_curves(w.gait, 0, poses.size(), w.crowd.march.how, led.without.clocks, w.around, w.poses,
                        poses);
-        hwy::SetSupportedTargetsForTest(0);
-        if (first.empty()) first = poses;
-        EXPECT_EQ(0, std::memcmp(poses.data(), first.data(), poses.size() * sizeof(PoseBlock)))
-            << hwy::TargetName(target);
-    }
+    });
 }
 
 }  // namespace

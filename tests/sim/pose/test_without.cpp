@@ -1,6 +1,5 @@
 // Bodies without some techniques: each changes somebody, nothing else, and never how people walk.
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
 
 #include <cstring>
 #include <set>
@@ -8,6 +7,7 @@
 
 #include "sim/pose/bare.h"
 #include "sim/without.h"
+#include "tests/sim/pose/every_target.h"
 #include "tests/sim/random_poses.h"
 #include "tests/sim/small_grounds.h"
 
@@ -165,16 +165,9 @@ TEST(Without, SameBitsOnEveryInstructionSet) {
     for (const bool has_feet : {true, false}) {
         Techniques on;
         on.feet = has_feet, on.pelvis = on.trunk = false;
-        std::vector<PoseBlock> first, poses(world->poses.size());
-        for (auto target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
-            if (!(hwy::SupportedTargets() & target)) continue;
-            hwy::SetSupportedTargetsForTest(target);
+        expect_same_on_every_target(world->poses.size(), [&](std::vector<PoseBlock>& poses) {
             pose_bare(world->gait, 0, poses.size(), on, world->poses, poses);
-            hwy::SetSupportedTargetsForTest(0);
-            if (first.empty()) first = poses;
-            EXPECT_EQ(0, std::memcmp(poses.data(), first.data(), poses.size() * sizeof(PoseBlock)))
-                << hwy::TargetName(target);
-        }
+        });
     }
 }
 
