@@ -114,7 +114,7 @@ TEST(LimbCurves, TheBodyGoesAsFarAsTheFootOnTheGroundGoesBack) {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         Led led(marchers(field(60), seed, 1));
         float off = 0, slid = 0, went = 0;
-        int contacts = 0, ticks = 0;
+        int ticks = 0;
         bool was_down[2] = {};
         Vec3 was[2];
         int straight = 0;
@@ -138,7 +138,6 @@ TEST(LimbCurves, TheBodyGoesAsFarAsTheFootOnTheGroundGoesBack) {
                 if (is_down)
                     off = std::max(off, std::hypot(foot.x[0] - foot.aim_x[0], foot.z[0] - foot.aim_z[0]));
                 if (is_down && was_down[side]) slid = std::max(slid, length(now - was[side]));
-                contacts += is_down && !was_down[side];
                 was_down[side] = is_down, was[side] = now;
             }
         }
