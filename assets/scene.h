@@ -71,7 +71,7 @@ struct Scene {
     std::vector<PlannedPush> pushes;  // that people get
     std::vector<std::string> idles;   // FILE or FILE:CLIP, glTF animations that those who stand play
     int walkers = 500;                // 0..1,000,000
-    int creatures = 0;                // 0..100, of six legs, on a small world
+    int creatures = 0;                // 0..100, of six legs, among people
     Habit habit = Habit::wander;      // what they do; they stagger on a platform only
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
     float drunk = 0;                  // 0..1, see WorldOptions

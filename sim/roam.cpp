@@ -46,7 +46,7 @@ Result<Roam> make_roam(Compound compound, const Crowd& crowd, uint32_t creatures
     for (uint32_t n = 0; n < creatures; ++n) {
         const uint32_t walker = crowd.count + n;
         const float size = size_of_creature(seed, n);
-        roam.creatures.push_back(make_creature(roam.compound, roam.walkers, walker, size));
+        roam.creatures.push_back(make_creature(rays_of(roam.compound), roam.walkers, walker, size));
         roam.walkers.middle[walker] = creature_height(size);
         roam.walkers.leaps_at_will[walker] = 1;
     }
@@ -99,7 +99,7 @@ void step_creatures(Roam& roam, Linkages& linkages, Workers& workers) {
     parallel_for(workers, roam.creatures.size(), 1, [&](size_t begin, size_t end, int) {
         for (size_t n = begin; n < end; ++n) {
             Creature& creature = roam.creatures[n];
-            step_creature(roam.compound, roam.walkers, creature, k_tick);
+            step_creature(rays_of(roam.compound), roam.walkers, creature, k_tick);
             place_creature(linkages.all[n], creature, places_of(linkages, n));
         }
     });

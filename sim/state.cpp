@@ -56,7 +56,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
-        w.linkages.held);
+        w.linkages.held, w.herd.creatures);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
     all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, s.leaps, s.wish,

@@ -139,6 +139,7 @@ void step_bodies(World& w) {
         step_linkages(w.linkages, *w.workers, w.tick);
         step_figures(w.figures, w.seed, w.tick);
         if (w.roam) step_creatures(*w.roam, w.linkages, *w.workers);
+        step_herd(w);
     });
     ++w.tick;
 }
@@ -153,6 +154,7 @@ static void come_and_go(World& w) {
 }
 
 void drive_crowd(World& w) {
+    keep_herd(w);
     timed(w, Stage::come, [&] { come_and_go(w); });
     look_on(w.crowd, *w.workers, w.tick);
     timed(w, Stage::think, [&] { think(w.crowd, *w.navmesh, *w.workers, w.tick, w.seed); });

@@ -22,6 +22,7 @@
 #include "sim/gait/gait.h"
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
+#include "sim/herd.h"
 #include "sim/linkages/linkages.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
@@ -56,6 +57,7 @@ struct World {
     Coming coming;
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
+    Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
     Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
@@ -122,6 +124,19 @@ void drive_roam(World& world);
 // Gait, pose and idles of a walker that came, or is gone, in slot `walker`.
 void start_body(World& world, uint32_t walker);
 void end_body(World& world, uint32_t walker);
+
+// How many people there are, without creatures.
+inline uint32_t people_count(const World& world) {
+    return static_cast<uint32_t>(world.crowd.slots.living.size() - world.herd.goes_as.size());
+}
+
+// The creatures, and what they stand on, by Creature::walker.
+inline const std::vector<Creature>& creatures_of(const World& world) {
+    return world.roam ? world.roam->creatures : world.herd.creatures;
+}
+inline const SurfaceWalkers& creature_walkers(const World& world) {
+    return world.roam ? world.roam->walkers : world.herd.walkers;
+}
 
 // What kind of person a walker is.
 Personality personality_of(const World& world, uint32_t walker);

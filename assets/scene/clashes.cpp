@@ -83,13 +83,10 @@ constexpr SceneClash k_clashes[] = {
     {"side", R"("side": on the asteroid and the planets people pass where there is room; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("side") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
-    {"creatures",
-     R"("creatures" walk on the asteroid or the planets; "built" must be "asteroid" or "planets")",
-     [](const Scene& s, const Json&) { return s.creatures > 0 && !is_round(s); },
+    {"creatures", R"("creatures" walk among people; in the "gallery" there is no room for them)",
+     [](const Scene& s, const Json&) { return s.creatures > 0 && s.built == BuiltIn::gallery; },
      [](const char* key) {
-         OrderedJson schema = both({key}, {{key, {{"minimum", 1}}}});
-         schema["not"] = both({"built"}, {{"built", {{"enum", {"asteroid", "planets"}}}}});
-         return schema;
+         return both({key, "built"}, {{key, {{"minimum", 1}}}, {"built", {{"const", "gallery"}}}});
      }},
     {"rock", R"("rock" is what the asteroid is; "built" must be "asteroid")",
      [](const Scene& s, const Json&) { return !s.rock.empty() && s.built != BuiltIn::asteroid; },

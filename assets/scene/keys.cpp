@@ -124,7 +124,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         plain_key<&Scene::walkers>("walkers", {whole, 0, k_max_walkers}, "500", "2000",
                                    "How many people walk."),
         plain_key<&Scene::creatures>("creatures", {whole, 0, 100}, "0", "5",
-                                     "How many creatures of six legs walk on the asteroid or the planets."),
+                                     "How many creatures of six legs walk among the people."),
         word_key<&Scene::habit, k_habit_names>(
             "habit", R"("wander")", R"("ramble")",
             "What they do: wander from place to place; ramble, straight on until rays find a wall ahead; or, "

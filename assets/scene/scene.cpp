@@ -70,7 +70,8 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path) {
     const CameraChoice& camera = scene.camera;
     const bool is_of_walker =
         camera.kind == CameraChoice::Kind::follow || camera.kind == CameraChoice::Kind::eyes;
-    if (faults.empty() && is_of_walker && camera.walker >= static_cast<uint32_t>(scene.walkers)) {
+    if (faults.empty() && is_of_walker &&
+        camera.walker >= static_cast<uint32_t>(scene.walkers + scene.creatures)) {
         JsonPlace place = place_in_json(*text, {"camera"}, false);
         faults.push_back({place.line, place.column,
                           "\"camera\" follows nobody: walkers are numbered from 0, and there are " +

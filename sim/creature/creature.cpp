@@ -46,6 +46,10 @@ constexpr float k_girths[] = {0.045f, 0.035f, 0.022f};
 float side_of(int leg) { return leg < 3 ? 1.0f : -1.0f; }
 bool is_even(int leg) { return leg % 2 == 0; }  // left front and hind, right middle
 
+std::optional<SurfaceHit> cast_ray(const Rays& rays, Vec3 origin, Vec3 direction, float reach) {
+    return rays.cast(rays.asked, origin, direction, reach);
+}
+
 struct Axes {
     Vec3 left, up, ahead;
     Vec3 operator()(Vec3 v) const { return left * v.x + up * v.y + ahead * v.z; }
@@ -65,15 +69,15 @@ Vec3 home_of(const Creature& c, int leg) {
 
 // The surface that a foot finds about `spot`: a wall between the trunk and the air over it, the ground under
 // it, or, where that falls away, what lies back under the trunk.
-std::optional<SurfaceHit> foothold(const Compound& compound, const Creature& c, Vec3 spot) {
+std::optional<SurfaceHit> foothold(const Rays& rays, const Creature& c, Vec3 spot) {
     const Vec3 over = spot + c.up * (0.9f * k_high * c.size), out = over - c.middle;
     const float far = length(out);
     const Vec3 way = normalize_or(out, c.ahead);
-    if (auto wall = cast_ray(compound, c.middle, way, far)) return wall;
-    if (auto ground = cast_ray(compound, over, -c.up, 2 * k_high * c.size)) return ground;
+    if (auto wall = cast_ray(rays, c.middle, way, far)) return wall;
+    if (auto ground = cast_ray(rays, over, -c.up, 2 * k_high * c.size)) return ground;
     const Vec3 below = spot - c.up * (k_high * c.size);
     const Vec3 back = normalize_or(c.middle - c.up * (2 * k_high * c.size) - below, -c.up);
-    return cast_ray(compound, below, back, far);
+    return cast_ray(rays, below, back, far);
 }
 
 struct Pace {
@@ -90,16 +94,16 @@ Pace pace_of(const SurfaceWalkers& w, const Creature& c, float dt) {
             clamp(0.5f * k_reach * c.size / std::max(feet, 0.01f), k_shortest, k_longest)};
 }
 
-void begin_step(const Compound& compound, const Creature& c, int number, const Pace& pace, CreatureLeg& leg) {
+void begin_step(const Rays& rays, const Creature& c, int number, const Pace& pace, CreatureLeg& leg) {
     const Vec3 home = home_of(c, number);
     const Vec3 goes = pace.velocity + cross(c.up, home - c.middle) * pace.turn_rate;
     const Vec3 lead = normalize_or(goes, {}) * (k_beyond * k_reach * c.size) + goes * pace.seconds;
     const bool is_going = length(goes) > k_creeps;
-    auto found = foothold(compound, c, is_going ? home + lead : home);
+    auto found = foothold(rays, c, is_going ? home + lead : home);
     auto is_far = [&] { return !found || length(found->point - hip_of(c, number)) > k_leg * c.size; };
-    if (is_far()) found = foothold(compound, c, home);
+    if (is_far()) found = foothold(rays, c, home);
     // Over a sharp edge: to what its walker stands on.
-    if (is_far()) found = cast_ray(compound, c.middle, -c.up, 4 * k_high * c.size);
+    if (is_far()) found = cast_ray(rays, c.middle, -c.up, 4 * k_high * c.size);
     if (!found) return;
     leg = {leg.foot, leg.foot, found->point, found->normal, 0};
 }
@@ -119,7 +123,7 @@ Left left_of(const Creature& c, int number) {
     return length(off - c.up * dot(off, c.up)) > k_reach * c.size ? Left::behind : Left::near;
 }
 
-void step_legs(const Compound& compound, Creature& c, const Pace& pace, float dt) {
+void step_legs(const Rays& rays, Creature& c, const Pace& pace, float dt) {
     bool is_up[2] = {}, is_due[2] = {};  // of each three
     for (int i = 0; i < k_creature_legs; ++i) {
         CreatureLeg& leg = c.legs[i];
@@ -138,7 +142,7 @@ void step_legs(const Compound& compound, Creature& c, const Pace& pace, float dt
         CreatureLeg& leg = c.legs[i];
         const int three = is_even(i);
         if (leg.swing == 1 && ((is_due[three] && !is_up[1 - three]) || left_of(c, i) == Left::far))
-            begin_step(compound, c, i, pace, leg);
+            begin_step(rays, c, i, pace, leg);
     }
 }
 
@@ -166,12 +170,12 @@ void fly_creature(const SurfaceWalkers& w, const Leap& leap, Creature& c, float 
     }
 }
 
-void land_creature(const Compound& compound, const SurfaceWalkers& w, Creature& c) {
+void land_creature(const Rays& rays, const SurfaceWalkers& w, Creature& c) {
     c.middle = w.position[c.walker] + c.up * (k_high * c.size);
     for (int i = 0; i < k_creature_legs; ++i) {
         CreatureLeg& leg = c.legs[i];
-        auto found = foothold(compound, c, home_of(c, i));
-        if (!found) found = cast_ray(compound, c.middle, -c.up, 4 * k_high * c.size);
+        auto found = foothold(rays, c, home_of(c, i));
+        if (!found) found = cast_ray(rays, c.middle, -c.up, 4 * k_high * c.size);
         if (found) leg = {leg.foot, leg.foot, found->point, found->normal, 0};
     }
 }
@@ -184,7 +188,7 @@ bool is_standing(const Creature& c) {
     return std::ranges::all_of(c.legs, [](const CreatureLeg& leg) { return leg.swing == 1; });
 }
 
-Creature make_creature(const Compound& compound, const SurfaceWalkers& w, uint32_t walker, float size) {
+Creature make_creature(const Rays& rays, const SurfaceWalkers& w, uint32_t walker, float size) {
     Creature c;
     c.size = size;
     c.walker = walker;
@@ -195,7 +199,7 @@ Creature make_creature(const Compound& compound, const SurfaceWalkers& w, uint32
         CreatureLeg& leg = c.legs[i];
         leg.foot = leg.from = leg.to = home_of(c, i);
         leg.normal = c.up;
-        if (const auto found = foothold(compound, c, leg.foot)) {
+        if (const auto found = foothold(rays, c, leg.foot)) {
             leg.foot = leg.from = leg.to = found->point;
             leg.normal = found->normal;
         }
@@ -203,11 +207,11 @@ Creature make_creature(const Compound& compound, const SurfaceWalkers& w, uint32
     return c;
 }
 
-void step_creature(const Compound& compound, const SurfaceWalkers& w, Creature& c, float dt) {
+void step_creature(const Rays& rays, const SurfaceWalkers& w, Creature& c, float dt) {
     const Leap& leap = w.leaps[c.walker];
     if (leap.stage == LeapStage::flies) return fly_creature(w, leap, c, dt);
     const bool lands = leap.stage == LeapStage::absorbs && leap.seconds == 0;
-    if (lands) land_creature(compound, w, c);
+    if (lands) land_creature(rays, w, c);
     const Vec3 place = w.position[c.walker];
     const float high = dot(c.middle - place, c.up);
     c.up = turned_towards(c.up, w.up[c.walker], k_creature_turn * dt);
@@ -218,7 +222,7 @@ void step_creature(const Compound& compound, const SurfaceWalkers& w, Creature& 
     const float wanted = k_high * c.size - crouch + clamp(feet, -k_most_rise * c.size, k_most_rise * c.size);
     c.middle =
         place + c.up * lerp(high, wanted, std::min((crouch > 0 ? k_leap_settle : k_settle) * dt, 1.0f));
-    step_legs(compound, c, pace_of(w, c, dt), dt);
+    step_legs(rays, c, pace_of(w, c, dt), dt);
 }
 
 Linkage creature_linkage(float size) {

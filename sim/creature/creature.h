@@ -40,11 +40,11 @@ bool is_standing(const Creature& creature);
 Linkage creature_linkage(float size);
 
 // Where its walker is, all feet on the surface below.
-Creature make_creature(const Compound& compound, const SurfaceWalkers& walkers, uint32_t walker, float size);
+Creature make_creature(const Rays& rays, const SurfaceWalkers& walkers, uint32_t walker, float size);
 
 // One tick of `dt` seconds after its walker's. In a leap its feet are drawn in below it, and each looks for
 // ground as it lands.
-void step_creature(const Compound& compound, const SurfaceWalkers& walkers, Creature& creature, float dt);
+void step_creature(const Rays& rays, const SurfaceWalkers& walkers, Creature& creature, float dt);
 
 // Joints of its linkage, as many as that has, as it stands now.
 void place_creature(const Linkage& linkage, const Creature& creature, std::span<Vec3> places);

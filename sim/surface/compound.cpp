@@ -160,4 +160,10 @@ std::optional<SurfaceHit> cast_ray(const Compound& c, Vec3 origin, Vec3 directio
     return ray.hit;
 }
 
+Rays rays_of(const Compound& compound) {
+    return {&compound, [](const void* asked, Vec3 origin, Vec3 direction, float reach) {
+                return cast_ray(*static_cast<const Compound*>(asked), origin, direction, reach);
+            }};
+}
+
 }  // namespace flaneur

@@ -57,4 +57,12 @@ inline std::optional<SurfaceHit> surface_below(const Compound& compound, Vec3 po
     return cast_ray(compound, point, -up, reach);
 }
 
+// What casts rays: a compound, which must outlive it, or whatever else has surfaces. `cast` does as
+// cast_ray() does, on any thread.
+struct Rays {
+    const void* asked = nullptr;
+    std::optional<SurfaceHit> (*cast)(const void* asked, Vec3 origin, Vec3 direction, float reach) = nullptr;
+};
+Rays rays_of(const Compound& compound);
+
 }  // namespace flaneur

@@ -124,7 +124,7 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
                               {R"({"habit": "stagger", "built": "asteroid"})", "\"habit\""},
                               {R"({"side": "left", "built": "planets"})", "\"side\""},
                               {R"({"rock": "torus", "built": "planets"})", "\"rock\""},
-                              {R"({"creatures": 3})", "\"creatures\""},
+                              {R"({"built": "gallery", "creatures": 3})", "\"creatures\""},
                               {R"({"platform": "0,0 8,0 1,1 0,8", "built": "platform"})", "\"platform\""},
                               {R"({"radius": 500})", "\"radius\""},
                               {R"({"terrain": "a.tif", "city": "a.glb"})", "\"terrain\""}}) {

@@ -38,7 +38,7 @@ Herd herd(uint32_t count, uint64_t seed) {
     }
     h.roam.walkers = place_on_surface(h.roam.compound, speed, radius, seed);
     for (uint32_t n = 0; n < count; ++n)
-        h.roam.creatures.push_back(make_creature(h.roam.compound, h.roam.walkers, n, sizes[n]));
+        h.roam.creatures.push_back(make_creature(rays_of(h.roam.compound), h.roam.walkers, n, sizes[n]));
     h.linkages = make_bones(h.roam.creatures);
     return h;
 }

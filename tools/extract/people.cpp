@@ -146,7 +146,8 @@ void extract_people(const World& world, const std::vector<Character>& characters
     parallel_for(*world.workers, crowd.count, 256, [&](size_t begin, size_t end, int) {
         for (size_t i = begin; i < end; ++i) {
             WalkerDraw& draw = frame.walkers[i];
-            if (!is_there(crowd, static_cast<uint32_t>(i))) {
+            const auto number = static_cast<uint32_t>(i);
+            if (!is_there(crowd, number) || is_creature(world.herd, number)) {
                 draw = {};
                 draw.mesh = k_no_mesh;
                 draw.instance.palette = k_no_palette;

@@ -113,13 +113,12 @@ Result<void> run_sim(const Options& options) {
     clear_progress();
     std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
 
-    const size_t creatures = world.roam ? world.roam->creatures.size() : 0;
+    const size_t creatures = creatures_of(world).size();
     const std::string others = creatures > 0 ? " and " + std::to_string(creatures) + " creatures" : "";
     char figures[128];
     std::snprintf(figures, sizeof figures,
-                  ": %" PRIu32 " walkers%s, %" PRIu32 " ticks on %d threads in %.2f s",
-                  static_cast<uint32_t>(walkers(world).size()), others.c_str(), world.tick,
-                  thread_count(*world.workers), spent.count());
+                  ": %" PRIu32 " walkers%s, %" PRIu32 " ticks on %d threads in %.2f s", people_count(world),
+                  others.c_str(), world.tick, thread_count(*world.workers), spent.count());
     say(city_name(options.scene) + figures);
     tell_coming(*loaded);
     if (options.hash) std::printf("%016" PRIx64 "\n", hash_world(world));

@@ -360,6 +360,10 @@ Result<Loaded> load(const Options& options) {
         loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
         set_figures(make_figure_plans(loaded.world->kinds), make_figure_ground(), *loaded.world);
     }
+    if (!round && scene.creatures > 0) {
+        Result<void> set = set_loose(*loaded.world, static_cast<uint32_t>(scene.creatures));
+        if (!set) return set.error();
+    }
     return loaded;
 }
 
@@ -392,6 +396,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
         order.gravity = world.roam->gravity;
         order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
     }
+    if (!world.herd.creatures.empty()) order.creatures = static_cast<uint32_t>(world.herd.creatures.size());
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
     order.figure_ground = world.figures.ground;
@@ -411,6 +416,8 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
     if (made && !order.compound) {
         (*made)->linkages = make_linkages(order.linkages);
         set_figures(order.figures, order.figure_ground, **made);
+        if (order.creatures > 0)
+            if (Result<void> set = set_loose(**made, order.creatures); !set) return set.error();
     }
     return made;
 }

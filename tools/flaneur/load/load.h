@@ -31,8 +31,8 @@ struct PeopleOrder {
     std::string mesh;  // bytes of the ground's navmesh: one is a world's own
     std::optional<Compound> compound;
     Gravity gravity;                // of it,
-    uint32_t creatures = 0;         // and on it,
-    std::vector<Linkage> linkages;  // or without it,
+    uint32_t creatures = 0;         // on it or among people
+    std::vector<Linkage> linkages;  // without it,
     std::vector<FigurePlan> figures;
     std::shared_ptr<const Ground> figure_ground;
 };

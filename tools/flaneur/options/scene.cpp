@@ -163,7 +163,7 @@ static Result<void> check_camera(const SceneWords& words, const Options& options
                      "EX,EY,EZ/TX,TY,TZ, such as 22,13,34/1,0,0."};
     }
     const bool is_of_walker = camera.kind == follow || camera.kind == eyes;
-    const int those = options.scene.walkers + (is_round ? options.scene.creatures : 0);
+    const int those = options.scene.walkers + options.scene.creatures;
     if (is_of_walker && camera.walker >= static_cast<uint32_t>(those)) {
         return Error{who + told_camera(camera) + (camera.kind == eyes ? " is of" : " follows") +
                      " nobody: walkers are numbered from 0, and there are " +
@@ -181,11 +181,11 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!scene) return Error{scene.error().message + did_you_mean(words.scene, scene_names())};
     options.scene = *scene;
     if (words.city) {
+        if (is_small_world(options.scene)) options.scene.creatures = 0;
         options.scene.city = *words.city;
         options.scene.built = BuiltIn::district;
         options.scene.platform.clear();
         options.scene.rock.clear();
-        options.scene.creatures = 0;
         if (options.scene.habit == Habit::stagger) options.scene.habit = Habit::wander;
         // What is said of the scene's own city.
         options.scene.about.clear();

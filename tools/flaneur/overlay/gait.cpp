@@ -219,9 +219,8 @@ void add_gizmos_of(const OverlayInput& input, const PeopleFrame& people, uint32_
 }
 
 void add_creature_bones(const OverlayInput& input, Overlay& overlay) {
-    if (!input.world.roam) return;
     const Linkages& all = input.world.linkages;
-    for (size_t n = 0; n < input.world.roam->creatures.size(); ++n) {
+    for (size_t n = 0; n < creatures_of(input.world).size(); ++n) {
         const Linkage& f = all.all[n];
         const size_t first = all.ranges[n].joints;
         auto at = [&](size_t j) {

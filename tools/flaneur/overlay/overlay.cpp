@@ -85,13 +85,12 @@ void colour_by_speed(const World& world, PeopleFrame& people) {
     for (uint32_t i = 0; i < world.crowd.count; ++i)
         std::fill_n(people.walkers[i].instance.tints, k_tints,
                     speed_colour(length(world.crowd.motion.velocity[i])));
-    if (!world.roam) return;
     for (size_t i = world.crowd.count; i < people.walkers.size(); ++i) {
         WalkerDraw& draw = people.walkers[i];
         if (kind_of_id(draw.id) != IdKind::creature) continue;
-        const Creature& creature = world.roam->creatures[number_of_id(draw.id)];
+        const Creature& creature = creatures_of(world)[number_of_id(draw.id)];
         std::fill_n(draw.instance.tints, k_tints,
-                    speed_colour(world.roam->walkers.moved[creature.walker] / k_tick));
+                    speed_colour(creature_walkers(world).moved[creature.walker] / k_tick));
     }
 }
 

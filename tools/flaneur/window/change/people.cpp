@@ -51,6 +51,7 @@ void remove_some(World& w, uint32_t count, const Camera& camera, std::optional<u
     std::vector<Candidate> all;
     const Vec3 eye = from_glm(camera.eye);
     for (const WalkerId id : walkers(w)) {
+        if (is_creature(w.herd, id.index)) continue;
         const Vec3 at = w.crowd.motion.position[id.index];
         float order = random_unit({w.seed ^ w.tick, id.index, 0, Purpose::spawn}, 4);
         if (length(at - eye) < k_close && may_see(*w.ground, camera, at)) order += 1;

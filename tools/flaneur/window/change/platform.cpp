@@ -120,6 +120,7 @@ std::vector<Vec2> even_outline(const std::vector<Vec2>& outline, int corners) {
     const float apart = 2 * k_pi / static_cast<float>(corners);
     const float radius = std::sqrt(area / (0.5f * static_cast<float>(corners) * sin_cos(apart).sine));
     std::vector<Vec2> out;
+    out.reserve(static_cast<size_t>(corners));
     for (int i = 0; i < corners; ++i)
         out.push_back(rounded(middle + heading_direction(apart * (static_cast<float>(i) + 0.5f)) * radius));
     return out;

@@ -35,9 +35,7 @@ void go_to_mark(Show& show, Viewer& v, const Mark* mark) {
     go_to_mark(v, *show.loaded.world, *mark);
 }
 
-uint32_t people_of(const Show& show) {
-    return static_cast<uint32_t>(show.loaded.world->crowd.slots.living.size());
-}
+uint32_t people_of(const Show& show) { return people_count(*show.loaded.world); }
 
 constexpr std::array k_actions = {
     Action{"One tick back", ",", GLFW_KEY_COMMA, 0, tick_back, true},

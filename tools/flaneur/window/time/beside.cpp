@@ -174,7 +174,7 @@ void put_beside(Show& show, Viewer& v, std::unique_ptr<World> world, Anew& anew)
 void set_beside_this_moment(Show& show, Viewer& v) {
     const World& world = *show.loaded.world;
     keep_now(*v.time.history, world);
-    set_beside(show, v, {world.seed, static_cast<uint32_t>(world.crowd.slots.living.size()), world.tick});
+    set_beside(show, v, {world.seed, people_count(world), world.tick});
 }
 
 void count_beside(const Counts& here, Beside& beside) {

@@ -22,7 +22,7 @@ void heading(const char* text, float scale) {
 void lay_out_run(Show& show, Viewer& v, float scale) {
     const World& world = *show.loaded.world;
     ImGui::Text("Seed %llu, %u people, %s so far", static_cast<unsigned long long>(world.seed),
-                static_cast<unsigned>(world.crowd.slots.living.size()), run_time(v.time.latest).c_str());
+                people_count(world), run_time(v.time.latest).c_str());
     if (ImGui::Button("Restart")) restart(show, v, world.seed);
     tip("the same people from the start; events of this run go, its marks stay");
     ImGui::SameLine();
@@ -40,7 +40,7 @@ void lay_out_side_by_side(Show& show, Viewer& v, float scale) {
         return;
     }
     const World& world = *show.loaded.world;
-    const auto people = static_cast<uint32_t>(world.crowd.slots.living.size());
+    const auto people = people_count(world);
     auto number = [&](const char* name, int& value) {
         ImGui::SameLine(170 * scale);
         ImGui::SetNextItemWidth(110 * scale);

@@ -110,7 +110,7 @@ void begin_run(Timeline& time, const World& world) {
     time.marks.clear();
     time.changes.clear();
     time.seed = time.beside_seed = static_cast<int>(std::min<uint64_t>(world.seed + 1, 0x7fffffff));
-    time.beside_people = static_cast<int>(2 * world.crowd.slots.living.size());
+    time.beside_people = static_cast<int>(2 * people_count(world));
     time.mark = state_mark(world);
     time.ground = world.ground.get();
     follow(*time.history, world);
