@@ -24,6 +24,7 @@
 #include "sim/ground/surroundings.h"
 #include "sim/herd.h"
 #include "sim/linkages/linkages.h"
+#include "sim/movers/movers.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
 #include "sim/pose/trail.h"
@@ -59,6 +60,7 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
+    Movers movers;               // rigid things that move; mostly none
     Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;

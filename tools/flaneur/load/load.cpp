@@ -399,6 +399,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     if (!world.herd.creatures.empty()) order.creatures = static_cast<uint32_t>(world.herd.creatures.size());
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
+    order.movers = world.movers.all;
     order.figure_ground = world.figures.ground;
     return order;
 }
@@ -415,6 +416,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
     }
     if (made && !order.compound) {
         (*made)->linkages = make_linkages(order.linkages);
+        (*made)->movers = make_movers(order.movers);
         set_figures(order.figures, order.figure_ground, **made);
         if (order.creatures > 0)
             if (Result<void> set = set_loose(**made, order.creatures); !set) return set.error();
