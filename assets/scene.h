@@ -47,9 +47,9 @@ inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
-enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform",
-                                                        "field",    "gallery",  "planets"};
+enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets, quayside };
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
+                                                        "gallery",  "planets",  "quayside"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -74,7 +74,8 @@ struct Scene {
     int creatures = 0;                // 0..100, of six legs, among people
     Habit habit = Habit::wander;      // what they do; they stagger on a platform only
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
-    float drunk = 0;                  // 0..1, see WorldOptions
+    float drunk = 0;                  // 0..1, see WorldOptions,
+    int drunks = 0;                   // and there; 0: all are so drunk
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

@@ -35,7 +35,7 @@ Sturdiness sturdiness_of(const World& w, uint32_t walker) {
     const RandomKey key{w.seed, walker, w.crowd.slots.generation[walker], Purpose::fall};
     const float own = random_between(key, 0.9f, 1.1f);
     return {leg_of(w, walker), w.crowd.motion.heading[walker],
-            own * (1 - 0.4f * smoothstep(60, 85, age)) * (1 - 0.4f * w.drunk)};
+            own * (1 - 0.4f * smoothstep(60, 85, age)) * (1 - 0.4f * drunk_of(w, walker))};
 }
 
 // Its trunk, head and arms turned after the sway; the head half of it, since eyes stay level.

@@ -92,8 +92,11 @@ struct WorldOptions {
     // see pose_without() in sim/without.h.
     LimbLead limbs = LimbLead::gait;
     LimbCurves curves{};
-    float drunk =
-        0;  // how much everybody has had, 0..1: 1 hardly walks; see add_drink() in sim/body/manner.h
+    // How much everybody has had, 0..1: 1 hardly walks; see add_drink() in sim/body/manner.h. With `drunks`,
+    // the first so many alone have, and stagger on the platform, and the others are sober and do as is their
+    // habit.
+    float drunk = 0;
+    uint32_t drunks = 0;
     uint64_t seed = 1;   // of all that is left to chance
     int threads = 0;     // that make_world and step use, the calling one included, to 1024; 0: one a core
     TaskSystem tasks{};  // one's own threads instead, if `run` is set; paths are prepared on the caller's

@@ -7,6 +7,7 @@
 #include "sim/base/spans.h"
 #include "sim/base/zone.h"
 #include "sim/body/pace.h"
+#include "sim/crowd/places.h"
 #include "sim/gait/hands.h"
 #include "sim/pose/cane.h"
 #include "sim/pose/pram.h"
@@ -24,6 +25,11 @@ Personality personality_of(const World& world, uint32_t walker) {
                             {world.seed, walker, c.slots.generation[walker], Purpose::personality});
 }
 
+float drunk_of(const World& world, uint32_t walker) {
+    const bool is_at_first = walker < world.drunks && world.crowd.slots.generation[walker] == 0;
+    return world.drunks == 0 || is_at_first ? world.drunk : 0;
+}
+
 static Manner manner_of(const World& world, uint32_t walker) {
     const Crowd& c = world.crowd;
     const Kind& kind = world.kinds[c.identity.body[walker]];
@@ -32,7 +38,7 @@ static Manner manner_of(const World& world, uint32_t walker) {
     const uint32_t generation = c.slots.generation[walker];
     Manner manner = draw_manner(middle, {world.seed, walker, generation, Purpose::style});
     add_personality(manner, personality_of(world, walker));
-    add_drink(manner, world.drunk);
+    add_drink(manner, drunk_of(world, walker));
     return manner;
 }
 
@@ -65,21 +71,60 @@ void make_room_to_come(World& w) {
     w.newcomer.prams.reserve(1);
 }
 
+// Where nobody stands within so many metres.
+static bool is_free(const CrowdMotion& m, uint32_t count, uint32_t walker, Vec3 place) {
+    constexpr float k_apart = 1.2f;
+    for (uint32_t i = 0; i < count; ++i)
+        if (i != walker && length(m.position[i] - place) < k_apart) return false;
+    return true;
+}
+
+// Those who stagger there alone begin on the platform, where there is room.
+static void put_drunks_on_platform(World& w) {
+    const Result<Platform> platform = make_platform(w.platform);
+    if (!platform) return;         // let_stagger() says why
+    constexpr float k_over = 100;  // metres
+    constexpr uint32_t k_tries = 30;
+    Vec2 low = w.platform[0], high = low;
+    for (const Vec2 c : w.platform) {
+        low = {std::min(low.x, c.x), std::min(low.z, c.z)};
+        high = {std::max(high.x, c.x), std::max(high.z, c.z)};
+    }
+    CrowdMotion& m = w.crowd.motion;
+    for (uint32_t i = 0; i < w.drunks; ++i)
+        for (uint32_t t = 0; t < k_tries; ++t) {
+            const RandomKey key{w.seed, i, t, Purpose::spawn};
+            const auto at = nearest_with_room(
+                *platform, {random_between(key, low.x, high.x, 6), random_between(key, low.z, high.z, 7)},
+                room_to_turn(strider_of(w.crowd, i)));
+            const auto hit = at ? ground_at(w.around, at_height(*at, k_over), 0, 2 * k_over) : std::nullopt;
+            const auto place = hit ? nearest(*w.navmesh, 0, at_height(*at, hit->height)) : std::nullopt;
+            if (!place || !is_free(m, w.crowd.count, i, place->position)) continue;
+            m.position[i] = at_height(*at, hit->height);
+            m.polygon[i] = place->polygon;
+            m.under[i] = *hit;
+            m.filed[i] = filed_at(m.position[i]);
+            w.crowd.scratch.is_ordered = false;
+            break;
+        }
+}
+
 // By the habit of those who are set down at the start.
 static Result<void> set_off(World& world) {
     const Crowd& c = world.crowd;
     auto id_of = [&](uint32_t i) { return WalkerId{i, c.slots.generation[i]}; };
     if (world.habit == Habit::ramble)
         for (uint32_t i = 0; i < c.count; ++i) let_ramble(world, id_of(i));
-    if (world.habit != Habit::stagger || c.count == 0) return {};
+    const uint32_t count = world.habit == Habit::stagger ? c.count : std::min(world.drunks, c.count);
+    if (count == 0) return {};
     // First who needs the most room to turn: a platform that is refused is told how wide it has to be for
     // all.
     auto room_of = [&](uint32_t i) { return room_to_turn(strider_of(c, i)); };
     uint32_t widest = 0;
-    for (uint32_t i = 1; i < c.count; ++i)
+    for (uint32_t i = 1; i < count; ++i)
         if (room_of(i) > room_of(widest)) widest = i;
     if (Result<void> can = let_stagger(world, id_of(widest), world.platform); !can) return can;
-    for (uint32_t i = 0; i < c.count; ++i) {
+    for (uint32_t i = 0; i < count; ++i) {
         if (i == widest) continue;
         if (Result<void> can = let_stagger(world, id_of(i), world.platform); !can) return can;
     }
@@ -118,6 +163,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->habit = options.habit;
     world->platform = options.platform;
     world->drunk = options.drunk;
+    world->drunks = options.drunks;
     world->pushes = options.pushes;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
@@ -138,6 +184,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     if (!crowd) return crowd.error();
     world->crowd = std::move(crowd).value();
     world->crowd.pass_on = options.pass_on;
+    put_drunks_on_platform(*world);
     world->coming.sendings = options.sendings;
     world->coming.home = find_neighbourhood(*world->ground, *world->navmesh, options.walkers);
 

@@ -50,6 +50,7 @@ struct World {
     Habit habit = Habit::wander;
     std::vector<Vec2> platform;
     float drunk = 0;
+    uint32_t drunks = 0;
     std::vector<PlannedPush> pushes;
     uint64_t seed = 1;
     uint32_t tick = 0;  // ticks done
@@ -139,6 +140,9 @@ inline const std::vector<Creature>& creatures_of(const World& world) {
 inline const SurfaceWalkers& creature_walkers(const World& world) {
     return world.roam ? world.roam->walkers : world.herd.walkers;
 }
+
+// How much a walker has had: see WorldOptions.
+float drunk_of(const World& world, uint32_t walker);
 
 // What kind of person a walker is.
 Personality personality_of(const World& world, uint32_t walker);

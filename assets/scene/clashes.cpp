@@ -93,9 +93,28 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return needs_built("asteroid", key, {{key, {{"minLength", 1}}}});
      }},
-    {"platform", R"("platform" is the outline of one; "built" must be "platform")",
-     [](const Scene& s, const Json&) { return !s.platform.empty() && s.built != BuiltIn::platform; },
-     [](const char* key) { return needs_built("platform", key, OrderedJson::object()); }},
+    {"platform",
+     R"("platform" is the outline of one; "built" must be "platform", or "drunks" say how many stagger there)",
+     [](const Scene& s, const Json&) {
+         return !s.platform.empty() && s.built != BuiltIn::platform && s.drunks == 0;
+     },
+     [](const char* key) {
+         return needs_built("platform", key, {{"drunks", {{"maximum", 0}}}});
+     }},
+    {"drunks", R"("drunks": nobody staggers on the asteroid or the planets; leave it out)",
+     [](const Scene& s, const Json&) { return s.drunks > 0 && is_round(s); },
+     [](const char* key) {
+         return on_small_world(key, {{"minimum", 1}});
+     }},
+    {"drunks",
+     R"("drunks" stagger on a platform; "platform" must be its outline, somewhere where people walk)",
+     [](const Scene& s, const Json&) {
+         return s.drunks > 0 && s.platform.empty() && s.built != BuiltIn::platform;
+     },
+     [](const char* key) {
+         return needs_built("platform", key,
+                            {{key, {{"minimum", 1}}}, {"platform", {{"not", OrderedJson::object()}}}});
+     }},
     {"habit", R"("habit": who staggers does so on a platform; "built" must be "platform")",
      [](const Scene& s, const Json&) { return s.habit == Habit::stagger && s.built != BuiltIn::platform; },
      [](const char* key) {

@@ -97,7 +97,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         word_key<&Scene::built, k_built_in_names>(
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
-            "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
+            "walk; a platform in still water; a walled field; a gallery of linkages; a square by a river; "
+            "planets, from one to "
             "another of which people leap."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
@@ -135,6 +136,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
                                                    "whose pace they go, and they turn slowly."),
         plain_key<&Scene::drunk>("drunk", {number, 0, 1}, "0", "0.8",
                                  "How drunk they are, from not at all to hardly able to walk."),
+        plain_key<&Scene::drunks>(
+            "drunks", {whole, 0, 100}, "0", "2",
+            "How many of the walkers, the first of them, are so drunk and stagger on the "
+            "platform while the others do as is their habit. 0: all are."),
         {"people",
          {people},
          nullptr,

@@ -265,7 +265,7 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
                                                                               : "";
         if (!plain.city.empty()) one["city"] = plain.city;
         // These need their place.
-        plain.built = key == "platform"                     ? BuiltIn::platform
+        plain.built = key == "platform" || key == "drunks"  ? BuiltIn::platform
                       : key == "creatures" || key == "rock" ? BuiltIn::asteroid
                                                             : BuiltIn::district;
         const bool is_elsewhere = plain.built != BuiltIn::district;

@@ -58,7 +58,10 @@ Kernel blend_kernel(size_t walkers);
 // A tick of the dynamics of people who fall, sixteen of each block of `gait`, whose last block is left out if
 // it is not full.
 Kernel fall_kernel(const Gait& gait, const std::vector<PoseBlock>& poses, const Surroundings& around);
-// FABRIK: chains of 4 bones, and trees of a spine with two arms, so many, in 4 iterations.
+// A tick of a creature of six legs on a ball: its walker, its feet, and three bones each by FABRIK.
+Kernel creature_kernel();
+// FABRIK: chains of 4 bones, trees of a spine with two arms, and trees by chance of 64 joints, so many, in 4
+// iterations.
 std::vector<Kernel> fabrik_kernels(size_t count);
 
 // Ways of inverse kinematics beside each other, on chains and trees. Prints a table.

@@ -1,5 +1,6 @@
 #include "sim/base/rng.h"
 #include "sim/ik/solve.h"
+#include "sim/linkages/linkages.h"
 #include "tools/flaneur/bench/bench.h"
 
 namespace flaneur {
@@ -55,6 +56,23 @@ Trees trees_of(size_t count) {
     return trees;
 }
 
+// The same tree, whose tips are to be somewhere else in each.
+Trees trees_like(const Linkage& f, size_t count) {
+    const size_t joints = f.rest.size(), tips = f.leads.size();
+    Trees trees = make_trees(f.shape, count);
+    uint32_t at = 0;
+    for (size_t t = 0; t < count; ++t) {
+        const size_t block = t / k_chain_block, lane = t % k_chain_block;
+        for (size_t j = 0; j < joints; ++j) {
+            set_point(trees.places[block * joints + j], lane, f.rest[j]);
+            trees.bones[block * joints + j].v[lane] = f.bones[j];
+        }
+        for (size_t e = 0; e < tips; ++e)
+            set_point(trees.targets[block * tips + e], lane, f.leads[e].middle + random_place(at, 0.2f));
+    }
+    return trees;
+}
+
 }  // namespace
 
 std::vector<Kernel> fabrik_kernels(size_t count) {
@@ -64,7 +82,12 @@ std::vector<Kernel> fabrik_kernels(size_t count) {
                  return ns_each(count, [&] { solve_chains(chains, k_iterations); });
              },
              {27, 20, 15}},
-            {"FABRIK tree", [count, trees = trees_of(count)]() mutable {
+            {"FABRIK tree",
+             [count, trees = trees_of(count)]() mutable {
+                 return ns_each(count, [&] { solve_trees(trees, k_iterations); });
+             }},
+            {"FABRIK tree of 64",
+             [count, trees = trees_like(random_tree_linkage(64, k_bone, 1), count)]() mutable {
                  return ns_each(count, [&] { solve_trees(trees, k_iterations); });
              }}};
 }

@@ -78,6 +78,7 @@ std::vector<Kernel> kernels_of(Work& work) {
         {"advance", [&] { return advance_ns(work); }},
         blend_kernel(walkers),
         fall_kernel(work.walking, work.world->poses, work.world->around),
+        creature_kernel(),
     };
     for (Kernel& kernel : fabrik_kernels(walkers)) kernels.push_back(std::move(kernel));
     return kernels;

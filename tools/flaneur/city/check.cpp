@@ -307,7 +307,7 @@ Finding check_paths(const City& city, const Navmesh& mesh) {
 }
 
 Result<void> check_city(const Options& options) {
-    if (options.scene.built != BuiltIn::district)
+    if (options.scene.built != BuiltIn::district && options.scene.built != BuiltIn::quayside)
         return Error{"--check is for cities: the built-in " +
                      std::string(k_built_in_names[static_cast<int>(options.scene.built)]) +
                      " has neither houses nor streets to check."};

@@ -16,6 +16,7 @@
 #include "assets/gltf/character/clip.h"
 #include "assets/gltf/city/triangles.h"
 #include "assets/population.h"
+#include "assets/quayside.h"
 #include "assets/stages/asteroid.h"
 #include "assets/stages/dais.h"
 #include "assets/stages/field.h"
@@ -219,6 +220,7 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::platform)) return build_platform(platform_of(scene));
     if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
     if (is_of(scene, BuiltIn::gallery)) return build_gallery(scene.seed);
+    if (is_of(scene, BuiltIn::quayside)) return build_quayside(scene.seed);
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -332,6 +334,7 @@ Result<Loaded> load(const Options& options) {
     world.habit = scene.habit;
     world.platform = platform_of(scene);
     world.drunk = scene.drunk;
+    world.drunks = static_cast<uint32_t>(std::min(scene.drunks, scene.walkers));
     world.pushes = scene.pushes;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
@@ -382,6 +385,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.habit = world.habit;
     options.platform = world.platform;
     options.drunk = world.drunk;
+    options.drunks = std::min(world.drunks, walkers);
     options.pushes = world.pushes;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
