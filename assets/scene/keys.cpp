@@ -176,8 +176,8 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          {texts},
          nullptr,
          R"(["me.glb:Idle"])",
-         "Animations that those who stand play: FILE or FILE:CLIP, glTF files of skinned humanoids. Relative "
-         "paths start at the scene's folder.",
+         "Animations that those who stand play: stretch, look-out or neck, which come with the program, or "
+         "FILE or FILE:CLIP, glTF files of skinned humanoids. Relative paths start at the scene's folder.",
          [](Reading&, Scene& s, const Json& v) { s.idles = v.get<std::vector<std::string>>(); }},
         {"time",
          {text, 0, 0, "([01][0-9]|2[0-3]):[0-5][0-9]|dawn|noon|dusk|night"},

@@ -6,6 +6,7 @@
 #include "assets/files/file.h"
 #include "assets/files/json_place.h"
 #include "assets/files/words.h"
+#include "assets/idles.h"
 #include "assets/scene/keys.h"
 #include "embedded/scenes.h"
 
@@ -58,7 +59,8 @@ Result<Scene> load_scene(const std::string& name_or_path) {
     for (PeopleShare& people : scene->people) {
         if (!people.character.empty()) beside(people.character);
     }
-    for (std::string& idle : scene->idles) beside(idle);
+    for (std::string& idle : scene->idles)
+        if (std::ranges::find(k_idle_names, idle) == std::end(k_idle_names)) beside(idle);
     return scene;
 }
 

@@ -34,7 +34,7 @@ sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
-assets: sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
+assets: sim/animation, sim/base, sim/body, sim/crowd, sim/fall, sim/ground, sim/limbs
 assets/plan: assets, sim/base
 assets/trajectories: assets/files, assets/plan, sim/base, sim/ground
 assets/props: assets, sim/base
@@ -52,7 +52,7 @@ assets/gltf: assets, assets/files, sim/base
 assets/gltf/city: assets, assets/files, assets/gltf, sim/base, sim/ground
 assets/gltf/character: assets, assets/cache, assets/files, assets/gltf, assets/people, sim/animation, sim/base, sim/body
 assets/scene: assets, assets/files, sim/base, sim/ways
-assets sources: assets, sim/base
+assets sources: sim/animation, sim/body, assets, sim/base
 
 shaders:
 shaders/base: shaders

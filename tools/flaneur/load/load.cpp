@@ -15,6 +15,7 @@
 #include "assets/files/file.h"
 #include "assets/gltf/character/clip.h"
 #include "assets/gltf/city/triangles.h"
+#include "assets/idles.h"
 #include "assets/population.h"
 #include "assets/quayside.h"
 #include "assets/stages/asteroid.h"
@@ -99,6 +100,10 @@ Result<std::vector<Clip>> load_idles(const Scene& scene) {
     std::set<std::string> known;
     for (const std::string& idle : scene.idles) {
         if (!known.insert(idle).second) continue;
+        if (std::optional<Clip> own = built_in_idle(idle)) {
+            clips.push_back(std::move(*own));
+            continue;
+        }
         show_progress("reading " + idle);
         ClipName name = split_clip(idle);
         Result<RecordedMotion> motion = load_motion(name.file, name.clip);
@@ -252,7 +257,9 @@ std::vector<std::string> files_of(const Scene& scene) {
     std::vector<std::string> paths{scene.city, scene.terrain, scene.demand};
     if (scene.rock != k_torus) paths.push_back(scene.rock);
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
-    for (const std::string& idle : scene.idles) paths.push_back(split_clip(idle).file);
+    for (const std::string& idle : scene.idles)
+        if (std::ranges::find(k_idle_names, idle) == std::end(k_idle_names))
+            paths.push_back(split_clip(idle).file);
     return paths;
 }
 

@@ -110,10 +110,10 @@ void add_scene_options(CLI::App& app, SceneWords& words, Options& options) {
         "FILE[:SHARE]")
         ->group("Scene");
     add_force(app, options)->group("Scene");
-    app.add_option(
-           "--idle", words.idles,
-           "An animation of a skinned humanoid, .glb or .gltf, that people who stand play; may be given "
-           "several times")
+    app.add_option("--idle", words.idles,
+                   "What people who stand play: stretch, look-out, neck, or an animation of a skinned "
+                   "humanoid, .glb or "
+                   ".gltf; may be given several times")
         ->type_name("FILE[:CLIP]")
         ->allow_extra_args(false)
         ->take_all()
