@@ -37,7 +37,6 @@ struct MoverSolid {
     Matter matter = Matter::wood;
     float shade = 1;    // of the matter's colour, 0..1.5
     bool bears = true;  // whether feet stand on it: see mover_below()
-    bool operator==(const MoverSolid&) const = default;
 };
 
 // Where a frame is and how it is turned.

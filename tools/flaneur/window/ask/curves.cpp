@@ -3,6 +3,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/change/drive.h"
@@ -32,6 +34,39 @@ constexpr Slider k_sliders[] = {
      "at which one who goes by rays looks for another way"},
     {"rays aside", &LimbCurves::ray_aside, 1, 10, "%.1f m", "that must be free there"},
 };
+
+// One of them over both of its units, forth and back: metres, from its lowest to its highest.
+void lay_out_curve(const char* name, float width, const LimbCurves& how,
+                   float (*value)(const LimbCurves& how, float time)) {
+    struct Asked {
+        const LimbCurves& how;
+        float (*value)(const LimbCurves& how, float time);
+    } asked{how, value};
+    constexpr int k_points = 64;
+    auto at = [](void* data, int point) {
+        const auto& of = *static_cast<const Asked*>(data);
+        return of.value(of.how, 2 * static_cast<float>(point) / (k_points - 1));
+    };
+    float low = at(&asked, 0), high = low;
+    for (int k = 1; k < k_points; ++k)
+        low = std::min(low, at(&asked, k)), high = std::max(high, at(&asked, k));
+    char span[48];
+    std::snprintf(span, sizeof span, "%s, %.2f to %.2f m", name, static_cast<double>(low),
+                  static_cast<double>(high));
+    ImGui::PlotLines((std::string("##") + name).c_str(), at, &asked, k_points, 0, span, low, high,
+                     {width, 2.6f * ImGui::GetTextLineHeight()});
+}
+
+void lay_out_all(const LimbCurves& how, float width) {
+    lay_out_curve("leg, forward", width, how,
+                  [](const LimbCurves& c, float time) { return targets_at(c, time).feet[0].ahead; });
+    lay_out_curve("leg, up", width, how,
+                  [](const LimbCurves& c, float time) { return targets_at(c, time).feet[0].up; });
+    lay_out_curve("arm, forward", width, how,
+                  [](const LimbCurves& c, float time) { return targets_at(c, time).hands[1].ahead; });
+    lay_out_curve("arm, up", width, how,
+                  [](const LimbCurves& c, float time) { return targets_at(c, time).hands[1].up; });
+}
 
 }  // namespace
 
@@ -65,6 +100,7 @@ void lay_out_curves(Show& show, Viewer& v, float width) {
         tip(s.what);
     }
     ImGui::PopItemWidth();
+    lay_out_all(how, width);
     if (ImGui::Button("As in the report")) how = {};
     lead_limbs(show, v, is_gone_by ? LimbLead::curves : LimbLead::gait, how);
 }
