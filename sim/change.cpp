@@ -42,6 +42,14 @@ void make_room(World& w, uint32_t capacity) {
     if (is_on(w.crowd.march)) go_by_curves(w, LimbLead::curves, w.crowd.march.how);
 }
 
+void set_drunk(World& w, float drunk) {
+    w.drunk = drunk;
+    for (const WalkerId id : w.crowd.slots.living) {
+        const uint32_t i = id.index, kind = w.crowd.identity.body[i];
+        change_manner(w.gait, i, w.kinds[kind].body, w.crowd.identity.scale[i], manner_of(w, i));
+    }
+}
+
 void set_pace(World& w, uint32_t walker) {
     March& march = w.crowd.march;
     if (!is_on(march)) return;

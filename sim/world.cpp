@@ -30,7 +30,7 @@ float drunk_of(const World& world, uint32_t walker) {
     return world.drunks == 0 || is_at_first ? world.drunk : 0;
 }
 
-static Manner manner_of(const World& world, uint32_t walker) {
+Manner manner_of(const World& world, uint32_t walker) {
     const Crowd& c = world.crowd;
     const Kind& kind = world.kinds[c.identity.body[walker]];
     Manner middle = manner_at_age(kind.age);

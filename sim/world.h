@@ -133,6 +133,10 @@ inline uint32_t people_count(const World& world) {
     return static_cast<uint32_t>(world.crowd.slots.living.size() - world.herd.goes_as.size());
 }
 
+// The same with those who are about to come in, and without those who leave: see kept_people() of Coming.
+inline uint32_t kept_people(const World& world) {
+    return kept_people(world.coming, world.crowd) - static_cast<uint32_t>(world.herd.goes_as.size());
+}
 // The creatures, and what they stand on, by Creature::walker.
 inline const std::vector<Creature>& creatures_of(const World& world) {
     return world.roam ? world.roam->creatures : world.herd.creatures;
@@ -141,8 +145,12 @@ inline const SurfaceWalkers& creature_walkers(const World& world) {
     return world.roam ? world.roam->walkers : world.herd.walkers;
 }
 
-// How much a walker has had: see WorldOptions.
+// How much a walker has had: see WorldOptions. Another drink for all who have had one, from now on; between
+// two ticks.
 float drunk_of(const World& world, uint32_t walker);
+void set_drunk(World& world, float drunk);
+// How a walker moves, as it was drawn for it.
+Manner manner_of(const World& world, uint32_t walker);
 
 // What kind of person a walker is.
 Personality personality_of(const World& world, uint32_t walker);

@@ -113,14 +113,22 @@ static void set_person(PersonBlock& person, int lane, const Body& b, float scale
     set_arms(person, lane, b, scale, m);
 }
 
+static void set_walker(PersonBlock& person, int lane, const Body& body, float scale, const Manner& manner) {
+    set_person(person, lane, body, scale, manner);
+    if (body.pram != Vec3{}) person.lean[lane] += k_pushing_lean;
+}
+
+void change_manner(Gait& gait, size_t walker, const Body& body, float scale, const Manner& manner) {
+    set_walker(gait.people[walker / k_block], static_cast<int>(walker % k_block), body, scale, manner);
+}
+
 // Without `around`, nobody: a lane that holds a body all the same, so that kernels meet only sound numbers.
 static void start_lane(Gait& gait, size_t i, const Body& body, float scale, Vec3 at, float heading,
                        const Surroundings* around, uint64_t seed, const Manner& manner) {
     GaitBlock& g = gait.blocks[i / k_block];
     PersonBlock& person = gait.people[i / k_block];
     int lane = static_cast<int>(i % k_block);
-    set_person(person, lane, body, scale, manner);
-    if (body.pram != Vec3{}) person.lean[lane] += k_pushing_lean;
+    set_walker(person, lane, body, scale, manner);
     clear_lane(g, lane);
     g.duty[lane] = duty_factor(0);
     g.phase[lane] =

@@ -68,6 +68,8 @@ void reserve_gait(Gait& gait, size_t capacity, const Body& body, uint64_t seed);
 // The same for one walker of a gait under way, in the place of whoever had that number.
 void start_walker(Gait& gait, size_t walker, const Body& body, float scale, Vec3 position, float heading,
                   const Surroundings& around, uint64_t seed, const Manner& manner);
+// It walks in another manner from its next steps on.
+void change_manner(Gait& gait, size_t walker, const Body& body, float scale, const Manner& manner);
 // Nobody has that number any more; its lane keeps a body that stands at the origin.
 void end_walker(Gait& gait, size_t walker, const Body& body, uint64_t seed);
 

@@ -63,7 +63,7 @@ void carry_people(Show& show, Viewer& v) {
     if (v.choice.kind == CameraChoice::Kind::follow) kept = v.choice.walker;
     if (world.crowd.driven.walker != k_nobody) kept = world.crowd.driven.walker;
     const Result<bool> done = approach(world, wanted.people, k_portion, *c.home, v.camera, kept);
-    c.carried.people = kept_people(world.coming, world.crowd);
+    c.carried.people = kept_people(world);
     c.late = std::max(c.late, std::max(world.tick, 1u));
     if (!done) {
         tell(v, done.error().message);
@@ -164,7 +164,7 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
     const Scene& scene = c.scene = options.scene;
     if (!options.inputs.empty() && has_ending(options.inputs[0], ".json"))
         std::snprintf(c.path, sizeof c.path, "%s", options.inputs[0].c_str());
-    v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
+    v.walkers = people_count(*show.loaded.world);
     c.carried = {.added = scene.added,
                  .hour = scene.hour,
                  .is_overcast = scene.is_overcast,

@@ -80,16 +80,17 @@ bool may_see(const Ground& ground, const Camera& camera, Vec3 place) {
 
 Result<bool> approach(World& w, uint32_t people, uint32_t most, const Neighbourhood& home,
                       const Camera& camera, std::optional<uint32_t> kept) {
-    const uint32_t there = kept_people(w.coming, w.crowd);
+    const uint32_t there = kept_people(w);
     if (there > people) {
         remove_some(w, std::min(there - people, most), camera, kept);
         return there - people <= most;
     }
-    if (people > w.crowd.capacity) make_room(w, std::max(people, w.crowd.capacity + w.crowd.capacity / 2));
+    const uint32_t slots = people + static_cast<uint32_t>(w.herd.goes_as.size());
+    if (slots > w.crowd.capacity) make_room(w, std::max(slots, w.crowd.capacity + w.crowd.capacity / 2));
     const uint32_t missing = people - there;
     for (uint32_t i = 0; i < std::min(missing, most); ++i)
         if (!add_one(w, home, camera))
-            return Error{"No more than " + std::to_string(walkers(w).size()) +
+            return Error{"No more than " + std::to_string(people_count(w)) +
                          " people find room here: take fewer, or more ground."};
     return missing <= most;
 }

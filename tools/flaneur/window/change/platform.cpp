@@ -177,6 +177,20 @@ void lay_out_platform(const Show& show, Viewer& v, float scale) {
         ImGui::TextDisabled("being cut");
 }
 
+void lay_out_drink(Show& show, Viewer& v, float scale) {
+    World& world = *show.loaded.world;
+    const bool staggers = std::ranges::any_of(
+        world.crowd.wayfarers, [](const Wayfarer& way) { return way.kind == Wayfarer::Kind::stagger; });
+    if (!staggers) return;
+    float drunk = 100 * world.drunk;
+    ImGui::SetNextItemWidth(170 * scale);
+    if (ImGui::SliderFloat("drunk", &drunk, 0, 100, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+        set_drunk(world, drunk / 100);
+        changed_by_hand(v.time, world);
+    }
+    tip("of those who stagger: wider and uneven steps, and a trunk that reels");
+}
+
 bool take_corner(const Show& show, const Mouse& before, const Mouse& now, std::optional<Vec3> place,
                  Viewer& v) {
     Change& c = v.change;

@@ -40,6 +40,8 @@ std::string why_not(const World& world, const std::vector<Vec2>& outline);
 
 // In the room Change; nothing where people are on no platform.
 void lay_out_platform(const Show& show, Viewer& viewer, float scale);
+// How drunk those are who stagger; nothing where nobody does.
+void lay_out_drink(Show& show, Viewer& viewer, float scale);
 // The left button drags a corner, if it is on one. Whether it does; `place` is the ground below the pointer.
 bool take_corner(const Show& show, const Mouse& before, const Mouse& now, std::optional<Vec3> place,
                  Viewer& viewer);

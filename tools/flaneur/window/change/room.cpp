@@ -340,6 +340,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_people(show, v, scale);
     lay_out_who(show, v, scale);
     lay_out_platform(show, v, scale);
+    lay_out_drink(show, v, scale);
     if (!show.loaded.world->roam) {
         ImGui::Spacing();
         lay_out_tools(v, scale);

@@ -51,6 +51,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     const Design& d = current(v.change.designs);
     Scene s = scene_with(v.change.scene, d);
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
+    s.drunk = show.loaded.world->drunk;
     s.views = show.work_views;
     s.quality = v.quality;
     const bool marches = is_on(show.loaded.world->crowd.march);

@@ -286,7 +286,7 @@ void make_anew(Viewer& v, PeopleOrder people, std::optional<BesideChoice> beside
 
 void restart(Show& show, Viewer& v, uint64_t seed) {
     const World& world = *show.loaded.world;
-    PeopleOrder people = order_people(show.loaded, seed, kept_people(world.coming, world.crowd));
+    PeopleOrder people = order_people(show.loaded, seed, kept_people(world));
     if (v.change.late > 0) people.options.hour = v.change.carried.hour;  // from which on it was set last
     make_anew(v, std::move(people));
 }

@@ -93,7 +93,7 @@ for _ in {1..40}; do if grep --quiet '^flaneur render' said; then break; fi; sle
 command=$(grep '^flaneur render' said | tail -1)
 grep --quiet --text --fixed-strings "$command" together.png || failed "the picture does not hold its command"
 "$1" render --like together.png --out again.png
-"$here/pictures/differ.py" together.png again.png 0
+"$here/../pictures/differ.py" together.png again.png 0
 # A film of steps, and the next city in the same window; a scene that cannot be read changes nothing.
 xdotool key r sleep 2 key r
 for _ in {1..80}; do if grep --quiet '^Wrote out/film-.*mp4' said; then break; fi; sleep 0.25; done
