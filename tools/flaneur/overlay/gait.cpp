@@ -57,8 +57,9 @@ void add_bone(Overlay& overlay, uint32_t colour, glm::vec3 a, glm::vec3 b, float
 }
 
 void add_skeleton(const OverlayInput& input, const PeopleFrame& people, uint32_t i, Overlay& overlay) {
-    const Character& character = input.characters[input.world.crowd.identity.body[i]];
-    const float scale = input.world.crowd.identity.scale[i], size = character.body.height * scale / 1.7f;
+    const WalkerDraw& draw = people.walkers[i];
+    const Character& character = input.characters[draw.mesh];
+    const float scale = draw.instance.scale, size = character.body.height * scale / 1.7f;
     std::array<glm::vec3, k_joint_count> joints;
     for (int j = 0; j < k_joint_count; ++j) joints[j] = joint_place(input, people, i, static_cast<Joint>(j));
     auto turned = [&](Joint joint, glm::vec3 v) {
@@ -241,17 +242,22 @@ void add_creature_bones(const OverlayInput& input, Overlay& overlay) {
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay) {
     const glm::vec3 eye = input.camera.eye;
     std::vector<std::pair<float, uint32_t>> order;
-    for (uint32_t i : people.posed) {
+    auto take = [&](uint32_t i) {
         const glm::vec3 centre = people.walkers[i].centre;
         if (is_before(input.camera, centre, k_bones_reach)) order.emplace_back(glm::length(centre - eye), i);
-    }
+    };
+    for (uint32_t i : people.posed) take(i);
+    // People who are not of the crowd.
+    const uint32_t crowd = input.world.crowd.count;
+    for (uint32_t i = crowd; i < people.walkers.size(); ++i)
+        if (people.walkers[i].mesh < input.characters.size()) take(i);
     add_creature_bones(input, overlay);
     std::sort(order.rbegin(), order.rend());
     auto depth_of = [&](const GizmoLine& line) {
         return glm::length(0.5f * (line.a + line.b) - eye) - (line.a == line.b ? 0.25f : 0.0f);
     };
     for (const auto& [distance, i] : order) {
-        if (!input.world.roam && distance < k_marks_reach) add_contact_marks(input, i, overlay);
+        if (!input.world.roam && i < crowd && distance < k_marks_reach) add_contact_marks(input, i, overlay);
         const auto first = static_cast<std::ptrdiff_t>(overlay.lines.size());
         add_skeleton(input, people, i, overlay);
         std::stable_sort(overlay.lines.begin() + first, overlay.lines.end(),

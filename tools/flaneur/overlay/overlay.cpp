@@ -174,11 +174,12 @@ glm::vec3 joint_turned(const PeopleFrame& people, uint32_t walker, const Charact
 }
 
 glm::vec3 joint_place(const OverlayInput& input, const PeopleFrame& people, uint32_t walker, Joint joint) {
-    const Character& character = input.characters[input.world.crowd.identity.body[walker]];
-    const JointTransform& moved = people.palette[people.walkers[walker].instance.palette + joint];
+    const WalkerDraw& draw = people.walkers[walker];
+    const Character& character = input.characters[draw.mesh];
+    const JointTransform& moved = people.palette[draw.instance.palette + joint];
     const Quat turn{moved.rotation.x, moved.rotation.y, moved.rotation.z, moved.rotation.w};
     return glm::vec3(moved.translation) +
-           to_glm(rotate(turn, character.bind_joints[joint] * input.world.crowd.identity.scale[walker]));
+           to_glm(rotate(turn, character.bind_joints[joint] * draw.instance.scale));
 }
 
 void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, Overlay& overlay,
