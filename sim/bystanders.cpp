@@ -160,16 +160,12 @@ void let_others_look(World& w, const Fall& f, std::span<const uint32_t> near) {
 
 void notice(World& w, const Fall& f) {
     constexpr size_t k_most_near = 64;
-    std::array<uint32_t, k_most_near> near;
-    size_t count = 0;
+    std::array<uint32_t, k_most_near> all, near;
     const Vec3 at = w.crowd.motion.position[f.walker];
-    for (const WalkerId id : w.crowd.slots.living) {
-        const Vec3 off = w.crowd.motion.position[id.index] - at;
-        if (id.index == f.walker || std::fabs(off.y) > k_other_storey) continue;
-        if (length_squared(on_ground(off)) > k_near * k_near || count == k_most_near) continue;
-        near[count++] = id.index;
-    }
-    std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
+    size_t count = 0;
+    for (const uint32_t i : std::span(all).first(those_near(w, at, k_near, all)))
+        if (i != f.walker && std::fabs(w.crowd.motion.position[i].y - at.y) < k_other_storey)
+            near[count++] = i;
     const std::span<const uint32_t> those{near.data(), count};
     if (f.phase == FallPhase::lies) {
         int sent = 0;
@@ -250,14 +246,7 @@ void make_room_to_mind(World& w, size_t count) {
 }
 
 bool is_awaited(const World& w, const Fall& f) {
-    const float in_time = k_up_within - seconds_of(w.tick - f.fell) - seconds_to_rise(f);
-    if (in_time < 0) return false;
-    constexpr float k_hand_out = 0.5f;  // seconds
-    return std::ranges::any_of(w.bystanders.all, [&](const Bystander& b) {
-        const bool is_near = b.does == Concern::comes ||
-                             (b.does == Concern::offers && w.tick < b.began + ticks_of(k_hand_out));
-        return b.whom == f.walker && is_near;
-    });
+    return f.awaits && k_up_within - seconds_of(w.tick - f.fell) > seconds_to_rise(f);
 }
 
 void mind_falls(World& w) {
@@ -287,6 +276,13 @@ void mind_falls(World& w) {
         if (did == Concern::pulls && b.does == Concern::parts && is_there(w.crowd, b.whom) &&
             !own_of(w.bystanders.all, b.whom) && !is_down(w.crowd, b.whom))
             thank(w, b.whom, all[k].walker);  // may move those behind it on, which are looked at twice then
+    }
+    constexpr float k_hand_out = 0.5f;  // seconds
+    for (Fall& f : w.falls.all) f.awaits = 0;
+    for (const Bystander& b : all) {
+        const bool is_near = b.does == Concern::comes ||
+                             (b.does == Concern::offers && w.tick < b.began + ticks_of(k_hand_out));
+        if (Fall* f = is_near ? own_of(w.falls.all, b.whom) : nullptr) f->awaits = 1;
     }
     std::erase_if(all, [&](const Bystander& b) { return is_over(w, b) || !is_there(w.crowd, b.walker); });
 }
@@ -343,11 +339,9 @@ void pose_bystanders(World& w) {
         }
         set_body_pose(w.poses, person, b.walker, pose);
     }
-    for (Fall& f : w.falls.all) {
-        f.held = 0;
-        for (const Bystander& b : w.bystanders.all)
-            if (b.whom == f.walker && b.has_hold) f.held |= 1u << b.side;
-    }
+    for (Fall& f : w.falls.all) f.held = 0;
+    for (const Bystander& b : w.bystanders.all)
+        if (Fall* f = b.has_hold ? own_of(w.falls.all, b.whom) : nullptr) f->held |= 1u << b.side;
 }
 
 uint64_t hash_bystanders(const World& w) {

@@ -2,6 +2,7 @@
 // their bodies is in sim/fall; here is what it has to do with crowd, gait and poses.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/crowd/crowd.h"
@@ -46,7 +47,8 @@ struct Fall {
     float slowness = 1;  // of the old and the heavy
     float raised = 0;    // metres, see settle() in sim/fall/settle.h
     uint32_t rises_at = 0;
-    uint32_t held = 0;  // 1: the left hand is held by who helps, 2: the right one, 3: both
+    uint32_t awaits = 0;  // 1: who helps is on the way
+    uint32_t held = 0;    // 1: the left hand is held by who helps, 2: the right one, 3: both
     Lie lie{};
     Vec2 hips_at{};     // as it begins to rise
     Vec2 stands_at{};   // where it comes to stand
@@ -76,6 +78,10 @@ void step_falls(World& world);
 
 // Of all that the next tick depends on.
 uint64_t hash_falls(const World& world);
+
+// Walkers within `reach` metres of a place on the ground plane, by their numbers, as many as there is room
+// for; returns how many.
+size_t those_near(const World& world, Vec3 place, float reach, std::span<uint32_t> found);
 
 // Where it lies, by rows of its body that others go round.
 Downed lying(const World& world, const Fall& fall);

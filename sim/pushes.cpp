@@ -1,9 +1,11 @@
 // Pushes: who bears them, and whom they are passed on to.
 #include <algorithm>
+#include <array>
 
 #include "sim/base/math.h"
 #include "sim/base/rng.h"
 #include "sim/base/spans.h"
+#include "sim/crowd/places.h"
 #include "sim/falls.h"
 #include "sim/world.h"
 
@@ -34,8 +36,10 @@ Touched touched_by(const World& w, uint32_t walker, Vec2 way) {
     constexpr float k_touches = 0.12f, k_ahead = 0.5f, k_level = 1;  // metres; a cosine
     const CrowdMotion& m = w.crowd.motion;
     Touched touched;
-    for (const WalkerId id : w.crowd.slots.living) {
-        const uint32_t i = id.index;
+    std::array<uint32_t, 32> near;
+    const float reach = w.crowd.identity.radius[walker] + w.crowd.widest + k_touches;
+    const size_t count = those_near(w, m.position[walker], reach, near);
+    for (const uint32_t i : std::span(near).first(count)) {
         const Vec3 off = m.position[i] - m.position[walker];
         const float far = length(on_ground(off));
         const float radii = w.crowd.identity.radius[i] + w.crowd.identity.radius[walker];
@@ -115,6 +119,27 @@ void push_on(World& w, uint32_t walker, Vec2 change, int others) {
 }
 
 }  // namespace
+
+size_t those_near(const World& w, Vec3 place, float reach, std::span<uint32_t> found) {
+    size_t count = 0;
+    auto take = [&](uint32_t i) {
+        const Vec2 off = on_ground(w.crowd.motion.position[i] - place);
+        if (length_squared(off) <= reach * reach && is_there(w.crowd, i) && count < found.size())
+            found[count++] = i;
+    };
+    const CrowdScratch& s = w.crowd.scratch;
+    if (s.is_ordered) {
+        for_seen_near(s, place, reach, [&](uint32_t begin, uint32_t end) {
+            for (uint32_t at = begin; at < end; ++at) take(s.order[at]);
+        });
+    } else {
+        for (const WalkerId id : w.crowd.slots.living) take(id.index);
+    }
+    std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    // A small plane is wrapped so often that some are found twice.
+    const auto end = std::unique(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    return static_cast<size_t>(end - found.begin());
+}
 
 void push_walker(World& w, uint32_t walker, Vec2 change) {
     constexpr int k_in_a_row = 4;

@@ -63,6 +63,56 @@ TEST(Falls, AHarderPushFellsWhomALighterOneDoes) {
     EXPECT_GT(most - least, 0.8f);  // the old and small from behind, the young and tall from the front
 }
 
+// How many of the walkers have fallen within two seconds who are pushed so many times, `apart` ticks apart.
+int fell_by(float speed, int times, uint32_t apart) {
+    auto w = world_on(square(40), 40);
+    for (int i = 0; i < 30; ++i) step(*w);
+    const std::vector<WalkerId> all(walkers(*w).begin(), walkers(*w).end());
+    std::vector<bool> fell(w->crowd.count, false);
+    for (uint32_t t = 0; t < 120; ++t) {
+        if (t % apart == 0 && t / apart < static_cast<uint32_t>(times))
+            for (const WalkerId id : all) (void)push(*w, id, Vec2{1, 0} * (speed * mass(*w, id)));
+        step(*w);
+        for (const WalkerId id : all)
+            if (has_fallen(*w, id)) fell[id.index] = true;
+    }
+    return static_cast<int>(std::count(fell.begin(), fell.end(), true));
+}
+
+TEST(Falls, PushesThatFollowEachOtherAddUp) {
+    EXPECT_EQ(fell_by(0.29f, 1, 60), 0);
+    EXPECT_GT(fell_by(0.29f, 12, 4), 30);  // 3.5 m/s within a second
+    EXPECT_EQ(fell_by(0.29f, 2, 60), 0) << "what is over a second ago is over";
+}
+
+TEST(Falls, WhoIsPushedAgainstOthersPassesAPartOn) {
+    // A row along x, 3 cm apart; the first is pushed along it, or away from it.
+    for (const float way : {1.0f, -1.0f}) {
+        auto w = world_on(square(20), 0);
+        std::vector<WalkerId> row;
+        for (int i = 0; i < 5; ++i) {
+            const Vec3 place{0.43f * static_cast<float>(i), 0, 0};
+            const auto id = add_walker(*w, {.place = place, .kind = 0});
+            ASSERT_TRUE(id) << id.error().message;
+            row.push_back(*id);
+        }
+        for (int i = 0; i < 10; ++i) step(*w);
+        (void)push(*w, row[0], Vec2{way, 0} * (1.2f * mass(*w, row[0])));
+        const Fall *first = fall_of(*w, row[0].index), *second = fall_of(*w, row[1].index),
+                   *third = fall_of(*w, row[2].index);
+        ASSERT_TRUE(first);
+        EXPECT_EQ(second != nullptr && third != nullptr, way > 0);
+        if (!second || !third) continue;
+        EXPECT_NEAR(length(first->carried), 0.6f, 1e-3f);
+        EXPECT_NEAR(length(second->carried), 0.3f, 1e-3f);
+        // No momentum is won or lost.
+        float whole = 0;
+        for (const WalkerId id : row)
+            if (const Fall* f = fall_of(*w, id.index)) whole += f->carried.x * mass(*w, id);
+        EXPECT_NEAR(whole, 1.2f * mass(*w, row[0]), 0.5f);
+    }
+}
+
 struct Told {
     float longest = 0;  // seconds on the ground
     float deepest = 0;  // metres of a ball in the ground, and in a wall
