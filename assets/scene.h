@@ -76,6 +76,7 @@ struct Scene {
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
     float drunk = 0;                  // 0..1, see WorldOptions,
     int drunks = 0;                   // and there; 0: all are so drunk
+    float helpers = k_usual_helpers;  // the same
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24
@@ -135,6 +136,8 @@ std::string scene_schema();
 // and back.
 Result<PlannedPush> parse_push(const std::string& text);
 std::string told_push(const PlannedPush& push);
+// Who is to be pushed and is not among the scene's walkers, who are numbered from 0.
+std::optional<uint32_t> pushed_nobody(const Scene& scene);
 
 // "-8,-5 8,-5 0,9": the corners of a platform, and back. Refuses what make_platform() does.
 inline constexpr float k_widest_platform = 400;  // metres from the origin

@@ -8,14 +8,20 @@
 #include "sim/base/spans.h"
 #include "sim/fall/fall.h"
 #include "sim/fall/lane.h"
+#include "sim/fall/limbs.h"
+#include "sim/fall/settle.h"
 #include "sim/world.h"
 
 namespace flaneur {
 
 namespace {
 
-constexpr uint32_t k_no_tick = ~0u, k_no_fall = ~0u;
+constexpr uint32_t k_no_fall = ~0u;
 constexpr float k_quiet = 0.12f, k_quiet_for = 0.25f, k_longest_fall = 2.5f;  // m/s, seconds
+// Of what it carries, a tick: the extrapolated centre of mass comes back over the feet within some 0.3 s, the
+// inverse of sqrt(g / l) (Hof, Gazendam & Sinke 2005).
+constexpr float k_comes_to_rest = 0.95f;
+constexpr float k_pulled = 0.75f;                       // of the time that a stage takes
 constexpr float k_calms_after = 0.8f, k_calms = 0.93f;  // seconds; of how it moves, a tick
 
 uint32_t ticks_of(float seconds) { return static_cast<uint32_t>(seconds / k_tick); }
@@ -25,17 +31,6 @@ int lane_in_gait(const Fall& f) { return static_cast<int>(f.walker % k_block); }
 
 float leg_of(const World& w, uint32_t walker) {
     return w.gait.people[walker / k_block].joints[left_upper_leg][1][walker % k_block];
-}
-
-// Of the old, less (Maki & McIlroy, "Control of rapid limb movements for balance recovery", Age and Ageing
-// 35, 2006: from 60 on), and of those who reel; and everybody is a little other.
-Sturdiness sturdiness_of(const World& w, uint32_t walker) {
-    const CrowdIdentity& who = w.crowd.identity;
-    const float age = w.kinds[who.body[walker]].age;
-    const RandomKey key{w.seed, walker, w.crowd.slots.generation[walker], Purpose::fall};
-    const float own = random_between(key, 0.9f, 1.1f);
-    return {leg_of(w, walker), w.crowd.motion.heading[walker],
-            own * (1 - 0.4f * smoothstep(60, 85, age)) * (1 - 0.4f * drunk_of(w, walker))};
 }
 
 // Its trunk, head and arms turned after the sway; the head half of it, since eyes stay level.
@@ -73,7 +68,8 @@ void begin_fall(World& w, Fall& f) {
     TumbleBlock& block = w.falls.blocks[f.lane / k_block];
     const int own = static_cast<int>(f.lane % k_block);
     f.phase = FallPhase::falls;
-    f.began = w.tick;
+    f.began = f.fell = w.tick;
+    f.held = 0;
     f.lain = f.still = 0;
     f.segments = segments_of(person, lane);
     f.floor = w.crowd.motion.under[f.walker].height;
@@ -123,18 +119,6 @@ void fall_on(World& w, Fall& f) {
                   body_pose_of(block, own, f.segments, f.residue, f.origin));
 }
 
-// How long one lies before getting up, seconds, and how slowly it does that.
-void lie_down(World& w, Fall& f) {
-    const float age = w.kinds[w.crowd.identity.body[f.walker]].age;
-    const RandomKey key{w.seed, f.walker, w.tick, Purpose::fall};
-    const float old = smoothstep(50, 80, age);
-    f.phase = FallPhase::lies;
-    f.began = w.tick;
-    f.rises_at = w.tick + ticks_of(random_between(key, 0.4f, 1.4f, 1) * (1 + 0.3f * old));
-    f.slowness = random_between(key, 0.9f, 1.1f, 2) * (1 + 0.35f * old);
-    f.from = body_pose_of(w.previous_poses, f.walker);
-}
-
 // Where the crowd has it goes along the mesh towards `to`, onto ground up to `up` metres higher.
 void move_root(World& w, uint32_t walker, Vec2 to, float up) {
     CrowdMotion& m = w.crowd.motion;
@@ -149,59 +133,120 @@ void move_root(World& w, uint32_t walker, Vec2 to, float up) {
     }
 }
 
-// Where it lies is where others find it, and from where it will walk on.
+// How long one lies before getting up, seconds, how slowly it does that, and which way.
+void lie_down(World& w, Fall& f) {
+    const float age = w.kinds[w.crowd.identity.body[f.walker]].age;
+    const RandomKey key{w.seed, f.walker, w.tick, Purpose::fall};
+    const float old = smoothstep(50, 80, age);
+    f.phase = FallPhase::lies;
+    f.began = w.tick;
+    f.rises_at = w.tick + ticks_of(random_between(key, 0.4f, 1.4f, 1) * (1 + 0.3f * old));
+    f.slowness = random_between(key, 0.9f, 1.1f, 2) * (1 + 0.35f * old);
+    f.from = body_pose_of(w.previous_poses, f.walker);
+    constexpr float k_about = 0.6f;  // metres
+    f.lie = lie_of(f.from, person_of(w, f), lane_in_gait(f), slope_at(w.around, f.from.hips, k_about));
+    f.hips_at = on_ground(f.from.hips);
+    f.stands_at = f.hips_at + heading_direction(f.lie.heading) * rise_ahead(leg_of(w, f.walker));
+}
+
+// Where it lies is where others find it.
 void follow_hips(World& w, const Fall& f) {
-    const auto places = places_of(body_pose_of(w.previous_poses, f.walker), person_of(w, f), lane_in_gait(f));
-    const Vec2 hips_at = on_ground(places[hips]);
-    move_root(w, f.walker, hips_at, 0.5f);
+    move_root(w, f.walker, on_ground(body_pose_of(w.previous_poses, f.walker).hips), 0.5f);
     w.crowd.motion.velocity[f.walker] = {};
-    lie_across(w.crowd, f.walker, on_ground(places[upper_chest]) - hips_at);
 }
 
 void begin_to_rise(World& w, Fall& f) {
-    const int lane = lane_in_gait(f);
     f.phase = FallPhase::rises;
     f.began = w.tick;
-    f.share = 0;
-    f.lifts = {};
-    f.lie = lie_of(f.from, person_of(w, f), lane);
+    f.share = f.raised = 0;
     f.stage = first_stage(f.lie);
-    f.hips_at = on_ground(f.from.hips);
-    // It will stand ahead of there.
-    const Vec2 facing = heading_direction(f.lie.heading);
-    move_root(w, f.walker, f.hips_at + facing * rise_ahead(leg_of(w, f.walker)), 0.8f);
-    w.crowd.motion.heading[f.walker] = f.lie.heading;
     w.crowd.motion.turn_rate[f.walker] = 0;
-    const BodyPose drawn = body_pose_of(w.previous_poses, f.walker);
+}
+
+// Its place and heading come to where it will stand while it gets to its knees.
+void turn_root(World& w, const Fall& f) {
+    constexpr float k_speed = 0.7f, k_rate = 2.6f;  // m/s, rad/s
+    CrowdMotion& m = w.crowd.motion;
+    const Vec2 at = on_ground(m.position[f.walker]), way = f.stands_at - at;
+    const float far = length(way), most = k_speed * k_tick;
+    if (far > 1e-3f) move_root(w, f.walker, far > most ? at + way * (most / far) : f.stands_at, 0.8f);
+    float& heading = m.heading[f.walker];
+    heading =
+        wrap_angle(heading + clamp(wrap_angle(f.lie.heading - heading), -k_rate * k_tick, k_rate * k_tick));
+}
+
+// From now on the gait has it stand there.
+void find_stance(World& w, Fall& f) {
+    const BodyPose now = body_pose_of(w.poses, f.walker), drawn = body_pose_of(w.previous_poses, f.walker);
+    w.crowd.motion.heading[f.walker] = f.lie.heading;
     start_body(w, f.walker);
+    f.stance = body_pose_of(w.poses, f.walker);
+    set_body_pose(w.poses, person_of(w, f), f.walker, now);
     set_body_pose(w.previous_poses, person_of(w, f), f.walker, drawn);
 }
 
-// `stance` is how the gait has it stand where it will.
-void rise_on(World& w, Fall& f, const BodyPose& stance) {
+// What of a body rests on the ground in a stage, `t` of the way through it to `end`.
+Rests rests_of(const Fall& f, const BodyPose& end, const PersonBlock& person, int lane, float t) {
+    constexpr float k_hand_lift = 0.05f;  // metres
+    Rests rests;
+    for (const Side side : {k_left, k_right}) {
+        const auto k = static_cast<size_t>(side);
+        rests.arms_from[k] = arm_way(f.from, person, lane, side);
+        rests.arms_to[k] =
+            f.stage == RiseStage::fours ? arm_way(end, person, lane, side) : rests.arms_from[k];
+    }
+    if (f.stage == RiseStage::fours) {
+        rests.hands = 1;
+        rests.hands_on = t;
+        rests.hands_lift = k_hand_lift;
+    } else if (f.stage == RiseStage::kneel) {
+        rests.hands = 1 - smoothstep(0, 0.35f, t);
+        rests.left_foot = smoothstep(0.5f, 1, t);
+    } else if (f.stage == RiseStage::stand) {
+        rests.left_foot = 1 - smoothstep(0, 0.3f, t);
+        rests.may_sink = false;
+        rests.keeps_feet = true;
+    }
+    return rests;
+}
+
+// How it will stand: on its feet as they were found, and with its trunk and arms as they are by now.
+BodyPose stance_of(const World& w, const Fall& f) {
+    BodyPose stance = f.stance;
+    const BodyPose now = body_pose_of(w.poses, f.walker);
+    for (int j = spine; j <= right_hand; ++j) stance.rotation[j] = now.rotation[j];
+    return stance;
+}
+
+void rise_on(World& w, Fall& f) {
     const PersonBlock& person = person_of(w, f);
     const int lane = lane_in_gait(f);
-    f.share = std::min(f.share + k_tick / (seconds_of(f.stage) * f.slowness), 1.0f);
+    const bool is_pulled = f.held != 0 && f.stage >= RiseStage::kneel;
+    const float seconds = seconds_of(f.stage) * f.slowness * (is_pulled ? k_pulled : 1);
+    f.share = std::min(f.share + k_tick / seconds, 1.0f);
     const float t = smoothstep(0, 1, f.share);
-    BodyPose pose;
+    BodyPose pose, end;
     if (f.stage == RiseStage::stand) {
-        pose = mixed(f.from, stance, t);
+        end = stance_of(w, f);
+        pose = mixed(f.from, end, t);
         // The foot that was set down stays; the other one is lifted, and set down beside it.
         constexpr float k_lifts = 0.13f;  // of the leg
-        const auto began = places_of(f.from, person, lane), ends = places_of(stance, person, lane);
+        const auto began = places_of(f.from, person, lane), ends = places_of(end, person, lane);
         auto ankle = [&](Joint foot, float lift) {
             return lerp(began[foot], ends[foot], t) + Vec3{0, 4 * t * (1 - t) * lift, 0};
         };
         reach_with_leg(pose, person, lane, k_left, ankle(left_foot, 0));
         reach_with_leg(pose, person, lane, k_right, ankle(right_foot, k_lifts * leg_of(w, f.walker)));
-        rest_on_ground(pose, f.segments, person, lane, w.around, f.floor, false, f.lifts, k_tick);
     } else {
-        BodyPose end = end_of(f.stage, f.lie, person, lane, f.hips_at);
+        end = end_of(f.stage, f.lie, person, lane, f.hips_at);
         end.hips.y += w.crowd.motion.position[f.walker].y;
         pose = mixed(f.from, end, t);
-        rest_on_ground(pose, f.segments, person, lane, w.around, f.floor, true, f.lifts, k_tick);
-        keep_off_walls(pose, f.segments, person, lane, w.around);
     }
+    // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand.
+    keep_off_walls(pose, f.segments, person, lane, w.around);
+    const bool is_plane = settle(pose, f.segments, person, lane, w.around, f.floor,
+                                 rests_of(f, end, person, lane, t), f.raised, k_tick);
+    if (is_plane) keep_off_walls(pose, f.segments, person, lane, w.around);
     set_body_pose(w.poses, person, f.walker, pose);
     if (f.share < 1) return;
     f.from = pose;
@@ -218,12 +263,17 @@ void change_phase(World& w, Fall& f) {
         const bool has_long = w.tick - f.began > ticks_of(k_longest_fall);
         if (f.still > k_quiet_for || has_long) lie_down(w, f);
     } else if (f.phase == FallPhase::lies) {
-        if (w.tick >= f.rises_at) begin_to_rise(w, f);
+        if (w.tick >= f.rises_at && !is_awaited(w, f)) begin_to_rise(w, f);
+    } else if (f.stage < RiseStage::stand) {
+        turn_root(w, f);
+    } else if (f.share == 0 && f.stage == RiseStage::stand) {
+        find_stance(w, f);
     }
+    if (f.phase != FallPhase::sways) lie_across(w.crowd, lying(w, f));
 }
 
 bool is_done(const Fall& f) {
-    if (f.phase == FallPhase::sways) return f.falls_at == k_no_tick && is_over(f.sway);
+    if (f.phase == FallPhase::sways) return f.falls_at == k_never && is_over(f.sway);
     return f.phase == FallPhase::rises && f.stage == RiseStage::done;
 }
 
@@ -231,6 +281,7 @@ void step_fall(World& w, Fall& f) {
     switch (f.phase) {
         case FallPhase::sways: {
             advance(f.sway, k_tick);
+            f.carried = f.carried * k_comes_to_rest;
             BodyPose pose = body_pose_of(w.poses, f.walker);
             sway_pose(pose, f.sway.lean);
             set_body_pose(w.poses, person_of(w, f), f.walker, pose);
@@ -239,16 +290,41 @@ void step_fall(World& w, Fall& f) {
         case FallPhase::falls:
             fall_on(w, f);
             break;
-        case FallPhase::lies:
-            set_body_pose(w.poses, person_of(w, f), f.walker, f.from);
+        case FallPhase::lies: {
+            BodyPose pose = f.from;
+            const float lain = static_cast<float>(w.tick - f.began) * k_tick;
+            breathe(pose, lain, smoothstep(0, 0.5f, lain));
+            set_body_pose(w.poses, person_of(w, f), f.walker, pose);
             break;
+        }
         case FallPhase::rises:
-            rise_on(w, f, body_pose_of(w.poses, f.walker));
+            rise_on(w, f);
             break;
     }
 }
 
 }  // namespace
+
+Downed lying(const World& w, const Fall& f) {
+    constexpr std::array<int, k_lying_parts> k_balls = {6, 3, 4, 7, 15, 9, 17, 11, 19, 12, 20, 14, 22};
+    const auto balls =
+        balls_of(body_pose_of(w.previous_poses, f.walker), f.segments, person_of(w, f), lane_in_gait(f));
+    const Vec2 at = on_ground(w.crowd.motion.position[f.walker]);
+    Downed down{.walker = f.walker};
+    for (size_t k = 0; k < k_lying_parts; ++k) {
+        const auto ball = static_cast<size_t>(k_balls[k]);
+        down.parts[k] = {on_ground(balls[ball]) - at, f.segments.radius[ball]};
+    }
+    down.across = on_ground(balls[6]) - at;
+    down.along = on_ground(balls[14] + balls[22]) * 0.5f - at;
+    return down;
+}
+
+float seconds_to_rise(const Fall& f) {
+    float seconds = 0;
+    for (RiseStage s = first_stage(f.lie); s != RiseStage::done; s = next_stage(s)) seconds += seconds_of(s);
+    return seconds * f.slowness;
+}
 
 void make_room_to_fall(World& w, size_t count) {
     Falls& falls = w.falls;
@@ -256,56 +332,13 @@ void make_room_to_fall(World& w, size_t count) {
     count = std::max(count, 2 * falls.all.capacity());
     falls.all.reserve(count);
     w.crowd.downed.reserve(count);
+    make_room_to_mind(w, count);
     const size_t blocks = block_count(count);
     falls.blocks.reserve(blocks);
     falls.shapes.reserve(blocks);
     falls.aims.reserve(blocks);
     falls.planes.reserve(blocks);
     falls.lane_of.reserve(blocks * k_block);
-}
-
-void push_walker(World& w, uint32_t walker, Vec2 change) {
-    constexpr float k_most = 8;  // m/s: harder than any fall from where one stands
-    if (const float wanted = length(change); wanted > k_most) change = change * (k_most / wanted);
-    const float speed = length(change);
-    if (speed < 1e-4f) return;
-    std::vector<Fall>& all = w.falls.all;
-    make_room_to_fall(w, all.size() + 1);
-    Fall* f = own_of(all, walker);
-    if (f && f->phase != FallPhase::sways) {
-        // Whoever is down already is pushed about as it lies; who gets up is steadied by both hands.
-        if (f->phase != FallPhase::falls) return;
-        TumbleBlock& block = w.falls.blocks[f->lane / k_block];
-        for (int s = 0; s < k_segment_count; ++s) {
-            block.velocity[s][0][f->lane % k_block] += change.x;
-            block.velocity[s][2][f->lane % k_block] += change.z;
-        }
-        f->energy = energy_of(block, f->segments, static_cast<int>(f->lane % k_block));
-        return;
-    }
-    if (!f) {
-        Fall fall;
-        fall.walker = walker;
-        fall.falls_at = k_no_tick;
-        fall.began = w.tick;
-        f = &*all.insert(take_away(all, walker), fall);
-    }
-    f->to = change / speed;
-    const float times = speed / bearable_push(sturdiness_of(w, walker), change);
-    const bool falls = times >= 1;
-    if (falls) f->falls_at = std::min(f->falls_at, w.tick + ticks_of(staggers_for(times)));
-    if (falls && f->falls_at <= w.tick) {
-        f->gives += change;
-        if (const float gives = length(f->gives); gives > k_most) f->gives = f->gives * (k_most / gives);
-        return;
-    }
-    // Feet follow no more than that.
-    constexpr float k_fastest_stagger = 1.6f;
-    shove(f->sway, change);
-    Vec2& velocity = w.crowd.motion.velocity[walker];
-    velocity += change;
-    const float goes = length(velocity), most = std::max(k_fastest_stagger, goes - speed);
-    if (goes > most) velocity = velocity * (most / goes);
 }
 
 void step_falls(World& w) {
@@ -344,9 +377,11 @@ uint64_t hash_falls(const World& w) {
     uint64_t hash = w.falls.all.size();
     auto add = [&](const auto& value) { hash = hash_bytes(hash, &value, sizeof value); };
     for (const Fall& f : w.falls.all) {
-        add(f.walker), add(f.phase), add(f.began), add(f.falls_at), add(f.to), add(f.gives), add(f.sway);
+        add(f.walker), add(f.phase), add(f.began), add(f.falls_at), add(f.to), add(f.gives), add(f.carried),
+            add(f.sway);
         add(f.lane), add(f.energy), add(f.lain), add(f.still), add(f.residue), add(f.stage), add(f.share),
-            add(f.lifts), add(f.from);
+            add(f.raised), add(f.fell), add(f.held), add(f.lie.heading), add(f.stands_at), add(f.from),
+            add(f.stance);
     }
     for (const Fall& f : w.falls.all) {
         if (f.phase != FallPhase::falls) continue;

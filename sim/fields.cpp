@@ -207,6 +207,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("linkages", 'h', hash(w.linkages.places));
     add("movers", 'h', hash(w.movers.places));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
+    add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
     const bool marches = is_on(c.march);
     add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
     add("march_pace", 'h', marches ? hash(c.march.pace) : 0);
@@ -223,6 +224,7 @@ uint64_t hash_world(const World& world) {
     hash = mix(hash ^ hash_crowd(world.crowd));
     if (comes_and_goes(world.coming, world.crowd)) hash = mix(hash ^ hash_coming(world.coming));
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
+    if (!world.bystanders.all.empty()) hash = mix(hash ^ hash_bystanders(world));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Placement>& movers = world.movers.places;

@@ -81,6 +81,7 @@ Result<void> set_loose(World& w, uint32_t creatures) {
         herd.creatures[n] = make_creature(rays_of(*w.ground), s, n, size);
     }
     w.linkages = make_bones(herd.creatures);
+    make_room_to_mind(w, creatures);
     return {};
 }
 

@@ -132,6 +132,7 @@ Result<void> check(const WorldOptions& o) {
     if (Result<void> sound = check(o.sendings); !sound) return sound;
     if (!is_within(o.drunk, 0, 1)) return Error{"WorldOptions::drunk must be within 0 and 1."};
     if (o.drunks > o.walkers) return Error{"WorldOptions::drunks must be at most WorldOptions::walkers."};
+    if (!is_within(o.helpers, 0, 1)) return Error{"WorldOptions::helpers must be within 0 and 1."};
     if (!is_within(o.hour, 0, 24)) return Error{"The hour must be within 0 and 24."};
     return {};
 }

@@ -119,6 +119,9 @@ struct WorldOptions {
     float hour = 17.5f;                 // of the day, 0..24, at the first tick: who goes where
     PassOn pass_on = PassOn::right;     // the side on which people pass who come from the other way
     std::vector<PlannedPush> pushes{};  // that people get by and by
+    // How many of those near who could help up somebody who has fallen do, 0..1; the agreeable rather than
+    // others. Where it is 0 nobody minds who falls but to go round them.
+    float helpers = k_usual_helpers;
     std::vector<Clip> idles{};  // by make_additive_clip(humanoid(body), ...); who stands a while plays one
 };
 

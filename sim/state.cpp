@@ -11,12 +11,12 @@
 namespace flaneur {
 namespace {
 
-constexpr uint64_t k_mark = 0x39'74'73'2e'72'75'6c'66;  // "flur.st9"
+constexpr uint64_t k_mark = 0x61'74'73'2e'72'75'6c'66;  // "flur.sta"
 
 // What is new in these has to be listed below, if the next tick depends on it.
 static_assert(sizeof(CrowdIdentity) == 10 * 24 && sizeof(CrowdMotion) == 10 * 24 &&
               sizeof(CrowdDecision) == 6 * 24 && sizeof(CrowdSlots) == 4 * 24 && sizeof(Gait) == 8 + 4 * 24);
-static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 4) + 40 +
+static_assert(sizeof(Crowd) == sizeof(Demand) + sizeof(CrowdScratch) + 8 + 24 * (6 + 10 + 10 + 6 + 5) + 40 +
                                    sizeof(Onlookers) + 24 + sizeof(Traffic) + sizeof(March));
 
 // Before all else; how many of each follow.
@@ -26,13 +26,14 @@ struct Head {
     float widest = 0, strays = 0;
     Driven driven{};
     uint32_t living = 0, left = 0, corners = 0, canes = 0, prams = 0, plays = 0;
-    uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, spare = 0;
+    uint32_t ways = 0, passages = 0, traffic = 0, downed = 0, falls = 0, tumbles = 0, called = 0;
+    uint32_t bystanders = 0, spare = 0;
     uint32_t successors = 0, next_successor = 0, sent = 0, next_sent = 0, numbered = 0, gone = 0,
              came = 0;  // of Coming
     LimbCurves how{};
     uint32_t marches = 0;
 };
-static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 168, "has no gap at the end");
+static_assert(std::is_trivially_copyable_v<Head> && sizeof(Head) == 176, "has no gap at the end");
 
 // Calls each(vector, how many of its first items) for what has a fixed place and size as long as nobody comes
 // or goes, what is constant first. W is a World, const or not.
@@ -71,6 +72,8 @@ void for_each_list(W& w, const Head& head, const Each& each) {
     each(w.crowd.wayfarers, head.ways);
     each(w.crowd.passages, head.passages);
     each(w.crowd.downed, head.downed);
+    each(w.crowd.called, head.called);
+    each(w.bystanders.all, head.bystanders);
     each(w.falls.all, head.falls);
     each(w.falls.blocks, head.tumbles);
     each(w.crowd.march.pace, head.marches);
@@ -113,6 +116,8 @@ Head head_of(const World& w) {
     head.ways = size(c.wayfarers);
     head.passages = size(c.passages);
     head.downed = size(c.downed);
+    head.called = size(c.called);
+    head.bystanders = size(w.bystanders.all);
     head.falls = size(w.falls.all);
     head.tumbles = size(w.falls.blocks);
     for (uint32_t i = 0; i < c.count; ++i) head.corners += size(corners_ahead(c, i));

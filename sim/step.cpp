@@ -121,7 +121,9 @@ void step_pose(World& w) {
     });
     add_idles(w);
     for_due_blocks(w, [&](size_t block, float dt) { hold_items(w, block, dt); });
+    mind_falls(w);
     step_falls(w);
+    pose_bystanders(w);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
         if (w.crowd.at_once[block] == 1) return;

@@ -165,6 +165,7 @@ Result<std::unique_ptr<World>> make_world(std::shared_ptr<const Ground> ground, 
     world->drunk = options.drunk;
     world->drunks = options.drunks;
     world->pushes = options.pushes;
+    world->bystanders.helpers = options.helpers;
     std::vector<Body> bodies;
     for (const Kind& kind : options.kinds) {
         bodies.push_back(kind.body);
@@ -282,6 +283,7 @@ void start_body(World& w, uint32_t walker) {
 
 void end_body(World& w, uint32_t walker) {
     forget_fall(w, walker);
+    forget_bystander(w, walker);
     end_walker(w.gait, walker, w.kinds[0].body, w.seed);
     pose_newcomer(w, walker);
 }

@@ -15,6 +15,7 @@
 #include "sim/base/result.h"
 #include "sim/body/body.h"
 #include "sim/body/personality.h"
+#include "sim/bystanders.h"
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
 #include "sim/falls.h"
@@ -66,6 +67,7 @@ struct World {
     Gait gait;
     ClipLayer idles;
     Falls falls;                                      // who has been pushed
+    Bystanders bystanders;                            // and who minds
     std::vector<PoseBlock> poses, previous_poses;     // after the last tick and the one before
     std::vector<TrailBlock> trails, previous_trails;  // the same
 

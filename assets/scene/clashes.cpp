@@ -74,6 +74,9 @@ constexpr SceneClash k_clashes[] = {
     {"pushes", R"("pushes": nobody is pushed on the asteroid or the planets; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("pushes") && is_round(s); },
      [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
+    {"helpers", R"("helpers": nobody falls on the asteroid or the planets; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("helpers") && is_round(s); },
+     [](const char* key) { return on_small_world(key, OrderedJson::object()); }},
     {"demand",
      R"("demand" sends people through a city, and nobody can be sent on the asteroid or the planets)",
      [](const Scene& s, const Json&) { return !s.demand.empty() && is_round(s); },
@@ -153,5 +156,13 @@ constexpr SceneClash k_clashes[] = {
 }  // namespace
 
 std::span<const SceneClash> scene_clashes() { return k_clashes; }
+
+std::optional<uint32_t> pushed_nobody(const Scene& scene) {
+    if (!scene.demand.empty()) return std::nullopt;  // more may come
+    for (const PlannedPush& push : scene.pushes)
+        if (push.walker != k_everybody && push.walker >= static_cast<uint32_t>(scene.walkers))
+            return push.walker;
+    return std::nullopt;
+}
 
 }  // namespace flaneur

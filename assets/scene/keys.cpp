@@ -172,6 +172,9 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
          "how "
          "many newton seconds along the ground.",
          read_pushes},
+        plain_key<&Scene::helpers>(
+            "helpers", {number, 0, 1}, "0.5", "0.8",
+            "How many of those who are near and could help up somebody who has fallen do; 0: nobody minds."),
         {"idles",
          {texts},
          nullptr,
@@ -477,6 +480,10 @@ std::vector<SceneFault> read_scene(std::string_view text, Scene& scene) {
         if (!r.faults.empty() || !clash.is_there(scene, json)) continue;
         r.path = {clash.key};
         add_fault(r, clash.what, true);
+    }
+    if (const auto nobody = r.faults.empty() ? pushed_nobody(scene) : std::nullopt) {
+        r.path = {"pushes"};
+        add_fault(r, told_nobody(*nobody, scene.walkers), true);
     }
     std::sort(r.faults.begin(), r.faults.end(), [](const SceneFault& a, const SceneFault& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);

@@ -79,6 +79,10 @@ struct SceneClash {
     nlohmann::ordered_json (*schema)(const char* key);
 };
 std::span<const SceneClash> scene_clashes();
+inline std::string told_nobody(uint32_t walker, int walkers) {
+    return R"("pushes": )" + std::to_string(walker) +
+           " is nobody: walkers are numbered from 0, and there are " + std::to_string(walkers);
+}
 
 // One of "people": a file, or the built-in people.
 struct PeopleItem {

@@ -83,6 +83,7 @@ std::string scene_text(const Scene& s) {
         tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);
     tell("added", added_of(s.added), !s.added.empty());
     tell("pushes", pushes_of(s.pushes), !s.pushes.empty());
+    tell("helpers", short_number(s.helpers), s.helpers != usual.helpers);
     tell("idles", s.idles, !s.idles.empty());
     json["time"] = told_time(s.hour);
     if (s.sun_height) json["sun_height"] = short_number(*s.sun_height);

@@ -7,6 +7,7 @@
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
 #include "sim/base/rng.h"
+#include "sim/base/spans.h"
 #include "sim/base/tick.h"
 #include "sim/coming/passages.h"
 #include "sim/crowd/places.h"
@@ -71,7 +72,7 @@ static void let_out(Coming& coming, Crowd& c, const Surroundings& around, uint32
     for (uint32_t i = 0; i < c.count; ++i) {
         const Journey& j = c.journeys[i];
         if (!j.leaves || !j.arrived || tick < j.pause_until || i == c.driven.walker || !is_there(c, i) ||
-            is_down(c, i))
+            is_down(c, i) || own_of(c.called, i))
             continue;
         if (!has_left(c, around, i, tick)) continue;
         if (j.errand == Errand::wander) add_entrant(coming.successors, {.number = coming.numbered++});

@@ -5,6 +5,7 @@
 #include "sim/base/math.h"
 #include "sim/base/planar.h"
 #include "sim/base/rng.h"
+#include "sim/base/spans.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/errand.h"
 
@@ -375,9 +376,10 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
     Journey& j = c.journeys[i];
     const bool is_beside = c.way_back[i].polygon != 0, is_driven = i == c.driven.walker;
     const bool lies = is_down(c, i);
-    if (is_driven || lies) j.closest_tick = tick;  // who is led by hand is not held up
+    const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
+    if (is_driven || lies || called) j.closest_tick = tick;  // who is led by hand is not held up
     const bool waits = tick < j.pause_until;
-    const bool goes_on = is_beside || is_driven || lies;  // whatever the errand
+    const bool goes_on = is_beside || is_driven || lies || called;  // whatever the errand
     c.decision.looks[i] = waits && !goes_on && j.arrived;
     WayWish wish{{0, 0}, false};
     const Passage* passage = is_beside ? passage_by_door(c, i) : nullptr;
@@ -389,10 +391,14 @@ static void decide_where_to(Crowd& c, const Navmesh& mesh, int thread, uint32_t 
         wish.wanted = go_back(c, mesh, thread, i);
     else if (is_driven)
         wish.wanted = c.driven.wish;
+    else if (called)
+        wish.wanted = go_where_called(c, *called);
     else if (j.errand == Errand::by_way)
         wish = wish_by_way(c, mesh, thread, i, tick, seed);
     else if (!waits)
         wish = {follow_path(c, mesh, thread, i, tick, seed), true};
+    if (called) c.decision.looks[i] = wish.wanted == Vec2{};
+    if (!c.downed.empty() && !lies && !passage) wish.wanted = round_who_lies(c, mesh, i, wish.wanted);
     c.decision.wanted[i] = wish.wanted;
     const Onward on = wish.is_by_path ? onward_by_path(c, i) : onward(c, i, wish.wanted);
     c.decision.course[i] = on.course;
@@ -439,6 +445,7 @@ void think(Crowd& c, const Navmesh& mesh, Workers& workers, uint32_t tick, uint6
         const Journey& j = c.journeys[i];
         if (j.path_due == PathDue::no || tick < j.pause_until || !is_there(c, i)) continue;
         if (i == c.driven.walker || (j.leaves && j.arrived) || is_down(c, i)) continue;
+        if (!c.called.empty() && own_of(c.called, i)) continue;
         c.scratch.requests.push_back(i);
         last = i + 1 < c.count ? i + 1 : 0;
     }

@@ -218,4 +218,61 @@ WayWish wish_by_way(Crowd& c, const Navmesh& mesh, int thread, uint32_t i, uint3
     return wish;
 }
 
+Vec2 go_where_called(const Crowd& c, const Called& called) {
+    constexpr float k_there = 0.1f, k_slows = 1.6f;  // metres; 1/s
+    const Vec2 way = called.to - on_ground(c.motion.position[called.walker]);
+    const float far = length(way);
+    if (far < k_there) return {};
+    return way * (std::min(called.speed, k_slows * far) / far);
+}
+
+Vec2 round_who_lies(const Crowd& c, const Navmesh& mesh, uint32_t i, Vec2 wanted) {
+    constexpr float k_sees = 4.5f, k_broad = 0.4f, k_beside = 0.2f, k_clear = 0.12f,
+                    k_least = 0.05f;  // metres; m/s
+    const float speed = length(wanted);
+    if (speed < k_least) return wanted;
+    const Vec3 here = c.motion.position[i];
+    const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
+    const float sees = called ? std::min(k_sees, length(called->to - on_ground(here))) : k_sees;
+    const Vec2 way = wanted / speed;
+    const float room = c.identity.radius[i] + (called ? k_beside : k_broad);
+    // Of the nearest that is in the way: its ends, and how far aside they are.
+    float nearest_on = sees;
+    Vec2 ends[2];
+    bool is_any = false;
+    for (const Downed& down : c.downed) {
+        const Vec3 hips = c.motion.position[down.walker];
+        const Vec2 to = on_ground(hips - here);
+        if (down.walker == i || std::fabs(hips.y - here.y) > k_other_level) continue;
+        if (length_squared(to) > (sees + k_lying_reach) * (sees + k_lying_reach)) continue;
+        const Vec2 a = to + down.across, b = to + down.along;
+        const float aside_a = cross(way, a), aside_b = cross(way, b);
+        if (std::min(aside_a, aside_b) > room || std::max(aside_a, aside_b) < -room) continue;
+        // Where along the way the line between both ends is least aside.
+        const float across = aside_a - aside_b;
+        const float t = std::fabs(across) > 1e-4f   ? std::min(std::max(aside_a / across, 0.0f), 1.0f)
+                        : dot(way, a) < dot(way, b) ? 0.0f
+                                                    : 1.0f;
+        const float on = dot(way, a) + t * (dot(way, b) - dot(way, a));
+        if (on < 0 || on > nearest_on + (called ? 0 : room)) continue;
+        nearest_on = on;
+        ends[0] = a, ends[1] = b;
+        is_any = true;
+    }
+    if (!is_any) return wanted;
+    Vec2 best = wanted;
+    float least = 1e9f;
+    for (const float side : {1.0f, -1.0f}) {
+        // Beyond the end that is farthest out on that side.
+        const Vec2 end = side * cross(way, ends[0]) > side * cross(way, ends[1]) ? ends[0] : ends[1];
+        const Vec2 out{-way.z * side, way.x * side};
+        const Vec2 aim = end + out * (room + k_clear);
+        const float turn = -dot(normalize_or(aim, way), way);
+        if (turn >= least || !is_clear(mesh, here, here + at_height(aim, 0))) continue;
+        least = turn;
+        best = normalize_or(aim, way) * speed;
+    }
+    return best;
+}
+
 }  // namespace flaneur

@@ -126,6 +126,7 @@ void make_room(Crowd& c, uint32_t capacity) {
     wider.traffic = std::move(c.traffic);
     wider.driven = c.driven;
     wider.downed = c.downed;
+    wider.called = c.called;
     wider.march = std::move(c.march);
     wider.pass_on = c.pass_on;
     wider.onlookers = std::move(c.onlookers);

@@ -7,6 +7,7 @@
 #include "sim/base/block.h"
 #include "sim/base/hash.h"
 #include "sim/base/spans.h"
+#include "sim/crowd/errand.h"
 #include "sim/crowd/places.h"
 #include "sim/crowd/values-inl.h"
 
@@ -142,6 +143,7 @@ void remove_walker(Crowd& c, uint32_t i) {
     take_away(c.passages, i);
     if (c.driven.walker == i) c.driven = {};
     (void)take_away(c.downed, i);
+    (void)take_away(c.called, i);
 }
 
 const Passage* passage_of(const Crowd& c, uint32_t i) { return own_of(c.passages, i); }
@@ -183,13 +185,30 @@ bool is_down(const Crowd& c, uint32_t i) { return !c.downed.empty() && own_of(c.
 
 void go_down(Crowd& c, uint32_t i) {
     turn_back(c, i);
-    c.downed.insert(take_away(c.downed, i), {i, {}});
+    (void)take_away(c.called, i);
+    c.downed.insert(take_away(c.downed, i), Downed{.walker = i});
     c.motion.velocity[i] = c.motion.wish[i] = {};
     c.journeys[i].insists_since = k_never;
 }
 
-void lie_across(Crowd& c, uint32_t i, Vec2 across) {
-    if (Downed* own = own_of(c.downed, i)) own->across = across;
+void lie_across(Crowd& c, const Downed& how) {
+    if (Downed* own = own_of(c.downed, how.walker)) *own = how;
+}
+
+void get_up(Crowd& c, uint32_t i) {
+    (void)take_away(c.downed, i);
+    go_on_from_here(c, i);
+}
+
+void call(Crowd& c, const Called& how) {
+    c.called.insert(take_away(c.called, how.walker), how);
+    c.journeys[how.walker].insists_since = k_never;
+}
+
+void call_off(Crowd& c, uint32_t i) {
+    if (!own_of(c.called, i)) return;
+    (void)take_away(c.called, i);
+    go_on_from_here(c, i);
 }
 
 // Of those who go by a way only who leads goes to a goal.
@@ -199,8 +218,7 @@ static bool has_goal(const Crowd& c, uint32_t i) {
     return way && way->kind == Wayfarer::Kind::lead;
 }
 
-// Finds its way anew, from where it is now. Who follows sees for himself whether he needs one.
-static void go_on_from_here(Crowd& c, uint32_t i) {
+void go_on_from_here(Crowd& c, uint32_t i) {
     Journey& j = c.journeys[i];
     if (!has_goal(c, i))
         j.corner = j.corner_count;
@@ -214,11 +232,6 @@ void let_go(Crowd& c) {
     if (c.driven.walker == k_nobody) return;
     go_on_from_here(c, c.driven.walker);
     c.driven = {};
-}
-
-void get_up(Crowd& c, uint32_t i) {
-    (void)take_away(c.downed, i);
-    go_on_from_here(c, i);
 }
 
 void go_by_way(Crowd& c, const Wayfarer& way) {

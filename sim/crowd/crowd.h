@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -71,10 +72,30 @@ struct Passage {
 };
 inline constexpr uint32_t k_shown = 32;  // ticks until one who appears or vanishes has
 
-// Who has fallen, lies or gets up: stays where it is, whatever it wants, and others go round it.
+// A part of a body on the ground that nobody is to step on: a disk, from which bodies keep as far as feet
+// swing ahead of them, and those who have come for who lies there as far as a foot is broad.
+struct LyingPart {
+    Vec2 from{};       // metres from where the hips are
+    float radius = 0;  // metres; 0: nothing
+};
+inline constexpr float k_off_who_lies = 0.14f, k_beside_who_lies = 0.04f;  // metres
+inline constexpr int k_lying_parts = 13;
+inline constexpr float k_lying_reach = 1.6f;  // metres from the hips within which all of them are
+
+// Who has fallen, lies or gets up: stays where it is, whatever it wants, and others go round all of it.
 struct Downed {
     uint32_t walker = 0;
-    Vec2 across{};  // metres from its place, where the hips are, to the chest
+    Vec2 across{};  // metres from its place, where the hips are, to the head,
+    Vec2 along{};   // and to between the feet
+    std::array<LyingPart, k_lying_parts> parts{};
+};
+
+// Who goes straight to a place and stands there, whatever its errand is, until it is called off.
+struct Called {
+    uint32_t walker = 0;
+    Vec2 to{};        // on the ground plane
+    Vec2 facing{};    // unit: where it looks as it stands
+    float speed = 0;  // m/s, at most
 };
 
 // Who they are; constant.
@@ -253,6 +274,7 @@ struct Crowd {
     std::vector<Passage> passages;    // of those who come in or leave just now, by walker
     std::vector<Wayfarer> wayfarers;  // of those who have one, by walker
     std::vector<Downed> downed;       // by walker
+    std::vector<Called> called;       // by walker
     Driven driven;
     March march;
     PassOn pass_on = PassOn::right;
@@ -342,11 +364,20 @@ void turn_back(Crowd& crowd, uint32_t walker);
 void drive(Crowd& crowd, uint32_t walker);
 void let_go(Crowd& crowd);
 
-// From now on a walker is down, across a way or not; and up again, to go on from where it is.
+// From now on a walker is down, lying as `how` says, whose own walker it is; and up again, to go on from
+// where it is.
 void go_down(Crowd& crowd, uint32_t walker);
-void lie_across(Crowd& crowd, uint32_t walker, Vec2 across);
+void lie_across(Crowd& crowd, const Downed& how);
 void get_up(Crowd& crowd, uint32_t walker);
 bool is_down(const Crowd& crowd, uint32_t walker);
+
+// From now on a walker goes where it is called to, and stands there; and on about its errand. Nobody is
+// called who is driven, down, or comes in or leaves just now.
+void call(Crowd& crowd, const Called& how);
+void call_off(Crowd& crowd, uint32_t walker);
+// The velocity, m/s, of one who would go with `wanted` and finds somebody lying in its way, a few metres
+// ahead: round the nearer end of who lies there, where the mesh lets it.
+Vec2 round_who_lies(const Crowd& crowd, const Navmesh& mesh, uint32_t walker, Vec2 wanted);
 
 // From now on it goes this way.
 void go_by_way(Crowd& crowd, const Wayfarer& way);

@@ -9,6 +9,12 @@ namespace flaneur {
 Vec2 follow_path(Crowd& crowd, const Navmesh& mesh, int thread, uint32_t walker, uint32_t tick,
                  uint64_t seed);
 
+// Finds its way anew, from where it is now. Who follows sees for himself whether he needs one.
+void go_on_from_here(Crowd& crowd, uint32_t walker);
+
+// The velocity of one who is called somewhere; none as it is there.
+Vec2 go_where_called(const Crowd& crowd, const Called& called);
+
 // What one likes who goes by a way.
 struct WayWish {
     Vec2 wanted;              // m/s

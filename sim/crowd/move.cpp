@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/math.h"
+#include "sim/base/spans.h"
 #include "sim/base/tick.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
@@ -93,6 +94,22 @@ static void add_contacts_of_pram(const Crowd& c, uint32_t at, Vec2 wish, float d
     }
 }
 
+// Who lies does not make room: nobody steps on any part of it, and whom it has fallen on gets off.
+static void add_lying(const Downed& down, const Seen& me, const Seen& other, float off, Vec2 wish,
+                      Vec2 velocity, float dt, Contacts& out) {
+    for (const LyingPart& part : down.parts) {
+        if (part.radius <= 0) continue;
+        const Vec2 away = on_ground(me.position - other.position) - part.from;
+        const float touching = me.radius + part.radius + off, d = length(away);
+        if (d > touching + mindful_reach(dt)) continue;
+        const Vec2 direction = d > 1e-5f ? away / d : Vec2{1, 0};
+        add_brake(out, direction, fastest_within(std::max(d - touching, 0.0f), dt), wish, velocity);
+        if (d > touching + k_nearing * dt) continue;
+        add_plane(out, {direction, -std::max(d - touching, 0.0f) / dt}, fastest_of(wish, velocity));
+        if (d < touching) out.push += direction * (0.5f * (touching - d) / dt);
+    }
+}
+
 // Each of two who are near takes half of the gap between them at most, along the line between them: so no
 // step brings them nearer than k_most_overlap allows, whatever both do.
 static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
@@ -100,10 +117,14 @@ static Contacts contacts_of(const Crowd& c, uint32_t at, Vec2 wish, float dt) {
     const Vec2 velocity = c.motion.velocity[me.id];
     Contacts out;
     uint32_t near[k_within];
-    const int count =
-        find_within(c.scratch, me.position, at, me.radius + c.widest + mindful_reach(dt), near, k_within);
+    const bool any_down = !c.downed.empty();
+    const float off = any_down && own_of(c.called, me.id) ? k_beside_who_lies : k_off_who_lies;
+    const float reach = me.radius + c.widest + mindful_reach(dt) + (any_down ? k_lying_reach : 0);
+    const int count = find_within(c.scratch, me.position, at, reach, near, k_within);
     for (int k = 0; k < count; ++k) {
         const Seen& other = c.scratch.seen.all[near[k]];
+        if (const Downed* down = any_down ? own_of(c.downed, other.id) : nullptr)
+            add_lying(*down, me, other, off, wish, velocity, dt, out);
         Vec2 away = on_ground(me.position - other.position);
         float touching = me.radius + other.radius, d2 = length_squared(away);
         if (d2 > (touching + mindful_reach(dt)) * (touching + mindful_reach(dt))) continue;
@@ -222,7 +243,8 @@ static void move_walker(Crowd& c, const Navmesh& mesh, int thread, uint32_t at, 
     // Who slows down for others, or pushes something, does not finish a step before.
     const bool hurries =
         pushes || wish != wished || length(c.decision.chosen[i]) < length(c.decision.wanted[i]) - k_slow;
-    const Vec2 looks_at = c.decision.looks[i] ? c.journeys[i].facing
+    const Called* called = c.called.empty() ? nullptr : own_of(c.called, i);
+    const Vec2 looks_at = c.decision.looks[i] ? (called ? called->facing : c.journeys[i].facing)
                           : pushes            ? turns_pram_to(near, m.heading[i], c.decision.wanted[i])
                                               : Vec2{0, 0};
     Motion motion = next_motion({.velocity = m.velocity[i],

@@ -57,8 +57,6 @@ static void look_at(Crowd& c, size_t at) {
         velocity = asked * std::min(1.0f, k_insistence / std::max(length(asked), 1e-4f));
     }
     if (c.identity.ahead[i] > 0) ahead = heading_direction(c.motion.heading[i]) * c.identity.ahead[i];
-    if (!c.downed.empty())
-        if (const Downed* own = own_of(c.downed, i)) ahead = own->across;
     rows.x[at] = p.x, rows.y[at] = p.y, rows.z[at] = p.z;
     rows.all[at] = {p, velocity, ahead, d.course[i], d.aim[i], c.identity.radius[i], i, d.claim[i]};
 }

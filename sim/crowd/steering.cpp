@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/planar.h"
+#include "sim/base/spans.h"
 #include "sim/crowd/crowd.h"
 #include "sim/crowd/deciders.h"
 #include "sim/crowd/places.h"
@@ -195,10 +196,23 @@ static void add_prams(const Seen& me, const Seen& other, float share, int lane, 
     if (mine && theirs) add(between + other.ahead - me.ahead, 2 * k_pram_radius);
 }
 
+// Trunk and legs of one who lies there.
+static void add_lying(const Downed& down, const Seen& me, const Seen& other, int lane, Deciders& d) {
+    constexpr float k_half = 0.28f;  // metres across
+    const Vec2 between = on_ground(other.position - me.position);
+    for (const Vec2 end : {down.across, down.along}) {
+        const float radii = me.radius + k_half;
+        d.prams[d.pram_count++] = {between + end * 0.7f,  {},  radii, 1, 1 / k_horizon, k_swath * radii,
+                                   1 / k_meeting_headway, lane};
+    }
+}
+
 // Returns whether some of them stand close and none of them comes the other way.
-static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& intent, const Claim& claim,
-                           int lane, Deciders& d) {
+static bool add_neighbours(const Crowd& c, const Seen& me, const Intent& intent, const Claim& claim, int lane,
+                           Deciders& d) {
+    const SeenRows& rows = c.scratch.seen;
     bool is_close = false, meets = false;
+    const bool any_down = !c.downed.empty();
     for (int k = 0; k < d.near_count[lane]; ++k) {
         const Seen& other = rows.all[d.near[lane][k]];
         float share = share_of(claim, other.claim), hurry = 1 / k_horizon;
@@ -229,7 +243,12 @@ static bool add_neighbours(const SeenRows& rows, const Seen& me, const Intent& i
         to.hurry.lanes[lane] = hurry;
         to.swath.lanes[lane] = swath * radii;
         to.pace.lanes[lane] = pace;
-        if (has_pram) add_prams(me, other, share, lane, d);
+        if (const Downed* down = any_down ? own_of(c.downed, other.id) : nullptr) {
+            to.share.lanes[lane] = 1;
+            add_lying(*down, me, other, lane, d);
+        } else if (has_pram) {
+            add_prams(me, other, share, lane, d);
+        }
     }
     return is_close && !meets;
 }
@@ -308,7 +327,7 @@ static void decide(Crowd& c, const Navmesh& mesh, Deciders& d) {
         firm_count[lane] = intent.by_door     ? keep_in_line(intent.wanted, firm[lane])
                            : intent.is_beside ? 0
                                               : keep_in(mesh, me, intent.lifts, velocity, firm[lane]);
-        is_thronged[lane] = add_neighbours(rows, me, intent, claim, lane, d);
+        is_thronged[lane] = add_neighbours(c, me, intent, claim, lane, d);
     }
     set_firm(firm, firm_count, d);
     choose_velocities(d, side);

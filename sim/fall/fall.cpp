@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/math.h"
+#include "sim/base/tick.h"
 #include "sim/fall/lane.h"
 
 namespace flaneur {
@@ -157,17 +158,21 @@ void find_planes(TumblePlanes& planes, int lane, const TumbleBlock& block, const
             highest = std::max(highest, there);
             under = std::max(under, height_at(way * (0.7f * r)));
         }
+        // Where it is by the end of the tick counts as well.
+        const Vec3 goes = moving[k] * k_tick;
+        const float low = at[k].y + std::min(goes.y, 0.0f);
+        under = std::max(under, height_at(on_ground(goes)));
         if (under > height + k_level && under < at[k].y)
             set_ground(k, at_height(on_ground(at[k]), under), {0, 1, 0});
         const float climbs = length(up_hill);
         // What it is in already it comes out of upward.
-        if (highest < at[k].y || climbs < k_level || height >= at[k].y) return;
+        if (highest < low || climbs < k_level || height >= at[k].y) return;
         // How far its edge is.
         const Vec2 way = up_hill / climbs;
         float free = 0, full = far;
         for (int i = 0; i < 4; ++i) {
             const float middle = 0.5f * (free + full);
-            (height_at(way * middle) < at[k].y ? free : full) = middle;
+            (height_at(way * middle) < low ? free : full) = middle;
         }
         planes.has_walls = 1;
         set_row(planes.wall[k], lane, at_height(-way, 0));

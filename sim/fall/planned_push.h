@@ -8,6 +8,7 @@
 namespace flaneur {
 
 inline constexpr uint32_t k_everybody = ~0u;
+inline constexpr float k_usual_helpers = 0.5f;  // see WorldOptions::helpers
 
 // See push() in sim/sim.h.
 struct PlannedPush {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "sim/fall/body_pose.h"
-#include "sim/ground/surroundings.h"
 
 namespace flaneur {
 
@@ -18,8 +17,10 @@ struct Lie {
     float heading = 0;  // yaw from hips to head, or where it faces if that stands up
     bool on_back = false;
     bool on_left = false;  // the left side is lower than the right one
+    float climbs = 0;      // how the ground rises along the heading, metres a metre
 };
-Lie lie_of(const BodyPose& pose, const PersonBlock& person, int lane);
+// `slope`: see slope_at() in settle.h.
+Lie lie_of(const BodyPose& pose, const PersonBlock& person, int lane, Vec2 slope);
 
 // Metres ahead of where the hips lie that one comes to stand, with legs of so many metres.
 inline float rise_ahead(float leg) { return 0.24f * leg; }
@@ -32,21 +33,5 @@ float seconds_of(RiseStage stage);
 // The pose at the end of a stage but the last, which ends in the walker's own stance, with its hips above
 // `hips`; of one who kneels the right knee stays down.
 BodyPose end_of(RiseStage stage, const Lie& lie, const PersonBlock& person, int lane, Vec2 hips);
-
-// Raises or lowers a pose until the lowest of its balls but those of the feet touches the ground, whose
-// height is `floor` where there is none; then bends legs until their feet are out of it, which `lifts`,
-// metres of each, follow at k_lifting m/s. One that may not sink is raised alone.
-void rest_on_ground(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
-                    const Surroundings& around, float floor, bool may_sink, std::array<float, 2>& lifts,
-                    float dt);
-inline constexpr float k_lifting = 2.5f;
-
-// Moves a pose aside until none of its balls is in a wall.
-void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
-                    const Surroundings& around);
-
-// Turns thigh and shank so that the ankle comes to `ankle`, as far as the leg reaches, and the knee ahead of
-// the thigh; the foot keeps its turn in the world.
-void reach_with_leg(BodyPose& pose, const PersonBlock& person, int lane, Side side, Vec3 ankle);
 
 }  // namespace flaneur

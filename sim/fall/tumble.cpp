@@ -46,6 +46,7 @@ namespace {
 
 constexpr BallPair k_pairs[] = {{11, 19}, {12, 20}, {13, 21}, {11, 20}, {12, 19}, {9, 0}, {17, 1}, {9, 5},
                                 {17, 5},  {7, 5},   {15, 5},  {9, 6},   {17, 6},  {8, 2}, {16, 2}};
+constexpr size_t k_pair_count = sizeof k_pairs / sizeof k_pairs[0];
 constexpr float k_fastest = 15, k_fastest_spin = 40;  // m/s, rad/s: nobody falls farther than 11 m
 
 // A segment while it is worked on.
@@ -237,8 +238,12 @@ HWY_INLINE void solve_joints(Solver& w) {
     }
 }
 
+// Of one ball with a plane: what remains of how deep it was in it, metres, and 1 where they may touch.
+struct Contact {
+    L slack, is_near;
+};
 // `slack` metres of what it is in remain.
-HWY_INLINE void keep_out(Solver& w, size_t ball, V3<L> normal, L offset, L slack) {
+HWY_INLINE void keep_out(Solver& w, size_t ball, V3<L> normal, L offset, L slack, L is_near) {
     const size_t s = k_segment_of_ball[ball];
     const At as_it_was = load_at(w.block, s, w.lane);
     At at = as_it_was;
@@ -246,7 +251,7 @@ HWY_INLINE void keep_out(Solver& w, size_t ball, V3<L> normal, L offset, L slack
     V3<L> from = load_place<L>(w.shapes.ball[ball], w.lane);
     V3<L> arm = rotate(at.rotation, from) - normal * radius;
     L depth = offset - slack - dot(normal, at.place + arm);
-    LaneMask touches = depth > L(0.0f);
+    LaneMask touches = (depth > L(0.0f)) & (is_near > L(0.0f));
     if (!any(touches)) return;
     const V3<L> ease = w.ease(s);
     const L lightness = w.lightness(s);
@@ -267,7 +272,7 @@ HWY_INLINE void keep_out(Solver& w, size_t ball, V3<L> normal, L offset, L slack
 }
 
 // Balls of one body that are in each other part, a fifth in each short step.
-HWY_INLINE void part_balls(Solver& w, BallPair pair) {
+HWY_INLINE void part_balls(Solver& w, BallPair pair, L is_near) {
     const size_t sa = k_segment_of_ball[pair.a], sb = k_segment_of_ball[pair.b];
     const At was_a = load_at(w.block, sa, w.lane), was_b = load_at(w.block, sb, w.lane);
     At a = was_a, b = was_b;
@@ -276,7 +281,7 @@ HWY_INLINE void part_balls(Solver& w, BallPair pair) {
     V3<L> apart = (b.place + arm_b) - (a.place + arm_a);
     L room = row<L>(w.shapes.radius[pair.a], w.lane) + row<L>(w.shapes.radius[pair.b], w.lane);
     L d2 = dot(apart, apart);
-    LaneMask touch = d2 < room * room;
+    LaneMask touch = (d2 < room * room) & (is_near > L(0.0f));
     if (!any(touch)) return;
     L d = sqrt(max(d2, L(1e-10f)));
     V3<L> along = apart * (L(1.0f) / d);
@@ -324,31 +329,55 @@ void tumble_here(const TumbleShapes& shapes, const TumbleAims& aims, const Tumbl
                  const SegmentRanges& ranges, float dt, TumbleBlock& block) {
     for (size_t lane = 0; lane < k_block; lane += lane_count()) {
         Solver w{shapes, aims, planes, ranges, block, {}, lane, L(dt / k_tumble_steps)};
-        L slack[k_ball_count], wall_slack[k_ball_count];
-        auto depth_of = [&](size_t ball, V3<L> normal, const float* offset) {
-            const At at = load_at(block, k_segment_of_ball[ball], lane);
-            V3<L> middle = at.place + rotate(at.rotation, load_place<L>(shapes.ball[ball], lane));
-            return max(row<L>(offset, lane) + row<L>(shapes.radius[ball], lane) - dot(normal, middle),
-                       L(0.0f));
+        // What cannot touch in this tick, by how it moves, is not asked in its short steps: by lane, so that
+        // nobody's company matters.
+        constexpr float k_spare = 0.1f;  // metres
+        const L time(dt);
+        struct Ball {
+            V3<L> place, velocity;
+            L speed;
+        } balls[k_ball_count];
+        for (size_t k = 0; k < k_ball_count; ++k) {
+            const size_t s = k_segment_of_ball[k];
+            const At at = load_at(block, s, lane);
+            V3<L> arm = rotate(at.rotation, load_place<L>(shapes.ball[k], lane));
+            V3<L> v = load_place<L>(block.velocity[s], lane) + cross(load_place<L>(block.spin[s], lane), arm);
+            balls[k] = {at.place + arm, v, sqrt(dot(v, v))};
+        }
+        Contact ground[k_ball_count], wall[k_ball_count];
+        auto contact = [&](size_t k, V3<L> normal, const float* offset) {
+            L depth = row<L>(offset, lane) + row<L>(shapes.radius[k], lane) - dot(normal, balls[k].place);
+            L comes = depth + balls[k].speed * time + L(k_spare);
+            return Contact{max(depth, L(0.0f)), select(comes > L(0.0f), L(1.0f), L(0.0f))};
         };
         for (size_t k = 0; k < k_ball_count; ++k) {
-            slack[k] = depth_of(k, load_place<L>(planes.normal[k], lane), planes.offset[k]);
-            wall_slack[k] = planes.has_walls
-                                ? depth_of(k, load_place<L>(planes.wall[k], lane), planes.wall_offset[k])
-                                : L(0.0f);
+            ground[k] = contact(k, load_place<L>(planes.normal[k], lane), planes.offset[k]);
+            if (planes.has_walls)
+                wall[k] = contact(k, load_place<L>(planes.wall[k], lane), planes.wall_offset[k]);
         }
+        L pair_near[k_pair_count];
+        for (size_t p = 0; p < k_pair_count; ++p) {
+            const auto a = static_cast<size_t>(k_pairs[p].a), b = static_cast<size_t>(k_pairs[p].b);
+            V3<L> apart = balls[b].place - balls[a].place, moves = balls[b].velocity - balls[a].velocity;
+            L reach = row<L>(shapes.radius[a], lane) + row<L>(shapes.radius[b], lane) +
+                      sqrt(dot(moves, moves)) * time + L(k_spare);
+            pair_near[p] = select(dot(apart, apart) < reach * reach, L(1.0f), L(0.0f));
+        }
+        auto is_any = [](L near) { return any(near > L(0.0f)); };
         for (int step = 0; step < k_tumble_steps; ++step) {
             go_on(w);
             solve_joints(w);
-            for (BallPair pair : k_pairs) part_balls(w, pair);
+            for (size_t p = 0; p < k_pair_count; ++p)
+                if (is_any(pair_near[p])) part_balls(w, k_pairs[p], pair_near[p]);
             for (size_t k = 0; k < k_ball_count; ++k) {
-                slack[k] = max(slack[k] - L(k_comes_out) * w.h, L(0.0f));
-                keep_out(w, k, load_place<L>(planes.normal[k], lane), row<L>(planes.offset[k], lane),
-                         slack[k]);
-                if (!planes.has_walls) continue;
-                wall_slack[k] = max(wall_slack[k] - L(k_comes_out) * w.h, L(0.0f));
-                keep_out(w, k, load_place<L>(planes.wall[k], lane), row<L>(planes.wall_offset[k], lane),
-                         wall_slack[k]);
+                auto keep = [&](Contact& c, V3<L> normal, const float* offset) {
+                    c.slack = max(c.slack - L(k_comes_out) * w.h, L(0.0f));
+                    keep_out(w, k, normal, row<L>(offset, lane), c.slack, c.is_near);
+                };
+                if (is_any(ground[k].is_near))
+                    keep(ground[k], load_place<L>(planes.normal[k], lane), planes.offset[k]);
+                if (planes.has_walls && is_any(wall[k].is_near))
+                    keep(wall[k], load_place<L>(planes.wall[k], lane), planes.wall_offset[k]);
             }
             find_velocities(w);
         }

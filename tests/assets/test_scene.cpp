@@ -125,6 +125,8 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
                               {R"({"side": "left", "built": "planets"})", "\"side\""},
                               {R"({"rock": "torus", "built": "planets"})", "\"rock\""},
                               {R"({"built": "gallery", "creatures": 3})", "\"creatures\""},
+                              {R"({"helpers": 0.5, "built": "planets"})", "\"helpers\""},
+                              {R"({"walkers": 5, "pushes": ["2 5 120,0"]})", "5 is nobody"},
                               {R"({"platform": "0,0 8,0 1,1 0,8", "built": "platform"})", "\"platform\""},
                               {R"({"radius": 500})", "\"radius\""},
                               {R"({"terrain": "a.tif", "city": "a.glb"})", "\"terrain\""}}) {
@@ -133,6 +135,7 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
         EXPECT_NE(scene.error().message.find(says), std::string::npos) << scene.error().message;
     }
     EXPECT_TRUE(load(R"({"built": "district", "city": "a.osm"})"));
+    EXPECT_TRUE(load(R"({"walkers": 5, "pushes": ["2 4 120,0", "2 * 120,0"]})"));
     EXPECT_TRUE(load(R"({"scale": 2, "city": "a.glb"})"));
     EXPECT_EQ(load(R"({"built": "asteroid"})")->camera.kind, CameraChoice::Kind::overview);
     EXPECT_EQ(load(R"({"center": "52.5, 13.25", "city": "a.osm"})")->center->longitude, 13.25);

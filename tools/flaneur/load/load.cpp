@@ -343,6 +343,7 @@ Result<Loaded> load(const Options& options) {
     world.drunk = scene.drunk;
     world.drunks = static_cast<uint32_t>(std::min(scene.drunks, scene.walkers));
     world.pushes = scene.pushes;
+    world.helpers = scene.helpers;
     world.limbs = scene.limbs;
     if (is_of(scene, BuiltIn::platform)) world.navmesh.agent_radius = k_off_the_edge;
     if (Result<void> settled = settle_coming(scene, loaded, world); !settled) return settled.error();
@@ -394,6 +395,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     options.drunk = world.drunk;
     options.drunks = std::min(world.drunks, walkers);
     options.pushes = world.pushes;
+    options.helpers = world.bystanders.helpers;
     options.limbs = is_on(world.crowd.march) ? LimbLead::curves : LimbLead::gait;
     options.curves = world.crowd.march.how;
     options.navmesh = settings_of(*world.navmesh);

@@ -253,6 +253,10 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
             return Error{"--svg draws the curves of steady walking: on level ground, a slope or stairs."};
     }
     if (options.command == Command::gait) options.scene.walkers = std::max(options.gait.crowd, 1);
+    if (const auto nobody = pushed_nobody(options.scene))
+        return Error{"The scene pushes walker " + std::to_string(*nobody) +
+                     ", who is nobody: walkers are numbered from 0, and there are " +
+                     std::to_string(options.scene.walkers) + "."};
     if (words.camera) options.scene.camera = *words.camera;
     if (words.fov) options.scene.fov = *words.fov;
     if (words.fov && options.scene.camera.kind == CameraChoice::Kind::map)

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "sim/base/spans.h"
 #include "sim/base/tick.h"
 
 namespace flaneur {
@@ -41,7 +42,12 @@ void find_doing(const World& world, WalkerFacts& f) {
     const uint32_t lost_for = tick - journey.closest_tick;
     const Claim& claim = crowd.decision.claim[f.number];
     const float wanted = length(crowd.decision.wanted[f.number]);
-    if (journey.arrived && journey.errand == Errand::arrive) {
+    const Bystander* minds = own_of(world.bystanders.all, f.number);
+    if (is_down(crowd, f.number)) {
+        f.doing = Doing::is_down;
+    } else if (minds && tick < minds->until && minds->does != Concern::glances) {
+        f.doing = Doing::minds, f.minds = k_concern_words[static_cast<size_t>(minds->does)];
+    } else if (journey.arrived && journey.errand == Errand::arrive) {
         f.doing = Doing::arrived;
     } else if (journey.arrived && wait > 0) {
         f.doing = Doing::stays, f.seconds = wait;
@@ -148,6 +154,10 @@ std::string told_doing(const WalkerFacts& f) {
             return "is slowed down by others or walls near";
         case Doing::roams:
             return "roams";
+        case Doing::is_down:
+            return "has fallen";
+        case Doing::minds:
+            return std::string(f.minds);
     }
     return text;
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "assets/city.h"
 #include "sim/body/personality.h"
@@ -20,6 +21,8 @@ enum class Doing : uint8_t {
     gives_way,  // to one who has waited longer
     is_held,    // goes slower than it would like, since others are near
     roams,      // on a compound, where nobody has goals
+    is_down,    // has fallen, lies or gets up
+    minds,      // that somebody has fallen
 };
 
 struct WalkerFacts {
@@ -36,6 +39,7 @@ struct WalkerFacts {
     Doing doing = Doing::walks;
     float seconds = 0;                        // that it stays still, is lost still, has been stuck
     uint32_t whom = 0;                        // it gives way to
+    std::string_view minds;                   // what it does who minds
     float to_go = 0;                          // metres, as the crow flies
     std::optional<DestinationKind> to, from;  // where it goes, and where it set out; none: nobody knows
 };

@@ -1,0 +1,128 @@
+// Those who get up: on level ground, on slopes and on steps no part of them is in the ground at any time,
+// hands are on it while one is on hands and knees, nothing jumps, and all are up within ten seconds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/sim/fall/pushed_world.h"
+
+namespace flaneur {
+namespace {
+
+Ground slope(float rises) {
+    Ground ground;
+    const float y = 30 * rises;
+    add_quad(ground, {15, y, 30}, {15, -y, -30}, {-15, -y, -30}, {-15, y, 30}, Surface::plaza);
+    return ground;
+}
+
+struct Told {
+    int risen = 0;
+    float longest = 0;        // seconds from the push until all have
+    float deepest = 0;        // metres of a ball in the ground
+    float hands_over = 0;     // metres, mean, as one has come to hands and knees
+    float feet_turn = 0;      // rad/s that knees, feet and toes turn against what carries them, at most
+    float farthest = 0;       // metres that a joint goes in a tick
+    float place_jumps = 0;    // metres, of the place that trajectories tell
+    float heading_jumps = 0;  // radians
+};
+
+float turned(Quat before, Quat now) {
+    const Quat by = conjugate(before) * now;
+    return 2 * std::asin(std::min(1.0f, std::sqrt(by.x * by.x + by.y * by.y + by.z * by.z)));
+}
+
+Told all_get_up(Ground (*ground)(), uint32_t people, int seeds) {
+    Told told;
+    double hands = 0;
+    int hand_count = 0;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        auto w = world_on(ground(), people, static_cast<uint64_t>(seed));
+        std::vector<BodyPose> was(w->crowd.capacity);
+        std::vector<Vec3> place(w->crowd.capacity);
+        std::vector<float> heading(w->crowd.capacity);
+        for (uint32_t t = 0; t < 700; ++t) {
+            if (t == 60) push_all(*w, 2.3f, static_cast<uint32_t>(seed));
+            step(*w);
+            for (const WalkerId id : walkers(*w)) {
+                const uint32_t i = id.index;
+                const PersonBlock& person = w->gait.people[i / k_block];
+                const int lane = static_cast<int>(i % k_block);
+                const BodyPose now = body_pose_of(w->poses, i), before = was[i];
+                const CrowdMotion& m = w->crowd.motion;
+                const Vec3 moved = m.position[i] - place[i];
+                const float turns = std::fabs(wrap_angle(m.heading[i] - heading[i]));
+                was[i] = now, place[i] = m.position[i], heading[i] = m.heading[i];
+                if (has_fallen(*w, id)) told.longest = static_cast<float>(t - 60) * k_tick;
+                const Fall* f = fall_of(*w, i);
+                if (!f || f->phase < FallPhase::lies) continue;
+                told.place_jumps = std::max(told.place_jumps, length(on_ground(moved)));
+                told.heading_jumps = std::max(told.heading_jumps, turns);
+                const auto balls = balls_of(*w, i, f->segments);
+                for (size_t k = 0; k < k_ball_count; ++k)
+                    if (const auto hit = ground_at(w->around, balls[k], 0.6f, 3))
+                        told.deepest = std::max(
+                            told.deepest, f->segments.radius[k] - (balls[k].y - hit->height) * hit->normal.y);
+                if (f->phase != FallPhase::rises) continue;
+                told.risen += f->stage == RiseStage::done || f->stage == RiseStage::stand;
+                if (f->stage == RiseStage::fours && f->share > 0.9f)
+                    for (const size_t k : {9, 17})
+                        if (const auto hit = ground_at(w->around, balls[k], 0.6f, 3))
+                            hands += (balls[k].y - hit->height) * hit->normal.y - f->segments.radius[k],
+                                ++hand_count;
+                const auto from = places_of(before, person, lane), to = places_of(now, person, lane);
+                for (int j = 0; j < k_joint_count; ++j)
+                    told.farthest = std::max(told.farthest, length(to[j] - from[j]));
+                for (const int j : {15, 16, 17, 19, 20, 21}) {
+                    const int parent = k_joint_parents[j];
+                    told.feet_turn = std::max(told.feet_turn,
+                                              turned(conjugate(before.rotation[parent]) * before.rotation[j],
+                                                     conjugate(now.rotation[parent]) * now.rotation[j]) /
+                                                  k_tick);
+                }
+            }
+        }
+        EXPECT_TRUE(w->crowd.downed.empty());
+    }
+    told.hands_over = hand_count ? static_cast<float>(hands / hand_count) : 1;
+    std::printf(
+        "%.1f s, %.1f mm in the ground, hands %.1f mm over it, knees and feet %.1f rad/s, joints go "
+        "%.0f mm, places %.0f mm and %.1f degrees in a tick\n",
+        wide(told.longest), 1e3 * wide(told.deepest), 1e3 * wide(told.hands_over), wide(told.feet_turn),
+        1e3 * wide(told.farthest), 1e3 * wide(told.place_jumps), wide(told.heading_jumps) / wide(k_radians));
+    return told;
+}
+
+TEST(Rising, OnLevelGround) {
+    const Told told = all_get_up([] { return square(40); }, 40, 3);
+    EXPECT_GT(told.risen, 0);
+    EXPECT_LT(told.longest, 10);
+    EXPECT_LT(told.deepest, 0.02f);
+    EXPECT_LT(told.hands_over, 0.01f);
+    EXPECT_LT(told.feet_turn, 15);
+    EXPECT_LT(told.farthest, 0.25f);
+    EXPECT_LT(told.place_jumps, 0.02f);
+    EXPECT_LT(told.heading_jumps, 0.05f);
+}
+
+TEST(Rising, OnASlope) {
+    const Told told = all_get_up([] { return slope(0.2f); }, 30, 2);
+    EXPECT_LT(told.longest, 10);
+    EXPECT_LT(told.deepest, 0.02f);
+    EXPECT_LT(told.hands_over, 0.02f);
+    EXPECT_LT(told.farthest, 0.3f);
+}
+
+TEST(Rising, OnSteps) {
+    const Told told = all_get_up(steps, 40, 3);
+    EXPECT_LT(told.longest, 10);
+    EXPECT_LT(told.deepest, 0.02f);
+    EXPECT_LT(told.hands_over, 0.05f);
+    EXPECT_LT(told.farthest, 0.55f);  // an arm that finds its elbow elsewhere, once in a hundred
+    EXPECT_LT(told.place_jumps, 0.02f);
+}
+
+}  // namespace
+}  // namespace flaneur
