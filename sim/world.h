@@ -17,6 +17,7 @@
 #include "sim/body/personality.h"
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
+#include "sim/deeds/deeds.h"
 #include "sim/falls.h"
 #include "sim/figures/figures.h"
 #include "sim/gait/gait.h"
@@ -59,6 +60,7 @@ struct World {
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Linkages linkages;           // that are no people; mostly none
     Movers movers;               // rigid things that move; mostly none
+    Deeds deeds;                 // people who do things with their hands, the same
     Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;

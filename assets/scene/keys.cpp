@@ -98,7 +98,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
             "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
-            "another of which people leap."),
+            "another of which people leap; a yard where people carry boxes, open doors and climb."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,
