@@ -55,7 +55,8 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
-    all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole);
+    all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole,
+        w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
         w.linkages.held, w.movers.places);
     if (!w.roam) return;
@@ -243,7 +244,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
     pose_figures_anew(w.figures);
-    pose_deeds_anew(w.deeds);
+    forget_previous(w.deeds);
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "sim/base/math.h"
 #include "sim/fall/rising.h"
 #include "sim/pose/arm.h"
+#include "sim/pose/joint_limits.h"
 
 namespace flaneur {
 
@@ -45,6 +46,14 @@ Quat about(Vec3 axis, float angle) {
     return {axis.x * half.sine, axis.y * half.sine, axis.z * half.sine, half.cosine};
 }
 
+// Turned about its own length by no more than that, either way; less and less where it would go round.
+Quat held_twist(Quat turn, float most) {
+    const float twist = wrap_angle(2 * arctan2(turn.y, turn.w));
+    const float excess = std::max(std::fabs(twist) - most, 0.0f);
+    const float left = std::max(most - 2 * excess, 0.0f);
+    return excess > 0 ? normalize(turn * rotation_y((twist < 0 ? -left : left) - twist)) : turn;
+}
+
 }  // namespace
 
 float leg_of(Someone who) { return own_place(who, left_upper_leg).y; }
@@ -56,7 +65,7 @@ float bell(float time) {
 }
 
 void bend_down(BodyPose& pose, Someone who, Bend bend) {
-    constexpr float k_pitch = 70 * k_radians, k_of_hips = 0.5f, k_down = 0.56f, k_back = 0.15f;
+    constexpr float k_pitch = 70 * k_radians, k_of_hips = 0.3f, k_down = 0.56f, k_back = 0.15f;
     const float s = clamp(bend.depth, 0, 1);
     if (s <= 0 && bend.back == 0) return;
     const auto stands = places_of(pose, who.person, who.lane);
@@ -130,7 +139,7 @@ float beyond_reach(const BodyPose& pose, Someone who, Side side, Vec3 wrist, flo
     return length(wrist - shoulder) - part * (bone_of(who, first + 1) + bone_of(who, first + 2));
 }
 
-void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, float out, float share) {
+void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow_to, float share) {
     if (share <= 0) return;
     const int joint = shoulder_of(side);
     const auto first = static_cast<size_t>(joint);
@@ -141,7 +150,7 @@ void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wri
     const float a = bone_of(who, joint + 1), b = bone_of(who, joint + 2);
     const float reach = clamp(length(to), std::fabs(a - b) + 0.04f, k_straightest * (a + b));
     const Vec3 way = normalize_or(to, {0, -1, 0});
-    const Vec3 pole = rotate(pose.rotation[upper_chest], Vec3{outward * out, -1, -0.35f});
+    const Vec3 pole = rotate(pose.rotation[upper_chest], Vec3{outward * elbow_to.x, elbow_to.y, elbow_to.z});
     const Vec3 aside = normalize_or(pole - way * dot(pole, way), {0, -1, 0});
     const float along = (a * a - b * b + reach * reach) / (2 * reach);
     const Vec3 elbow = way * along + aside * std::sqrt(std::max(a * a - along * along, 0.0f));
@@ -149,11 +158,20 @@ void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wri
     // The elbow is a hinge: both bones keep their fronts in the plane that it bends in.
     const Quat upper_ws = bone_rotation(upper, lower);
     Quat lower_ws = bone_rotation(lower, -upper);
-    // The forearm takes most of what the hand twists against it.
+    // The forearm takes most of what the hand twists against it; under a hand that is bent far it turns so that
+    // this is a bend ahead or back, which wrists can.
+    constexpr float k_takes = 0.6f, k_most = 95 * k_radians, k_bent = 0.3f, k_far = 0.75f;
     const Quat twist = conjugate(lower_ws) * wrist.rotation;
-    const float turns = wrap_angle(2 * arctan2(twist.y, twist.w));
-    lower_ws = normalize(lower_ws * rotation_y(0.6f * turns));
-    const Quat hand_ps = within_wrist(conjugate(lower_ws) * wrist.rotation);
+    // Little by little none where either is about to go round the other way.
+    const float whole = wrap_angle(2 * arctan2(twist.y, twist.w));
+    const float turns = k_takes * whole * (1 - smoothstep(1.9f, 3.0f, std::fabs(whole)));
+    const Vec3 points = rotate(twist, {0, -1, 0});
+    float under = arctan2(points.x, points.z);
+    if (std::fabs(under) > 0.5f * k_pi) under = wrap_angle(under + k_pi);
+    const float bent = smoothstep(k_bent, k_far, points.x * points.x + points.z * points.z) *
+                       (1 - smoothstep(1.0f, 1.5f, std::fabs(under)));
+    lower_ws = normalize(lower_ws * rotation_y(clamp(lerp(turns, under, bent), -k_most, k_most)));
+    const Quat hand_ps = within_wrist(held_twist(conjugate(lower_ws) * wrist.rotation, k_most));
     const Quat now_ps[3] = {conjugate(pose.rotation[first - 1]) * upper_ws, conjugate(upper_ws) * lower_ws,
                             hand_ps};
     above = pose.rotation[first - 1];
@@ -163,19 +181,55 @@ void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wri
     }
 }
 
-void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, float out, float share) {
+void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, Vec3 elbow, float share) {
     JointPose wrist = wrist_of(palm, who, side);
     const BodyPose stands = pose;
     for (int n = 0; n < 4; ++n) {
         pose = stands;
-        reach_with_arm(pose, who, side, wrist, out, 1);
+        reach_with_arm(pose, who, side, wrist, elbow, 1);
         const Vec3 off = palm.place - palm_of(pose, who, side).place;
         if (length(off) < 0.0005f) break;
         wrist.position += off;
     }
     if (share >= 1) return;
     pose = stands;
-    reach_with_arm(pose, who, side, wrist, out, share);
+    reach_with_arm(pose, who, side, wrist, elbow, share);
+}
+
+void lean_to(BodyPose& pose, Someone who, Side side, Vec3 wrist, float share, float most) {
+    constexpr float k_part = 0.97f;
+    const auto shoulder = static_cast<size_t>(shoulder_of(side));
+    float left = most * share;
+    for (int n = 0; n < 8 && left > 0; ++n) {
+        const float lacks = share * beyond_reach(pose, who, side, wrist, k_part);
+        if (lacks <= 0) return;
+        const auto places = places_of(pose, who.person, who.lane);
+        const Vec3 up = places[shoulder] - places[spine], to = wrist - places[spine];
+        const Vec3 axis = normalize_or(cross(up, to), {1, 0, 0});
+        const float angle = std::min(lacks / length(up), left);
+        left -= angle;
+        for (const int j : {spine, chest, upper_chest}) turn_from(pose, j, about(axis, angle / 3));
+    }
+}
+
+void keep_hip_within(BodyPose& pose, Side side, float share) {
+    constexpr float k_inside = 1;  // degree
+    constexpr JointLimits k_range = joint_limits::k_hip;
+    const size_t thigh = side == k_left ? left_upper_leg : right_upper_leg;
+    const float outward = side == k_left ? 1.0f : -1.0f;
+    const Quat was = pose.rotation[thigh], turn = conjugate(pose.rotation[hips]) * was;
+    const float twist = wrap_angle(2 * arctan2(turn.y, turn.w));
+    const Quat swing = normalize(turn * rotation_y(-twist));
+    const Vec3 along = rotate(swing, {0, -1, 0});
+    auto held = [](float angle, DegreeSpan span) {
+        return clamp(angle, (span.low + k_inside) * k_radians, (span.high - k_inside) * k_radians);
+    };
+    const float bend = held(arctan2(along.z, -along.y), k_range.bend);
+    const float aside = outward * held(outward * (0.5f * k_pi - arccos(clamp(along.x, -1, 1))), k_range.side);
+    const SinCos b = sin_cos(bend), a = sin_cos(aside);
+    const Vec3 to{a.sine, -a.cosine * b.cosine, a.cosine * b.sine};
+    const Quat now = rotation_between(along, normalize_or(to, along)) * swing * rotation_y(held(twist, k_range.twist));
+    turn_from(pose, static_cast<int>(thigh), nlerp(was, normalize(pose.rotation[hips] * now), share) * conjugate(was));
 }
 
 float depth_to_reach(const BodyPose& stands, Someone who, const Vec3 wrists[2], float back, float part) {

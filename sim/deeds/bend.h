@@ -40,14 +40,20 @@ struct Palm {
 JointPose wrist_of(const Palm& palm, Someone who, Side side);
 Palm palm_of(const BodyPose& pose, Someone who, Side side);
 
-// An arm from its shoulder to a wrist, elbow down and `out`, as far as it reaches; by so much, 0..1, of the
-// turns of its joints.
-void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, float out, float share);
+// An arm from its shoulder to a wrist, as far as it reaches, its elbow to where `elbow` points, in the axes of
+// the chest with x outward; by so much, 0..1, of the turns of its joints.
+void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow, float share);
 // The same for a palm: where the wrist cannot turn so far, the palm is there all the same.
-void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, float out, float share);
+void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, Vec3 elbow, float share);
 // Metres from the shoulder to a place that are more than `part` of the arm's length; less than 0: it is
 // within.
 float beyond_reach(const BodyPose& pose, Someone who, Side side, Vec3 wrist, float part);
+
+// Bends and turns the trunk over its three joints until the shoulder is within reach of a wrist, as far as it
+// can; by so much, 0..1, and by `most` radians.
+void lean_to(BodyPose& pose, Someone who, Side side, Vec3 wrist, float share, float most);
+// Brings the thigh of a leg within people's range, and what hangs on it along; by so much, 0..1.
+void keep_hip_within(BodyPose& pose, Side side, float share);
 
 // The least depth, to 1, from which both wrists are within `part` of the arms' lengths; 1 where none is.
 float depth_to_reach(const BodyPose& stands, Someone who, const Vec3 wrists[2], float back, float part);

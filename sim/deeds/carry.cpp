@@ -11,7 +11,7 @@ namespace {
 
 constexpr float k_before_edge = 0.04f;  // metres, of toes
 constexpr float k_part = 0.9f;          // of an arm's length, to which one reaches
-constexpr float k_out = 0.35f;          // of elbows
+constexpr Vec3 k_elbow{0.3f, -0.8f, -0.6f};
 
 // How long stages take, seconds.
 float reach_seconds(float depth) { return 0.8f + 0.45f * depth; }
@@ -24,7 +24,7 @@ float grip_height(const Parcel& p) { return -p.half.y + std::max(0.7f * p.half.y
 
 // Where one has it who carries it, by the gait's pose.
 ParcelNow carried(const Deeds& d, size_t i, const BodyPose& stands, uint32_t parcel) {
-    constexpr float k_clear = 0.025f, k_grip_high = 0.085f;  // metres; of the height, over the hips
+    constexpr float k_clear = 0.025f, k_grip_high = 0.065f;  // metres; of the height, over the hips
     const Parcel& p = d.things.parcels[parcel];
     const Doer& doer = d.doers[i];
     const Vec2 ahead = heading_direction(doer.motion.heading);
@@ -97,12 +97,14 @@ void reach_out(BodyPose& pose, Someone who, const Grips& grips, Quat turn, float
     const auto places = places_of(pose, who.person, who.lane);
     for (const Side side : {k_left, k_right}) {
         const size_t hand = side == k_left ? left_hand : right_hand;
-        const JointPose &to = grips.wrists[side], from{places[hand], pose.rotation[hand]};
+        const JointPose& to = grips.wrists[side];
+        const Vec3 from = places[hand];
         const float out = side == k_left ? k_wide : -k_wide;
         const Vec3 round = to.position + rotate(turn, {out, k_over, -k_back});
-        const Vec3 at = lerp(lerp(from.position, round, t), lerp(round, to.position, t), t);
-        reach_with_arm(pose, who, side, {at, nlerp(from.rotation, to.rotation, smoothstep(0.15f, 0.9f, time))},
-                       k_out, smoothstep(0, 0.45f, time));
+        const Vec3 at = lerp(lerp(from, round, t), lerp(round, to.position, t), t);
+        // Joints go from one to the other; then the hand is led round what is before it.
+        reach_with_arm(pose, who, side, to, k_elbow, t);
+        reach_with_arm(pose, who, side, {at, pose.rotation[hand]}, k_elbow, smoothstep(0, 0.5f, time));
     }
 }
 
@@ -239,7 +241,7 @@ void pose_carrying(const Deeds& d, size_t i, BodyPose& pose) {
     if (doer.stage == DoerStage::reach) return reach_out(pose, who, grips, now.turn, reach);
     if (doer.has == 0) return;
     for (const Side side : {k_left, k_right})
-        reach_for(pose, who, side, grip_of(p, now, side, finger_pitch(pose, who, p, now, side)), k_out, 1);
+        reach_for(pose, who, side, grip_of(p, now, side, finger_pitch(pose, who, p, now, side)), k_elbow, 1);
 }
 
 }  // namespace flaneur

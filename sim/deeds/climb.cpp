@@ -79,33 +79,30 @@ struct Maker {
 // Leading with the left leg, the right hand on the wall.
 Keys keys_to_step(const Sizes& s, const Stances& st) {
     Maker m;
-    const float k = s.k, over = s.height + s.ankle + 0.09f * k, out = s.half + 0.16f * k;
-    const Vec3 palm{-0.3f * k, s.height, -0.3f * s.half};
+    const float k = s.k, over = s.height + s.ankle + 0.07f * k, near = s.half + 0.16f * k, far = s.half + 0.12f * k;
+    const Vec3 palm{-0.3f * k, s.height, 0.4f * s.half};
     const float high = st.hips[0].y;
     m.hips(st.hips[0]);
     for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[0][side], 0, 0);
-    m.hand(k_left, palm + Vec3{0.6f * k, 0.3f * k, 0}, 0, 0), m.hand(k_right, palm + Vec3{0, 0.2f * k, -0.1f * k}, 0, 0);
-    m.put(0);
-    // Bends to the wall; how far is what the arm lacks.
-    const float low = clamp((high - s.height) / (0.48f * k), 0, 1);
-    const float bow = 22 + 12 * low;
-    m.hips({st.hips[0].x - 0.03f * k, high - 0.05f * k, st.hips[0].z + 0.03f * k});
-    m.turn(-8, 18, bow, 0), m.hand(k_right, palm, 1, 0), m.put(0.55f);
-    m.hips({st.hips[0].x - 0.06f * k, high - 0.04f * k, st.hips[0].z + 0.08f * k});
-    m.turn(-4, 20, bow, -4), m.foot(k_left, {0.12f * k, over, -out}, 1, 0.35f), m.put(0.4f);
-    m.hips({-0.05f * k, high - 0.05f * k, -0.13f * k});
-    m.turn(4, 18, bow, -3), m.foot(k_left, {0.12f * k, over, out}, 1, 0.3f), m.put(0.4f);
-    m.hips({-0.01f * k, high - 0.075f * k, 0.02f});
-    m.turn(2, 16, bow, 0), m.foot(k_left, st.ankles[1][k_left], 0, 0.15f), m.put(0.4f);
-    m.hips({0.04f * k, high - 0.05f * k, 0.17f * k});
-    m.turn(-14, 24, bow - 2, 6), m.foot(k_right, {-0.24f * k, over + 0.03f * k, -out - 0.03f * k}, 1, 0.9f), m.put(0.42f);
-    m.hips({0.05f * k, high - 0.03f * k, 0.28f * k});
-    m.turn(-8, 18, bow - 8, 5), m.foot(k_left, st.ankles[1][k_left], 0, 0);
-    m.foot(k_right, {-0.22f * k, over + 0.02f * k, out}, 1, 0.7f);
-    m.hand(k_right, palm, 0.85f, -10), m.put(0.4f);
-    m.hand(k_right, palm + Vec3{-0.05f * k, 0.15f * k, 0.1f * k}, 0, -10);
+    m.hand(k_left, palm + Vec3{0.6f * k, 0.3f * k, 0}, 0, 0);
+    m.hand(k_right, palm + Vec3{0, 0.2f * k, -0.1f * k}, 0, 0), m.put(0);
+    m.hips({st.hips[0].x - 0.03f * k, high - 0.05f * k, st.hips[0].z - 0.02f * k});
+    m.turn(-6, 26, 26, 0), m.hand(k_right, palm, 1, 0), m.put(0.6f);
+    m.hips({st.hips[0].x - 0.05f * k, high - 0.03f * k, st.hips[0].z - 0.05f * k});
+    m.turn(-4, 12, 34, -6), m.foot(k_left, {0.14f * k, over, -near}, 1, 0.25f), m.put(0.45f);
+    m.hips({-0.05f * k, high - 0.06f * k, -near + 0.02f * k});
+    m.turn(0, 12, 34, -4), m.foot(k_left, {0.13f * k, over, far}, 1, 0.15f), m.put(0.42f);
+    m.hips({-0.01f * k, high - 0.16f * k, -0.05f});
+    m.foot(k_right, st.ankles[0][k_right] + Vec3{0, 0.07f * k, 0.05f * k}, 0.5f, 0.1f);
+    m.turn(0, 16, 30, 0), m.foot(k_left, st.ankles[1][k_left], 0, 0.1f), m.put(0.42f);
+    m.hips({0.04f * k, high - 0.07f * k, 0.14f * k});
+    m.turn(-34, 16, 30, 10), m.foot(k_right, {-0.34f * k, over + 0.03f * k, -near - 0.08f * k}, 1, 1), m.put(0.48f);
+    m.hips({0.06f * k, high - 0.04f * k, 0.24f * k});
+    m.turn(-20, 10, 24, 8), m.foot(k_left, st.ankles[1][k_left], 0, 0);
+    m.foot(k_right, {-0.26f * k, over + 0.03f * k, far}, 1, 0.7f);
+    m.hand(k_right, palm + Vec3{-0.03f * k, 0.14f * k, 0.06f * k}, 0, -10), m.put(0.4f);
     m.hips({st.hips[1].x + 0.02f * k, high - 0.02f * k, st.hips[1].z - 0.03f * k});
-    m.turn(0, 6, 8, 0), m.foot(k_right, st.ankles[1][k_right], 0, 0), m.put(0.42f);
+    m.turn(0, 6, 8, 0), m.foot(k_right, st.ankles[1][k_right], 0, 0), m.put(0.45f);
     m.hips(st.hips[1]), m.turn(0, 0, 0, 0), m.put(0.4f);
     return m.keys;
 }
@@ -113,62 +110,78 @@ Keys keys_to_step(const Sizes& s, const Stances& st) {
 // Leading with the right leg; turned to the left, astride.
 Keys keys_to_sit(const Sizes& s, const Stances& st) {
     Maker m;
-    const float k = s.k, h = s.height, over = h + s.ankle + 0.08f * k, out = s.half + 0.15f * k;
+    const float k = s.k, h = s.height, over = h + s.ankle + 0.07f * k, out = s.half + 0.16f * k;
     const float sits = h + s.seat, x = -0.14f * k;
     const Vec3 left_palm{0.34f * k, h, 0.0f}, right_palm{0.12f * k, h, -0.2f * s.half};
-    const float hangs = 0.9f * s.leg;
-    const float tall = std::max(sits - 0.99f * s.leg, 0.0f);  // that feet are off the ground, astride
+    const float rides = std::max(h - 0.3f * k, s.ankle + 0.02f);  // of ankles, astride
+    auto astride = [&](Side side) {
+        const float z = s.half + 0.24f * k;
+        return Vec3{x + 0.16f * k, rides, side == k_left ? -z : z};
+    };
     m.hips(st.hips[0]);
     for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[0][side], 0, 0);
-    m.hand(k_left, left_palm + Vec3{0, 0.1f * k, -0.15f * k}, 0, 0), m.hand(k_right, right_palm + Vec3{-0.2f * k, 0.1f * k, -0.15f * k}, 0, 0);
-    m.put(0);
+    m.hand(k_left, left_palm + Vec3{0, 0.1f * k, -0.15f * k}, 0, 0);
+    m.hand(k_right, right_palm + Vec3{-0.2f * k, 0.1f * k, -0.15f * k}, 0, 0), m.put(0);
     // Hands on it.
     const float stoop = clamp(1.15f * (1.02f - h / (1.1f * k)), 0, 1);
     m.hips({st.hips[0].x, st.hips[0].y - 0.04f * k, st.hips[0].z - 0.02f * k});
     m.turn(8, 10 + 14 * stoop, 10 + 16 * stoop, 0);
     m.hand(k_left, left_palm, 1, 0), m.hand(k_right, right_palm, 1, 0), m.put(0.65f);
-    // The right leg up, the left one pushes off.
-    const float near = -s.half - 0.13f * k, up = std::max(sits - 0.03f * k, 0.97f * s.leg);
+    // The right leg up, the left one pushes off, and hangs.
+    const float near = -s.half - 0.21f * k, up = std::max(sits - 0.03f * k, 0.96f * s.leg);
+    const float lifted = std::max(up - 0.955f * s.leg, st.ankles[0][k_left].y);
+    m.hips({st.hips[0].x, 0.5f * (st.hips[0].y + up), st.hips[0].z - 0.02f * k});
+    m.turn(14, 14, 30, 10);
+    m.foot(k_left, {st.ankles[0][k_left].x, std::max(0.5f * (st.hips[0].y + up) - 0.95f * s.leg, st.ankles[0][k_left].y), st.ankles[0][k_left].z},
+           up > 1.01f * st.hips[0].y ? 0.6f : 0.0f, 0);
+    m.foot(k_right, {-0.44f * k, 0.6f * h, -out - 0.16f * k}, 1, 1), m.put(0.42f);
     m.hips({x * 0.6f, up, near});
-    m.turn(24, 24, 18, 10);
-    m.foot(k_right, {-0.46f * k, over, -out}, 1, 0.75f);
-    m.foot(k_left, st.ankles[0][k_left] + Vec3{0, 0.05f * k + tall, 0}, tall > 0 ? 0.8f : 0.3f, 0), m.put(0.62f);
-    m.hips({x, std::max(sits + 0.05f * k, up), -0.45f * s.half});
-    m.turn(52, 26, 16, 8);
-    m.foot(k_right, {-0.42f * k, over, out}, 1, 0.6f), m.put(0.42f);
+    m.turn(24, 8, 34, 12);
+    m.foot(k_right, {-0.5f * k, over, -out - 0.04f * k}, 1, 0.9f);
+    m.foot(k_left, {st.ankles[0][k_left].x, lifted, near - 0.03f * k}, 1, 0), m.put(0.4f);
+    m.hips({x, std::max(sits + 0.07f * k, up), -0.5f * s.half});
+    m.turn(56, 10, 46, 10);
+    m.foot(k_left, {x + 0.1f * k, std::max(sits - 0.86f * s.leg, s.ankle + 0.05f * k), -s.half - 0.22f * k}, 1, 0.3f);
+    m.foot(k_right, {-0.4f * k, over, out}, 1, 0.6f), m.put(0.45f);
     // Astride.
     m.hips({x, sits, 0});
-    m.turn(86, 16, 16, 0);
-    m.foot(k_right, {x + 0.12f * k, std::max(sits - hangs, s.ankle + 0.02f), s.half + 0.16f * k}, 1, 0.15f);
-    m.foot(k_left, {x + 0.12f * k, std::max(sits - hangs, s.ankle + 0.02f), -s.half - 0.16f * k}, 1, 0.15f);
+    m.turn(88, 18, 44, 0);
+    m.foot(k_right, astride(k_right), 1, 0.45f), m.foot(k_left, astride(k_left), 1, 0.45f);
     m.put(0.5f);
     // The right hand goes behind, the trunk leans back.
     m.hips({x, sits, 0.01f});
-    m.turn(80, 2, 4, 0);
-    m.hand(k_right, {x - 0.12f * k, h + 0.12f * k, 0.45f * s.half}, 1, 30), m.put(0.28f);
-    m.turn(74, -12, 8, -4);
-    m.hand(k_right, {x - 0.3f * k, h, 0.25f * s.half}, 1, -40);
-    m.hand(k_left, left_palm, 0.9f, 0);
-    m.foot(k_left, {x + 0.36f * k, std::max(h - 0.2f * k, s.ankle + 0.1f), -s.half - 0.2f * k}, 1, 0.1f), m.put(0.36f);
+    m.turn(90, 2, 6, 2);
+    m.hand(k_right, {x - 0.1f * k, h + 0.13f * k, 0.8f * s.half}, 0.85f, 60), m.put(0.3f);
+    m.turn(94, -14, 4, 2);
+    m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 100);
+    m.hand(k_left, left_palm, 0.9f, 30);
+    m.foot(k_left, {x + 0.46f * k, std::max(h - 0.1f * k, s.ankle + 0.1f), -s.half - 0.24f * k}, 1, 0.2f), m.put(0.38f);
     // The left leg over.
-    m.hand(k_left, left_palm + Vec3{-0.05f * k, 0.16f * k, -0.5f * s.half}, 0.4f, 0);
-    m.turn(52, -17, 10, -6), m.hips({x, sits + 0.02f * k, 0.02f});
-    m.foot(k_left, {x + 0.5f * k, over + 0.04f * k, -out}, 1, 0), m.put(0.4f);
-    m.turn(26, -15, 12, -4);
-    m.hand(k_left, {x + 0.3f * k, h + 0.13f * k, -0.2f * s.half}, 0.6f, 10);
-    m.foot(k_left, {x + 0.36f * k, over + 0.03f * k, out}, 1, 0), m.put(0.36f);
+    m.hand(k_left, left_palm + Vec3{-0.05f * k, 0.16f * k, 0}, 0.3f, 30);
+    m.turn(98, -18, 4, 4), m.hips({x, sits + 0.02f * k, 0.02f});
+    m.foot(k_left, {x + 0.6f * k, over + 0.05f * k, -out}, 1, 0.2f), m.put(0.38f);
+    m.turn(64, -14, 6, 2);
+    m.hand(k_left, {x + 0.3f * k, h + 0.13f * k, -0.5f * s.half}, 0.5f, 20);
+    m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 60);
+    m.foot(k_right, {x + 0.1f * k, rides, s.half + 0.26f * k}, 1, 0.3f);
+    m.foot(k_left, {x + 0.54f * k, over + 0.05f * k, out}, 1, 0.3f), m.put(0.42f);
     // Sits, both hands beside.
-    const float below = std::max(h - 0.36f * k, s.ankle + 0.03f), knee = s.half + 0.22f * k;
-    m.turn(2, -4, 14, 0), m.hips({x, sits, 0.35f * s.half});
-    m.hand(k_left, {x + 0.25f * k, h, 0.1f * s.half}, 1, 0), m.hand(k_right, {x - 0.25f * k, h, 0.1f * s.half}, 1, 0);
+    const float below = std::max(h - 0.3f * k, s.ankle + 0.03f), knee = s.half + 0.3f * k;
+    m.turn(4, -6, 18, 0), m.hips({x, sits, 0.4f * s.half});
+    m.hand(k_left, {x + 0.25f * k, h, 0.3f * s.half}, 1, 10), m.hand(k_right, {x - 0.25f * k, h, 0.3f * s.half}, 1, -10);
     m.foot(k_left, {x + 0.1f * k, below, knee}, 1, 0), m.foot(k_right, {x - 0.1f * k, below, knee}, 1, 0);
-    m.put(0.45f);
+    m.put(0.5f);
     // Slides down.
-    m.turn(0, 12, 14, 0), m.hips({0.5f * (x + st.hips[1].x), std::min(sits - 0.04f * k, 0.93f * s.leg), std::min(s.half + 0.15f * k, st.hips[1].z)});
-    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[1][side], 0, 0);
-    m.put(0.55f);
-    m.hips({st.hips[1].x, st.hips[1].y - 0.05f * k, st.hips[1].z - 0.01f}), m.turn(0, 6, 8, 0);
+    const float front = s.half + 0.15f * k;
+    m.turn(0, 2, 18, 0), m.hips({x, sits - 0.01f * k, s.half + 0.07f * k});
+    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[1][side] + Vec3{0, std::max(sits - 0.97f * s.leg - s.ankle, 0.0f), 0}, 0.4f, 0);
+    m.put(0.4f);
     for (const Side side : {k_left, k_right}) m.now[c_hold + static_cast<size_t>(side)] = 0;
+    m.turn(0, 6, 16, 0);
+    m.hips({0.5f * (x + st.hips[1].x), std::min(sits, 0.93f * s.leg), std::max(front, 0.6f * st.hips[1].z)});
+    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[1][side], 0, 0);
+    m.put(0.4f);
+    m.hips({st.hips[1].x, st.hips[1].y - 0.05f * k, st.hips[1].z - 0.01f}), m.turn(0, 6, 8, 0);
     m.put(0.4f);
     m.hips(st.hips[1]), m.turn(0, 0, 0, 0), m.put(0.35f);
     return m.keys;
@@ -220,7 +233,7 @@ bool is_onward(const LowWall& wall, Vec2 from) {
 float behind(const Deeds& d, size_t i, const LowWall& wall) {
     return 0.5f * wall.thick + d.bodies[i].heel + 0.13f * d.bodies[i].height / 1.75f;
 }
-float before(const Deeds& d, size_t i, const LowWall& wall) { return 0.5f * wall.thick + toes_ahead(d, i) + 0.07f; }
+float before(const Deeds& d, size_t i, const LowWall& wall) { return 0.5f * wall.thick + toes_ahead(d, i) + 0.1f; }
 
 // How one stands, by the gait's pose on this side or on the other one.
 Stances stances_of(const Over& over, const BodyPose& stands, Someone who, float far, bool has_crossed) {
@@ -356,8 +369,7 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
         const float out = side == k_left ? 1.0f : -1.0f, splay = now[c_splay + n], is_free = now[c_free + n];
         const Vec3 pole = rotate(root, {out * (0.1f + splay), 0.35f * splay, 1 - 0.85f * splay});
         leg_to(pose, who, side, c.over.world(get(now, c_foot + 3 * n)), normalize_or(pole, {0, 0, 1}));
-        const Vec3 shin = rotate(pose.rotation[thigh + 1], {0, -1, 0});
-        (void)shin;
+        keep_hip_within(pose, side, smoothstep(0, 1, is_free));
         const Quat hanging = normalize(pose.rotation[thigh + 1] * rotation_x(0.35f));
         pose.rotation[thigh + 2] = nlerp(stands.rotation[thigh + 2], hanging, smoothstep(0, 1, is_free));
         pose.rotation[thigh + 3] = nlerp(stands.rotation[thigh + 3], hanging, smoothstep(0, 1, is_free));
@@ -378,13 +390,22 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
     }
     const Vec3 ahead = c.over.world({now[c_hips], 0.35f * c.wall->height, now[c_hips + 2] + 0.9f});
     look_at(pose, who, ahead, 0.75f * share);
-    for (const Side side : {k_left, k_right}) {
-        const auto n = static_cast<size_t>(side);
+    auto palm_on = [&](size_t n) {
         Palm palm;
         palm.place = c.over.world(get(now, c_hand + 3 * n));
         palm.faces = {0, -1, 0};
         palm.fingers = at_height(heading_direction(c.over.yaw + now[c_point + n]), 0);
-        reach_for(pose, who, side, palm, 0.45f, smoothstep(0, 1, now[c_hold + n]));
+        return palm;
+    };
+    for (const Side side : {k_left, k_right}) {
+        const auto n = static_cast<size_t>(side);
+        const float holds = now[c_hold + n];
+        lean_to(pose, who, side, wrist_of(palm_on(n), who, side).position, smoothstep(0, 1, holds), 0.75f);
+    }
+    for (const Side side : {k_left, k_right}) {
+        const auto n = static_cast<size_t>(side);
+        const Palm palm = palm_on(n);
+        reach_for(pose, who, side, palm, {0.6f, 0.1f, -1}, smoothstep(0, 1, now[c_hold + n]));
     }
 }
 

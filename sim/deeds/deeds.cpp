@@ -8,6 +8,7 @@
 #include "sim/deeds/carry.h"
 #include "sim/deeds/climb.h"
 #include "sim/deeds/doorway.h"
+#include "sim/pose/arm.h"
 #include "sim/pose/joint_limits.h"
 
 namespace flaneur {
@@ -92,6 +93,16 @@ void pose_all(Deeds& d) {
     for (size_t i = 0; i < d.doers.size(); ++i) pose_doer(d, i, d.poses);
 }
 
+// No joint of a limb turns faster than people's; what that leaves behind comes after.
+void restrain(Deeds& d) {
+    constexpr float k_fastest_arm = 20;  // rad/s
+    restrain_legs(d.gait, 0, d.poses.size(), k_tick, d.previous_poses, d.poses);
+    for (size_t i = 0; i < d.doers.size(); ++i)
+        for (const Side side : {k_left, k_right})
+            slow_arm({d.previous_poses[i / k_block], i % k_block}, {d.poses[i / k_block], i % k_block}, side,
+                     k_fastest_arm * k_tick);
+}
+
 }  // namespace
 
 Deeds make_deeds(std::vector<DoerPlan> plans, Things things, std::shared_ptr<const Ground> ground,
@@ -129,9 +140,7 @@ Deeds make_deeds(std::vector<DoerPlan> plans, Things things, std::shared_ptr<con
     return d;
 }
 
-void pose_deeds_anew(Deeds& d) {
-    if (d.plans.empty()) return;
-    pose_all(d);
+void forget_previous(Deeds& d) {
     d.previous_poses = d.poses, d.previous_parcels = d.parcels, d.previous_leaves = d.leaves;
 }
 
@@ -158,6 +167,7 @@ void step_deeds(Deeds& d, uint64_t seed, uint32_t tick) {
     close_doors(d);
     d.previous_poses.swap(d.poses);
     pose_all(d);
+    restrain(d);
 }
 
 void lead_movers(const Deeds& d, Movers& movers) {

@@ -86,8 +86,8 @@ Deeds make_deeds(std::vector<DoerPlan> plans, Things things, std::shared_ptr<con
                  const std::vector<Body>& bodies, uint64_t seed);
 // A tick, which allocates nothing.
 void step_deeds(Deeds& deeds, uint64_t seed, uint32_t tick);
-// What follows from the rest, after `doers`, `parcels`, `doors`, `gait.blocks`, `whole` and `poses` were written over.
-void pose_deeds_anew(Deeds& deeds);
+// After `doers`, `parcels`, `leaves`, `gait.blocks`, `whole` and `poses` were written over.
+void forget_previous(Deeds& deeds);
 
 // Writes where its things are: parcels, then of each door its leaf and its levers.
 void lead_movers(const Deeds& deeds, Movers& movers);

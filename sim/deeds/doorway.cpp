@@ -10,14 +10,23 @@ namespace flaneur {
 namespace {
 
 constexpr float k_grown = 1.75f;
-constexpr float k_half_shoulders = 0.18f, k_arm_ahead = 0.42f;  // metres, of a grown person
+constexpr float k_half_shoulders = 0.18f, k_arm_ahead = 0.45f;  // metres, of a grown person
+constexpr float k_chest = 0.16f;                                // and from the chest,
+constexpr float k_foot = 0.07f;                                 // metres that a leaf keeps from feet
 constexpr float k_longest = 0.975f;                             // of the arm that holds
 constexpr float k_body = 0.25f;                                 // metres that a leaf keeps from its middle
 constexpr float k_opens = 1.15f, k_quickens = 2.6f;             // rad/s, and a second more, of one who pulls
 constexpr float k_fastest = 2.0f;                               // rad/s, of one who pushes
 constexpr float k_wide = 1.6f;                                  // radians, open
 constexpr float k_steps_in = 0.55f;                             // radians from which on one who pulls goes
+constexpr float k_ajar = 0.5f;                                   // and from which on one who pushes goes
+constexpr float k_leans = 0.25f;                                 // radians that the trunk follows the hand
 constexpr float k_turned = 0.22f;                               // seconds that the lever takes
+
+Vec3 own_place(Someone who, size_t joint) {
+    const auto& at = who.person.joints[joint];
+    return {at[0][who.lane], at[1][who.lane], at[2][who.lane]};
+}
 
 float scale_of(const Deeds& d, size_t i) { return d.bodies[i].height / k_grown; }
 
@@ -41,20 +50,26 @@ float from_leaf(const Doorway& door, Vec2 own, float angle) {
 }
 
 float arm_of(Someone who) {
-    auto place = [&](size_t j) {
-        const auto& at = who.person.joints[j];
-        return Vec3{at[0][who.lane], at[1][who.lane], at[2][who.lane]};
-    };
-    return length(place(left_upper_arm) - place(left_lower_arm)) + length(place(left_lower_arm) - place(left_hand));
+    const Vec3 elbow = own_place(who, left_lower_arm);
+    return length(own_place(who, left_upper_arm) - elbow) + length(elbow - own_place(who, left_hand));
+}
+
+// Metres before the shoulder at which a handle is well in hand.
+float arm_ahead(const Deeds& d, size_t i) {
+    constexpr float k_part = 0.9f, k_palm = 0.05f;
+    const Someone who = someone(d, i);
+    const float arm = arm_of(who), down = own_place(who, left_upper_arm).y - k_handle_high - 0.03f;
+    return std::min(k_arm_ahead * scale_of(d, i), k_part * std::sqrt(std::max(arm * arm - down * down, 0.01f)) + k_palm);
 }
 
 // The trunk turns to the handle, and bends to it a little.
 void turn_to_handle(const Deeds& d, size_t i, Vec3 handle, float share, BodyPose& pose) {
-    constexpr float k_part = 0.45f, k_most = 0.5f, k_bend = 0.1f;
+    constexpr float k_part = 0.45f, k_most = 0.5f, k_bend = 0.1f, k_tall = 1.45f;
     const Doer& doer = d.doers[i];
+    const float bend = k_bend + 0.7f * std::max(own_place(someone(d, i), left_upper_arm).y - k_tall, 0.0f);
     const Vec2 way = on_ground(handle) - on_ground(pose.hips);
     const float aside = wrap_angle(heading_of(way) - doer.motion.heading);
-    turn_trunk(pose, share * k_bend, share * clamp(k_part * aside, -k_most, k_most));
+    turn_trunk(pose, share * bend, share * clamp(k_part * aside, -k_most, k_most));
 }
 
 // A palm on a lever, fingers between the way to the leaf and that of the forearm.
@@ -88,6 +103,7 @@ Reached reaches(const Deeds& d, size_t i, const BodyPose& stands, const Doorway&
     const Vec3 handle = handle_of(door, now, pushes);
     turn_to_handle(d, i, handle, 1, pose);
     const JointPose wrist = wrist_of(hold_of(d, i, pose, door, now, pushes), who, side);
+    lean_to(pose, who, side, wrist.position, 1, k_leans);
     const Vec3 shoulder =
         places_of(pose, who.person, who.lane)[side == k_left ? left_upper_arm : right_upper_arm];
     return {length(wrist.position - shoulder) < k_longest * arm_of(who), length(on_ground(handle - shoulder))};
@@ -105,8 +121,8 @@ Side hand_at(const Doorway& door, bool pushes) { return door.hinge_left == pushe
 Spot before_door(const Deeds& d, size_t i, const Doorway& door, bool pushes) {
     const Frame f = frame_of(door);
     const float k = scale_of(d, i), handle = door.width - k_handle_from_edge - k_lever, shoulder = k_half_shoulders * k;
-    if (!pushes) return {f.world({handle + shoulder + 0.12f, 0.08f + k_arm_ahead * k}), door.heading + k_pi};
-    const float u = 0.72f, aside = handle - (u - shoulder), reach = k_arm_ahead * k;
+    if (!pushes) return {f.world({handle + shoulder + 0.19f, 0.08f + arm_ahead(d, i)}), door.heading + k_pi};
+    const float u = 0.72f, aside = handle - (u - shoulder), reach = arm_ahead(d, i);
     return {f.world({u, -0.09f - std::sqrt(std::max(reach * reach - aside * aside, 0.02f))}), door.heading};
 }
 
@@ -142,11 +158,13 @@ DoerWish pass_door(Deeds& d, size_t i) {
             }
             return wish_to(doer, spot, d.plans[i].speed);
         }
-        case DoerStage::act:
-            if (pushes ? leaf.angle <= 0 : leaf.angle < k_steps_in && past < 0) return {{}, f.out * onward};
+        case DoerStage::act: {
+            const bool is_stuck = leaf.angle > 0.05f && leaf.speed <= 0;
+            if (pushes ? leaf.angle < k_ajar && doer.has != 0 && !is_stuck : leaf.angle < k_steps_in && past < 0) return {{}, f.out * onward};
             if (pushes && doer.has != 0 && past > k_behind * k) let_go(doer, leaf, 0.9f);
             if (doer.has == 0 && past > 0.1f) next_stage_of(doer, DoerStage::leave);
-            return along((pushes ? 0.62f : 0.75f) * k);
+            return along((pushes ? 0.45f : 0.75f) * k);
+        }
         default:
             if (past > k_gone) next_deed(d, doer, i);
             return along(d.plans[i].speed);
@@ -172,22 +190,38 @@ void move_leaf(Deeds& d, size_t i) {
         now.lever = std::max(now.lever - 0.5f * down * k_tick, 0.0f);
     }
     const BodyPose stands = body_pose_of(d.whole, i);
-    const Vec2 own = frame_of(door).own(on_ground(doer.position));
+    const Frame frame = frame_of(door);
+    const Someone who = someone(d, i);
+    const Vec2 own = frame.own(on_ground(doer.position));
     const float before = now.angle;
     auto could_be = [&](float angle) {
         LeafNow then = now;
         then.angle = angle;
         return reaches(d, i, stands, door, then, pushes);
     };
+    // Of the middle of the body, of its chest and of the toes of both feet, as they were a tick ago.
+    const BodyPose last = body_pose_of(d.poses, i);
+    const auto places = places_of(last, who.person, who.lane);
+    auto is_clear = [&](float angle) {
+        bool clear = from_leaf(door, own, angle) >= k_body &&
+                     from_leaf(door, frame.own(on_ground(places[upper_chest])), angle) >= k_chest;
+        for (const Joint toes : {left_toes, right_toes}) {
+            const Vec2 ahead = on_ground(rotate(last.rotation[toes], {0, 0, d.bodies[i].toe}));
+            const Vec2 tip = frame.own(on_ground(places[toes]) + ahead);
+            clear = clear && from_leaf(door, tip, angle) >= k_foot;
+        }
+        return clear;
+    };
     if (pushes) {
         // Away from the body, no farther than that needs: the arm stays as long as it was, the leaf off the body.
-        const float arm = k_arm_ahead * scale_of(d, i) * 0.95f;
+        const float arm = 0.95f * arm_ahead(d, i);
         const float most = std::min(now.speed + k_quickens * k_tick, k_fastest) * k_tick;
         float least = 0;
         const int parts = 8;
         for (int n = 0; n <= parts; ++n) {
             least = most * static_cast<float>(n) / parts;
-            if (could_be(before + least).aside >= arm && from_leaf(door, own, before + least) >= k_body) break;
+            if (before < k_ajar) continue;  // the arm alone
+            if (could_be(before + least).aside >= arm && is_clear(before + least)) break;
         }
         const float slow = std::max(now.speed - 4 * k_tick, 0.0f) * k_tick;  // it has a weight
         now.angle = std::min(before + std::max(least, slow), k_wide);
@@ -195,11 +229,12 @@ void move_leaf(Deeds& d, size_t i) {
     } else {
         const float most = std::min(now.speed + k_quickens * k_tick, k_opens);
         now.angle = std::min(before + most * k_tick, k_wide);
+        if (!is_clear(now.angle)) now.angle = before;
     }
     now.speed = (now.angle - before) / k_tick;
     if (could_be(now.angle).is_within) return;
     // Out of reach: it goes on by itself, or waits.
-    constexpr float k_enough = 0.85f;
+    constexpr float k_enough = 0.5f;
     if (before > k_enough) {
         let_go(doer, now, pushes ? 1.2f : 1.5f);
     } else {
@@ -221,7 +256,8 @@ void pose_at_door(const Deeds& d, size_t i, BodyPose& pose) {
     turn_to_handle(d, i, handle, share, pose);
     const float looks = doer.stage == DoerStage::go ? share : share * (1 - smoothstep(0.1f, 0.6f, now.angle));
     look_at(pose, who, handle, looks);
-    reach_for(pose, who, side, hold_of(d, i, pose, door, now, pushes), 0.5f, share);
+    lean_to(pose, who, side, wrist_of(hold_of(d, i, pose, door, now, pushes), who, side).position, share, k_leans);
+    reach_for(pose, who, side, hold_of(d, i, pose, door, now, pushes), {0.4f, -0.8f, -0.6f}, share);
 }
 
 }  // namespace flaneur
