@@ -73,7 +73,7 @@ void add_door_wall(Scenery& s, Vec2 at) {
         from = opening + k_opening;
         piece(from, from + k_jamb, 0, k_opening_high, k_frame, k_half - 0.02f);
         piece(opening - k_jamb, from + k_jamb, k_opening_high + k_jamb, k_door_wall, k_brick, k_half);
-        piece(opening - k_jamb, from + k_jamb, k_opening_high, k_opening_high + k_jamb, k_frame, k_half - 0.02f);
+        piece(opening - k_jamb, from + k_jamb, k_opening_high, k_opening_high + 2 * k_jamb, k_frame, k_half - 0.02f);
         const Vec3 lintel[4] = {{opening - k_jamb + at.x, k_opening_high, k_half - 0.02f + at.z},
                                 {opening - k_jamb + at.x, k_opening_high, -k_half + 0.02f + at.z},
                                 {from + k_jamb + at.x, k_opening_high, -k_half + 0.02f + at.z},
@@ -145,6 +145,8 @@ std::vector<MoverSolid> leaf_solids(const Doorway& door) {
         all.push_back(solid({side * wide * (static_cast<float>(n) + 0.5f), 0.5f * door.height + 0.005f, 0},
                             {0.5f * wide - 0.003f, 0.5f * door.height - 0.005f, half - 0.01f}, Matter::wood,
                             0.78f + 0.05f * static_cast<float>(n * 7 % 3)));
+    all.push_back(solid({side * 0.5f * door.width, 0.5f * door.height + 0.005f, 0},
+                        {0.5f * door.width - 0.002f, 0.5f * door.height - 0.006f, half - 0.016f}, Matter::dark_wood, 0.5f));
     for (const float y : {0.25f, door.height - 0.25f})
         for (const float face : {-1.0f, 1.0f})
             all.push_back(solid({side * 0.5f * door.width, y, face * (half - 0.006f)},

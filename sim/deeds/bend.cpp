@@ -65,7 +65,7 @@ float bell(float time) {
 }
 
 void bend_down(BodyPose& pose, Someone who, Bend bend) {
-    constexpr float k_pitch = 70 * k_radians, k_of_hips = 0.3f, k_down = 0.56f, k_back = 0.15f;
+    constexpr float k_pitch = 70 * k_radians, k_of_hips = 0.3f, k_down = 0.52f, k_back = 0.165f;
     const float s = clamp(bend.depth, 0, 1);
     if (s <= 0 && bend.back == 0) return;
     const auto stands = places_of(pose, who.person, who.lane);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float k_before_edge = 0.04f;  // metres, of toes
 constexpr float k_part = 0.9f;          // of an arm's length, to which one reaches
-constexpr Vec3 k_elbow{0.3f, -0.8f, -0.6f};
+constexpr Vec3 k_elbow{0.5f, -0.8f, -0.25f};
 
 // How long stages take, seconds.
 float reach_seconds(float depth) { return 0.8f + 0.45f * depth; }

@@ -92,11 +92,12 @@ Keys keys_to_step(const Sizes& s, const Stances& st) {
     m.turn(-4, 12, 34, -6), m.foot(k_left, {0.14f * k, over, -near}, 1, 0.25f), m.put(0.45f);
     m.hips({-0.05f * k, high - 0.06f * k, -near + 0.02f * k});
     m.turn(0, 12, 34, -4), m.foot(k_left, {0.13f * k, over, far}, 1, 0.15f), m.put(0.42f);
-    m.hips({-0.01f * k, high - 0.16f * k, -0.05f});
-    m.foot(k_right, st.ankles[0][k_right] + Vec3{0, 0.07f * k, 0.05f * k}, 0.5f, 0.1f);
+    m.hips({-0.01f * k, high - 0.11f * k, 0.03f * k});
+    m.foot(k_right, st.ankles[0][k_right] + Vec3{0, 0.07f * k, 0.04f * k}, 0.5f, 0.9f);
     m.turn(0, 16, 30, 0), m.foot(k_left, st.ankles[1][k_left], 0, 0.1f), m.put(0.42f);
     m.hips({0.04f * k, high - 0.07f * k, 0.14f * k});
-    m.turn(-34, 16, 30, 10), m.foot(k_right, {-0.34f * k, over + 0.03f * k, -near - 0.08f * k}, 1, 1), m.put(0.48f);
+    m.turn(-34, 16, 30, 10), m.foot(k_right, {-0.34f * k, over + 0.03f * k, -near - 0.08f * k}, 1, 1);
+    m.hand(k_right, palm, 0.9f, 0), m.put(0.48f);
     m.hips({0.06f * k, high - 0.04f * k, 0.24f * k});
     m.turn(-20, 10, 24, 8), m.foot(k_left, st.ankles[1][k_left], 0, 0);
     m.foot(k_right, {-0.26f * k, over + 0.03f * k, far}, 1, 0.7f);
@@ -112,7 +113,7 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     Maker m;
     const float k = s.k, h = s.height, over = h + s.ankle + 0.07f * k, out = s.half + 0.16f * k;
     const float sits = h + s.seat, x = -0.14f * k;
-    const Vec3 left_palm{0.34f * k, h, 0.0f}, right_palm{0.12f * k, h, -0.2f * s.half};
+    const Vec3 left_palm{0.32f * k, h, 0.0f}, right_palm{0.0f, h, -0.2f * s.half};
     const float rides = std::max(h - 0.3f * k, s.ankle + 0.02f);  // of ankles, astride
     auto astride = [&](Side side) {
         const float z = s.half + 0.24f * k;
@@ -124,47 +125,50 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     m.hand(k_right, right_palm + Vec3{-0.2f * k, 0.1f * k, -0.15f * k}, 0, 0), m.put(0);
     // Hands on it.
     const float stoop = clamp(1.15f * (1.02f - h / (1.1f * k)), 0, 1);
-    m.hips({st.hips[0].x, st.hips[0].y - 0.04f * k, st.hips[0].z - 0.02f * k});
-    m.turn(8, 10 + 14 * stoop, 10 + 16 * stoop, 0);
+    m.hips({st.hips[0].x, st.hips[0].y - (0.04f + 0.1f * stoop) * k, st.hips[0].z - (0.02f + 0.05f * stoop) * k});
+    m.turn(8, 10 + 22 * stoop, 12 + 30 * stoop, 0);
     m.hand(k_left, left_palm, 1, 0), m.hand(k_right, right_palm, 1, 0), m.put(0.65f);
     // The right leg up, the left one pushes off, and hangs.
-    const float near = -s.half - 0.21f * k, up = std::max(sits - 0.03f * k, 0.96f * s.leg);
+    const float near = -s.half - 0.25f * k, up = std::max(sits - 0.03f * k, 0.96f * s.leg);
     const float lifted = std::max(up - 0.955f * s.leg, st.ankles[0][k_left].y);
     m.hips({st.hips[0].x, 0.5f * (st.hips[0].y + up), st.hips[0].z - 0.02f * k});
-    m.turn(14, 14, 30, 10);
+    m.turn(8, 14, 30, 12);
     m.foot(k_left, {st.ankles[0][k_left].x, std::max(0.5f * (st.hips[0].y + up) - 0.95f * s.leg, st.ankles[0][k_left].y), st.ankles[0][k_left].z},
            up > 1.01f * st.hips[0].y ? 0.6f : 0.0f, 0);
     m.foot(k_right, {-0.44f * k, 0.6f * h, -out - 0.16f * k}, 1, 1), m.put(0.42f);
     m.hips({x * 0.6f, up, near});
-    m.turn(24, 8, 34, 12);
-    m.foot(k_right, {-0.5f * k, over, -out - 0.04f * k}, 1, 0.9f);
+    m.turn(10, 6, 36, 16);
+    m.hand(k_left, left_palm, 1, 10), m.hand(k_right, right_palm, 1, 15);
+    m.foot(k_right, {-0.52f * k, over + 0.02f * k, -out - 0.06f * k}, 1, 1);
     m.foot(k_left, {st.ankles[0][k_left].x, lifted, near - 0.03f * k}, 1, 0), m.put(0.4f);
     m.hips({x, std::max(sits + 0.07f * k, up), -0.5f * s.half});
     m.turn(56, 10, 46, 10);
+    m.hand(k_left, left_palm, 1, 40), m.hand(k_right, right_palm, 1, 50);
     m.foot(k_left, {x + 0.1f * k, std::max(sits - 0.86f * s.leg, s.ankle + 0.05f * k), -s.half - 0.22f * k}, 1, 0.3f);
     m.foot(k_right, {-0.4f * k, over, out}, 1, 0.6f), m.put(0.45f);
     // Astride.
     m.hips({x, sits, 0});
     m.turn(88, 18, 44, 0);
+    m.hand(k_left, left_palm, 1, 65), m.hand(k_right, right_palm, 1, 80);
     m.foot(k_right, astride(k_right), 1, 0.45f), m.foot(k_left, astride(k_left), 1, 0.45f);
     m.put(0.5f);
     // The right hand goes behind, the trunk leans back.
     m.hips({x, sits, 0.01f});
     m.turn(90, 2, 6, 2);
-    m.hand(k_right, {x - 0.1f * k, h + 0.13f * k, 0.8f * s.half}, 0.85f, 60), m.put(0.3f);
+    m.hand(k_right, {x - 0.1f * k, h + 0.13f * k, 0.8f * s.half}, 0.85f, 90), m.put(0.3f);
     m.turn(94, -14, 4, 2);
     m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 100);
-    m.hand(k_left, left_palm, 0.9f, 30);
+    m.hand(k_left, left_palm, 0.9f, 60);
     m.foot(k_left, {x + 0.46f * k, std::max(h - 0.1f * k, s.ankle + 0.1f), -s.half - 0.24f * k}, 1, 0.2f), m.put(0.38f);
     // The left leg over.
     m.hand(k_left, left_palm + Vec3{-0.05f * k, 0.16f * k, 0}, 0.3f, 30);
     m.turn(98, -18, 4, 4), m.hips({x, sits + 0.02f * k, 0.02f});
-    m.foot(k_left, {x + 0.6f * k, over + 0.05f * k, -out}, 1, 0.2f), m.put(0.38f);
+    m.foot(k_left, {x + 0.6f * k, over + 0.05f * k, -out}, 1, 0.1f), m.put(0.38f);
     m.turn(64, -14, 6, 2);
     m.hand(k_left, {x + 0.3f * k, h + 0.13f * k, -0.5f * s.half}, 0.5f, 20);
     m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 60);
     m.foot(k_right, {x + 0.1f * k, rides, s.half + 0.26f * k}, 1, 0.3f);
-    m.foot(k_left, {x + 0.54f * k, over + 0.05f * k, out}, 1, 0.3f), m.put(0.42f);
+    m.foot(k_left, {x + 0.54f * k, over + 0.05f * k, out}, 1, 0.1f), m.put(0.42f);
     // Sits, both hands beside.
     const float below = std::max(h - 0.3f * k, s.ankle + 0.03f), knee = s.half + 0.3f * k;
     m.turn(4, -6, 18, 0), m.hips({x, sits, 0.4f * s.half});
@@ -367,7 +371,7 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
         const size_t thigh = side == k_left ? left_upper_leg : right_upper_leg;
         const auto n = static_cast<size_t>(side);
         const float out = side == k_left ? 1.0f : -1.0f, splay = now[c_splay + n], is_free = now[c_free + n];
-        const Vec3 pole = rotate(root, {out * (0.1f + splay), 0.35f * splay, 1 - 0.85f * splay});
+        const Vec3 pole = rotate(root, {out * (0.1f + splay), 0.6f, 1 - 0.85f * splay});
         leg_to(pose, who, side, c.over.world(get(now, c_foot + 3 * n)), normalize_or(pole, {0, 0, 1}));
         keep_hip_within(pose, side, smoothstep(0, 1, is_free));
         const Quat hanging = normalize(pose.rotation[thigh + 1] * rotation_x(0.35f));
@@ -405,7 +409,12 @@ void pose_climbing(const Deeds& d, size_t i, BodyPose& pose) {
     for (const Side side : {k_left, k_right}) {
         const auto n = static_cast<size_t>(side);
         const Palm palm = palm_on(n);
-        reach_for(pose, who, side, palm, {0.6f, 0.1f, -1}, smoothstep(0, 1, now[c_hold + n]));
+        // Elbows go back and out of where the hips face, however the trunk bends.
+        const float out = side == k_left ? 1.0f : -1.0f;
+        Vec3 elbow = rotate(conjugate(pose.rotation[upper_chest]) * rotation_y(c.over.yaw + now[c_yaw]),
+                            {0.6f * out, 0, -1});
+        elbow.x *= out;
+        reach_for(pose, who, side, palm, elbow, smoothstep(0, 1, now[c_hold + n]));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "sim/base/math.h"
 #include "sim/base/tick.h"
@@ -189,6 +190,64 @@ JointPose doer_joint_between(const Deeds& d, size_t doer, Joint joint, float bet
     return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
 }
 
+DeedContacts contacts_of(const Deeds& d, size_t i) {
+    const Doer& doer = d.doers[i];
+    const Deed& deed = deed_of(d, i);
+    DeedContacts c;
+    for (size_t side = 0; side < 2; ++side)
+        c.stands[side] = d.gait.blocks[i / k_block].feet[side].swinging[i % k_block] == 0;
+    if (deed.what == What::climb && doer.stage == DoerStage::act) {
+        const ClimbHolds holds = climb_holds(d, i);
+        for (size_t side = 0; side < 2; ++side)
+            c.palms[side] = holds.palms[side], c.holds[side] = holds.hands[side], c.stands[side] = holds.feet[side];
+        return c;
+    }
+    if (doer.has == 0) return c;
+    if (doer.parcel != k_no_parcel) {
+        for (const Side side : {k_left, k_right}) {
+            c.palms[side] = grip_of(d.things.parcels[doer.parcel], d.parcels[doer.parcel], side, 0).place;
+            c.holds[side] = true;
+        }
+    } else if (deed.what == What::push || deed.what == What::pull) {
+        const bool pushes = deed.what == What::push;
+        const Side side = hand_at(d.things.doors[deed.thing], pushes);
+        c.palms[side] = handle_of(d.things.doors[deed.thing], d.leaves[deed.thing], pushes);
+        c.holds[side] = true;
+    }
+    return c;
+}
+
+std::string what_it_does(const Deeds& d, size_t i) {
+    const Doer& doer = d.doers[i];
+    auto kilograms = [&] {
+        char words[16];
+        std::snprintf(words, sizeof words, "%.0f kg", wide(d.things.parcels[doer.parcel].mass));
+        return std::string(words);
+    };
+    const bool goes = doer.stage == DoerStage::go, has = doer.has != 0;
+    switch (deed_of(d, i).what) {
+        case What::take:
+            if (doer.stage == DoerStage::reach) return "reaches for a box";
+            if (doer.stage == DoerStage::act) return "lifts " + kilograms();
+            return has ? "steps back with " + kilograms() : "goes for a box";
+        case What::put:
+            if (goes) return "carries " + kilograms();
+            return has ? "puts " + kilograms() + " down" : "lets go of it";
+        case What::push:
+        case What::pull: {
+            const bool pushes = deed_of(d, i).what == What::push;
+            if (goes) return doer.arms > 0 ? "reaches for the handle" : "goes to a door";
+            if (has) return pushes ? "pushes the door open" : "pulls the door open";
+            return "goes through, the door falls shut";
+        }
+        case What::climb:
+            return goes ? "goes to a wall" : "climbs over a wall";
+        case What::walk:
+            return "walks";
+    }
+    return {};
+}
+
 float laden_speed(float speed, float mass, float load) {
     constexpr float k_in_hands = 1.9f, k_slowest = 0.45f;
     const float felt = k_in_hands * load, all = mass + felt;
@@ -198,7 +257,7 @@ float laden_speed(float speed, float mass, float load) {
 }
 
 float laden_lean(float mass, float height, float load, float ahead) {
-    constexpr float k_share = 0.5f, k_upper = 0.678f, k_high = 0.2f, k_most = 0.3f;
+    constexpr float k_share = 0.5f, k_upper = 0.678f, k_high = 0.2f, k_most = 0.42f;
     const float sine = load * ahead / (k_upper * mass * k_high * height);
     return k_share * std::min(sine, k_most);
 }

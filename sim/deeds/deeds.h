@@ -95,6 +95,13 @@ void lead_movers(const Deeds& deeds, Movers& movers);
 // A joint `between` 0, the tick before the last, and 1, the last.
 JointPose doer_joint_between(const Deeds& deeds, size_t doer, Joint joint, float between);
 
+// Where hands hold something that is not theirs, and which feet stand.
+struct DeedContacts {
+    Vec3 palms[2];
+    bool holds[2] = {}, stands[2] = {};
+};
+DeedContacts contacts_of(const Deeds& deeds, size_t doer);
+
 // "carries 10 kg", "opens the door".
 std::string what_it_does(const Deeds& deeds, size_t doer);
 

@@ -64,7 +64,7 @@ float arm_ahead(const Deeds& d, size_t i) {
 
 // The trunk turns to the handle, and bends to it a little.
 void turn_to_handle(const Deeds& d, size_t i, Vec3 handle, float share, BodyPose& pose) {
-    constexpr float k_part = 0.45f, k_most = 0.5f, k_bend = 0.1f, k_tall = 1.45f;
+    constexpr float k_part = 0.6f, k_most = 0.7f, k_bend = 0.1f, k_tall = 1.45f;
     const Doer& doer = d.doers[i];
     const float bend = k_bend + 0.7f * std::max(own_place(someone(d, i), left_upper_arm).y - k_tall, 0.0f);
     const Vec2 way = on_ground(handle) - on_ground(pose.hips);
@@ -90,7 +90,7 @@ Palm hold_of(const Deeds& d, size_t i, const BodyPose& pose, const Doorway& door
     return on_lever(pose, someone(d, i), hand_at(door, pushes), handle_of(door, now, pushes), yaw);
 }
 
-// Whether the hand reaches the handle of a leaf that stands so, and how far the shoulder is from it aside.
+// Whether the hand reaches the handle of a leaf that stands so, before the shoulder, and how far the shoulder is from it aside.
 struct Reached {
     bool is_within;
     float aside;
@@ -106,7 +106,9 @@ Reached reaches(const Deeds& d, size_t i, const BodyPose& stands, const Doorway&
     lean_to(pose, who, side, wrist.position, 1, k_leans);
     const Vec3 shoulder =
         places_of(pose, who.person, who.lane)[side == k_left ? left_upper_arm : right_upper_arm];
-    return {length(wrist.position - shoulder) < k_longest * arm_of(who), length(on_ground(handle - shoulder))};
+    const Vec2 to = on_ground(handle - shoulder);
+    const bool is_before = dot(to, heading_direction(d.doers[i].motion.heading)) > 0;
+    return {is_before && length(wrist.position - shoulder) < k_longest * arm_of(who), length(to)};
 }
 
 void let_go(Doer& doer, LeafNow& now, float waits) {
@@ -159,8 +161,10 @@ DoerWish pass_door(Deeds& d, size_t i) {
             return wish_to(doer, spot, d.plans[i].speed);
         }
         case DoerStage::act: {
-            const bool is_stuck = leaf.angle > 0.05f && leaf.speed <= 0;
-            if (pushes ? leaf.angle < k_ajar && doer.has != 0 && !is_stuck : leaf.angle < k_steps_in && past < 0) return {{}, f.out * onward};
+            // As far as the arm reaches, and then on and on.
+            if (doer.since <= 1) doer.from = {};
+            if (leaf.angle >= k_ajar || (leaf.angle > 0.05f && leaf.speed < 0.1f)) doer.from.x = 1;
+            if (pushes ? doer.from.x == 0 && doer.has != 0 : doer.has != 0 && leaf.angle < k_steps_in && past < 0) return {{}, f.out * onward};
             if (pushes && doer.has != 0 && past > k_behind * k) let_go(doer, leaf, 0.9f);
             if (doer.has == 0 && past > 0.1f) next_stage_of(doer, DoerStage::leave);
             return along((pushes ? 0.45f : 0.75f) * k);
@@ -201,10 +205,11 @@ void move_leaf(Deeds& d, size_t i) {
     };
     // Of the middle of the body, of its chest and of the toes of both feet, as they were a tick ago.
     const BodyPose last = body_pose_of(d.poses, i);
+    const float scale = scale_of(d, i);
     const auto places = places_of(last, who.person, who.lane);
     auto is_clear = [&](float angle) {
-        bool clear = from_leaf(door, own, angle) >= k_body &&
-                     from_leaf(door, frame.own(on_ground(places[upper_chest])), angle) >= k_chest;
+        bool clear = from_leaf(door, own, angle) >= k_body * scale &&
+                     from_leaf(door, frame.own(on_ground(places[upper_chest])), angle) >= k_chest * scale;
         for (const Joint toes : {left_toes, right_toes}) {
             const Vec2 ahead = on_ground(rotate(last.rotation[toes], {0, 0, d.bodies[i].toe}));
             const Vec2 tip = frame.own(on_ground(places[toes]) + ahead);
@@ -234,8 +239,7 @@ void move_leaf(Deeds& d, size_t i) {
     now.speed = (now.angle - before) / k_tick;
     if (could_be(now.angle).is_within) return;
     // Out of reach: it goes on by itself, or waits.
-    constexpr float k_enough = 0.5f;
-    if (before > k_enough) {
+    if (before > (pushes ? 1.1f : 0.3f)) {
         let_go(doer, now, pushes ? 1.2f : 1.5f);
     } else {
         now.angle = before, now.speed = 0;
