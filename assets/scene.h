@@ -48,8 +48,8 @@ inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
 enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets, yard };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform",
-                                                        "field",    "gallery",  "planets",  "yard"};
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
+                                                        "gallery",  "planets",  "yard"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 

@@ -15,8 +15,8 @@ namespace {
 constexpr uint32_t k_paving = rgb(0xb9b2a5), k_brick = rgb(0xa8654c), k_coping = rgb(0xcfc6b6),
                    k_stone = rgb(0xb9b0a0), k_oak = rgb(0x9a7650), k_frame = rgb(0x5d4630);
 constexpr float k_rear_wall = 2.3f, k_brick_thick = 0.3f, k_door_wall = 2.55f;
-constexpr float k_doors_low = -12, k_doors_high = -0.8f;                  // of the wall with doors, along x
-constexpr float k_openings[] = {-11.0f, -8.2f, -5.5f, -2.7f};             // where they begin
+constexpr float k_doors_low = -12, k_doors_high = -0.8f;       // of the wall with doors, along x
+constexpr float k_openings[] = {-11.0f, -8.2f, -5.5f, -2.7f};  // where they begin
 constexpr bool k_hinge_left[] = {false, true, false, true};
 constexpr float k_opening = 0.98f, k_opening_high = 2.07f, k_gap = 0.012f;
 constexpr float k_walls_at[] = {-3.4f, -0.2f, 3.0f}, k_wall_heights[] = {0.5f, 0.8f, 1.1f};
@@ -28,9 +28,9 @@ struct Table {
     float height;
 };
 constexpr float k_quarter = 0.5f * k_pi, k_table_half = 0.42f, k_table_deep = 0.62f;
-constexpr Table k_tables[] = {
-    {{6.5f, -4}, -k_quarter, 0.75f}, {{11.2f, -4}, k_quarter, 1.0f},     {{6.5f, -0.2f}, -k_quarter, 0.9f},
-    {{11.2f, -0.2f}, k_quarter, 0.6f}, {{6.5f, 3.8f}, -k_quarter, 0.45f}, {{11.2f, 3.8f}, k_quarter, 0.6f}};
+constexpr Table k_tables[] = {{{6.5f, -4}, -k_quarter, 0.75f},   {{11.2f, -4}, k_quarter, 1.0f},
+                              {{6.5f, -0.2f}, -k_quarter, 0.9f}, {{11.2f, -0.2f}, k_quarter, 0.6f},
+                              {{6.5f, 3.8f}, -k_quarter, 0.45f}, {{11.2f, 3.8f}, k_quarter, 0.6f}};
 constexpr Vec2 k_on_ground[] = {{8.9f, -5.2f}, {8.9f, -1.5f}, {8.9f, 2.6f}};  // their edges; one faces -z
 constexpr float k_inset = 0.04f;
 
@@ -41,8 +41,9 @@ void add_table(Scenery& s, const Table& table, Vec2 at) {
                high = Vec2{std::max(table.edge.x, far), table.edge.z + k_table_half} + at;
     add_block(s, low, high, table.height - k_top, table.height, k_oak, SceneryUse::backdrop);
     const std::vector<Vec2> under = box_outline(low, high);
-    const Vec3 bottom[4] = {at_height(under[0], table.height - k_top), at_height(under[1], table.height - k_top),
-                            at_height(under[2], table.height - k_top), at_height(under[3], table.height - k_top)};
+    const Vec3 bottom[4] = {
+        at_height(under[0], table.height - k_top), at_height(under[1], table.height - k_top),
+        at_height(under[2], table.height - k_top), at_height(under[3], table.height - k_top)};
     add_quad(s, bottom, shaded(k_oak, 0.7f), SceneryUse::backdrop);
     for (const float x : {low.x + k_in, high.x - k_in - k_leg})
         for (const float z : {low.z + k_in, high.z - k_in - k_leg})
@@ -73,7 +74,8 @@ void add_door_wall(Scenery& s, Vec2 at) {
         from = opening + k_opening;
         piece(from, from + k_jamb, 0, k_opening_high, k_frame, k_half - 0.02f);
         piece(opening - k_jamb, from + k_jamb, k_opening_high + k_jamb, k_door_wall, k_brick, k_half);
-        piece(opening - k_jamb, from + k_jamb, k_opening_high, k_opening_high + 2 * k_jamb, k_frame, k_half - 0.02f);
+        piece(opening - k_jamb, from + k_jamb, k_opening_high, k_opening_high + 2 * k_jamb, k_frame,
+              k_half - 0.02f);
         const Vec3 lintel[4] = {{opening - k_jamb + at.x, k_opening_high, k_half - 0.02f + at.z},
                                 {opening - k_jamb + at.x, k_opening_high, -k_half + 0.02f + at.z},
                                 {from + k_jamb + at.x, k_opening_high, -k_half + 0.02f + at.z},
@@ -82,7 +84,8 @@ void add_door_wall(Scenery& s, Vec2 at) {
         from += k_jamb;
     }
     piece(from, k_doors_high, 0, k_door_wall, k_brick, k_half);
-    piece(k_doors_low - 0.04f, k_doors_high + 0.04f, k_door_wall, k_door_wall + 0.08f, k_coping, k_half + 0.04f);
+    piece(k_doors_low - 0.04f, k_doors_high + 0.04f, k_door_wall, k_door_wall + 0.08f, k_coping,
+          k_half + 0.04f);
 }
 
 // Whom people there are like.
@@ -118,11 +121,14 @@ std::vector<MoverSolid> parcel_solids(const Parcel& p) {
     constexpr float k_plank = 0.011f, k_slit = 0.006f;
     const int rows = 3;
     const float high = h.y / static_cast<float>(rows);
-    all.push_back(solid({0, -0.02f, 0}, h - Vec3{k_plank, 0.02f + k_plank, k_plank}, Matter::dark_wood, 0.6f));
+    all.push_back(
+        solid({0, -0.02f, 0}, h - Vec3{k_plank, 0.02f + k_plank, k_plank}, Matter::dark_wood, 0.6f));
     for (int r = 0; r < rows; ++r) {
-        const float y = -h.y + high * static_cast<float>(2 * r + 1), shade = 1.0f + 0.06f * static_cast<float>(r % 2);
+        const float y = -h.y + high * static_cast<float>(2 * r + 1),
+                    shade = 1.0f + 0.06f * static_cast<float>(r % 2);
         for (const float side : {-1.0f, 1.0f}) {
-            all.push_back(solid({side * (h.x - k_plank), y, 0}, {k_plank, high - k_slit, h.z}, Matter::wood, shade));
+            all.push_back(
+                solid({side * (h.x - k_plank), y, 0}, {k_plank, high - k_slit, h.z}, Matter::wood, shade));
             all.push_back(solid({0, y, side * (h.z - k_plank)}, {h.x - 2 * k_plank, high - k_slit, k_plank},
                                 Matter::wood, 1.04f - 0.05f * static_cast<float>(r % 2)));
         }
@@ -136,7 +142,7 @@ std::vector<MoverSolid> parcel_solids(const Parcel& p) {
 }
 
 // From the hinge: x to the edge, z to where it opens.
-std::vector<MoverSolid> leaf_solids(const Doorway& door) {
+std::vector<MoverSolid> leaf_solids(const SwingDoor& door) {
     std::vector<MoverSolid> all;
     const float side = door.hinge_left ? -1.0f : 1.0f, half = 0.5f * door.thick;
     constexpr int k_planks = 6;
@@ -146,19 +152,21 @@ std::vector<MoverSolid> leaf_solids(const Doorway& door) {
                             {0.5f * wide - 0.003f, 0.5f * door.height - 0.005f, half - 0.01f}, Matter::wood,
                             0.78f + 0.05f * static_cast<float>(n * 7 % 3)));
     all.push_back(solid({side * 0.5f * door.width, 0.5f * door.height + 0.005f, 0},
-                        {0.5f * door.width - 0.002f, 0.5f * door.height - 0.006f, half - 0.016f}, Matter::dark_wood, 0.5f));
+                        {0.5f * door.width - 0.002f, 0.5f * door.height - 0.006f, half - 0.016f},
+                        Matter::dark_wood, 0.5f));
     for (const float y : {0.25f, door.height - 0.25f})
         for (const float face : {-1.0f, 1.0f})
             all.push_back(solid({side * 0.5f * door.width, y, face * (half - 0.006f)},
                                 {0.5f * door.width - 0.03f, 0.06f, 0.006f}, Matter::dark_wood, 1.1f));
     const float x = side * (door.width - k_handle_from_edge);
     for (const float face : {-1.0f, 1.0f})
-        all.push_back(solid({x, k_handle_high - 0.03f, face * half}, {0.022f, 0.11f, 0.005f}, Matter::steel, 0.8f));
+        all.push_back(
+            solid({x, k_handle_high - 0.03f, face * half}, {0.022f, 0.11f, 0.005f}, Matter::steel, 0.8f));
     return all;
 }
 
 // About its spindle.
-std::vector<MoverSolid> lever_solids(const Doorway& door) {
+std::vector<MoverSolid> lever_solids(const SwingDoor& door) {
     std::vector<MoverSolid> all;
     const float side = door.hinge_left ? -1.0f : 1.0f, half = 0.5f * door.thick;
     for (const float face : {-1.0f, 1.0f}) {
@@ -176,8 +184,8 @@ void add_yard(Scenery& s, Vec2 at) {
     const Vec2 half = k_yard_half;
     constexpr float k_below = 0.6f;
     add_block(s, at - half, at + half, -k_below, 0, k_paving, SceneryUse::backdrop);
-    add_capped(s, Vec2{-half.x, -half.z - k_brick_thick} + at, Vec2{half.x, -half.z} + at, k_rear_wall, k_brick,
-               0.07f);
+    add_capped(s, Vec2{-half.x, -half.z - k_brick_thick} + at, Vec2{half.x, -half.z} + at, k_rear_wall,
+               k_brick, 0.07f);
     add_door_wall(s, at);
     for (size_t n = 0; n < std::size(k_walls_at); ++n) {
         const Vec2 middle = Vec2{k_walls_x, k_walls_at[n]} + at, out{k_walls_half, 0.5f * k_walls_thick};
@@ -199,7 +207,7 @@ Things yard_things(Vec2 at) {
                       {{0.18f, 0.13f, 0.14f}, 10, 3}, {{0.17f, 0.15f, 0.13f}, 2, 5},
                       {{0.13f, 0.1f, 0.1f}, 2, 6},    {{0.12f, 0.08f, 0.11f}, 1, 8}};
     for (size_t n = 0; n < std::size(k_openings); ++n) {
-        Doorway door;
+        SwingDoor door;
         door.hinge_left = k_hinge_left[n];
         door.width = k_opening - 2 * k_gap, door.height = k_opening_high - k_gap;
         door.hinge = Vec2{k_openings[n] + (door.hinge_left ? k_opening - k_gap : k_gap),
@@ -208,8 +216,8 @@ Things yard_things(Vec2 at) {
         things.doors.push_back(door);
     }
     for (size_t n = 0; n < std::size(k_walls_at); ++n)
-        things.walls.push_back({Vec2{k_walls_x, k_walls_at[n]} + at, 0, 0, k_wall_heights[n], k_walls_thick,
-                                k_walls_half});
+        things.walls.push_back(
+            {Vec2{k_walls_x, k_walls_at[n]} + at, 0, 0, k_wall_heights[n], k_walls_thick, k_walls_half});
     return things;
 }
 
@@ -217,8 +225,9 @@ std::vector<DoerPlan> yard_plans(std::span<const Kind> kinds, Vec2 at) {
     using What = Deed::What;
     std::vector<DoerPlan> plans;
     const uint32_t man = kind_like(kinds, false, 20, 50, 0), woman = kind_like(kinds, true, 20, 50, 0),
-                   other_man = kind_like(kinds, false, 20, 60, 1), other_woman = kind_like(kinds, true, 20, 60, 1),
-                   child = kind_like(kinds, true, 8, 12, 0), boy = kind_like(kinds, false, 7, 13, 0);
+                   other_man = kind_like(kinds, false, 20, 60, 1),
+                   other_woman = kind_like(kinds, true, 20, 60, 1), child = kind_like(kinds, true, 8, 12, 0),
+                   boy = kind_like(kinds, false, 7, 13, 0);
     const uint32_t carriers[] = {man, woman, child};
     for (uint32_t strip = 0; strip < 3; ++strip) {
         DoerPlan plan;
@@ -241,7 +250,7 @@ std::vector<DoerPlan> yard_plans(std::span<const Kind> kinds, Vec2 at) {
         plan.name = "doors";
         plan.kind = pair == 0 ? other_man : other_woman;
         plan.at = at + Vec2{a, -2.6f};
-        plan.round = {{What::push, out, {}}, walk(a, 2.7f), walk(b, 3.0f),
+        plan.round = {{What::push, out, {}},  walk(a, 2.7f),  walk(b, 3.0f),
                       {What::pull, back, {}}, walk(b, -2.7f), walk(a, -3.0f)};
         plans.push_back(plan);
     }
@@ -283,8 +292,9 @@ std::vector<Mover> yard_movers(const Things& things) {
         mover.name = name, mover.kind = Mover::Kind::led, mover.solids = std::move(solids);
         all.push_back(std::move(mover));
     };
-    for (const Parcel& parcel : things.parcels) add(parcel.mass < 10 ? "box" : "crate", parcel_solids(parcel));
-    for (const Doorway& door : things.doors) {
+    for (const Parcel& parcel : things.parcels)
+        add(parcel.mass < 10 ? "box" : "crate", parcel_solids(parcel));
+    for (const SwingDoor& door : things.doors) {
         add("door", leaf_solids(door));
         add("handle", lever_solids(door));
     }

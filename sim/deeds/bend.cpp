@@ -32,7 +32,8 @@ void turn_from(BodyPose& pose, int joint, Quat turn) {
     for (int j = joint; j < k_joint_count; ++j) {
         const int parent = k_joint_parents[static_cast<size_t>(j)];
         goes[j] = j == joint || (parent >= 0 && goes[parent]);
-        if (goes[j]) pose.rotation[static_cast<size_t>(j)] = normalize(turn * pose.rotation[static_cast<size_t>(j)]);
+        if (goes[j])
+            pose.rotation[static_cast<size_t>(j)] = normalize(turn * pose.rotation[static_cast<size_t>(j)]);
     }
 }
 
@@ -139,13 +140,15 @@ float beyond_reach(const BodyPose& pose, Someone who, Side side, Vec3 wrist, flo
     return length(wrist - shoulder) - part * (bone_of(who, first + 1) + bone_of(who, first + 2));
 }
 
-void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow_to, float share) {
+void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow_to,
+                    float share) {
     if (share <= 0) return;
     const int joint = shoulder_of(side);
     const auto first = static_cast<size_t>(joint);
     const float outward = side == k_left ? 1.0f : -1.0f;
     Quat was_ps[3], above = pose.rotation[first - 1];
-    for (size_t j = 0; j < 3; ++j) was_ps[j] = conjugate(above) * pose.rotation[first + j], above = pose.rotation[first + j];
+    for (size_t j = 0; j < 3; ++j)
+        was_ps[j] = conjugate(above) * pose.rotation[first + j], above = pose.rotation[first + j];
     const Vec3 shoulder = places_of(pose, who.person, who.lane)[first], to = wrist.position - shoulder;
     const float a = bone_of(who, joint + 1), b = bone_of(who, joint + 2);
     const float reach = clamp(length(to), std::fabs(a - b) + 0.04f, k_straightest * (a + b));
@@ -158,8 +161,8 @@ void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wri
     // The elbow is a hinge: both bones keep their fronts in the plane that it bends in.
     const Quat upper_ws = bone_rotation(upper, lower);
     Quat lower_ws = bone_rotation(lower, -upper);
-    // The forearm takes most of what the hand twists against it; under a hand that is bent far it turns so that
-    // this is a bend ahead or back, which wrists can.
+    // The forearm takes most of what the hand twists against it; under a hand that is bent far it turns so
+    // that this is a bend ahead or back, which wrists can.
     constexpr float k_takes = 0.6f, k_most = 95 * k_radians, k_bent = 0.3f, k_far = 0.75f;
     const Quat twist = conjugate(lower_ws) * wrist.rotation;
     // Little by little none where either is about to go round the other way.
@@ -228,8 +231,10 @@ void keep_hip_within(BodyPose& pose, Side side, float share) {
     const float aside = outward * held(outward * (0.5f * k_pi - arccos(clamp(along.x, -1, 1))), k_range.side);
     const SinCos b = sin_cos(bend), a = sin_cos(aside);
     const Vec3 to{a.sine, -a.cosine * b.cosine, a.cosine * b.sine};
-    const Quat now = rotation_between(along, normalize_or(to, along)) * swing * rotation_y(held(twist, k_range.twist));
-    turn_from(pose, static_cast<int>(thigh), nlerp(was, normalize(pose.rotation[hips] * now), share) * conjugate(was));
+    const Quat now =
+        rotation_between(along, normalize_or(to, along)) * swing * rotation_y(held(twist, k_range.twist));
+    turn_from(pose, static_cast<int>(thigh),
+              nlerp(was, normalize(pose.rotation[hips] * now), share) * conjugate(was));
 }
 
 float depth_to_reach(const BodyPose& stands, Someone who, const Vec3 wrists[2], float back, float part) {

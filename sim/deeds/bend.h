@@ -40,8 +40,8 @@ struct Palm {
 JointPose wrist_of(const Palm& palm, Someone who, Side side);
 Palm palm_of(const BodyPose& pose, Someone who, Side side);
 
-// An arm from its shoulder to a wrist, as far as it reaches, its elbow to where `elbow` points, in the axes of
-// the chest with x outward; by so much, 0..1, of the turns of its joints.
+// An arm from its shoulder to a wrist, as far as it reaches, its elbow to where `elbow` points, in the axes
+// of the chest with x outward; by so much, 0..1, of the turns of its joints.
 void reach_with_arm(BodyPose& pose, Someone who, Side side, const JointPose& wrist, Vec3 elbow, float share);
 // The same for a palm: where the wrist cannot turn so far, the palm is there all the same.
 void reach_for(BodyPose& pose, Someone who, Side side, const Palm& palm, Vec3 elbow, float share);

@@ -20,7 +20,9 @@ constexpr float k_let_go = 0.7f;
 
 float share_of(const Doer& doer, float seconds) { return clamp(seconds_in(doer) / seconds, 0, 1); }
 
-float grip_height(const Parcel& p) { return -p.half.y + std::max(0.7f * p.half.y, std::min(0.06f, p.half.y)); }
+float grip_height(const Parcel& p) {
+    return -p.half.y + std::max(0.7f * p.half.y, std::min(0.06f, p.half.y));
+}
 
 // Where one has it who carries it, by the gait's pose.
 ParcelNow carried(const Deeds& d, size_t i, const BodyPose& stands, uint32_t parcel) {
@@ -53,8 +55,8 @@ ParcelNow on_its_way(const ParcelNow& a, const ParcelNow& b, float time) {
     const float high = bell(up ? time / 0.85f : (time - 0.15f) / 0.85f),
                 flat = bell(up ? (time - 0.2f) / 0.8f : time / 0.8f);
     ParcelNow now = b;
-    now.place = at_height(lerp(on_ground(a.place), on_ground(b.place), flat),
-                          lerp(a.place.y, b.place.y, high));
+    now.place =
+        at_height(lerp(on_ground(a.place), on_ground(b.place), flat), lerp(a.place.y, b.place.y, high));
     now.turn = nlerp(a.turn, b.turn, flat);
     return now;
 }
@@ -227,14 +229,16 @@ void pose_carrying(const Deeds& d, size_t i, BodyPose& pose) {
         depth = std::max((takes ? 1 - bell(time) : bell(time)) * deepest, depth_for(pose, who, p, now));
         look = takes ? 1 - smoothstep(0.6f, 1, time) : 1;
     } else if (puts && doer.stage == DoerStage::go) {
-        const float off = length(before_shelf(d, i, d.things.shelves[deed.thing]).at - on_ground(doer.position));
+        const float off =
+            length(before_shelf(d, i, d.things.shelves[deed.thing]).at - on_ground(doer.position));
         look = 1 - smoothstep(0.4f, 1.6f, off);
     } else if (puts && doer.stage == DoerStage::stand) {
         look = 1;
     }
     bend_down(pose, who, {depth, 0});
     const float ahead = girth_of(d.bodies[i]).belly + p.half.z;
-    turn_trunk(pose, -doer.laden * (1 - depth) * laden_lean(d.masses[i], d.bodies[i].height, p.mass, ahead), 0);
+    turn_trunk(pose, -doer.laden * (1 - depth) * laden_lean(d.masses[i], d.bodies[i].height, p.mass, ahead),
+               0);
     const bool to_shelf = puts && doer.stage == DoerStage::go;
     look_at(pose, who, to_shelf ? at_rest(p, d.things.shelves[deed.thing], 0).place : now.place, look);
     const Grips grips = grips_of(pose, who, p, now);

@@ -15,17 +15,17 @@ namespace {
 // angles in radians.
 enum Channel : size_t {
     c_time,
-    c_hips,                 // three
-    c_yaw = c_hips + 3,     // of the hips, to the left
-    c_pitch,                // of the hips, ahead
-    c_bow,                  // of the trunk against them, ahead
-    c_tilt,                 // of the hips, to the left
-    c_foot,                 // three of each ankle
-    c_free = c_foot + 6,    // of each foot: 0 as the gait stands .. 1 hangs
-    c_splay = c_free + 2,   // of each knee: 0 ahead .. 1 outward
-    c_hand = c_splay + 2,   // three of each palm
-    c_hold = c_hand + 6,    // of each hand: 0 hangs .. 1 is there
-    c_point = c_hold + 2,   // of the fingers of each, yaw to the left of the way
+    c_hips,                // three
+    c_yaw = c_hips + 3,    // of the hips, to the left
+    c_pitch,               // of the hips, ahead
+    c_bow,                 // of the trunk against them, ahead
+    c_tilt,                // of the hips, to the left
+    c_foot,                // three of each ankle
+    c_free = c_foot + 6,   // of each foot: 0 as the gait stands .. 1 hangs
+    c_splay = c_free + 2,  // of each knee: 0 ahead .. 1 outward
+    c_hand = c_splay + 2,  // three of each palm
+    c_hold = c_hand + 6,   // of each hand: 0 hangs .. 1 is there
+    c_point = c_hold + 2,  // of the fingers of each, yaw to the left of the way
     k_channels = c_point + 2
 };
 using Key = std::array<float, k_channels>;
@@ -45,7 +45,9 @@ Sizes sizes_of(const Deeds& d, size_t i, const LowWall& wall) {
 }
 
 Vec3 get(const Key& key, size_t channel) { return {key[channel], key[channel + 1], key[channel + 2]}; }
-void set(Key& key, size_t channel, Vec3 v) { key[channel] = v.x, key[channel + 1] = v.y, key[channel + 2] = v.z; }
+void set(Key& key, size_t channel, Vec3 v) {
+    key[channel] = v.x, key[channel + 1] = v.y, key[channel + 2] = v.z;
+}
 
 // How one stands before and after, in the wall's frame.
 struct Stances {
@@ -79,7 +81,8 @@ struct Maker {
 // Leading with the left leg, the right hand on the wall.
 Keys keys_to_step(const Sizes& s, const Stances& st) {
     Maker m;
-    const float k = s.k, over = s.height + s.ankle + 0.07f * k, near = s.half + 0.16f * k, far = s.half + 0.12f * k;
+    const float k = s.k, over = s.height + s.ankle + 0.07f * k, near = s.half + 0.16f * k,
+                far = s.half + 0.12f * k;
     const Vec3 palm{-0.3f * k, s.height, 0.4f * s.half};
     const float high = st.hips[0].y;
     m.hips(st.hips[0]);
@@ -125,7 +128,8 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     m.hand(k_right, right_palm + Vec3{-0.2f * k, 0.1f * k, -0.15f * k}, 0, 0), m.put(0);
     // Hands on it.
     const float stoop = clamp(1.15f * (1.02f - h / (1.1f * k)), 0, 1);
-    m.hips({st.hips[0].x, st.hips[0].y - (0.04f + 0.1f * stoop) * k, st.hips[0].z - (0.02f + 0.05f * stoop) * k});
+    m.hips({st.hips[0].x, st.hips[0].y - (0.04f + 0.1f * stoop) * k,
+            st.hips[0].z - (0.02f + 0.05f * stoop) * k});
     m.turn(8, 10 + 22 * stoop, 12 + 30 * stoop, 0);
     m.hand(k_left, left_palm, 1, 0), m.hand(k_right, right_palm, 1, 0), m.put(0.65f);
     // The right leg up, the left one pushes off, and hangs.
@@ -133,8 +137,11 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     const float lifted = std::max(up - 0.955f * s.leg, st.ankles[0][k_left].y);
     m.hips({st.hips[0].x, 0.5f * (st.hips[0].y + up), st.hips[0].z - 0.02f * k});
     m.turn(8, 14, 30, 12);
-    m.foot(k_left, {st.ankles[0][k_left].x, std::max(0.5f * (st.hips[0].y + up) - 0.95f * s.leg, st.ankles[0][k_left].y), st.ankles[0][k_left].z},
-           up > 1.01f * st.hips[0].y ? 0.6f : 0.0f, 0);
+    m.foot(
+        k_left,
+        {st.ankles[0][k_left].x, std::max(0.5f * (st.hips[0].y + up) - 0.95f * s.leg, st.ankles[0][k_left].y),
+         st.ankles[0][k_left].z},
+        up > 1.01f * st.hips[0].y ? 0.6f : 0.0f, 0);
     m.foot(k_right, {-0.44f * k, 0.6f * h, -out - 0.16f * k}, 1, 1), m.put(0.42f);
     m.hips({x * 0.6f, up, near});
     m.turn(10, 6, 36, 16);
@@ -144,7 +151,8 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     m.hips({x, std::max(sits + 0.07f * k, up), -0.5f * s.half});
     m.turn(56, 10, 46, 10);
     m.hand(k_left, left_palm, 1, 40), m.hand(k_right, right_palm, 1, 50);
-    m.foot(k_left, {x + 0.1f * k, std::max(sits - 0.86f * s.leg, s.ankle + 0.05f * k), -s.half - 0.22f * k}, 1, 0.3f);
+    m.foot(k_left, {x + 0.1f * k, std::max(sits - 0.86f * s.leg, s.ankle + 0.05f * k), -s.half - 0.22f * k},
+           1, 0.3f);
     m.foot(k_right, {-0.4f * k, over, out}, 1, 0.6f), m.put(0.45f);
     // Astride.
     m.hips({x, sits, 0});
@@ -159,7 +167,8 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     m.turn(94, -14, 4, 2);
     m.hand(k_right, {x - 0.27f * k, h, 0.4f * s.half}, 1, 100);
     m.hand(k_left, left_palm, 0.9f, 60);
-    m.foot(k_left, {x + 0.46f * k, std::max(h - 0.1f * k, s.ankle + 0.1f), -s.half - 0.24f * k}, 1, 0.2f), m.put(0.38f);
+    m.foot(k_left, {x + 0.46f * k, std::max(h - 0.1f * k, s.ankle + 0.1f), -s.half - 0.24f * k}, 1, 0.2f),
+        m.put(0.38f);
     // The left leg over.
     m.hand(k_left, left_palm + Vec3{-0.05f * k, 0.16f * k, 0}, 0.3f, 30);
     m.turn(98, -18, 4, 4), m.hips({x, sits + 0.02f * k, 0.02f});
@@ -172,13 +181,16 @@ Keys keys_to_sit(const Sizes& s, const Stances& st) {
     // Sits, both hands beside.
     const float below = std::max(h - 0.3f * k, s.ankle + 0.03f), knee = s.half + 0.3f * k;
     m.turn(4, -6, 18, 0), m.hips({x, sits, 0.4f * s.half});
-    m.hand(k_left, {x + 0.25f * k, h, 0.3f * s.half}, 1, 10), m.hand(k_right, {x - 0.25f * k, h, 0.3f * s.half}, 1, -10);
+    m.hand(k_left, {x + 0.25f * k, h, 0.3f * s.half}, 1, 10),
+        m.hand(k_right, {x - 0.25f * k, h, 0.3f * s.half}, 1, -10);
     m.foot(k_left, {x + 0.1f * k, below, knee}, 1, 0), m.foot(k_right, {x - 0.1f * k, below, knee}, 1, 0);
     m.put(0.5f);
     // Slides down.
     const float front = s.half + 0.15f * k;
     m.turn(0, 2, 18, 0), m.hips({x, sits - 0.01f * k, s.half + 0.07f * k});
-    for (const Side side : {k_left, k_right}) m.foot(side, st.ankles[1][side] + Vec3{0, std::max(sits - 0.97f * s.leg - s.ankle, 0.0f), 0}, 0.4f, 0);
+    for (const Side side : {k_left, k_right})
+        m.foot(side, st.ankles[1][side] + Vec3{0, std::max(sits - 0.97f * s.leg - s.ankle, 0.0f), 0}, 0.4f,
+               0);
     m.put(0.4f);
     for (const Side side : {k_left, k_right}) m.now[c_hold + static_cast<size_t>(side)] = 0;
     m.turn(0, 6, 16, 0);
@@ -199,7 +211,8 @@ Key at_time(const Keys& keys, float time) {
     const Key &a = keys.all[n], &b = keys.all[n + 1];
     const float span = b[c_time] - a[c_time], t = clamp((time - a[c_time]) / span, 0, 1);
     auto slope = [&](size_t from, size_t c) {
-        return (keys.all[from + 1][c] - keys.all[from][c]) / (keys.all[from + 1][c_time] - keys.all[from][c_time]);
+        return (keys.all[from + 1][c] - keys.all[from][c]) /
+               (keys.all[from + 1][c_time] - keys.all[from][c_time]);
     };
     auto tangent = [&](size_t at, size_t c) {
         if (at == 0 || at + 1 >= keys.count) return 0.0f;
@@ -211,15 +224,15 @@ Key at_time(const Keys& keys, float time) {
     now[c_time] = time;
     const float t2 = t * t, t3 = t2 * t;
     for (size_t c = c_time + 1; c < k_channels; ++c)
-        now[c] = (2 * t3 - 3 * t2 + 1) * a[c] + (t3 - 2 * t2 + t) * span * tangent(n, c) + (3 * t2 - 2 * t3) * b[c] +
-                 (t3 - t2) * span * tangent(n + 1, c);
+        now[c] = (2 * t3 - 3 * t2 + 1) * a[c] + (t3 - 2 * t2 + t) * span * tangent(n, c) +
+                 (3 * t2 - 2 * t3) * b[c] + (t3 - t2) * span * tangent(n + 1, c);
     return now;
 }
 
 // The wall's frame, as the way goes over it.
 struct Over {
-    Vec3 foot;    // of its middle
-    float yaw;    // of the way
+    Vec3 foot;  // of its middle
+    float yaw;  // of the way
     Vec3 world(Vec3 own) const { return foot + rotate(rotation_y(yaw), own); }
     Vec3 own(Vec3 world) const { return rotate(rotation_y(-yaw), world - foot); }
 };
@@ -237,7 +250,9 @@ bool is_onward(const LowWall& wall, Vec2 from) {
 float behind(const Deeds& d, size_t i, const LowWall& wall) {
     return 0.5f * wall.thick + d.bodies[i].heel + 0.13f * d.bodies[i].height / 1.75f;
 }
-float before(const Deeds& d, size_t i, const LowWall& wall) { return 0.5f * wall.thick + toes_ahead(d, i) + 0.1f; }
+float before(const Deeds& d, size_t i, const LowWall& wall) {
+    return 0.5f * wall.thick + toes_ahead(d, i) + 0.1f;
+}
 
 // How one stands, by the gait's pose on this side or on the other one.
 Stances stances_of(const Over& over, const BodyPose& stands, Someone who, float far, bool has_crossed) {
@@ -324,7 +339,8 @@ DoerWish climb(Deeds& d, size_t i) {
             return wish_to(doer, spot, d.plans[i].speed);
         }
         case DoerStage::act: {
-            const float all = climb_seconds(d, i, wall), yaw = doer.side.x > 0 ? wall.heading : wall.heading + k_pi;
+            const float all = climb_seconds(d, i, wall),
+                        yaw = doer.side.x > 0 ? wall.heading : wall.heading + k_pi;
             const Vec2 way = heading_direction(yaw);
             if (doer.has == 0 && seconds_in(doer) > 0.5f * all) {
                 // The gait stands on the other side from now on; the body follows.

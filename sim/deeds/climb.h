@@ -11,7 +11,7 @@
 namespace flaneur {
 
 // Of legs, walls up to which one steps over, and up to which one climbs at all.
-inline constexpr float k_steps_over = 0.6f, k_highest_wall = 1.4f;
+inline constexpr float k_steps_over = 0.62f, k_highest_wall = 1.4f;
 
 // Where one stands before a wall; `onward`: along its heading, else against it.
 Spot before_wall(const Deeds& deeds, size_t doer, const LowWall& wall, bool onward);

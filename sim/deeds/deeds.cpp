@@ -175,18 +175,20 @@ void lead_movers(const Deeds& d, Movers& movers) {
     size_t next = d.first_mover;
     for (const ParcelNow& parcel : d.parcels) movers.places[next++] = {parcel.place, parcel.turn};
     for (size_t i = 0; i < d.leaves.size(); ++i) {
-        const Doorway& door = d.things.doors[i];
+        const SwingDoor& door = d.things.doors[i];
         const LeafNow& now = d.leaves[i];
         const Quat turn = rotation_y(leaf_yaw(door, now.angle));
         movers.places[next++] = {on_leaf(door, now.angle, {}), turn};
         const float down = door.hinge_left ? -now.lever : now.lever;
-        movers.places[next++] = {on_leaf(door, now.angle, {door.width - k_handle_from_edge, k_handle_high, 0}),
-                                 normalize(turn * rotation_z(down))};
+        movers.places[next++] = {
+            on_leaf(door, now.angle, {door.width - k_handle_from_edge, k_handle_high, 0}),
+            normalize(turn * rotation_z(down))};
     }
 }
 
 JointPose doer_joint_between(const Deeds& d, size_t doer, Joint joint, float between) {
-    const JointPose last = joint_pose(d.poses, doer, joint), before = joint_pose(d.previous_poses, doer, joint);
+    const JointPose last = joint_pose(d.poses, doer, joint),
+                    before = joint_pose(d.previous_poses, doer, joint);
     return {lerp(before.position, last.position, between), nlerp(before.rotation, last.rotation, between)};
 }
 
@@ -199,7 +201,8 @@ DeedContacts contacts_of(const Deeds& d, size_t i) {
     if (deed.what == What::climb && doer.stage == DoerStage::act) {
         const ClimbHolds holds = climb_holds(d, i);
         for (size_t side = 0; side < 2; ++side)
-            c.palms[side] = holds.palms[side], c.holds[side] = holds.hands[side], c.stands[side] = holds.feet[side];
+            c.palms[side] = holds.palms[side], c.holds[side] = holds.hands[side],
+            c.stands[side] = holds.feet[side];
         return c;
     }
     if (doer.has == 0) return c;

@@ -54,12 +54,12 @@ struct Doer {
     DoerStage stage = DoerStage::go;
     uint32_t since = 0;  // ticks in the stage
     uint32_t parcel = k_no_parcel;
-    uint32_t has = 0;      // 1: hands hold what they act on
-    uint32_t done = 0;     // deeds
-    float laden = 0;       // 0..1: how much of the parcel's weight it has
-    float arms = 0;        // 0..1: how much its hands are where the deed has them
-    Vec3 from{};           // where what it moves was
-    Vec2 side{};           // of one who climbs: the way
+    uint32_t has = 0;   // 1: hands hold what they act on
+    uint32_t done = 0;  // deeds
+    float laden = 0;    // 0..1: how much of the parcel's weight it has
+    float arms = 0;     // 0..1: how much its hands are where the deed has them
+    Vec3 from{};        // where what it moves was
+    Vec2 side{};        // of one who climbs: the way
 };
 
 struct Deeds {

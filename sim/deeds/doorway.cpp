@@ -19,8 +19,8 @@ constexpr float k_opens = 1.15f, k_quickens = 2.6f;             // rad/s, and a 
 constexpr float k_fastest = 2.0f;                               // rad/s, of one who pushes
 constexpr float k_wide = 1.6f;                                  // radians, open
 constexpr float k_steps_in = 0.55f;                             // radians from which on one who pulls goes
-constexpr float k_ajar = 0.5f;                                   // and from which on one who pushes goes
-constexpr float k_leans = 0.25f;                                 // radians that the trunk follows the hand
+constexpr float k_ajar = 0.5f;                                  // and from which on one who pushes goes
+constexpr float k_leans = 0.25f;                                // radians that the trunk follows the hand
 constexpr float k_turned = 0.22f;                               // seconds that the lever takes
 
 Vec3 own_place(Someone who, size_t joint) {
@@ -36,13 +36,13 @@ struct Frame {
     Vec2 own(Vec2 world) const { return {dot(world - hinge, along), dot(world - hinge, out)}; }
     Vec2 world(Vec2 own) const { return hinge + along * own.x + out * own.z; }
 };
-Frame frame_of(const Doorway& door) {
+Frame frame_of(const SwingDoor& door) {
     const Vec2 out = heading_direction(door.heading), left{out.z, -out.x};
     return {door.hinge_left ? -left : left, out, door.hinge};
 }
 
 // Metres from the leaf, as a line on the ground.
-float from_leaf(const Doorway& door, Vec2 own, float angle) {
+float from_leaf(const SwingDoor& door, Vec2 own, float angle) {
     const SinCos turn = sin_cos(angle);
     const Vec2 leaf{turn.cosine, turn.sine};
     const float along = clamp(dot(own, leaf), 0, door.width);
@@ -59,7 +59,8 @@ float arm_ahead(const Deeds& d, size_t i) {
     constexpr float k_part = 0.9f, k_palm = 0.05f;
     const Someone who = someone(d, i);
     const float arm = arm_of(who), down = own_place(who, left_upper_arm).y - k_handle_high - 0.03f;
-    return std::min(k_arm_ahead * scale_of(d, i), k_part * std::sqrt(std::max(arm * arm - down * down, 0.01f)) + k_palm);
+    return std::min(k_arm_ahead * scale_of(d, i),
+                    k_part * std::sqrt(std::max(arm * arm - down * down, 0.01f)) + k_palm);
 }
 
 // The trunk turns to the handle, and bends to it a little.
@@ -85,17 +86,19 @@ Palm on_lever(const BodyPose& pose, Someone who, Side side, Vec3 handle, float y
     return palm;
 }
 
-Palm hold_of(const Deeds& d, size_t i, const BodyPose& pose, const Doorway& door, const LeafNow& now, bool pushes) {
+Palm hold_of(const Deeds& d, size_t i, const BodyPose& pose, const SwingDoor& door, const LeafNow& now,
+             bool pushes) {
     const float yaw = leaf_yaw(door, now.angle) + (pushes ? 0 : k_pi);
     return on_lever(pose, someone(d, i), hand_at(door, pushes), handle_of(door, now, pushes), yaw);
 }
 
-// Whether the hand reaches the handle of a leaf that stands so, before the shoulder, and how far the shoulder is from it aside.
+// Whether the hand reaches the handle of a leaf that stands so, before the shoulder, and how far the shoulder
+// is from it aside.
 struct Reached {
     bool is_within;
     float aside;
 };
-Reached reaches(const Deeds& d, size_t i, const BodyPose& stands, const Doorway& door, const LeafNow& now,
+Reached reaches(const Deeds& d, size_t i, const BodyPose& stands, const SwingDoor& door, const LeafNow& now,
                 bool pushes) {
     BodyPose pose = stands;
     const Someone who = someone(d, i);
@@ -118,11 +121,12 @@ void let_go(Doer& doer, LeafNow& now, float waits) {
 
 }  // namespace
 
-Side hand_at(const Doorway& door, bool pushes) { return door.hinge_left == pushes ? k_left : k_right; }
+Side hand_at(const SwingDoor& door, bool pushes) { return door.hinge_left == pushes ? k_left : k_right; }
 
-Spot before_door(const Deeds& d, size_t i, const Doorway& door, bool pushes) {
+Spot before_door(const Deeds& d, size_t i, const SwingDoor& door, bool pushes) {
     const Frame f = frame_of(door);
-    const float k = scale_of(d, i), handle = door.width - k_handle_from_edge - k_lever, shoulder = k_half_shoulders * k;
+    const float k = scale_of(d, i), handle = door.width - k_handle_from_edge - k_lever,
+                shoulder = k_half_shoulders * k;
     if (!pushes) return {f.world({handle + shoulder + 0.19f, 0.08f + arm_ahead(d, i)}), door.heading + k_pi};
     const float u = 0.72f, aside = handle - (u - shoulder), reach = arm_ahead(d, i);
     return {f.world({u, -0.09f - std::sqrt(std::max(reach * reach - aside * aside, 0.02f))}), door.heading};
@@ -132,7 +136,7 @@ DoerWish pass_door(Deeds& d, size_t i) {
     constexpr float k_near = 0.3f, k_reach = 1.7f, k_behind = 0.7f, k_gone = 1.15f;
     Doer& doer = d.doers[i];
     const Deed& deed = deed_of(d, i);
-    const Doorway& door = d.things.doors[deed.thing];
+    const SwingDoor& door = d.things.doors[deed.thing];
     LeafNow& leaf = d.leaves[deed.thing];
     const bool pushes = deed.what == Deed::What::push;
     const Frame f = frame_of(door);
@@ -164,7 +168,9 @@ DoerWish pass_door(Deeds& d, size_t i) {
             // As far as the arm reaches, and then on and on.
             if (doer.since <= 1) doer.from = {};
             if (leaf.angle >= k_ajar || (leaf.angle > 0.05f && leaf.speed < 0.1f)) doer.from.x = 1;
-            if (pushes ? doer.from.x == 0 && doer.has != 0 : doer.has != 0 && leaf.angle < k_steps_in && past < 0) return {{}, f.out * onward};
+            if (pushes ? doer.from.x == 0 && doer.has != 0
+                       : doer.has != 0 && leaf.angle < k_steps_in && past < 0)
+                return {{}, f.out * onward};
             if (pushes && doer.has != 0 && past > k_behind * k) let_go(doer, leaf, 0.9f);
             if (doer.has == 0 && past > 0.1f) next_stage_of(doer, DoerStage::leave);
             return along((pushes ? 0.45f : 0.75f) * k);
@@ -184,7 +190,7 @@ void move_leaf(Deeds& d, size_t i) {
         if (doer.has == 0) doer.arms = std::max(doer.arms - k_gone * k_tick, 0.0f);
     }
     if (!at_door || doer.has == 0) return;
-    const Doorway& door = d.things.doors[deed.thing];
+    const SwingDoor& door = d.things.doors[deed.thing];
     LeafNow& now = d.leaves[deed.thing];
     const float down = k_lever_down / k_turned;
     if (now.angle < 0.12f && now.lever < k_lever_down) {
@@ -218,7 +224,8 @@ void move_leaf(Deeds& d, size_t i) {
         return clear;
     };
     if (pushes) {
-        // Away from the body, no farther than that needs: the arm stays as long as it was, the leaf off the body.
+        // Away from the body, no farther than that needs: the arm stays as long as it was, the leaf off the
+        // body.
         const float arm = 0.95f * arm_ahead(d, i);
         const float most = std::min(now.speed + k_quickens * k_tick, k_fastest) * k_tick;
         float least = 0;
@@ -252,7 +259,7 @@ void pose_at_door(const Deeds& d, size_t i, BodyPose& pose) {
     const bool pushes = deed.what == Deed::What::push;
     if (doer.arms <= 0 || (!pushes && deed.what != Deed::What::pull)) return;
     const Someone who = someone(d, i);
-    const Doorway& door = d.things.doors[deed.thing];
+    const SwingDoor& door = d.things.doors[deed.thing];
     const LeafNow& now = d.leaves[deed.thing];
     const Side side = hand_at(door, pushes);
     const Vec3 handle = handle_of(door, now, pushes);
@@ -260,7 +267,8 @@ void pose_at_door(const Deeds& d, size_t i, BodyPose& pose) {
     turn_to_handle(d, i, handle, share, pose);
     const float looks = doer.stage == DoerStage::go ? share : share * (1 - smoothstep(0.1f, 0.6f, now.angle));
     look_at(pose, who, handle, looks);
-    lean_to(pose, who, side, wrist_of(hold_of(d, i, pose, door, now, pushes), who, side).position, share, k_leans);
+    lean_to(pose, who, side, wrist_of(hold_of(d, i, pose, door, now, pushes), who, side).position, share,
+            k_leans);
     reach_for(pose, who, side, hold_of(d, i, pose, door, now, pushes), {0.4f, -0.8f, -0.6f}, share);
 }
 

@@ -7,7 +7,7 @@
 namespace flaneur {
 
 // Where one begins who pushes or pulls: before the handle; out of the leaf's way, if that comes towards one.
-Spot before_door(const Deeds& deeds, size_t doer, const Doorway& door, bool pushes);
+Spot before_door(const Deeds& deeds, size_t doer, const SwingDoor& door, bool pushes);
 
 // What one wishes who goes through a door; goes from stage to stage.
 DoerWish pass_door(Deeds& deeds, size_t doer);
@@ -17,6 +17,6 @@ void move_leaf(Deeds& deeds, size_t doer);
 void pose_at_door(const Deeds& deeds, size_t doer, BodyPose& pose);
 
 // Which hand that is: the one on the hinge's side.
-Side hand_at(const Doorway& door, bool pushes);
+Side hand_at(const SwingDoor& door, bool pushes);
 
 }  // namespace flaneur

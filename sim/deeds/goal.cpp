@@ -19,7 +19,8 @@ DoerWish wish_to(const Doer& doer, const Spot& goal, float speed) {
         return w;
     }
     const Vec2 aim = goal.at - ahead * clamp(before - k_carrot, 0, k_line);
-    const float pace = std::max(std::min(speed, std::sqrt(2 * k_brakes * std::max(left - 0.12f, 0.0f))), 0.3f);
+    const float pace =
+        std::max(std::min(speed, std::sqrt(2 * k_brakes * std::max(left - 0.12f, 0.0f))), 0.3f);
     w.wish = normalize_or(aim - on_ground(doer.position), ahead) * pace;
     w.look = ahead;
     return w;
@@ -32,8 +33,8 @@ bool is_at(const Deeds& d, size_t i, const Spot& goal) {
     const size_t lane = i % k_block;
     return length(goal.at - on_ground(doer.position)) < k_off && length(doer.motion.velocity) < k_still &&
            std::fabs(wrap_angle(goal.heading - doer.motion.heading)) < k_turned &&
-           std::fabs(doer.motion.turn_rate) < 0.05f && g.standing[lane] != 0 && g.feet[0].swinging[lane] == 0 &&
-           g.feet[1].swinging[lane] == 0;
+           std::fabs(doer.motion.turn_rate) < 0.05f && g.standing[lane] != 0 &&
+           g.feet[0].swinging[lane] == 0 && g.feet[1].swinging[lane] == 0;
 }
 
 DoerWish wish_back(const Spot& goal) {

@@ -6,12 +6,12 @@
 
 namespace flaneur {
 
-float leaf_yaw(const Doorway& door, float angle) {
+float leaf_yaw(const SwingDoor& door, float angle) {
     // A hinge on the right opens to the left of one who comes, as seen from above against the clock.
     return door.hinge_left ? door.heading + angle : door.heading - angle;
 }
 
-Vec3 on_leaf(const Doorway& door, float angle, Vec3 own) {
+Vec3 on_leaf(const SwingDoor& door, float angle, Vec3 own) {
     const Vec2 out = heading_direction(leaf_yaw(door, angle));
     const Vec2 left{out.z, -out.x};  // of one who faces along `out`
     const Vec2 along = door.hinge_left ? -left : left;
@@ -19,7 +19,7 @@ Vec3 on_leaf(const Doorway& door, float angle, Vec3 own) {
     return {at.x, door.floor + own.y, at.z};
 }
 
-Vec3 handle_of(const Doorway& door, const LeafNow& now, bool pushes) {
+Vec3 handle_of(const SwingDoor& door, const LeafNow& now, bool pushes) {
     const SinCos turn = sin_cos(now.lever);
     const float x = door.width - k_handle_from_edge - k_lever * turn.cosine,
                 y = k_handle_high - k_lever * turn.sine;

@@ -25,7 +25,7 @@ struct Shelf {
 };
 
 // A door, closed, whose leaf turns about its hinge away from one who goes along its heading.
-struct Doorway {
+struct SwingDoor {
     Vec2 hinge;
     float floor = 0;
     float heading = 0;
@@ -35,13 +35,14 @@ struct Doorway {
 };
 // Of handles, which are levers that point to the hinge: from the hinge, over the floor, along the leaf from
 // where they turn to the middle of the hand, and out of the leaf's face.
-inline constexpr float k_handle_from_edge = 0.07f, k_handle_high = 1.03f, k_lever = 0.085f, k_lever_out = 0.055f;
-inline constexpr float k_lever_thick = 0.011f;              // half of it
-inline constexpr float k_lever_down = 0.6f;                 // radians that it turns
+inline constexpr float k_handle_from_edge = 0.07f, k_handle_high = 1.03f, k_lever = 0.085f,
+                       k_lever_out = 0.055f;
+inline constexpr float k_lever_thick = 0.011f;  // half of it
+inline constexpr float k_lever_down = 0.6f;     // radians that it turns
 
 // A wall over which one climbs, along its heading and back.
 struct LowWall {
-    Vec2 at;            // the middle of its length and thickness
+    Vec2 at;  // the middle of its length and thickness
     float floor = 0;
     float heading = 0;  // square to it
     float height = 0.8f, thick = 0.26f, half_long = 1;
@@ -50,7 +51,7 @@ struct LowWall {
 struct Things {
     std::vector<Parcel> parcels;
     std::vector<Shelf> shelves;
-    std::vector<Doorway> doors;
+    std::vector<SwingDoor> doors;
     std::vector<LowWall> walls;
 };
 
@@ -68,11 +69,12 @@ struct LeafNow {
 
 // The leaf's yaw: what takes +x, from the hinge to the edge, and +z, along its heading of one who opens it,
 // with +x to the left of that where the hinge is on the right.
-float leaf_yaw(const Doorway& door, float angle);
-// A place of the leaf: metres from the hinge, over the floor, and out of its middle towards where it opens to.
-Vec3 on_leaf(const Doorway& door, float angle, Vec3 own);
+float leaf_yaw(const SwingDoor& door, float angle);
+// A place of the leaf: metres from the hinge, over the floor, and out of its middle towards where it opens
+// to.
+Vec3 on_leaf(const SwingDoor& door, float angle, Vec3 own);
 // The middle of the lever that a hand lies on, on the side of one who pushes, or on the other one.
-Vec3 handle_of(const Doorway& door, const LeafNow& now, bool pushes);
+Vec3 handle_of(const SwingDoor& door, const LeafNow& now, bool pushes);
 // A tick of a leaf that nobody holds: it goes on as it was let go, then a closer takes it back.
 void step_closer(LeafNow& now, float dt);
 

@@ -15,8 +15,8 @@ namespace flaneur {
 namespace {
 
 // One person more, whose joints are these, beside those of the crowd.
-void add_one(const JointPose* joints, const Character& character, uint32_t kind, uint32_t number, float heading,
-             const Surroundings& around, PeopleFrame& frame) {
+void add_one(const JointPose* joints, const Character& character, uint32_t kind, uint32_t number,
+             float heading, const Surroundings& around, PeopleFrame& frame) {
     WalkerDraw draw;
     draw.mesh = kind;
     draw.id = id_of(IdKind::exhibit, number);
@@ -47,13 +47,13 @@ void add_figures(const Troupe& figures, const std::vector<Character>& characters
         JointPose joints[k_joint_count];
         for (size_t j = 0; j < k_joint_count; ++j)
             joints[j] = joint_between(figures, i, static_cast<Joint>(j), between);
-        add_one(joints, characters[kind], kind, static_cast<uint32_t>(i), figures.moves[i].motion.heading, around,
-                frame);
+        add_one(joints, characters[kind], kind, static_cast<uint32_t>(i), figures.moves[i].motion.heading,
+                around, frame);
     }
 }
 
-void add_doers(const Deeds& deeds, const std::vector<Character>& characters, PeopleFrame& frame, float between,
-               uint32_t first_id) {
+void add_doers(const Deeds& deeds, const std::vector<Character>& characters, PeopleFrame& frame,
+               float between, uint32_t first_id) {
     if (deeds.plans.empty()) return;
     const Surroundings around = surroundings_of(*deeds.ground);
     for (size_t i = 0; i < deeds.plans.size(); ++i) {
@@ -61,8 +61,8 @@ void add_doers(const Deeds& deeds, const std::vector<Character>& characters, Peo
         JointPose joints[k_joint_count];
         for (size_t j = 0; j < k_joint_count; ++j)
             joints[j] = doer_joint_between(deeds, i, static_cast<Joint>(j), between);
-        add_one(joints, characters[kind], kind, first_id + static_cast<uint32_t>(i), deeds.doers[i].motion.heading,
-                around, frame);
+        add_one(joints, characters[kind], kind, first_id + static_cast<uint32_t>(i),
+                deeds.doers[i].motion.heading, around, frame);
     }
 }
 

@@ -18,8 +18,8 @@ Deeds doing(DoerPlan plan, Things things, float height, uint64_t seed) {
     return make_deeds({std::move(plan)}, std::move(things), level_ground(), {standard_body(height)}, seed);
 }
 
-Watch watch(Deeds& d, uint64_t seed, uint32_t ticks) {
-    Watch w;
+DeedWatch watch(Deeds& d, uint64_t seed, uint32_t ticks) {
+    DeedWatch w;
     uint32_t done = 0, since = 0;
     for (uint32_t tick = 0; tick < ticks; ++tick) {
         step_deeds(d, seed, tick);
@@ -31,7 +31,7 @@ Watch watch(Deeds& d, uint64_t seed, uint32_t ticks) {
     return w;
 }
 
-std::string told(const Worst& w) { return w.what + " at tick " + std::to_string(w.tick); }
+std::string told(const DeedWorst& w) { return w.what + " at tick " + std::to_string(w.tick); }
 
 Deeds carrying(float height, float mass, float top, uint64_t seed) {
     const float k = std::min(height / 1.75f, 1.0f);
@@ -49,9 +49,10 @@ TEST(Deeds, BoxesAreHeldAndTouchNothingElse) {
         for (const float mass : {2.0f, 10.0f, 18.0f})
             for (const float top : {0.0f, 0.45f, 0.75f, 1.0f}) {
                 if ((height < 1.6f && mass > 2) || top > 0.75f * height) continue;
-                SCOPED_TRACE(testing::Message() << height << " m, " << mass << " kg, " << top << " m, seed " << seed);
+                SCOPED_TRACE(testing::Message()
+                             << height << " m, " << mass << " kg, " << top << " m, seed " << seed);
                 Deeds d = carrying(height, mass, top, seed);
-                const Watch w = watch(d, seed++, 30 * k_ticks_a_second);
+                const DeedWatch w = watch(d, seed++, 30 * k_ticks_a_second);
                 EXPECT_LT(w.palms.value, 0.005f) << told(w.palms);
                 EXPECT_LT(w.into.value, 0.02f) << told(w.into);
                 EXPECT_LT(w.slides.value, 0.005f) << told(w.slides);
@@ -70,7 +71,8 @@ TEST(Deeds, HandsReachWithABellShapedSpeed) {
             for (uint32_t tick = 0; tick < 40 * k_ticks_a_second && d.doers[0].done < 3; ++tick) {
                 step_deeds(d, 3, tick);
                 const Vec3 hand = joint_at(d, 0, left_hand);
-                if (d.doers[0].done == 2 && d.doers[0].stage == DoerStage::reach) speeds.push_back(length(hand - before));
+                if (d.doers[0].done == 2 && d.doers[0].stage == DoerStage::reach)
+                    speeds.push_back(length(hand - before));
                 before = hand;
             }
             ASSERT_GT(speeds.size(), 30u);
@@ -108,14 +110,15 @@ TEST(Deeds, WhoCarriesMoreGoesSlowerAndLeansBackMore) {
 
 Deeds at_a_door(float height, bool left, uint64_t seed) {
     Things t;
-    Doorway door;
+    SwingDoor door;
     door.hinge = {left ? 0.475f : -0.475f, 0};
     door.hinge_left = left;
     t.doors = {door};
     DoerPlan plan;
     plan.at = {0, -2};
     plan.speed = 1.25f * std::sqrt(height / 1.75f);
-    plan.round = {{What::push, 0, {}}, {What::walk, 0, {0, 2.6f}}, {What::pull, 0, {}}, {What::walk, 0, {0, -2.6f}}};
+    plan.round = {
+        {What::push, 0, {}}, {What::walk, 0, {0, 2.6f}}, {What::pull, 0, {}}, {What::walk, 0, {0, -2.6f}}};
     return doing(plan, t, height, seed);
 }
 
@@ -126,7 +129,7 @@ TEST(Deeds, AHandStaysOnTheHandleAndTheLeafOffTheBody) {
             SCOPED_TRACE(testing::Message() << height << " m, hinge " << left << ", seed " << seed);
             Deeds d = at_a_door(height, left, seed);
             float widest = 0;
-            const Watch w = watch(d, seed++, 50 * k_ticks_a_second);
+            const DeedWatch w = watch(d, seed++, 50 * k_ticks_a_second);
             EXPECT_LT(w.palms.value, 0.01f) << told(w.palms);
             EXPECT_LT(w.into.value, 0.085f) << told(w.into);
             EXPECT_LT(w.beyond.value, height < 1.4f ? 30.0f : 2.0f) << told(w.beyond);
@@ -158,9 +161,12 @@ TEST(Deeds, WallsAreClimbedWithHandsAndFeetWhereTheyHold) {
             const Vec2 way = heading_direction(wall.heading);
             plan.at = way * -2;
             plan.heading = wall.heading;
-            plan.round = {{What::climb, 0, {}}, {What::walk, 0, way * 2.6f}, {What::climb, 0, {}}, {What::walk, 0, way * -2.6f}};
+            plan.round = {{What::climb, 0, {}},
+                          {What::walk, 0, way * 2.6f},
+                          {What::climb, 0, {}},
+                          {What::walk, 0, way * -2.6f}};
             Deeds d = doing(plan, t, height, seed);
-            const Watch w = watch(d, seed++, 26 * k_ticks_a_second);
+            const DeedWatch w = watch(d, seed++, 26 * k_ticks_a_second);
             EXPECT_GE(d.doers[0].done, 3u);
             EXPECT_LT(w.palms.value, 0.055f) << told(w.palms);
             EXPECT_LT(w.into.value, 0.07f) << told(w.into);
@@ -180,7 +186,10 @@ Deeds all_of_them() {
     t.walls = {wall};
     DoerPlan climber;
     climber.at = {-8, -2};
-    climber.round = {{What::climb, 0, {-8, 0}}, {What::walk, 0, {-8, 2}}, {What::climb, 0, {-8, 0}}, {What::walk, 0, {-8, -2}}};
+    climber.round = {{What::climb, 0, {-8, 0}},
+                     {What::walk, 0, {-8, 2}},
+                     {What::climb, 0, {-8, 0}},
+                     {What::walk, 0, {-8, -2}}};
     DoerPlan through = door.plans[0];
     through.at = {7.5f, -2};
     through.round[1].at = {7.5f, 2.6f}, through.round[3].at = {7.5f, -2.6f};
@@ -208,9 +217,23 @@ TEST(Deeds, GoOnFromWhatAStateKeeps) {
             for (size_t i = 0; i < a.doers.size(); ++i)
                 for (size_t j = 0; j < k_joint_count; ++j)
                     ASSERT_EQ(joint_at(a, i, static_cast<Joint>(j)), joint_at(b, i, static_cast<Joint>(j)));
-            ASSERT_EQ(std::memcmp(a.parcels.data(), b.parcels.data(), a.parcels.size() * sizeof a.parcels[0]), 0);
+            ASSERT_EQ(std::memcmp(a.parcels.data(), b.parcels.data(), a.parcels.size() * sizeof a.parcels[0]),
+                      0);
         }
     }
+}
+
+TEST(Deeds, GoOnForTenMinutes) {
+    Deeds d = all_of_them();
+    uint32_t done[3] = {}, since[3] = {};
+    for (uint32_t tick = 0; tick < 600 * k_ticks_a_second; ++tick) {
+        step_deeds(d, 7, tick);
+        for (size_t i = 0; i < 3; ++i) {
+            since[i] = d.doers[i].done == done[i] ? since[i] + 1 : 0, done[i] = d.doers[i].done;
+            ASSERT_LT(since[i], 15 * k_ticks_a_second) << what_it_does(d, i) << " at tick " << tick;
+        }
+    }
+    for (const uint32_t n : done) EXPECT_GT(n, 60u);
 }
 
 TEST(Deeds, AreToldInWords) {
@@ -224,8 +247,8 @@ TEST(Deeds, AreToldInWords) {
             if (all.find(words) == std::string::npos) all += words + "; ";
         }
     }
-    for (const char* words : {"lifts 10 kg", "carries 10 kg", "puts 10 kg down", "pushes the door open", "pulls the door open",
-                              "climbs over a wall"})
+    for (const char* words : {"lifts 10 kg", "carries 10 kg", "puts 10 kg down", "pushes the door open",
+                              "pulls the door open", "climbs over a wall"})
         EXPECT_NE(all.find(words), std::string::npos) << words << " of " << all;
 }
 

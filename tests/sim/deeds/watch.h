@@ -26,7 +26,7 @@ inline std::shared_ptr<const Ground> level_ground() {
 }
 
 // The worst of something, and of whom and when.
-struct Worst {
+struct DeedWorst {
     float value = -1e9f;
     uint32_t tick = 0;
     std::string what;
@@ -36,8 +36,8 @@ struct Worst {
 };
 
 // Degrees by which a joint is beyond its range; less than 0: within.
-inline float beyond_range(const Quat& turn, const JointLimits& limits, float outward, bool stands, bool points,
-                          bool is_hinge) {
+inline float beyond_range(const Quat& turn, const JointLimits& limits, float outward, bool stands,
+                          bool points, bool is_hinge) {
     Vec3 along = rotate(turn, stands ? Vec3{0, 1, 0} : points ? Vec3{0, 0, 1} : Vec3{0, -1, 0});
     if (is_hinge) {
         const float bend = arccos(-along.y) / k_radians * (along.z < 0 ? -1.0f : 1.0f);
@@ -58,13 +58,13 @@ inline float beyond_range(const Quat& turn, const JointLimits& limits, float out
     return std::max({off(bend, limits.bend), off(side, limits.side), off(twist, limits.twist)});
 }
 
-struct Watch {
-    Worst fastest;   // rad/s of a joint against its parent
-    Worst fast_hand; // m/s of a hand against the shoulder
-    Worst beyond;    // degrees
-    Worst slides;    // metres a tick, of a foot that stands
-    Worst palms;     // metres that a palm is off what it holds
-    Worst into;      // metres that something is in something
+struct DeedWatch {
+    DeedWorst fastest;    // rad/s of a joint against its parent
+    DeedWorst fast_hand;  // m/s of a hand against the shoulder
+    DeedWorst beyond;     // degrees
+    DeedWorst slides;     // metres a tick, of a foot that stands
+    DeedWorst palms;      // metres that a palm is off what it holds
+    DeedWorst into;       // metres that something is in something
     std::vector<PoseBlock> before;
     ClimbHolds held;
     Vec3 stood[2];
@@ -74,32 +74,61 @@ struct Watch {
 
 inline Quat against_parent(const std::vector<PoseBlock>& poses, size_t i, size_t joint) {
     const auto parent = static_cast<Joint>(k_joint_parents[joint]);
-    return conjugate(joint_pose(poses, i, parent).rotation) * joint_pose(poses, i, static_cast<Joint>(joint)).rotation;
+    return conjugate(joint_pose(poses, i, parent).rotation) *
+           joint_pose(poses, i, static_cast<Joint>(joint)).rotation;
 }
 inline float turn_between(Quat a, Quat b) {
     const Quat d = conjugate(a) * b;
     return 2 * std::asin(std::fmin(1.0f, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z)));
 }
 
-inline void see_joints(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
+inline void see_joints(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
     using namespace joint_limits;
     for (size_t j = 1; j < k_joint_count; ++j) {
         const Quat now = against_parent(d.poses, i, j);
         if (tick > 0)
-            w.fastest.see(turn_between(against_parent(d.previous_poses, i, j), now) / k_tick, tick, k_joint_names[j]);
-        const bool left = j >= left_shoulder && (j < right_shoulder || (j >= left_upper_leg && j < right_upper_leg));
+            w.fastest.see(turn_between(against_parent(d.previous_poses, i, j), now) / k_tick, tick,
+                          k_joint_names[j]);
+        const bool left =
+            j >= left_shoulder && (j < right_shoulder || (j >= left_upper_leg && j < right_upper_leg));
         const float outward = left ? 1.0f : -1.0f;
         float off = -1;
         switch (j) {
-            case spine: case chest: case upper_chest: off = beyond_range(now, k_trunk, 1, true, false, false); break;
-            case neck: case head: off = beyond_range(now, k_neck, 1, true, false, false); break;
-            case left_upper_arm: case right_upper_arm: off = beyond_range(now, k_shoulder, outward, false, false, false); break;
-            case left_lower_arm: case right_lower_arm: off = beyond_range(now, k_elbow, outward, false, false, true); break;
-            case left_hand: case right_hand: off = beyond_range(now, k_wrist, outward, false, false, false); break;
-            case left_upper_leg: case right_upper_leg: off = beyond_range(now, k_hip, outward, false, false, false); break;
-            case left_lower_leg: case right_lower_leg: off = beyond_range(now, k_knee, outward, false, false, true); break;
-            case left_foot: case right_foot: off = beyond_range(now, k_ankle, outward, false, true, false); break;
-            default: break;
+            case spine:
+            case chest:
+            case upper_chest:
+                off = beyond_range(now, k_trunk, 1, true, false, false);
+                break;
+            case neck:
+            case head:
+                off = beyond_range(now, k_neck, 1, true, false, false);
+                break;
+            case left_upper_arm:
+            case right_upper_arm:
+                off = beyond_range(now, k_shoulder, outward, false, false, false);
+                break;
+            case left_lower_arm:
+            case right_lower_arm:
+                off = beyond_range(now, k_elbow, outward, false, false, true);
+                break;
+            case left_hand:
+            case right_hand:
+                off = beyond_range(now, k_wrist, outward, false, false, false);
+                break;
+            case left_upper_leg:
+            case right_upper_leg:
+                off = beyond_range(now, k_hip, outward, false, false, false);
+                break;
+            case left_lower_leg:
+            case right_lower_leg:
+                off = beyond_range(now, k_knee, outward, false, false, true);
+                break;
+            case left_foot:
+            case right_foot:
+                off = beyond_range(now, k_ankle, outward, false, true, false);
+                break;
+            default:
+                break;
         }
         w.beyond.see(off, tick, k_joint_names[j]);
     }
@@ -132,12 +161,12 @@ void for_each_part(const Deeds& d, size_t i, const Each& each) {
     const Joint up[] = {hips, spine, chest, upper_chest};
     for (int n = 0; n < 3; ++n)
         for (int m = 0; m < 4; ++m)
-            each(lerp(joint_at(d, i, up[n]), joint_at(d, i, up[n + 1]), 0.25f * static_cast<float>(m)), 0.095f * k,
-                 "trunk");
+            each(lerp(joint_at(d, i, up[n]), joint_at(d, i, up[n + 1]), 0.25f * static_cast<float>(m)),
+                 0.095f * k, "trunk");
 }
 
 // A foot that stands does not move: as the gait has it, but over a wall.
-inline void see_feet(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
+inline void see_feet(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
     const Doer& doer = d.doers[i];
     const bool climbs = deed_of(d, i).what == Deed::What::climb && doer.stage == DoerStage::act;
     const ClimbHolds holds = climb_holds(d, i);
@@ -147,12 +176,11 @@ inline void see_feet(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
         const bool stands = climbs && holds.feet[side];
         if (stands && w.did_stand[side]) w.slides.see(length(at - w.stood[side]), tick, "over a wall");
         w.did_stand[side] = stands, w.stood[side] = at;
-        if (!climbs)
-            w.slides.see(length(at - joint_pose(d.whole, i, foot).position), tick, "by the gait");
+        if (!climbs) w.slides.see(length(at - joint_pose(d.whole, i, foot).position), tick, "by the gait");
     }
 }
 
-inline void see_palms(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
+inline void see_palms(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
     const Doer& doer = d.doers[i];
     const Deed& deed = deed_of(d, i);
     const BodyPose pose = body_pose_of(d.poses, i);
@@ -184,7 +212,7 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
         }
     }
     if ((deed.what == Deed::What::push || deed.what == Deed::What::pull)) {
-        const Doorway& door = d.things.doors[deed.thing];
+        const SwingDoor& door = d.things.doors[deed.thing];
         const LeafNow& leaf = d.leaves[deed.thing];
         const bool pushes = deed.what == Deed::What::push;
         const Side side = hand_at(door, pushes);
@@ -196,7 +224,8 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
         const Vec3 middle = on_leaf(door, leaf.angle, {0.5f * door.width, 0.5f * door.height, 0});
         const Vec3 half{0.5f * door.width, 0.5f * door.height, 0.5f * door.thick};
         for_each_part(d, i, [&](Vec3 at, float radius, std::string_view name) {
-            w.into.see(radius - from_box(rotate(conjugate(turn), at - middle), half), tick, std::string(name) + ", a leaf");
+            w.into.see(radius - from_box(rotate(conjugate(turn), at - middle), half), tick,
+                       std::string(name) + ", a leaf");
         });
     }
     if (deed.what == Deed::What::climb && doer.stage == DoerStage::act) {
@@ -204,7 +233,8 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
         const ClimbHolds holds = climb_holds(d, i);
         for (const Side side : {k_left, k_right})
             if (holds.hands[side])
-                w.palms.see(length(palm_of(pose, someone(d, i), side).place - holds.palms[side]), tick, "on a wall");
+                w.palms.see(length(palm_of(pose, someone(d, i), side).place - holds.palms[side]), tick,
+                            "on a wall");
         const Quat turn = rotation_y(wall.heading);
         const Vec3 middle = at_height(wall.at, wall.floor + 0.5f * wall.height);
         const Vec3 half{wall.half_long, 0.5f * wall.height, 0.5f * wall.thick};
@@ -215,7 +245,7 @@ inline void see_palms(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
     }
 }
 
-inline void see(const Deeds& d, size_t i, uint32_t tick, Watch& w) {
+inline void see(const Deeds& d, size_t i, uint32_t tick, DeedWatch& w) {
     see_joints(d, i, tick, w);
     see_feet(d, i, tick, w);
     see_palms(d, i, tick, w);

@@ -16,8 +16,8 @@ void add_deed_gizmos(const OverlayInput& input, Overlay& overlay) {
         const Vec3 at = doer_joint_between(deeds, i, head, input.between).position;
         if (glm::length(to_glm(at) - input.camera.eye) > k_reach) continue;
         const std::string words = what_it_does(deeds, i);
-        add_text(overlay.lines, {{at.x, at.y + k_over, at.z}, {-0.5f * text_width(words, k_letters), 0}}, words,
-                 ink(0xf6f3ec), k_letters);
+        add_text(overlay.lines, {{at.x, at.y + k_over, at.z}, {-0.5f * text_width(words, k_letters), 0}},
+                 words, ink(0xf6f3ec), k_letters);
         const DeedContacts contacts = contacts_of(deeds, i);
         Pen pen{.pixels = 8, .colour = k_hand};
         for (size_t side = 0; side < 2; ++side)
