@@ -56,6 +56,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     some(c.journeys, c.way_back);
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
+    all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
         w.linkages.held, w.herd.creatures, w.movers.places);
     if (!w.roam) return;
@@ -153,12 +154,13 @@ uint64_t state_mark(const World& w) {
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
-    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
-                        w.linkages.places.size(), w.figures.plans.size(), w.movers.all.size(),
-                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                                     w.roam->compound.capsules.size() + 1
-                               : 0})
+    for (size_t size :
+         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
+          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(),
+          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                       w.roam->compound.capsules.size() + 1
+                 : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;
@@ -247,6 +249,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     w.linkages.previous_targets = w.linkages.targets;
     forget_previous(w.movers);
     pose_figures_anew(w.figures);
+    forget_previous(w.deeds);
     return {};
 }
 

@@ -140,6 +140,8 @@ void step_bodies(World& w) {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);
         step_figures(w.figures, w.seed, w.tick);
+        step_deeds(w.deeds, w.seed, w.tick);
+        lead_movers(w.deeds, w.movers);
         if (w.roam) step_creatures(*w.roam, w.linkages, *w.workers);
         step_herd(w);
     });

@@ -18,6 +18,7 @@
 #include "sim/bystanders.h"
 #include "sim/coming/coming.h"
 #include "sim/crowd/crowd.h"
+#include "sim/deeds/deeds.h"
 #include "sim/falls.h"
 #include "sim/figures/figures.h"
 #include "sim/gait/gait.h"
@@ -63,6 +64,7 @@ struct World {
     Herd herd;                   // creatures among people in a city; mostly none
     Linkages linkages;           // that are no people; mostly none
     Movers movers;               // rigid things that move; mostly none
+    Deeds deeds;                 // people who do things with their hands, the same
     Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;

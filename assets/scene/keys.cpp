@@ -97,9 +97,10 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
         word_key<&Scene::built, k_built_in_names>(
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
-            "walk; a platform in still water; a walled field; a gallery of linkages; a square by a river; "
-            "planets, from one to "
-            "another of which people leap."),
+            "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
+            "another of which people leap; a square by a river; a yard where people carry boxes, open doors "
+            "and "
+            "climb."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,

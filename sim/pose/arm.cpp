@@ -8,6 +8,14 @@
 
 namespace flaneur {
 
+Quat bone_rotation(Vec3 bone, Vec3 front) {
+    Quat down = rotation_between({0, -1, 0}, bone);
+    Vec3 z = rotate(down, Vec3{0, 0, 1}), wanted = normalize_or(front - bone * dot(front, bone), z);
+    float cosine = clamp(dot(z, wanted), -1, 1), half = 0.5f * arccos(cosine);
+    SinCos turn = sin_cos(dot(cross(z, wanted), bone) < 0 ? -half : half);
+    return normalize(Quat{bone.x * turn.sine, bone.y * turn.sine, bone.z * turn.sine, turn.cosine} * down);
+}
+
 Quat within_wrist(Quat hand_ps) {
     static const float k_side = sin_cos((joint_limits::k_wrist.side.high - 1) * k_radians).sine;
     static const SinCos k_bend = sin_cos((joint_limits::k_wrist.bend.high - 1) * k_radians);

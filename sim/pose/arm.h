@@ -37,6 +37,9 @@ struct KeptArm {
 KeptArm keep_arm(const Posed& pose, Side side);
 void set_arm(Posed pose, Side side, const KeptArm& kept);
 
+// Turns -y along `bone`, unit, and +z as near to `front` as that allows.
+Quat bone_rotation(Vec3 bone, Vec3 front);
+
 // A hand against its forearm, bent no farther than a wrist is.
 Quat within_wrist(Quat hand_ps);
 

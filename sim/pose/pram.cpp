@@ -17,15 +17,6 @@ constexpr float k_thick = 0.026f;       // metres, from the middle of the hand t
 constexpr float k_down_sine = 0.50f, k_down_cosine = 0.866f;  // of 30 degrees that hands point down
 constexpr float k_elbow_back = 0.35f, k_elbow_out = 0.45f;    // of an elbow that is 1 down
 
-// Turns -y along `bone`, and +z as near to `front` as that allows.
-Quat bone_rotation(Vec3 bone, Vec3 front) {
-    Quat down = rotation_between({0, -1, 0}, bone);
-    Vec3 z = rotate(down, Vec3{0, 0, 1}), wanted = normalize_or(front - bone * dot(front, bone), z);
-    float cosine = clamp(dot(z, wanted), -1, 1), half = 0.5f * arccos(cosine);
-    SinCos turn = sin_cos(dot(cross(z, wanted), bone) < 0 ? -half : half);
-    return normalize(Quat{bone.x * turn.sine, bone.y * turn.sine, bone.z * turn.sine, turn.cosine} * down);
-}
-
 void hold(const Pram& pram, Posed pose, Side side) {
     const int first = side == k_left ? left_upper_arm : right_upper_arm;
     const float out = side == k_left ? 1.0f : -1.0f;

@@ -28,9 +28,10 @@ sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
 sim/coming: sim/base, sim/crowd
 sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
+sim/deeds: sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -42,7 +43,7 @@ assets/people/shapes: sim/base
 assets/people: assets, assets/people/shapes, sim/base, sim/body
 assets/levels: assets, assets/people, sim/base
 assets/district: assets, assets/plan, sim/base
-assets/stages: assets, sim, sim/base, sim/figures, sim/linkages, sim/surface, sim/ways
+assets/stages: assets, sim, sim/base, sim/deeds, sim/figures, sim/linkages, sim/movers, sim/surface, sim/ways
 assets/osm: assets, assets/files, assets/plan, assets/terrain, sim/base
 assets/osm/read: assets, assets/files, assets/osm
 assets/osm/street: assets, assets/osm, assets/plan
@@ -80,7 +81,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/figures, sim/movers, sim/pose
+tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/deeds, sim/figures, sim/movers, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:

@@ -89,6 +89,10 @@ struct Troupe;  // of sim/figures/figures.h
 // kind].
 void add_figures(const Troupe& figures, const std::vector<Character>& characters, PeopleFrame& people,
                  float between = 1);
+struct Deeds;  // of sim/deeds/deeds.h
+// The same of those who do things; they come last.
+void add_doers(const Deeds& deeds, const std::vector<Character>& characters, PeopleFrame& people,
+               float between, uint32_t first_id);
 
 // For who moves people without a world: writes k_palette_joints transforms to `palette`, which draw a
 // character at `scale` times its size with these k_joint_count poses, by Joint and as pose_of() of sim.h

@@ -24,6 +24,7 @@
 #include "assets/stages/gallery.h"
 #include "assets/stages/planets.h"
 #include "assets/stages/platform.h"
+#include "assets/stages/yard.h"
 #include "sim/base/zone.h"
 #include "tools/flaneur/console/console.h"
 #include "tools/flaneur/console/ending.h"
@@ -226,6 +227,7 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::field)) return build_field(scene.seed);
     if (is_of(scene, BuiltIn::gallery)) return build_gallery(scene.seed);
     if (is_of(scene, BuiltIn::quayside)) return build_quayside(scene.seed);
+    if (is_of(scene, BuiltIn::yard)) return build_yard(scene.seed);
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -304,6 +306,17 @@ static void set_figures(std::vector<FigurePlan> plans, std::shared_ptr<const Gro
     world.figures = make_figures(std::move(plans), std::move(ground), bodies, world.seed);
 }
 
+static void set_deeds(std::vector<DoerPlan> plans, Things things, std::shared_ptr<const Ground> ground,
+                      size_t first_mover, World& world) {
+    std::vector<Body> bodies;
+    for (const Kind& kind : world.kinds) bodies.push_back(kind.body);
+    world.deeds = make_deeds(std::move(plans), std::move(things), std::move(ground), bodies, world.seed);
+    world.deeds.first_mover = first_mover;
+    if (world.deeds.plans.empty()) return;
+    lead_movers(world.deeds, world.movers);
+    forget_previous(world.movers);
+}
+
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
@@ -375,6 +388,11 @@ Result<Loaded> load(const Options& options) {
         Result<void> set = set_loose(*loaded.world, static_cast<uint32_t>(scene.creatures));
         if (!set) return set.error();
     }
+    if (is_of(scene, BuiltIn::yard)) {
+        const Things things = yard_things({});
+        loaded.world->movers = make_movers(yard_movers(things));
+        set_deeds(yard_plans(loaded.world->kinds, {}), things, make_yard_ground({}), 0, *loaded.world);
+    }
     return loaded;
 }
 
@@ -413,6 +431,10 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
     order.movers = world.movers.all;
+    order.doers = world.deeds.plans;
+    order.things = world.deeds.things;
+    order.deed_ground = world.deeds.ground;
+    order.first_deed_mover = world.deeds.first_mover;
     order.figure_ground = world.figures.ground;
     return order;
 }
@@ -433,6 +455,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         set_figures(order.figures, order.figure_ground, **made);
         if (order.creatures > 0)
             if (Result<void> set = set_loose(**made, order.creatures); !set) return set.error();
+        set_deeds(order.doers, order.things, order.deed_ground, order.first_deed_mover, **made);
     }
     return made;
 }

@@ -35,6 +35,10 @@ struct PeopleOrder {
     std::vector<Linkage> linkages;  // without it,
     std::vector<FigurePlan> figures;
     std::vector<Mover> movers;
+    std::vector<DoerPlan> doers;
+    Things things;
+    std::shared_ptr<const Ground> deed_ground;
+    size_t first_deed_mover = 0;
     std::shared_ptr<const Ground> figure_ground;
 };
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.

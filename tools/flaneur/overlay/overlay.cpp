@@ -208,6 +208,7 @@ void lay_over(const OverlayInput& input, WorkViews views, PeopleFrame& people, O
         add_gait_gizmos(input, people, overlay);
         add_linkage_gizmos(input, overlay);
         add_figure_gizmos(input, overlay);
+        add_deed_gizmos(input, overlay);
     }
     if (overlay.letters_legends) letter_legends(views, input.world, overlay);
     frame.lines = overlay.lines;

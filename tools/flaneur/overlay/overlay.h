@@ -69,6 +69,7 @@ void add_ways(const OverlayInput& input, Overlay& overlay);
 void add_linkage_gizmos(const OverlayInput& input, Overlay& overlay);
 // What each figure of the gallery shows.
 void add_figure_gizmos(const OverlayInput& input, Overlay& overlay);
+void add_deed_gizmos(const OverlayInput& input, Overlay& overlay);
 void add_skeletons(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 void add_gait_gizmos(const OverlayInput& input, const PeopleFrame& people, Overlay& overlay);
 // Of one who has joints: where heels and balls press on the ground; and footprints, targets of feet and

@@ -160,6 +160,8 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     add_movers(world.movers, characters, show.people, between);
     add_linkages(world.linkages, characters + movers, show.people, between,
                  static_cast<uint32_t>(world.figures.plans.size()));
+    add_doers(world.deeds, show.loaded.characters, show.people, between,
+              static_cast<uint32_t>(world.figures.plans.size() + world.linkages.all.size()));
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;
