@@ -205,6 +205,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("getting_slow", 'h', hash(c.traffic.coming));
     add("traffic_done", 'u', c.traffic.done);
     add("linkages", 'h', hash(w.linkages.places));
+    add("movers", 'h', hash(w.movers.places));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     const bool marches = is_on(c.march);
     add("march", 'h', marches ? static_cast<uint32_t>(hash_bytes(1, &c.march.how, sizeof c.march.how)) : 0);
@@ -224,6 +225,8 @@ uint64_t hash_world(const World& world) {
     if (!world.falls.all.empty()) hash = mix(hash ^ hash_falls(world));
     const std::vector<Vec3>& linkages = world.linkages.places;
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
+    const std::vector<Placement>& movers = world.movers.places;
+    if (!movers.empty()) hash = hash_bytes(hash, movers.data(), movers.size() * sizeof movers[0]);
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {
         if constexpr (std::is_same_v<Item, ClipPlay>) {  // which has padding
             for (const Item& play : items)

@@ -56,7 +56,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.idles.wanted, w.idles.playing, w.idles.stood);
     all(w.figures.moves, w.figures.gait.blocks, w.figures.whole);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
-        w.linkages.held);
+        w.linkages.held, w.movers.places);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
     all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, s.leaps, s.wish,
@@ -150,7 +150,7 @@ uint64_t state_mark(const World& w) {
     const Ground& ground = *w.ground;
     for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
                         ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
-                        w.linkages.places.size(), w.figures.plans.size(),
+                        w.linkages.places.size(), w.figures.plans.size(), w.movers.all.size(),
                         w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
                                      w.roam->compound.capsules.size() + 1
                                : 0})
@@ -240,6 +240,7 @@ Result<void> load_state(World& w, std::span<const std::byte> bytes) {
     if (w.roam) w.roam->previous_frames = w.roam->frames;
     w.linkages.previous_places = w.linkages.places;
     w.linkages.previous_targets = w.linkages.targets;
+    forget_previous(w.movers);
     pose_figures_anew(w.figures);
     return {};
 }

@@ -177,6 +177,7 @@ static void give_planned_pushes(World& w) {
 void step(World& w) {
     FLANEUR_ZONE("tick");
     give_planned_pushes(w);
+    step_movers(w.movers, w.tick);
     w.drive(w);
     step_bodies(w);
     count_journeys(w);

@@ -23,6 +23,7 @@
 #include "sim/ground/ground.h"
 #include "sim/ground/surroundings.h"
 #include "sim/linkages/linkages.h"
+#include "sim/movers/movers.h"
 #include "sim/navigation/navmesh.h"
 #include "sim/pose/pose.h"
 #include "sim/pose/trail.h"
@@ -57,6 +58,7 @@ struct World {
     Crowd crowd;
     std::unique_ptr<Roam> roam;  // of those who walk on a compound, with the ground as their stage; else null
     Linkages linkages;           // that are no people; mostly none
+    Movers movers;               // rigid things that move; mostly none
     Troupe figures;              // that are people, but not of the crowd; mostly none
     Gait gait;
     ClipLayer idles;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "sim/base/math.h"
 #include "sim/base/tick.h"
 #include "sim/base/zone.h"
 #include "sim/ik/fabrik-inl.h"
@@ -102,15 +101,6 @@ Solved solve_linkage(const Linkage& f, const Method& method, std::span<Vec3> pla
     if (f.kind == Linkage::Kind::chain)
         return solve_chain(method.solver, places, chain_bones(f), targets[0], method.patience);
     return solve_limbs(f, method.patience, places, targets);
-}
-
-Vec3 sway_at(const Sway& sway, uint32_t tick) {
-    auto wave = [&](int axis) {
-        const uint32_t period = sway.period[axis];
-        const uint32_t at = (tick % period + sway.start[axis]) % period;
-        return sin_cos(2 * k_pi * static_cast<float>(at) / static_cast<float>(period)).sine;
-    };
-    return sway.middle + Vec3{sway.reach.x * wave(0), sway.reach.y * wave(1), sway.reach.z * wave(2)};
 }
 
 std::span<Vec3> places_of(Linkages& linkages, size_t number) {

@@ -10,16 +10,9 @@
 #include "sim/base/parallel_for.h"
 #include "sim/ik/solve.h"
 #include "sim/ik/solvers.h"
+#include "sim/movers/sway.h"
 
 namespace flaneur {
-
-// A place that moves for ever: along each axis to and fro about its middle, `reach` metres to either side,
-// once in `period` ticks from `start` ticks before the first. Reaches of 0 stay.
-struct Sway {
-    Vec3 middle{}, reach{};
-    uint32_t period[3] = {1, 1, 1}, start[3] = {};
-};
-Vec3 sway_at(const Sway& sway, uint32_t tick);
 
 // By what a linkage is solved. Only chains take another solver than FABRIK, and two bones only those of
 // three joints: see takes().

@@ -13,9 +13,10 @@ ROOMS = """
 sim/base:
 sim/body: sim/base
 sim/ik: sim/base
-sim/linkages: sim/base, sim/ik
 sim/limbs: sim/base
 sim/ground: sim/base
+sim/movers: sim/base, sim/ground
+sim/linkages: sim/base, sim/ik, sim/movers
 sim/navigation: sim/base, sim/ground
 sim/ways: sim/base
 sim/gait/curves: sim/base
@@ -29,7 +30,7 @@ sim/coming: sim/base, sim/crowd
 sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -79,7 +80,7 @@ tools/rendercheck/process: sim/base
 tools/rendercheck/picture: sim/base, tools/rendercheck/files
 tools/rendercheck/verdict: tools/rendercheck/picture
 
-tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/figures, sim/pose
+tools/extract: assets, assets/props, renderer, sim, sim/base, sim/coming, sim/crowd, sim/figures, sim/movers, sim/pose
 
 tools/flaneur/console: sim/base
 tools/flaneur/plot:

@@ -79,6 +79,11 @@ std::vector<PersonMesh> extract_linkages(const Linkages& linkages);
 void add_linkages(const Linkages& linkages, uint32_t first_mesh, PeopleFrame& people, float between = 1,
                   uint32_t first_id = 0);
 
+struct Movers;  // of sim/movers/movers.h
+// The same of a world's movers, each a mesh; they come before linkages.
+std::vector<PersonMesh> extract_movers(const Movers& movers);
+void add_movers(const Movers& movers, uint32_t first_mesh, PeopleFrame& people, float between = 1);
+
 struct Troupe;  // of sim/figures/figures.h
 // Adds a world's figures to what extract_people() found, before its linkages: figure i as characters[its
 // kind].

@@ -9,7 +9,8 @@ namespace flaneur {
 // What an id is of, and which numbers they have: Surface of the ground, or k_kerb_number; indices of
 // City::buildings for houses and for what has no facade, which is a wall; of City::props for trees, cars and
 // other props; WalkerId::index, of a walker with all that it carries and pushes; 0 for scenery; of
-// Roam::creatures; of Troupe::plans, and after them of Linkages::all, for exhibits.
+// Roam::creatures; of Troupe::plans, and after them of Linkages::all, for exhibits; of
+// Movers::all.
 enum class IdKind : uint8_t {
     none,
     ground,
@@ -21,7 +22,8 @@ enum class IdKind : uint8_t {
     scenery,
     walker,
     creature,
-    exhibit
+    exhibit,
+    mover
 };
 inline constexpr uint32_t k_kerb_number = 9;
 // Of what nobody counts, such as a wall that is no building's, and of all numbers beyond.

@@ -9,12 +9,12 @@
 #include "tools/extract/convert.h"
 #include "tools/extract/extract.h"
 #include "tools/extract/ids.h"
+#include "tools/extract/turned.h"
 
 namespace flaneur {
 
 namespace {
 
-constexpr int k_sides = 16;
 constexpr float k_target = 0.05f;  // metres, radius, at least
 constexpr uint32_t k_colours[] = {rgb(0x3f7fa6), rgb(0xc9603f), rgb(0x7a9a3c), rgb(0xc59a2e),
                                   rgb(0x6d5aa8), rgb(0x2f9189), rgb(0xc98f6a), rgb(0xd8a98a),
@@ -40,41 +40,7 @@ float target_radius(const Linkage& f, uint32_t target) {
     return std::max(k_target, 1.05f * f.girth[joint]);
 }
 
-// Of a solid of revolution about +y.
-struct Ring {
-    float radius, height;  // metres
-    uint32_t colour;
-};
-
-void add_turned(PersonMesh& mesh, std::span<const Ring> rings, uint8_t joint) {
-    const auto first = static_cast<uint32_t>(mesh.vertices.size());
-    for (size_t r = 0; r < rings.size(); ++r) {
-        const Ring &before = rings[r == 0 ? 0 : r - 1], &after = rings[std::min(r + 1, rings.size() - 1)];
-        const Vec2 out =
-            normalize_or(Vec2{after.height - before.height, before.radius - after.radius}, {1, 0});
-        for (int side = 0; side < k_sides; ++side) {
-            const SinCos at = sin_cos(2 * k_pi * static_cast<float>(side) / k_sides);
-            PersonVertex v{};
-            v.position = {at.sine * rings[r].radius, rings[r].height, at.cosine * rings[r].radius};
-            v.colour = rings[r].colour;
-            v.normal[0] = packed(at.sine * out.x);
-            v.normal[1] = packed(out.z);
-            v.normal[2] = packed(at.cosine * out.x);
-            v.joints[0] = joint;
-            v.weights[0] = 255;
-            v.texture = ~0u;
-            mesh.vertices.push_back(v);
-        }
-    }
-    for (uint32_t r = 0; r + 1 < rings.size(); ++r)
-        for (uint32_t side = 0; side < k_sides; ++side) {
-            const uint32_t next = (side + 1) % k_sides, a = first + r * k_sides + side,
-                           b = first + r * k_sides + next, c = a + k_sides, d = b + k_sides;
-            for (const uint32_t k : {a, b, c, b, d, c}) mesh.lods[0].push_back(k);
-        }
-}
-
-void add_ball_rings(std::vector<Ring>& rings, float radius, float middle, float from, float to,
+void add_ball_rings(std::vector<TurnedRing>& rings, float radius, float middle, float from, float to,
                     uint32_t colour) {
     constexpr int k_rings = 6;
     for (int k = 0; k <= k_rings; ++k) {
@@ -85,7 +51,7 @@ void add_ball_rings(std::vector<Ring>& rings, float radius, float middle, float 
 
 void add_part(PersonMesh& mesh, const Linkage& f, const Part& part, uint32_t colour, uint8_t joint) {
     constexpr float k_quarter = k_pi / 2, k_knuckle = 1.2f, k_end = 0.8f;  // of the girth
-    std::vector<Ring> rings;
+    std::vector<TurnedRing> rings;
     if (part.is_target) {
         add_ball_rings(rings, target_radius(f, part.number), 0, -k_quarter, k_quarter, k_target_colour);
     } else if (part.number == 0) {

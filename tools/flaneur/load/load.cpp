@@ -394,6 +394,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
     }
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
+    order.movers = world.movers.all;
     order.figure_ground = world.figures.ground;
     return order;
 }
@@ -410,6 +411,7 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
     }
     if (made && !order.compound) {
         (*made)->linkages = make_linkages(order.linkages);
+        (*made)->movers = make_movers(order.movers);
         set_figures(order.figures, order.figure_ground, **made);
     }
     return made;

@@ -34,6 +34,7 @@ struct PeopleOrder {
     uint32_t creatures = 0;         // and on it,
     std::vector<Linkage> linkages;  // or without it,
     std::vector<FigurePlan> figures;
+    std::vector<Mover> movers;
     std::shared_ptr<const Ground> figure_ground;
 };
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.

@@ -14,9 +14,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array k_kind_names = {"nothing", "ground",  "house",  "wall",     "tree",   "car",
-                                     "prop",    "scenery", "walker", "creature", "exhibit"};
-static_assert(k_kind_names.size() == static_cast<size_t>(IdKind::exhibit) + 1);
+constexpr std::array k_kind_names = {"nothing", "ground",  "house",  "wall",     "tree",    "car",
+                                     "prop",    "scenery", "walker", "creature", "exhibit", "mover"};
+static_assert(k_kind_names.size() == static_cast<size_t>(IdKind::mover) + 1);
 constexpr std::array k_surface_names = {"road",  "sidewalk", "crossing", "plaza", "path",
                                         "steps", "grass",    "water",    "track", "kerb"};
 static_assert(k_surface_names.size() == k_surface_count + 1 && k_kerb_number == k_surface_count);

@@ -54,9 +54,11 @@ Result<void> check_messages(uint32_t messages) {
 bool is_dark(const Sun& sun, bool is_overcast) { return make_daylight(sun, is_overcast).lamps > 0; }
 bool is_dark(const Show& show) { return is_dark(show.sun, show.is_overcast); }
 
-// Its city, its people, and then its linkages.
+// Its city, its people, and then its movers and linkages.
 static SceneMeshes extract_show(const Show& show) {
     SceneMeshes meshes = extract_scene(*show.loaded.city, show.loaded.characters);
+    for (PersonMesh& mover : extract_movers(show.loaded.world->movers))
+        meshes.people.push_back(std::move(mover));
     for (PersonMesh& linkage : extract_linkages(show.loaded.world->linkages))
         meshes.people.push_back(std::move(linkage));
     return meshes;
@@ -152,8 +154,12 @@ FrameInput extract_frame(Show& show, const Camera& camera, Size size, float betw
     extract_people(*show.loaded.world, show.loaded.characters, show.people, between, needs,
                    show.draws_whole ? nullptr : &show.without);
     add_figures(show.loaded.world->figures, show.loaded.characters, show.people, between);
-    add_linkages(show.loaded.world->linkages, static_cast<uint32_t>(show.loaded.characters.size()),
-                 show.people, between, static_cast<uint32_t>(show.loaded.world->figures.plans.size()));
+    const World& world = *show.loaded.world;
+    const auto characters = static_cast<uint32_t>(show.loaded.characters.size()),
+               movers = static_cast<uint32_t>(world.movers.all.size());
+    add_movers(world.movers, characters, show.people, between);
+    add_linkages(world.linkages, characters + movers, show.people, between,
+                 static_cast<uint32_t>(world.figures.plans.size()));
     FrameInput frame;
     frame.camera = camera;
     frame.sun = show.sun;
