@@ -47,9 +47,9 @@ inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
-enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform",
-                                                        "field",    "gallery",  "planets"};
+enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets, course };
+inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
+                                                        "gallery",  "planets",  "course"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -59,12 +59,13 @@ struct Scene {
     std::string city;                // an OpenStreetMap or glTF file; empty: the built-in district
     std::optional<MapPlace> center;  // of an OpenStreetMap city: what is drawn lies about it
     float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
-    BuiltIn built = BuiltIn::district;  // without a city: all round the asteroid, on a platform in
-                                        // the water, on a walled field, by a row of figures, on planets
-    std::vector<Vec2> platform;         // its corners, metres; see make_platform(); empty: k_usual_platform
-    std::string rock;                 // what the asteroid is: k_torus or a glTF file of a closed mesh; or ""
-    std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
-    float scale = 1;                  // metres to a unit of a glTF city: 0.0001..10,000
+    BuiltIn built =
+        BuiltIn::district;       // without a city: all round the asteroid, on a platform in
+                                 // the water, on a walled field, by a row of figures, on planets, on a course
+    std::vector<Vec2> platform;  // its corners, metres; see make_platform(); empty: k_usual_platform
+    std::string rock;            // what the asteroid is: k_torus or a glTF file of a closed mesh; or ""
+    std::string terrain;         // an elevation file under an OpenStreetMap city; empty: level ground
+    float scale = 1;             // metres to a unit of a glTF city: 0.0001..10,000
     std::vector<PeopleShare> people;  // empty: the built-in people
     PeopleMix mix;                    // of the built-in ones
     std::vector<Addition> added;      // to the city
@@ -75,6 +76,8 @@ struct Scene {
     Habit habit = Habit::wander;      // what they do; they stagger on a platform only
     LimbLead limbs = LimbLead::gait;  // what leads theirs; curves only of those who ramble
     float drunk = 0;                  // 0..1, see WorldOptions
+    bool flat = false;                // of a course: all in one plane, seen from the side
+    std::optional<Vec3> look;         // of a course: where all look who can turn their heads there
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

@@ -98,7 +98,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "built", R"("district")", R"("asteroid")",
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
             "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
-            "another of which people leap."),
+            "another of which people leap; a course of stairs, bridges, stones and plates that move."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,
@@ -135,6 +135,15 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
                                                    "whose pace they go, and they turn slowly."),
         plain_key<&Scene::drunk>("drunk", {number, 0, 1}, "0", "0.8",
                                  "How drunk they are, from not at all to hardly able to walk."),
+        plain_key<&Scene::flat>(
+            "flat", {flag}, "false", "true",
+            "Of the course: all of it in one line, and everybody in one plane, as seen from the side."),
+        {"look",
+         {text, 0, 0, point},
+         nullptr,
+         R"("2,1.5,0")",
+         "Of the course: the place X,Y,Z, metres, that all look at who can turn their heads there.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_spot(v), s.look); }},
         {"people",
          {people},
          nullptr,

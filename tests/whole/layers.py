@@ -23,6 +23,7 @@ sim/gait/curves: sim/base
 sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
 sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ground, sim/ik, sim/limbs
+sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
@@ -30,7 +31,7 @@ sim/coming: sim/base, sim/crowd
 sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base

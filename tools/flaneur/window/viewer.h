@@ -15,6 +15,7 @@
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/events.h"
 #include "tools/flaneur/window/exhibits/exhibits.h"
+#include "tools/flaneur/window/steppers/steppers.h"
 #include "tools/flaneur/window/frame/costs.h"
 #include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/layout.h"
@@ -89,6 +90,7 @@ struct Viewer {
     double note_until = 0;  // of the panels' time
     Change change;
     ExhibitsRoom exhibits;
+    SteppersHand steppers;
     uint64_t deeds = 0;  // that were done so far and can be undone, here and in the room Measure
     Opening opening;
     Record record;
