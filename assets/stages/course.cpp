@@ -15,7 +15,7 @@ namespace flaneur {
 
 namespace {
 
-constexpr float k_above_meadow = 0.25f, k_water = -0.3f, k_pool_floor = -0.7f;  // metres
+constexpr float k_above_meadow = 0.34f, k_water = -0.22f, k_pool_floor = -0.5f;  // metres
 constexpr uint32_t k_paving = rgb(0xc4bcac), k_stone = rgb(0xa8a193), k_slab = rgb(0xb6ad9c),
                    k_wood = rgb(0x9a7b57);
 
@@ -36,11 +36,12 @@ constexpr Layout k_round{false, {0, 1, 2.7f, 0.95f}, {0, -1, -2.7f, 0.95f}, {-17
 constexpr Layout k_flat{true, {-11.3f, 1, 0, 3.7f}, {11.3f, 1, 0, 3.7f}, {-25, -5}, {25, 5}, -4, 4};
 const Layout& layout(bool is_flat) { return is_flat ? k_flat : k_round; }
 
+constexpr float k_lawn_x = 11, k_lawn_z = 1.35f;    // of the lawn within the round way
 constexpr float k_turn = 2.7f, k_turns_at = 12.2f;  // of the round way: radius, and x of the turns' middles
 constexpr float k_lanes_apart = 0.9f, k_ends = 22.6f;  // of the flat one
 
 // Along the front line, metres.
-constexpr float k_rise = 0.16f, k_tread = 0.3f;
+constexpr float k_rise = 0.16f, k_tread = 0.35f;
 constexpr int k_steps = 5;
 constexpr float k_up = -10.4f, k_landing = 1.3f, k_bridge = k_up + k_tread * (k_steps - 1) + k_landing,
                 k_bridge_long = 6, k_down = k_bridge + k_bridge_long + k_landing;
@@ -48,7 +49,7 @@ constexpr float k_tilts = 3.8f, k_tilts_half = 1.35f, k_lifts = 6.9f, k_lift_hal
 // Along the back line.
 constexpr float k_rubble = -10.6f, k_cell = 0.46f;
 constexpr int k_rubble_long = 9;
-constexpr float k_pool_1 = -5.2f, k_pool_1_end = 0.42f, k_stones = -4.78f, k_stones_apart = 0.66f,
+constexpr float k_pool_1 = -5.2f, k_pool_1_end = -0.06f, k_stones = -4.78f, k_stones_apart = 0.6f,
                 k_stone_radius = 0.265f;
 constexpr int k_stone_count = 8;
 constexpr float k_pool_2 = 2.2f, k_pool_2_end = 7.4f, k_ferry_half = 1.05f;
@@ -133,7 +134,14 @@ void add_terrace(Ground& ground, const Layout& l) {
     };
     const auto pools = pools_of(l);
     level(l.low.x, l.high.x, l.low.z, l.pools_low, 0, Surface::plaza);
-    level(l.low.x, l.high.x, l.pools_high, l.high.z, 0, Surface::plaza);
+    if (l.is_flat) {
+        level(l.low.x, l.high.x, l.pools_high, l.high.z, 0, Surface::plaza);
+    } else {
+        level(-k_lawn_x, k_lawn_x, l.pools_high, k_lawn_z, 0, Surface::grass);
+        level(l.low.x, -k_lawn_x, l.pools_high, k_lawn_z, 0, Surface::plaza);
+        level(k_lawn_x, l.high.x, l.pools_high, k_lawn_z, 0, Surface::plaza);
+        level(l.low.x, l.high.x, k_lawn_z, l.high.z, 0, Surface::plaza);
+    }
     level(l.low.x, pools[0].first, l.pools_low, l.pools_high, 0, Surface::plaza);
     level(pools[0].second, pools[1].first, l.pools_low, l.pools_high, 0, Surface::plaza);
     level(pools[1].second, l.high.x, l.pools_low, l.pools_high, 0, Surface::plaza);
@@ -207,7 +215,7 @@ void add_bridge(const Line& line, std::vector<Mover>& movers) {
         movers.push_back(std::move(m));
     }
     // What it hangs on.
-    for (const float end : {k_bridge - 0.08f, k_bridge + k_bridge_long + 0.08f})
+    for (const float end : {k_bridge - 0.2f, k_bridge + k_bridge_long + 0.2f})
         for (const float side : {-1.0f, 1.0f}) {
             Mover post = thing("post", {line.x(end), k_top + 0.5f, line.z + side * 0.9f * line.half});
             post.solids = {{.form = MoverSolid::Form::cylinder,

@@ -17,20 +17,24 @@ namespace {
 constexpr uint32_t k_both_down = 2;
 // The reach of a foot: of one whose point rests, legs; of one that goes, steps, the rest of a step being what
 // the point goes while both are down.
-constexpr float k_reach_still = 0.17f, k_reach_steps = 1.2f;
+constexpr float k_reach_still = 0.17f, k_reach_steps = 1.08f;
 constexpr float k_quickest = 0.4f, k_slowest_step = 0.66f;  // seconds of a step, of a leg of 0.9 m
 constexpr float k_higher = 0.9f,
                 k_farther = 0.25f;     // seconds more for each metre up or down, and of it at most
 constexpr float k_both_least = 0.22f;  // of a step's time, that both are down at least
-constexpr float k_lead = 0.72f, k_lead_eases = 0.2f;  // legs that the point is ahead of the body at most
-constexpr float k_hangs = 0.15f;  // legs that it draws the body off the middle of the feet
+constexpr float k_lead = 0.62f, k_lead_eases = 0.2f;  // legs that the point is ahead of the body at most
+constexpr float k_hangs = 0.07f;  // legs that it draws the body off the middle of the feet
 constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
-constexpr float k_apart = 1.0f, k_apart_eases = 0.8f;                // metres from who is ahead
+constexpr float k_apart = 0.5f, k_apart_eases = 0.9f;                // metres from who is ahead
+constexpr float k_set_apart = 1.15f;                                 // metres, as they are set down
+constexpr float k_fastest = 1.05f;                                   // m/s
+constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
 constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
 constexpr float k_stands_below = 0.07f;                              // m/s
 constexpr uint32_t k_look_again = 5;                                 // ticks, of one who waits
+constexpr float k_astride = 0.33f;                                   // legs, between feet of who stands
 constexpr float k_careful = 0.02f;                                   // metres that feet rise higher
 constexpr float k_tread = 0.07f, k_lets_down = 0.07f;                // metres, from which on it is a step
 
@@ -80,13 +84,14 @@ float yaw_of(const Own& o, Side side, float seconds) {
     return wrap_angle(o.b.heading + o.b.turn_rate * 0.5f * seconds + outward(side) * out);
 }
 
-// Ankle or ball, whichever is farther off.
+// Ankle or ball, whichever is farther off; a foot ahead of its place is not off by that.
 float off(const Own& o, Side side, Vec2 place) {
     const Foothold at = o.now(side);
     const float ball = foot_size(o.p, o.lane).ball;
     const Vec2 here = on_ground(at.place), ahead = heading_direction(at.yaw),
                wanted = heading_direction(yaw_of(o, side, 0));
-    return std::max(length(place - here), length(place + wanted * ball - here - ahead * ball));
+    auto far = [&](Vec2 way) { return length(way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f)); };
+    return std::max(far(place - here), far(place + wanted * ball - here - ahead * ball));
 }
 
 void write_feet(const Own& o) {
@@ -129,8 +134,10 @@ float gap_ahead(const Own& o) {
     float least = whole;
     for (size_t i = 0; i < all.all.size(); ++i) {
         if (i == o.number || all.all[i].way != o.b.way || i == all.orders.driven) continue;
-        float gap = all.was_along[i] - all.was_along[o.number];
-        gap -= whole * std::floor(gap / whole);
+        float ahead = all.was_along[i] - all.was_along[o.number];
+        ahead -= whole * std::floor(ahead / whole);
+        // From the point to the body ahead.
+        const float gap = ahead - all.was_lead[i];
         least = std::min(least, gap);
     }
     return least;
@@ -150,7 +157,7 @@ float wanted_speed(const Own& o) {
     const float step = std::max(high - o.g.base[o.lane], o.g.base[o.lane] - low);
     speed *= 1 - 0.4f * smoothstep(0.06f, 0.16f, step);
     if (!o.is_driven()) speed *= clamp((gap_ahead(o) - k_apart) / k_apart_eases, 0, 1);
-    return speed * leads;
+    return b.waits > 1 ? 0 : speed * leads;
 }
 
 void move_point(const Own& o) {
@@ -169,7 +176,8 @@ void move_point(const Own& o) {
             speed = std::min(speed / std::max(b.likes, 0.1f), 1.0f) * length(orders.wish);
         }
     }
-    b.speed += clamp(speed - b.speed, -k_slows_down * k_tick, k_speeds_up * k_tick);
+    b.speed +=
+        clamp(speed - b.speed, -(b.waits > 1 ? k_brakes : k_slows_down) * k_tick, k_speeds_up * k_tick);
     const float lead = dot(b.point - b.body, b.ahead);
     if (lead > k_lead * o.leg) b.speed = 0;
     if (o.is_driven()) {
@@ -228,6 +236,8 @@ Seeker seeker(const Own& o, Side side) {
     who.other = o.b.feet[o.other(side)];
     who.other_now = o.now(o.other(side));
     who.is_flat = o.bipeds.is_flat;
+    who.others = o.bipeds.was_feet;
+    who.own = o.number;
     return who;
 }
 
@@ -258,6 +268,17 @@ void shape_swing(const Own& o, Side side, const Foothold& to) {
     foot.forefoot[o.lane] = is_tread || drop > k_lets_down ? 1.0f : 0.0f;
 }
 
+void set_off(const Own& o, Side side, const Foothold& hold) {
+    Biped& b = o.b;
+    const Foothold to = in_world(*o.on.ground.movers, hold);
+    b.waits = 0;
+    b.target = hold;
+    b.swings = static_cast<uint32_t>(side);
+    b.share = 0;
+    b.lasts = seconds_of(o, b.speed, to.place.y - o.now(side).place.y);
+    shape_swing(o, side, to);
+}
+
 bool lift_off(const Own& o, Side side) {
     Biped& b = o.b;
     if (b.waits % k_look_again != 0) {
@@ -272,13 +293,7 @@ bool lift_off(const Own& o, Side side) {
         ++b.waits;
         return false;
     }
-    const Foothold to = in_world(*o.on.ground.movers, *hold);
-    b.waits = 0;
-    b.target = *hold;
-    b.swings = static_cast<uint32_t>(side);
-    b.share = 0;
-    b.lasts = seconds_of(o, b.speed, to.place.y - o.now(side).place.y);
-    shape_swing(o, side, to);
+    set_off(o, side, *hold);
     return true;
 }
 
@@ -292,10 +307,22 @@ void touch_down(const Own& o, Side side) {
     foot.obstacle[o.lane] = 0;
 }
 
+// Shares of its step a second: it waits for a body that is still to come down.
+float swing_rate(const Own& o) {
+    const Biped& b = o.b;
+    constexpr float k_comes_down = 0.025f, k_effort = 5, k_least = 0.25f;  // metres, m/s2, of the usual rate
+    const Foothold to = in_world(*o.on.ground.movers, b.target);
+    const float by = o.g.base[o.lane] - to.place.y, falls = -o.g.base_velocity[o.lane];
+    const float usual = 1 / b.lasts;
+    if (by < k_comes_down) return usual;
+    const float seconds = (std::sqrt(4 * falls * falls + 6 * k_effort * by) - 2 * falls) / k_effort;
+    return clamp((1 - b.share) / std::max(seconds, 0.02f), k_least * usual, usual);
+}
+
 void swing(const Own& o, Side side) {
     Biped& b = o.b;
     const float duty = o.g.duty[o.lane];
-    b.share = std::min(b.share + k_tick / b.lasts, 1.0f);
+    b.share = std::min(b.share + swing_rate(o) * k_tick, 1.0f);
     o.g.feet[side].rate[o.lane] = (1 - duty) / b.lasts;
     if (b.share >= 1) {
         touch_down(o, side);
@@ -308,18 +335,55 @@ void swing(const Own& o, Side side) {
     approach_phase(o, o.other(side), duty - 0.5f + (1 - duty) * b.share, k_phase_rate);
 }
 
+// Whether what both feet stand on parts: then the one behind is fetched to the other.
+bool parts(const Own& o) {
+    const Biped& b = o.b;
+    return b.feet[k_left].mover != b.feet[k_right].mover &&
+           are_parting(o.on, b.feet[k_left], b.feet[k_right], o.leg);
+}
+
+Side behind(const Own& o) {
+    const Vec2 left = on_ground(o.now(k_left).place), right = on_ground(o.now(k_right).place);
+    return dot(left - right, o.b.ahead) < 0 ? k_left : k_right;
+}
+
+bool fetch(const Own& o) {
+    const Side side = behind(o), other = o.other(side);
+    Seeker who = seeker(o, side);
+    who.gathers = true;
+    const Vec2 facing = o.facing(), beside_it = Vec2{facing.z, -facing.x} * outward(side);
+    const Vec2 place =
+        on_ground(o.now(other).place) + beside_it * (o.bipeds.is_flat ? 0 : o.p.step_width[o.lane]);
+    const auto hold = foothold_near(o.on, who, place, yaw_of(o, side, 0));
+    if (!hold) return false;
+    set_off(o, side, *hold);
+    return true;
+}
+
 // The document's rule, while both are down.
 void check_range(const Own& o) {
     Biped& b = o.b;
     GaitBlock& g = o.g;
     const int lane = o.lane;
+    if (parts(o)) {
+        const Side side = behind(o);
+        approach_phase(o, side, g.duty[lane] - k_just_below, 3 * k_phase_rate);
+        if (g.feet[side].phase[lane] < g.duty[lane] - 2 * k_just_below) return;
+        if (fetch(o)) {
+            g.standing[lane] = 0;
+            g.first[lane] = -1;
+            return;
+        }
+    }
     float away[2];
     for (const Side side : {k_left, k_right}) away[side] = off(o, side, beside(o, b.point, side));
     // The one that stood longer where neither is clearly farther.
     constexpr float k_clearly = 0.03f;
     const bool left_stood = g.feet[k_left].phase[lane] >= g.feet[k_right].phase[lane];
     const float bias = left_stood ? k_clearly : -k_clearly;
-    const Side side = away[k_left] + bias >= away[k_right] ? k_left : k_right;
+    Side side = away[k_left] + bias >= away[k_right] ? k_left : k_right;
+    // Who stands and finds no place for that one tries the other.
+    if (g.standing[lane] && b.waits >= k_look_again) side = o.other(side);
     const float duty = g.duty[lane];
     const bool is_out = away[side] > b.reach && b.waits < 2 * k_look_again;
     const bool rests = b.speed < k_stands_below && length(b.velocity) < 2 * k_stands_below;
@@ -354,7 +418,10 @@ void check_range(const Own& o) {
         if (away[side] <= b.reach) b.waits = 0;
         return;
     }
-    if (b.due >= 1 && g.feet[side].phase[lane] >= duty - 2 * k_just_below) lift_off(o, side);
+    if (b.due < 1 || g.feet[side].phase[lane] < duty - 2 * k_just_below || lift_off(o, side)) return;
+    // Who finds no place ahead sets the foot beside the other, and stands.
+    const float astride = length(on_ground(o.now(k_left).place - o.now(k_right).place));
+    if (b.waits == 1 && astride > k_astride * o.leg) fetch(o);
 }
 
 void step_feet(const Own& o) {
@@ -414,7 +481,8 @@ void fill_rows(const Own& o, StepperRows& rows) {
     const Vec2 wish = o.b.ahead * o.b.speed;
     rows.moves[lane] = 1;
     rows.x[lane] = o.b.body.x, rows.z[lane] = o.b.body.z;
-    rows.velocity_x[lane] = o.b.velocity.x, rows.velocity_z[lane] = o.b.velocity.z;
+    // Of the point: the body hastens and tarries with each step.
+    rows.velocity_x[lane] = wish.x, rows.velocity_z[lane] = wish.z;
     rows.wish_x[lane] = wish.x, rows.wish_z[lane] = wish.z;
     rows.heading[lane] = o.b.heading, rows.turn_rate[lane] = o.b.turn_rate;
     set_feet(rows, o.g, o.lane);
@@ -463,7 +531,16 @@ float off_wanted(const Bipeds& bipeds, const Gait& gait, size_t biped, Side side
 void step_bipeds(Bipeds& bipeds, const MovingGround& ground, Gait& gait, Workers& workers, uint64_t seed,
                  uint32_t tick) {
     const size_t count = bipeds.all.size();
-    for (size_t i = 0; i < count; ++i) bipeds.was_along[i] = bipeds.all[i].along;
+    for (size_t i = 0; i < count; ++i) {
+        const Biped& b = bipeds.all[i];
+        bipeds.was_along[i] = b.along;
+        bipeds.was_lead[i] = dot(b.point - b.body, b.ahead);
+        const Movers& movers = *ground.movers;
+        for (const Side side : {k_left, k_right})
+            bipeds.was_feet[3 * i + side] = on_ground(in_world(movers, b.feet[side]).place);
+        bipeds.was_feet[3 * i + 2] =
+            b.swings == k_both_down ? bipeds.was_feet[3 * i] : on_ground(in_world(movers, b.target).place);
+    }
     const Surroundings around = surroundings_of(ground);
     const StandingOn on{ground, around, tick + 1};
     parallel_for(workers, block_count(count), 1, [&](size_t begin, size_t end, int) {
@@ -505,6 +582,8 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
     bipeds.is_flat = is_flat;
     bipeds.all.resize(likes.size());
     bipeds.was_along.resize(likes.size());
+    bipeds.was_lead.resize(likes.size());
+    bipeds.was_feet.resize(3 * likes.size());
     const Surroundings around = surroundings_of(ground);
     const StandingOn on{ground, around, 0};
     std::vector<float> last(bipeds.ways.size(), -1e9f), first(bipeds.ways.size(), 0);
@@ -520,8 +599,8 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
             whole * (static_cast<float>(i / n_ways) + 0.5f * random_unit({seed, b.way, 0, Purpose::spawn})) /
             on_this;
         constexpr float k_step = 0.2f;
-        const float least = last[b.way] < 0 ? even : std::max(even, last[b.way] + k_apart + 0.1f);
-        const float most = last[b.way] < 0 ? whole : first[b.way] + whole - k_apart - 0.1f;
+        const float least = last[b.way] < 0 ? even : std::max(even, last[b.way] + k_set_apart);
+        const float most = last[b.way] < 0 ? whole : first[b.way] + whole - k_set_apart;
         bool stands = false;
         for (float along = least; !stands && along <= most; along += k_step) stands = set_down(o, along);
         if (!stands) break;

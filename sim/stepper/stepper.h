@@ -93,8 +93,10 @@ struct Bipeds {
     std::vector<BipedWay> ways;
     std::vector<Biped> all;
     BipedOrders orders;
-    bool is_flat = false;          // each in one vertical plane, as the document has it
-    std::vector<float> was_along;  // of one tick alone
+    bool is_flat = false;  // each in one vertical plane, as the document has it
+    // Of one tick alone: places on their ways, and metres from body to point.
+    std::vector<float> was_along, was_lead;
+    std::vector<Vec2> was_feet;  // three each: where they stand, and where one is about to
 };
 
 // Set down along their ways, in turns, where both feet find still ground. `gait` has as many, whose feet are
