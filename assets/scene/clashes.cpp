@@ -147,6 +147,9 @@ constexpr SceneClash k_clashes[] = {
      [](const char* key) {
          return on_course(key, {{"minLength", 1}});
      }},
+    {"side", R"("side": on a course all go the same way; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("side") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
     {"canes", R"("canes": nobody walks with one on a course; leave it out)",
      [](const Scene& s, const Json& json) { return json.contains("canes") && s.built == BuiltIn::course; },
      [](const char* key) { return on_course(key, OrderedJson::object()); }},

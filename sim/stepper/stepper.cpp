@@ -8,27 +8,19 @@
 #include "sim/gait/curves/norms.h"
 #include "sim/gait/rows.h"
 #include "sim/gait/states.h"
-#include "sim/stepper/foothold.h"
+#include "sim/stepper/own.h"
 
 namespace flaneur {
 
 namespace {
 
-constexpr uint32_t k_both_down = 2;
-// The reach of a foot: of one whose point rests, legs; of one that goes, steps, the rest of a step being what
-// the point goes while both are down.
-constexpr float k_reach_still = 0.17f, k_reach_steps = 1.08f;
-constexpr float k_quickest = 0.4f, k_slowest_step = 0.66f;  // seconds of a step, of a leg of 0.9 m
-constexpr float k_higher = 0.9f,
-                k_farther = 0.25f;     // seconds more for each metre up or down, and of it at most
-constexpr float k_both_least = 0.22f;  // of a step's time, that both are down at least
+constexpr float k_both_least = 0.22f;                 // of a step's time, that both are down at least
 constexpr float k_lead = 0.62f, k_lead_eases = 0.2f;  // legs that the point is ahead of the body at most
 constexpr float k_hangs = 0.07f;  // legs that it draws the body off the middle of the feet
 constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
 constexpr float k_apart = 0.5f, k_apart_eases = 0.9f;                // metres from who is ahead
-constexpr float k_set_apart = 1.15f;                                 // metres, as they are set down
 constexpr float k_fastest = 1.05f;                                   // m/s
 constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
 constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
@@ -37,81 +29,6 @@ constexpr uint32_t k_look_again = 5;                                 // ticks, o
 constexpr float k_astride = 0.33f;                                   // legs, between feet of who stands
 constexpr float k_careful = 0.02f;                                   // metres that feet rise higher
 constexpr float k_tread = 0.07f, k_lets_down = 0.07f;                // metres, from which on it is a step
-
-// One of them in this tick.
-struct Own {
-    const Bipeds& bipeds;
-    Biped& b;
-    size_t number;
-    GaitBlock& g;
-    const PersonBlock& p;
-    int lane;
-    const StandingOn& on;
-    float leg;
-
-    float scale() const { return leg / 0.9f; }
-    bool is_driven() const { return bipeds.orders.driven == number; }
-    Vec2 facing() const { return heading_direction(b.heading); }
-    Side other(Side side) const { return side == k_left ? k_right : k_left; }
-    Foothold now(Side side) const { return in_world(*on.ground.movers, b.feet[side]); }
-};
-
-float outward(Side side) { return side == k_left ? 1.0f : -1.0f; }
-
-// Of one who goes at `speed`, metres and seconds.
-float step_of(const Own& o, float speed) {
-    return 0.5f * stride_length(std::max(speed, 0.05f), o.leg) * o.p.stride[o.lane];
-}
-float reach_of(const Own& o, float speed) {
-    const float goes = smoothstep(0.04f, 0.35f, speed);
-    return lerp(k_reach_still * o.leg, k_reach_steps * step_of(o, speed), goes);
-}
-float seconds_of(const Own& o, float speed, float rise) {
-    const float slow = std::sqrt(o.scale());
-    const float flat =
-        clamp(0.8f * step_of(o, speed) / std::max(speed, 0.1f), k_quickest * slow, k_slowest_step * slow);
-    return flat + std::min(k_higher * std::fabs(rise), k_farther);
-}
-
-// Where a foot would stand for a point at `point`, and how it would be turned.
-Vec2 beside(const Own& o, Vec2 point, Side side) {
-    const Vec2 facing = o.facing(), left{facing.z, -facing.x};
-    const float width = o.bipeds.is_flat ? 0 : 0.5f * o.p.step_width[o.lane];
-    return point + left * (outward(side) * width);
-}
-float yaw_of(const Own& o, Side side, float seconds) {
-    const float out = o.bipeds.is_flat ? 0 : o.p.toe_out[o.lane];
-    return wrap_angle(o.b.heading + o.b.turn_rate * 0.5f * seconds + outward(side) * out);
-}
-
-// Ankle or ball, whichever is farther off; a foot ahead of its place is not off by that.
-float off(const Own& o, Side side, Vec2 place) {
-    const Foothold at = o.now(side);
-    const float ball = foot_size(o.p, o.lane).ball;
-    const Vec2 here = on_ground(at.place), ahead = heading_direction(at.yaw),
-               wanted = heading_direction(yaw_of(o, side, 0));
-    auto far = [&](Vec2 way) { return length(way - o.b.ahead * std::min(dot(way, o.b.ahead), 0.0f)); };
-    return std::max(far(place - here), far(place + wanted * ball - here - ahead * ball));
-}
-
-void write_feet(const Own& o) {
-    const Movers& movers = *o.on.ground.movers;
-    for (const Side side : {k_left, k_right}) {
-        FootBlock& foot = o.g.feet[side];
-        const Foothold from = o.now(side);
-        Foothold to = from;
-        if (o.b.swings == static_cast<uint32_t>(side)) {
-            to = in_world(movers, o.b.target);
-            to.yaw = from.yaw + wrap_angle(to.yaw - from.yaw);
-        }
-        set_place(foot.from, o.lane, {from.place, from.yaw, from.normal});
-        for (FootPlaces* places : {&foot.to, &foot.goal})
-            set_place(*places, o.lane, {to.place, to.yaw, to.normal});
-        foot.wished_x[o.lane] = to.place.x, foot.wished_z[o.lane] = to.place.z;
-        foot.wished_yaw[o.lane] = to.yaw;
-        foot.swinging[o.lane] = o.b.swings == static_cast<uint32_t>(side);
-    }
-}
 
 // What moves under its feet takes it along.
 void carry(const Own& o) {
@@ -223,32 +140,6 @@ void move_body(const Own& o) {
 
 void approach_phase(const Own& o, Side side, float target, float rate) {
     approach(o.g.feet[side].phase[o.lane], target, rate * k_tick);
-}
-
-Seeker seeker(const Own& o, Side side) {
-    Seeker who;
-    who.side = side;
-    who.leg = o.leg;
-    who.size = foot_size(o.p, o.lane);
-    who.ahead = o.b.ahead;
-    who.facing = o.facing();
-    who.at = o.now(side);
-    who.other = o.b.feet[o.other(side)];
-    who.other_now = o.now(o.other(side));
-    who.is_flat = o.bipeds.is_flat;
-    who.others = o.bipeds.was_feet;
-    who.own = o.number;
-    return who;
-}
-
-void look_for_places(const Own& o) {
-    for (const Side side : {k_left, k_right}) {
-        const Vec2 at = beside(o, o.b.point, side);
-        const float height = o.now(o.other(side)).place.y;
-        const auto met = ray_down(o.on, at, height, o.leg);
-        o.b.meets[side] = met.has_value();
-        o.b.wanted[side] = met.value_or(at_height(at, o.g.base[o.lane]));
-    }
 }
 
 // How it comes down, and how it passes what lies between.
@@ -454,13 +345,6 @@ void turn_gaze(const Own& o) {
     o.b.gaze += o.b.gaze_rate * k_tick;
 }
 
-Own own_of(Bipeds& bipeds, size_t i, Gait& gait, const StandingOn& on) {
-    const PersonBlock& p = gait.people[i / k_block];
-    const int lane = static_cast<int>(i % k_block);
-    return {bipeds, bipeds.all[i], i,  gait.blocks[i / k_block],
-            p,      lane,          on, p.joints[left_upper_leg][1][lane]};
-}
-
 Stepper stepper_of(const Own& o, uint64_t seed, uint32_t tick) {
     return {.person = o.p,
             .lane = o.lane,
@@ -547,75 +431,6 @@ void step_bipeds(Bipeds& bipeds, const MovingGround& ground, Gait& gait, Workers
         for (size_t block = begin; block < end; ++block)
             step_block(bipeds, on, gait, block * k_block, std::min(count, (block + 1) * k_block), seed, tick);
     });
-}
-
-namespace {
-
-// Stands it at so many metres of its way, if both feet find still ground there.
-bool set_down(const Own& o, float along) {
-    const WayPoint at = point_on(o.bipeds.ways[o.b.way], along);
-    o.b.along = along;
-    o.b.point = o.b.body = at.place;
-    o.b.ahead = at.ahead;
-    o.b.heading = heading_of(at.ahead);
-    for (const Side side : {k_left, k_right}) {
-        const Vec2 place = beside(o, at.place, side);
-        const auto hit = ground_at(o.on.around, at_height(place, 0), k_ray_above, k_ray_below);
-        if (!hit || !is_walked(hit->kind)) return false;
-        Seeker who = seeker(o, side);
-        who.has_other = false;
-        const auto hold = foothold_at(o.on, who, {place.x, hit->height, place.z}, yaw_of(o, side, 0));
-        if (!hold || hold->mover != k_still_ground) return false;
-        if (length(on_ground(hold->place) - place) > 0.1f) return false;
-        o.b.feet[side] = *hold;
-    }
-    return std::fabs(o.b.feet[0].place.y - o.b.feet[1].place.y) < 0.02f;
-}
-
-}  // namespace
-
-SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes, bool is_flat,
-                    const MovingGround& ground, Gait& gait, uint64_t seed) {
-    SetDown made;
-    Bipeds& bipeds = made.bipeds;
-    bipeds.ways = std::move(ways);
-    bipeds.is_flat = is_flat;
-    bipeds.all.resize(likes.size());
-    bipeds.was_along.resize(likes.size());
-    bipeds.was_lead.resize(likes.size());
-    bipeds.was_feet.resize(3 * likes.size());
-    const Surroundings around = surroundings_of(ground);
-    const StandingOn on{ground, around, 0};
-    std::vector<float> last(bipeds.ways.size(), -1e9f), first(bipeds.ways.size(), 0);
-    for (size_t i = 0; i < likes.size(); ++i) {
-        Biped& b = bipeds.all[i];
-        const size_t n_ways = bipeds.ways.size();
-        b.way = static_cast<uint32_t>(i % n_ways);
-        b.likes = likes[i];
-        const Own o = own_of(bipeds, i, gait, on);
-        const float whole = bipeds.ways[b.way].along.back();
-        const auto on_this = static_cast<float>((likes.size() - b.way + n_ways - 1) / n_ways);
-        const float even =
-            whole * (static_cast<float>(i / n_ways) + 0.5f * random_unit({seed, b.way, 0, Purpose::spawn})) /
-            on_this;
-        constexpr float k_step = 0.2f;
-        const float least = last[b.way] < 0 ? even : std::max(even, last[b.way] + k_set_apart);
-        const float most = last[b.way] < 0 ? whole : first[b.way] + whole - k_set_apart;
-        bool stands = false;
-        for (float along = least; !stands && along <= most; along += k_step) stands = set_down(o, along);
-        if (!stands) break;
-        if (last[b.way] < 0) first[b.way] = b.along;
-        last[b.way] = b.along;
-        ++made.placed;
-        write_feet(o);
-        o.g.x[o.lane] = b.body.x, o.g.z[o.lane] = b.body.z, o.g.heading[o.lane] = b.heading;
-        o.g.base[o.lane] = b.feet[0].place.y;
-        o.g.base_velocity[o.lane] = 0;
-        o.g.standing[o.lane] = 1;
-        b.reach = reach_of(o, 0);
-        look_for_places(o);
-    }
-    return made;
 }
 
 }  // namespace flaneur

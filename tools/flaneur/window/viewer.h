@@ -15,7 +15,6 @@
 #include "tools/flaneur/window/change/change.h"
 #include "tools/flaneur/window/events.h"
 #include "tools/flaneur/window/exhibits/exhibits.h"
-#include "tools/flaneur/window/steppers/steppers.h"
 #include "tools/flaneur/window/frame/costs.h"
 #include "tools/flaneur/window/kept/kept.h"
 #include "tools/flaneur/window/layout.h"
@@ -25,6 +24,7 @@
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/settings/panel_keys.h"
 #include "tools/flaneur/window/settings/settings.h"
+#include "tools/flaneur/window/steppers/steppers.h"
 #include "tools/flaneur/window/time/clock.h"
 #include "tools/flaneur/window/time/time.h"
 
