@@ -47,9 +47,19 @@ inline constexpr double k_least_share = 0.001, k_most_share = 1000;
 inline constexpr int k_max_walkers = 1'000'000;
 
 // The places that are built in.
-enum class BuiltIn : uint8_t { district, asteroid, platform, field, gallery, planets, quayside, yard };
-inline constexpr std::string_view k_built_in_names[] = {"district", "asteroid", "platform", "field",
-                                                        "gallery",  "planets",  "quayside", "yard"};
+enum class BuiltIn : uint8_t {
+    district,
+    asteroid,
+    platform,
+    field,
+    gallery,
+    planets,
+    quayside,
+    yard,
+    course
+};
+inline constexpr std::string_view k_built_in_names[] = {
+    "district", "asteroid", "platform", "field", "gallery", "planets", "quayside", "yard", "course"};
 // Of a scene whose platform nobody has laid out.
 inline const std::vector<Vec2> k_usual_platform{{-6.9f, -9}, {10.1f, -2.8f}, {6.9f, 9}, {-10.1f, 2.8f}};
 
@@ -61,7 +71,7 @@ struct Scene {
     float radius = 0;  // how far to each side, metres: k_least_map_radius..k_most_map_radius; 0: see cities.h
     BuiltIn built = BuiltIn::district;  // without a city: all round the asteroid, on a platform in
                                         // the water, on a walled field, by a row of figures, on planets,
-                                        // before a yard
+                                        // before a yard, on a course
     std::vector<Vec2> platform;         // its corners, metres; see make_platform(); empty: k_usual_platform
     std::string rock;                 // what the asteroid is: k_torus or a glTF file of a closed mesh; or ""
     std::string terrain;              // an elevation file under an OpenStreetMap city; empty: level ground
@@ -78,6 +88,8 @@ struct Scene {
     float drunk = 0;                  // 0..1, see WorldOptions,
     int drunks = 0;                   // and there; 0: all are so drunk
     float helpers = k_usual_helpers;  // the same
+    bool flat = false;                // of a course: all in one plane, seen from the side
+    std::optional<Vec3> look;         // of a course: where all look who can turn their heads there
     uint64_t seed = 1;
     int blocks = 4;      // size of the built-in district
     float hour = 17.5f;  // of the day at the first tick, 0..24

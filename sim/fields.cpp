@@ -9,6 +9,7 @@
 #include "sim/base/hash.h"
 #include "sim/crowd/values-inl.h"
 #include "sim/row_names-inl.h"
+#include "sim/stepping.h"
 
 namespace flaneur {
 namespace {
@@ -206,6 +207,7 @@ void for_each_crowd_word(const World& w, const Each& each) {
     add("traffic_done", 'u', c.traffic.done);
     add("linkages", 'h', hash(w.linkages.places));
     add("deeds", 'h', hash(w.deeds.doers));
+    add("bipeds", 'h', w.stepping ? static_cast<uint32_t>(hash_bipeds(*w.stepping)) : 0);
     add("movers", 'h', hash(w.movers.places));
     add("falls", 'h', static_cast<uint32_t>(hash_falls(w)));
     add("bystanders", 'h', static_cast<uint32_t>(hash_bystanders(w)));
@@ -230,6 +232,7 @@ uint64_t hash_world(const World& world) {
     if (!linkages.empty()) hash = hash_bytes(hash, linkages.data(), linkages.size() * sizeof linkages[0]);
     const std::vector<Doer>& doers = world.deeds.doers;
     if (!doers.empty()) hash = hash_bytes(hash, doers.data(), doers.size() * sizeof doers[0]);
+    if (world.stepping) hash = mix(hash ^ hash_bipeds(*world.stepping));
     const std::vector<Placement>& movers = world.movers.places;
     if (!movers.empty()) hash = hash_bytes(hash, movers.data(), movers.size() * sizeof movers[0]);
     for_each_array(world, [&]<class Item>(const FieldName&, const std::vector<Item>& items) {

@@ -351,8 +351,8 @@ bool let_jump(World& w, WalkerId id) {
 }
 
 bool push(World& w, WalkerId id, Vec2 impulse) {
-    if (!is_alive(w, id) || w.roam || is_creature(w.herd, id.index) || own_of(w.crowd.passages, id.index) ||
-        w.crowd.identity.ahead[id.index] > 0)
+    if (!is_alive(w, id) || w.roam || w.stepping || is_creature(w.herd, id.index) ||
+        own_of(w.crowd.passages, id.index) || w.crowd.identity.ahead[id.index] > 0)
         return false;
     push_walker(w, id.index, impulse / mass_of(w.gait.people[id.index / k_block], id.index % k_block));
     return true;

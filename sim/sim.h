@@ -171,7 +171,7 @@ bool let_jump(World& world, WalkerId id);
 // changes the speed of one of 70 kg by 0.7 m/s). It sways, or steps, or falls, lies for a moment and gets up:
 // nobody falls whose speed changes by less than k_harmless_push, all do by more than k_felling_push, and
 // between by how it stands to the push, how old, tall and sober it is (sim/fall/balance.h). False if it is
-// gone, comes in or leaves just now, pushes a pram or roams a compound.
+// gone, comes in or leaves just now, pushes a pram, roams a compound or steps on a course.
 bool push(World& world, WalkerId id, Vec2 impulse);
 // Whether it falls, lies or gets up.
 bool has_fallen(const World& world, WalkerId id);

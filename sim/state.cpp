@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/hash.h"
+#include "sim/stepping.h"
 
 namespace flaneur {
 namespace {
@@ -59,6 +60,7 @@ void for_each_array(W& w, uint32_t count, const Each& each) {
     all(w.deeds.doers, w.deeds.parcels, w.deeds.leaves, w.deeds.gait.blocks, w.deeds.whole, w.deeds.poses);
     all(w.coming.so_far, w.coming.sending_of, w.linkages.places, w.linkages.targets, w.linkages.methods,
         w.linkages.held, w.herd.creatures, w.movers.places);
+    if (w.stepping) all(w.stepping->bipeds.all, w.stepping->orders);
     if (!w.roam) return;
     auto& s = w.roam->walkers;
     all(s.position, s.up, s.ahead, s.speed, s.pace, s.turn_rate, s.moved, s.radius, s.probes, s.leaps, s.wish,
@@ -154,13 +156,13 @@ uint64_t state_mark(const World& w) {
     for (const Kind& kind : w.kinds) add(kind.share, kind.age, kind.body.height, kind.body.joints);
     for (const Clip& clip : w.idles.clips) add(clip.keys, clip.duration);
     const Ground& ground = *w.ground;
-    for (size_t size :
-         {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
-          ground.faces.size(), ground.solids.size(), ground.obstacles.size(), w.linkages.places.size(),
-          w.figures.plans.size(), w.deeds.plans.size(), w.movers.all.size(),
-          w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
-                       w.roam->compound.capsules.size() + 1
-                 : 0})
+    for (size_t size : {w.kinds.size(), w.idles.clips.size(), ground.vertices.size(), ground.indices.size(),
+                        ground.faces.size(), ground.solids.size(), ground.obstacles.size(),
+                        w.linkages.places.size(), w.figures.plans.size(), w.deeds.plans.size(),
+                        w.movers.all.size(), w.stepping ? w.stepping->bipeds.all.size() + 1 : 0,
+                        w.roam ? w.roam->compound.vertices.size() + w.roam->compound.spheres.size() +
+                                     w.roam->compound.capsules.size() + 1
+                               : 0})
         add(static_cast<uint64_t>(size));
     add(ground.low, ground.high);
     return hash;

@@ -8,6 +8,8 @@
 #include "sim/pose/cane.h"
 #include "sim/pose/joint_limits.h"
 #include "sim/pose/pram.h"
+#include "sim/stepper/gaze.h"
+#include "sim/stepping.h"
 #include "sim/world.h"
 
 namespace flaneur {
@@ -124,6 +126,7 @@ void step_pose(World& w) {
     mind_falls(w);
     step_falls(w);
     pose_bystanders(w);
+    if (w.stepping) turn_heads(w.stepping->bipeds, w.poses);
     for_due_blocks(w, [&](size_t block, float dt) {
         advance_trails(w.previous_poses, w.poses, block, block + 1, dt, w.previous_trails, w.trails);
         if (w.crowd.at_once[block] == 1) return;
@@ -135,7 +138,7 @@ void step_pose(World& w) {
 
 // Gait and pose, and the end of the tick.
 void step_bodies(World& w) {
-    timed(w, Stage::gait, [&] { step_gait(w); });
+    if (!w.stepping) timed(w, Stage::gait, [&] { step_gait(w); });
     timed(w, Stage::pose, [&] {
         step_pose(w);
         step_linkages(w.linkages, *w.workers, w.tick);

@@ -46,6 +46,13 @@ OrderedJson on_small_world(const char* key, const OrderedJson& rules) {
     return both({"built", key}, properties);
 }
 
+// The same of a course.
+OrderedJson on_course(const char* key, const OrderedJson& rules) {
+    OrderedJson properties = {{"built", {{"const", "course"}}}};
+    if (!rules.empty()) properties[key] = rules;
+    return both({"built", key}, properties);
+}
+
 constexpr SceneClash k_clashes[] = {
     {"built", R"("built" is a place of its own, and "city" another; people walk in one)",
      [](const Scene& s, const Json&) { return s.built != BuiltIn::district && !s.city.empty(); },
@@ -135,6 +142,39 @@ constexpr SceneClash k_clashes[] = {
          schema["not"] = both({"habit"}, {{"habit", {{"const", "ramble"}}}});
          return schema;
      }},
+    {"flat", R"("flat" is how a course is laid out; "built" must be "course")",
+     [](const Scene& s, const Json&) { return s.flat && s.built != BuiltIn::course; },
+     [](const char* key) {
+         return needs_built("course", key, {{key, {{"const", true}}}});
+     }},
+    {"look", R"("look" is for those on a course; "built" must be "course")",
+     [](const Scene& s, const Json&) { return s.look && s.built != BuiltIn::course; },
+     [](const char* key) { return needs_built("course", key, OrderedJson::object()); }},
+    {"habit", R"("habit": on a course everybody goes along it; leave it out)",
+     [](const Scene& s, const Json&) { return s.habit == Habit::ramble && s.built == BuiltIn::course; },
+     [](const char* key) {
+         return on_course(key, {{"const", "ramble"}});
+     }},
+    {"pushes", R"("pushes": nobody is pushed on a course; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("pushes") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
+    {"added", R"("added" is what is put into a city, and a course is as it is)",
+     [](const Scene& s, const Json& json) { return json.contains("added") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
+    {"demand", R"("demand" sends people through a city, and a course leads round)",
+     [](const Scene& s, const Json&) { return !s.demand.empty() && s.built == BuiltIn::course; },
+     [](const char* key) {
+         return on_course(key, {{"minLength", 1}});
+     }},
+    {"side", R"("side": on a course all go the same way; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("side") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
+    {"canes", R"("canes": nobody walks with one on a course; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("canes") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
+    {"prams", R"("prams": nobody pushes one on a course; leave it out)",
+     [](const Scene& s, const Json& json) { return json.contains("prams") && s.built == BuiltIn::course; },
+     [](const char* key) { return on_course(key, OrderedJson::object()); }},
     {"blocks", R"("blocks" is of the built-in district, and "city" another place)",
      [](const Scene& s, const Json& json) { return json.contains("blocks") && !s.city.empty(); },
      [](const char* key) {

@@ -28,35 +28,6 @@ void read_pushes(SceneReading& r, Scene& scene, const Json& list) {
     for (const Json& text : list) take_parsed(r, parse_push(text), scene.pushes.emplace_back());
 }
 
-template <float PeopleMix::*Times>
-SceneKey<Scene> mix_key(const char* name, const char* meaning) {
-    return {name,    {KeyKind::number, 0, k_most_mix},
-            "1",     "2",
-            meaning, [](SceneReading&, Scene& s, const Json& v) { s.mix.*Times = v; }};
-}
-
-// A value that is taken as it stands.
-template <auto Member>
-SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,
-                          const char* meaning) {
-    return {name,    rule,    usual,
-            example, meaning, [](SceneReading&, Scene& s, const Json& v) { s.*Member = v; }};
-}
-
-// One of an enumeration by its name.
-template <auto Member, const auto& Names>
-SceneKey<Scene> word_key(const char* name, const char* usual, const char* example, const char* meaning) {
-    return {name,
-            {KeyKind::text, 0, 0, {}, names(Names)},
-            usual,
-            example,
-            meaning,
-            [](SceneReading& r, Scene& s, const Json& v) {
-                using Word = std::remove_reference_t<decltype(s.*Member)>;
-                take_parsed(r, word_of<Word>(Names, v), s.*Member);
-            }};
-}
-
 // In the order of the schema and of docs/scenes.md.
 const std::vector<SceneKey<Scene>>& scene_keys() {
     using enum KeyKind;
@@ -99,8 +70,7 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "Which of the built-in places, without a city: a district; an asteroid, all round which people "
             "walk; a platform in still water; a walled field; a gallery of linkages; planets, from one to "
             "another of which people leap; a square by a river; a yard where people carry boxes, open doors "
-            "and "
-            "climb."),
+            "and climb; a course of stairs, bridges, stones and plates that move."),
         {"platform",
          {text, 0, 0, corner + "( +" + corner + "){2,15} *"},
          nullptr,
@@ -141,6 +111,14 @@ const std::vector<SceneKey<Scene>>& scene_keys() {
             "drunks", {whole, 0, 100}, "0", "2",
             "How many of the walkers, the first of them, are so drunk and stagger on the "
             "platform while the others do as is their habit. 0: all are."),
+        plain_key<&Scene::flat>("flat", {flag}, "false", "true",
+                                "Of the course: in one line, and everybody in one plane."),
+        {"look",
+         {text, 0, 0, point},
+         nullptr,
+         R"("2,1.5,0")",
+         "Of the course: the place X,Y,Z, metres, that all look at who can turn their heads.",
+         [](Reading& r, Scene& s, const Json& v) { take_parsed(r, parse_spot(v), s.look); }},
         {"people",
          {people},
          nullptr,

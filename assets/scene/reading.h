@@ -106,4 +106,34 @@ std::string fault_of(const AddedItem& item);
 const std::string& coordinate_pattern();
 std::string point_pattern();
 
+// Keys of one kind: how many of some people there are,
+template <float PeopleMix::*Times>
+SceneKey<Scene> mix_key(const char* name, const char* meaning) {
+    return {name,    {KeyKind::number, 0, k_most_mix},
+            "1",     "2",
+            meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.mix.*Times = v; }};
+}
+
+// A value that is taken as it stands.
+template <auto Member>
+SceneKey<Scene> plain_key(const char* name, const KeyRule& rule, const char* usual, const char* example,
+                          const char* meaning) {
+    return {name,    rule,    usual,
+            example, meaning, [](SceneReading&, Scene& s, const nlohmann::json& v) { s.*Member = v; }};
+}
+
+// One of an enumeration by its name.
+template <auto Member, const auto& Names>
+SceneKey<Scene> word_key(const char* name, const char* usual, const char* example, const char* meaning) {
+    return {name,
+            {KeyKind::text, 0, 0, {}, names(Names)},
+            usual,
+            example,
+            meaning,
+            [](SceneReading& r, Scene& s, const nlohmann::json& v) {
+                using Word = std::remove_reference_t<decltype(s.*Member)>;
+                take_parsed(r, word_of<Word>(Names, v), s.*Member);
+            }};
+}
+
 }  // namespace flaneur

@@ -78,6 +78,8 @@ std::string scene_text(const Scene& s) {
     tell("limbs", k_limb_lead_names[static_cast<int>(s.limbs)], s.limbs != usual.limbs);
     tell("drunk", short_number(s.drunk), s.drunk > 0);
     tell("drunks", s.drunks, s.drunks > 0);
+    tell("flat", s.flat, s.flat);
+    if (s.look) json["look"] = told_spot(*s.look);
     tell("people", people_of(s.people), !s.people.empty());
     for (const MixKey& of : k_mix)
         tell(of.name, short_number(s.mix.*of.times), s.mix.*of.times != usual.mix.*of.times);

@@ -362,7 +362,11 @@ void advance_walker(GaitBlock& g, const StepperRows& rows, const Stepper& s, Ran
         approach(g.frequency[lane], f, (f > g.frequency[lane] ? 6 : 2) * s.dt);
         advance_feet(g, s, wants_step, slow, off, slack);
     }
-    if (!g.standing[lane]) advance_phase(g, s);
+    advance_bearing(g, s, chance);
+}
+
+void advance_bearing(GaitBlock& g, const Stepper& s, RandomKey chance) {
+    if (!g.standing[s.lane]) advance_phase(g, s);
     advance_load(g, s, chance);
     advance_rest(g, s);
     advance_look(g, s, chance);

@@ -12,5 +12,8 @@ inline constexpr float k_short_stride = 0.62f;  // of one ahead, of who goes asi
 
 // One tick of one walker. Chance is drawn under `chance`, which changes every two seconds.
 void advance_walker(GaitBlock& gait, const StepperRows& rows, const Stepper& stepper, RandomKey chance);
+// The part of it that only follows the feet, for those whose feet go by another rule: the phase of pelvis and
+// arms, the load, what one does who stands, and the look.
+void advance_bearing(GaitBlock& gait, const Stepper& stepper, RandomKey chance);
 
 }  // namespace flaneur

@@ -12,6 +12,7 @@ namespace flaneur {
 struct Sway {
     Vec3 middle{}, reach{};
     uint32_t period[3] = {1, 1, 1}, start[3] = {};
+    uint32_t rests = 0;  // 0: as a pendulum; the more, the longer it stays near either end
 };
 Vec3 sway_at(const Sway& sway, uint32_t tick);
 

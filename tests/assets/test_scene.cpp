@@ -127,6 +127,11 @@ TEST_F(SceneFile, ThatContradictsItselfIsRefused) {
                               {R"({"built": "gallery", "creatures": 3})", "\"creatures\""},
                               {R"({"helpers": 0.5, "built": "planets"})", "\"helpers\""},
                               {R"({"walkers": 5, "pushes": ["2 5 120,0"]})", "5 is nobody"},
+                              {R"({"flat": true})", "\"flat\""},
+                              {R"({"look": "0,1,0", "built": "field"})", "\"look\""},
+                              {R"({"prams": 0, "built": "course"})", "\"prams\""},
+                              {R"({"pushes": ["1 * 9,9"], "built": "course"})", "\"pushes\""},
+                              {R"({"habit": "ramble", "built": "course"})", "\"habit\""},
                               {R"({"platform": "0,0 8,0 1,1 0,8", "built": "platform"})", "\"platform\""},
                               {R"({"radius": 500})", "\"radius\""},
                               {R"({"terrain": "a.tif", "city": "a.glb"})", "\"terrain\""}}) {

@@ -267,6 +267,7 @@ TEST_F(SceneSchema, HasAnExampleOfEachKeyThatChangesTheScene) {
         // These need their place.
         plain.built = key == "platform" || key == "drunks"  ? BuiltIn::platform
                       : key == "creatures" || key == "rock" ? BuiltIn::asteroid
+                      : key == "flat" || key == "look"      ? BuiltIn::course
                                                             : BuiltIn::district;
         const bool is_elsewhere = plain.built != BuiltIn::district;
         if (is_elsewhere) one["built"] = k_built_in_names[static_cast<size_t>(plain.built)];

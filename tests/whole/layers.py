@@ -23,6 +23,7 @@ sim/gait/curves: sim/base
 sim/gait: sim/base, sim/body, sim/gait/curves, sim/ground
 sim/hands: sim/base, sim/gait
 sim/pose: sim/base, sim/gait, sim/gait/curves, sim/ground, sim/ik, sim/limbs
+sim/stepper: sim/base, sim/gait, sim/gait/curves, sim/movers, sim/pose
 sim/animation: sim/base, sim/pose
 sim/fall: sim/base, sim/body, sim/gait, sim/ground, sim/pose
 sim/crowd: sim/base, sim/body, sim/ground, sim/limbs, sim/navigation, sim/ways
@@ -31,7 +32,7 @@ sim/figures: sim/animation, sim/base, sim/crowd, sim/gait, sim/ground, sim/pose
 sim/deeds: sim/base, sim/crowd, sim/fall, sim/gait, sim/ground, sim/movers, sim/pose
 sim/surface: sim/base
 sim/creature: sim/base, sim/linkages, sim/surface
-sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/surface
+sim: sim/animation, sim/base, sim/body, sim/coming, sim/creature, sim/crowd, sim/deeds, sim/fall, sim/figures, sim/gait, sim/ground, sim/hands, sim/limbs, sim/linkages, sim/movers, sim/navigation, sim/pose, sim/stepper, sim/surface
 
 assets/files: sim/base
 assets/terrain: assets/files, sim/base
@@ -101,13 +102,14 @@ tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/cu
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
-tools/flaneur/overlay: renderer, sim, sim/gait, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
+tools/flaneur/overlay: renderer, sim, sim/deeds, sim/gait, sim/stepper, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/limbs, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
 tools/flaneur/window/cameras: assets, renderer, sim, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/change: assets, renderer, sim, sim/base, sim/crowd, sim/linkages, sim/navigation, tools/flaneur/options
 tools/flaneur/window/exhibits: renderer, sim/linkages, tools/flaneur/options
+tools/flaneur/window/steppers: renderer, sim/base, tools/flaneur/options
 tools/flaneur/window/frame:
 tools/flaneur/window/measure: tools/flaneur/measure, tools/flaneur/view
 tools/flaneur/window/open: renderer, tools/flaneur/options, tools/flaneur/view
@@ -115,11 +117,12 @@ tools/flaneur/window/record: renderer, tools/flaneur/options, tools/flaneur/outp
 tools/flaneur/window/settings: renderer, sim/base, tools/flaneur/options, tools/flaneur/view
 tools/flaneur/window/time: assets, sim, tools/extract, tools/flaneur/history, tools/flaneur/measure, tools/flaneur/overlay, tools/flaneur/window/change
 tools/flaneur/window/kept: assets, tools/flaneur/window/cameras, tools/flaneur/window/time
-tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/time
+tools/flaneur/window: renderer, sim, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/kept, tools/flaneur/window/measure, tools/flaneur/window/open, tools/flaneur/window/record, tools/flaneur/window/settings, tools/flaneur/window/steppers, tools/flaneur/window/time
 tools/flaneur/window/panels: tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change
 tools/flaneur/window/ask sources: assets/files, sim/base, sim/gait, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/change, tools/flaneur/window/measure
 tools/flaneur/window/cameras sources: sim/base, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras
 tools/flaneur/window/change sources: assets/files, assets/stages, sim/base, sim/ways, tools/extract, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/time
+tools/flaneur/window/steppers sources: sim, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/steppers
 tools/flaneur/window/exhibits sources: renderer, tools/extract, tools/flaneur/overlay, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/exhibits
 tools/flaneur/window/frame sources: renderer, sim/base, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/frame
 tools/flaneur/window/kept sources: assets/files, sim/base, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/kept, tools/flaneur/window/open
@@ -128,7 +131,7 @@ tools/flaneur/window/open sources: assets, assets/files, tools/flaneur/console, 
 tools/flaneur/window/record sources: sim/base, tools/flaneur/console, tools/flaneur/load, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/change, tools/flaneur/window/measure, tools/flaneur/window/record
 tools/flaneur/window/settings sources: assets/files, tools/flaneur/console, tools/flaneur/output, tools/flaneur/window, tools/flaneur/window/settings
 tools/flaneur/window/time sources: renderer, sim, sim/base, tools/flaneur/load, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/measure, tools/flaneur/window/time
-tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings
+tools/flaneur/window sources: renderer, sim/base, tools/flaneur/console, tools/flaneur/measure, tools/flaneur/options, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/ask, tools/flaneur/window/cameras, tools/flaneur/window/change, tools/flaneur/window/exhibits, tools/flaneur/window/frame, tools/flaneur/window/measure, tools/flaneur/window/panels, tools/flaneur/window/settings, tools/flaneur/window/steppers
 tools/flaneur/sheets: assets, sim/base, sim/body, sim/crowd, tools/flaneur/console, tools/extract, tools/flaneur/gait/measure, tools/flaneur/gait/people, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view
 tools/flaneur/city: assets, assets/files, assets/gltf/city, sim, sim/base, sim/ground, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output
 tools/flaneur/bench: tools/rendercheck/verdict, assets/files, assets/gltf/character, sim, sim/animation, sim/base, sim/fall, sim/gait, sim/linkages, sim/ik, sim/pose, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/view, tools/flaneur/window, tools/flaneur/window/cameras

@@ -234,7 +234,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         if (Result<void> done = carry_on(show, v); !done) return done;
         end_part(v.costs, CostOf::asked, glfwGetTime());
         steer_driven(window, show, v);
-        v.time.is_led = is_driving(show);
+        v.time.is_led = is_driving(show) || is_led_by_pointer(show);
         const bool is_going = go_on(show, v, now);
         if (!is_going && !waits_for_beside(v, *show.loaded.world))
             for (uint32_t ticks = ticks_due(v.clock, passed); ticks > 0; --ticks, ++v.costs.now.ticks)
@@ -261,6 +261,7 @@ Result<void> run_loop(Show& show, Canvas& canvas, Viewer& v, Paces* paces) {
         // What is drawn with takes the left button.
         Mouse free = here;
         const bool is_elsewhere = is_panels || shift > 0;
+        follow_pointer(show, here, one, is_elsewhere, v);
         const bool is_taken = draw_with_mouse(show, was, here, one, is_elsewhere, v) ||
                               take_mouse(show, was, here, one, is_elsewhere, v) ||
                               drag_target(show, was, here, one, is_elsewhere || is_putting(v), v) ||

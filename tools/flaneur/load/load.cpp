@@ -19,6 +19,7 @@
 #include "assets/population.h"
 #include "assets/quayside.h"
 #include "assets/stages/asteroid.h"
+#include "assets/stages/course.h"
 #include "assets/stages/dais.h"
 #include "assets/stages/field.h"
 #include "assets/stages/gallery.h"
@@ -228,6 +229,7 @@ Result<City> read_bare_city(const Scene& scene) {
     if (is_of(scene, BuiltIn::gallery)) return build_gallery(scene.seed);
     if (is_of(scene, BuiltIn::quayside)) return build_quayside(scene.seed);
     if (is_of(scene, BuiltIn::yard)) return build_yard(scene.seed);
+    if (is_of(scene, BuiltIn::course)) return build_course(scene.seed, scene.flat);
     Result<City> city = scene.city.empty() ? generate_district({scene.seed, district_blocks(scene)})
                                            : load_city(scene.city, city_options(scene));
     if (is_stopping()) return interrupted();
@@ -286,7 +288,8 @@ static PassOn side_of(const Scene& scene, const City& city) {
 // Who leaves and who is sent, and room for those sent.
 static Result<void> settle_coming(const Scene& scene, Loaded& loaded, WorldOptions& world) {
     constexpr uint32_t k_most_at_once = 20'000;
-    if (!scene.stays && !is_small_world(scene)) world.leaving = k_usual_leaving;
+    if (!scene.stays && !is_small_world(scene) && !is_of(scene, BuiltIn::course))
+        world.leaving = k_usual_leaving;
     world.capacity = world.walkers;
     if (scene.demand.empty()) return {};
     Result<SentPeople> sent = load_demand(scene.demand, *loaded.city);
@@ -317,6 +320,14 @@ static void set_deeds(std::vector<DoerPlan> plans, Things things, std::shared_pt
     forget_previous(world.movers);
 }
 
+// Who has both hands free and legs that reach from stone to stone.
+static void spare_course(std::vector<Kind>& kinds) {
+    constexpr float k_shortest = 0.56f;  // metres, of legs
+    for (Kind& kind : kinds)
+        if (kind.body.cane != Vec3{} || kind.body.pram != Vec3{} || leg_length(kind.body) < k_shortest)
+            kind.share = 0;
+}
+
 Result<Loaded> load(const Options& options) {
     FLANEUR_ZONE("load");
     const Scene& scene = options.scene;
@@ -341,6 +352,7 @@ Result<Loaded> load(const Options& options) {
     Result<void> peopled = add_people(options, loaded, world.kinds);
     if (!peopled) return peopled.error();
     set_shares(world, shares_of(scene.people, scene.mix, loaded.characters, loaded.parts));
+    if (is_of(scene, BuiltIn::course)) spare_course(world.kinds);
 
     Result<std::vector<Clip>> idles = load_idles(scene);
     if (!idles) return idles.error();
@@ -379,6 +391,11 @@ Result<Loaded> load(const Options& options) {
         Result<void> set = set_down(*loaded.world, std::move(round->compound),
                                     static_cast<uint32_t>(scene.creatures), std::move(round->gravity));
         if (!set) return set.error();
+    }
+    if (is_of(scene, BuiltIn::course)) {
+        if (Result<void> set = set_on_course(*loaded.world, make_course(scene.flat)); !set)
+            return set.error();
+        if (scene.look) look_at(*loaded.world, scene.look);
     }
     if (is_of(scene, BuiltIn::gallery)) {
         loaded.world->linkages = make_linkages(make_exhibits(scene.seed));
@@ -427,6 +444,7 @@ PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers) 
         order.gravity = world.roam->gravity;
         order.creatures = static_cast<uint32_t>(world.roam->creatures.size());
     }
+    if (world.stepping) order.course = course_of(world);
     if (!world.herd.creatures.empty()) order.creatures = static_cast<uint32_t>(world.herd.creatures.size());
     order.linkages = world.linkages.all;
     order.figures = world.figures.plans;
@@ -449,7 +467,10 @@ Result<std::unique_ptr<World>> make_people(const PeopleOrder& order,
         Result<void> set = set_down(**made, *order.compound, order.creatures, order.gravity);
         if (!set) return set.error();
     }
-    if (made && !order.compound) {
+    if (made && order.course) {
+        if (Result<void> set = set_on_course(**made, *order.course); !set) return set.error();
+    }
+    if (made && !order.compound && !order.course) {
         (*made)->linkages = make_linkages(order.linkages);
         (*made)->movers = make_movers(order.movers);
         set_figures(order.figures, order.figure_ground, **made);

@@ -9,6 +9,7 @@
 #include "assets/character.h"
 #include "assets/cities.h"
 #include "sim/base/result.h"
+#include "sim/stepping.h"
 #include "sim/world.h"
 #include "tools/flaneur/options/options.h"
 
@@ -40,6 +41,7 @@ struct PeopleOrder {
     std::shared_ptr<const Ground> deed_ground;
     size_t first_deed_mover = 0;
     std::shared_ptr<const Ground> figure_ground;
+    std::optional<StepCourse> course;  // that they are on, or none
 };
 // So many people in the same city, set down and led by that seed, as of the hour at which it began.
 PeopleOrder order_people(const Loaded& loaded, uint64_t seed, uint32_t walkers);

@@ -186,6 +186,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
         options.scene.built = BuiltIn::district;
         options.scene.platform.clear();
         options.scene.rock.clear();
+        options.scene.flat = false;
+        options.scene.look = std::nullopt;
         if (options.scene.habit == Habit::stagger) options.scene.habit = Habit::wander;
         // What is said of the scene's own city.
         options.scene.about.clear();
@@ -237,6 +239,13 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (is_small_world(options.scene) && !options.scene.demand.empty())
         return Error{"Nobody can be sent anywhere on the " + told_place(options.scene) + ", as " +
                      options.scene.demand + " asks for; take a city."};
+    const bool is_course = is_of(options.scene, BuiltIn::course);
+    if (is_course && words.stays) return Error{"--stay is for cities: nobody leaves a course anyway."};
+    if (is_course && words.side)
+        return Error{"--side is for cities: on a course all go the same way, and nobody passes."};
+    if (is_course && !options.scene.demand.empty())
+        return Error{"Nobody can be sent anywhere on a course, as " + options.scene.demand +
+                     " asks for; take a city."};
     if (options.command == Command::gait) {
         const GaitOptions& gait = options.gait;
         int walks = (gait.turn != 0) + !gait.stairs.empty() + (gait.slope != 0) + (gait.kerb != 0) +

@@ -58,6 +58,12 @@ constexpr LegendEntry k_way_legend[] = {{"largest circles; blocked rays", k_barr
                                         {"free rays", k_free_colour}};
 constexpr LegendEntry k_exhibit_legend[] = {{"where a figure goes", k_free_colour},
                                             {"where a target will be, four seconds", k_chosen_colour}};
+constexpr LegendEntry k_stepper_legend[] = {{"where the left foot is wanted", k_left_colour},
+                                            {"the right one", k_right_colour},
+                                            {"the ray down", k_ray_colours[0]},
+                                            {"no ground; nothing in reach", k_barred_colour},
+                                            {"the reach of feet", k_white},
+                                            {"a step", k_chosen_colour}};
 constexpr LegendEntry k_probe_legend[] = {{"ray down ahead", k_ray_colours[0]},
                                           {"ray down behind", k_ray_colours[1]},
                                           {"normal ahead", k_normal_colours[0]},
@@ -150,6 +156,8 @@ std::vector<Legend> legends_of(WorkViews views, const World& world) {
     add(skeletons, "Skeletons", k_skeleton_legend);
     if (world.roam)
         add(ways, "Ways", k_probe_legend);
+    else if (world.stepping)
+        add(ways, "Ways", k_stepper_legend);
     else if (!world.figures.plans.empty())
         add(ways, "Ways", k_exhibit_legend);
     else

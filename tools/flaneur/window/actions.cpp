@@ -24,6 +24,7 @@
 #include "tools/flaneur/window/panels.h"
 #include "tools/flaneur/window/panels/palette.h"
 #include "tools/flaneur/window/settings/room.h"
+#include "tools/flaneur/window/steppers/steppers.h"
 
 namespace flaneur {
 namespace {
@@ -186,6 +187,7 @@ std::span<const ActionGroup> action_groups() {
         ActionGroup{"Change", change_actions()},
         ActionGroup{"Who comes", who_actions(), "More or fewer children, old people, prams", "T"},
         ActionGroup{"Exhibits of inverse kinematics", exhibit_actions()},
+        ActionGroup{"Those on a course", stepper_actions()},
         ActionGroup{"Undo and redo", k_editing},
         ActionGroup{"Opening", opening_actions()},
         ActionGroup{"Pictures and films", record_actions()},

@@ -24,6 +24,7 @@
 #include "tools/flaneur/window/record/record.h"
 #include "tools/flaneur/window/settings/panel_keys.h"
 #include "tools/flaneur/window/settings/settings.h"
+#include "tools/flaneur/window/steppers/steppers.h"
 #include "tools/flaneur/window/time/clock.h"
 #include "tools/flaneur/window/time/time.h"
 
@@ -89,6 +90,7 @@ struct Viewer {
     double note_until = 0;  // of the panels' time
     Change change;
     ExhibitsRoom exhibits;
+    SteppersHand steppers;
     uint64_t deeds = 0;  // that were done so far and can be undone, here and in the room Measure
     Opening opening;
     Record record;
