@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/base/math.h"
-#include "sim/fall/rising.h"
+#include "sim/fall/limbs.h"
 #include "sim/pose/arm.h"
 #include "sim/pose/joint_limits.h"
 
