@@ -227,7 +227,7 @@ void thank(World& w, uint32_t who, uint32_t helper) {
 
 // What one does next; returns whether it does anything.
 void decide(World& w, Bystander& b) {
-    constexpr float k_there = 0.22f;  // metres
+    constexpr float k_there = 0.22f, k_nearly = 0.5f;  // metres
     const Fall* f = own_of(w.falls.all, b.whom);
     const bool is_whom = is_there(w.crowd, {b.whom, b.whom_generation});
     const bool lies = is_whom && f && f->phase != FallPhase::sways;
@@ -236,7 +236,10 @@ void decide(World& w, Bystander& b) {
         case Concern::comes: {
             if (!lies || !called) return part(w, b, 0.6f);
             const Vec2 here = on_ground(w.crowd.motion.position[b.walker]);
-            if (length(called->to - here) < k_there && length(w.crowd.motion.velocity[b.walker]) < 0.3f)
+            const float off = length(called->to - here);
+            const float speed = length(w.crowd.motion.velocity[b.walker]);
+            // There, or as near as others let it.
+            if ((off < k_there && speed < 0.3f) || (off < k_nearly && speed < 0.08f))
                 return set_concern(w, b, Concern::offers, 6);
             if (w.tick >= b.until || (f->phase == FallPhase::rises && f->stage >= RiseStage::stand))
                 part(w, b, 1);

@@ -244,9 +244,9 @@ void rise_on(World& w, Fall& f) {
     }
     // Limbs that were set on the ground may have come to a wall; on steps they stay where they stand.
     keep_off_walls(pose, f.segments, person, lane, w.around);
-    const bool is_plane = settle(pose, f.segments, person, lane, w.around, f.floor,
-                                 rests_of(f, end, person, lane, t), f.raised, k_tick);
-    if (is_plane) keep_off_walls(pose, f.segments, person, lane, w.around);
+    const bool is_smooth = settle(pose, f.segments, person, lane, w.around, f.floor,
+                                  rests_of(f, end, person, lane, t), f.raised, k_tick);
+    if (is_smooth) keep_off_walls(pose, f.segments, person, lane, w.around);
     set_body_pose(w.poses, person, f.walker, pose);
     if (f.share < 1) return;
     f.from = pose;

@@ -19,13 +19,13 @@ using Heights = std::array<float, k_ball_count>;
 struct GroundBelow {
     const Surroundings& around;
     float floor;
-    bool is_plane = false;
+    bool is_plane = false, has_steps = false;
     Vec3 at{}, normal{0, 1, 0};
 };
 
-// A plane, if all that limbs may come to is one.
+// A plane, if all that limbs may come to is one; with steps, if some of it is well off that plane.
 GroundBelow ground_below(const Surroundings& around, float floor, const Balls& balls) {
-    constexpr float k_level = 0.004f, k_limbs[] = {0.5f, 1};  // metres
+    constexpr float k_level = 0.004f, k_rough = 0.06f, k_limbs[] = {0.5f, 1};  // metres
     constexpr size_t k_ways = 8, k_places = k_ball_count + 2 * k_ways;
     GroundBelow below{around, floor, true};
     std::array<Vec3, k_places> places;
@@ -38,12 +38,16 @@ GroundBelow ground_below(const Surroundings& around, float floor, const Balls& b
     ground_at(around, places, k_up, k_down, hits.data());
     for (size_t k = 0; k < k_places; ++k) {
         if (!hits[k] && k >= k_ball_count) continue;  // a wall's other side
-        if (!hits[k]) return below.is_plane = false, below;
+        if (!hits[k]) below.has_steps = true;
+        if (!hits[k] || below.has_steps) break;
         if (k == 0)
             below.at = at_height(on_ground(balls[0]), hits[0]->height), below.normal = hits[0]->normal;
         const Vec3 step = at_height(on_ground(places[k]), hits[k]->height) - below.at;
-        if (std::fabs(dot(step, below.normal)) > k_level) return below.is_plane = false, below;
+        const float off = std::fabs(dot(step, below.normal));
+        if (off > k_level) below.is_plane = false;
+        if (off > k_rough) below.has_steps = true;
     }
+    if (below.has_steps) below.is_plane = false;
     return below;
 }
 
@@ -59,6 +63,12 @@ void find_heights(const GroundBelow& below, std::span<const Vec3> balls, float* 
         return;
     }
     constexpr size_t k_samples = 1 + k_rings * k_rays;
+    if (!below.has_steps) {
+        std::array<std::optional<GroundHit>, k_ball_count> hits;
+        ground_at(below.around, balls, k_up, k_down, hits.data());
+        for (size_t k = 0; k < balls.size(); ++k) heights[k] = hits[k] ? hits[k]->height : below.floor;
+        return;
+    }
     static const auto offsets = [] {
         std::array<Vec2, k_samples> all{};
         for (int ray = 0; ray < k_rays; ++ray)
@@ -204,7 +214,7 @@ bool settle(BodyPose& pose, const Segments& segments, const PersonBlock& person,
     raised = std::max(deep, raised - k_sinks * dt);
     pose.hips.y += raised;
     if (raised > 1e-3f) plant(s, pose, k_left, rests.left_foot);
-    return below.is_plane;
+    return !below.has_steps;
 }
 
 void keep_off_walls(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,

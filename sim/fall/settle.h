@@ -24,7 +24,7 @@ struct Rests {
 // in a step are bent out of it, at the knee, or the whole leg where the foot is well below the knee; hands go
 // down to it, or up out of it. What no limb can keep out of the ground the whole body is raised for:
 // `raised`, metres, which goes back at k_sinks m/s. Where there is no ground it is at `floor`. Returns
-// whether the ground is a plane.
+// whether the ground has no steps.
 bool settle(BodyPose& pose, const Segments& segments, const PersonBlock& person, int lane,
             const Surroundings& around, float floor, const Rests& rests, float& raised, float dt);
 inline constexpr float k_sinks = 0.8f;
