@@ -101,7 +101,7 @@ tools/flaneur/gait/measure: sim/base, sim/body, sim/crowd, sim/gait, sim/gait/cu
 tools/flaneur/gait: sim, sim/base, sim/body, sim/gait/curves, tools/flaneur/console, tools/flaneur/gait/measure, tools/flaneur/output, tools/flaneur/plot
 tools/flaneur/gait/people: tools/flaneur/gait/measure, sim/base, sim/body, tools/flaneur/console, tools/flaneur/gait, tools/flaneur/options
 tools/flaneur/motion: assets/gltf, sim/base, sim/body, sim/pose
-tools/flaneur/overlay: renderer, sim, sim/gait, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
+tools/flaneur/overlay: renderer, sim, sim/deeds, sim/gait, sim/ways, tools/extract, tools/flaneur/measure, tools/flaneur/options
 tools/flaneur/view: assets, assets/cache, renderer, renderer/light, sim, sim/base, tools/flaneur/console, tools/extract, tools/flaneur/load, tools/flaneur/options, tools/flaneur/output, tools/flaneur/overlay
 tools/flaneur/history: sim, sim/base
 tools/flaneur/window/ask: assets, renderer, sim/base, sim/body, sim/limbs, sim/pose, tools/flaneur/gait/measure, tools/flaneur/view
