@@ -9,8 +9,8 @@ namespace flaneur {
 // What an id is of, and which numbers they have: Surface of the ground, or k_kerb_number; indices of
 // City::buildings for houses and for what has no facade, which is a wall; of City::props for trees, cars and
 // other props; WalkerId::index, of a walker with all that it carries and pushes; 0 for scenery; of
-// Roam::creatures; of Troupe::plans, and after them of Linkages::all, and after them of Deeds::plans, for exhibits; of
-// Movers::all.
+// Roam::creatures; of Troupe::plans, and after them of Linkages::all, and after them of Deeds::plans, for
+// exhibits; of Movers::all.
 enum class IdKind : uint8_t {
     none,
     ground,
