@@ -255,7 +255,7 @@ std::vector<DoerPlan> yard_plans(std::span<const Kind> kinds, Vec2 at) {
         plans.push_back(plan);
     }
     const float lanes[] = {0.95f, 2.4f, 3.85f};
-    const uint32_t climbers[] = {other_woman, man, boy};
+    const uint32_t climbers[] = {kind_like(kinds, true, 20, 60, 2), kind_like(kinds, false, 20, 60, 2), boy};
     for (size_t n = 0; n < std::size(lanes); ++n) {
         const float x = lanes[n];
         DoerPlan plan;
