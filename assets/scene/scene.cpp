@@ -85,6 +85,8 @@ Result<std::vector<SceneFault>> check_scene(const std::string& name_or_path) {
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : k_scene_files) names.emplace_back(file.name);
+    // Files are in the order of their names with endings.
+    std::ranges::sort(names);
     return names;
 }
 

@@ -332,7 +332,8 @@ City build_course(uint64_t seed, bool is_flat) {
         .level = 1.5f * half, .from = 3, .below = k_above_meadow, .turn = 2 * k_pi * random_unit(key)};
     add_land(city.scenery, meadow);
     index_city(city);
-    add_trees(city, meadow, 1.5f * half, key);
+    // From the side they would stand before it.
+    if (!is_flat) add_trees(city, meadow, 1.5f * half, key);
     list_obstacles(city);
     return city;
 }
