@@ -16,8 +16,7 @@ namespace flaneur {
 namespace {
 
 constexpr float k_above_meadow = 0.34f, k_water = -0.22f, k_pool_floor = -0.5f;  // metres
-constexpr uint32_t k_paving = rgb(0xc4bcac), k_stone = rgb(0xa8a193), k_slab = rgb(0xb6ad9c),
-                   k_wood = rgb(0x9a7b57);
+constexpr uint32_t k_paving = rgb(0xc4bcac), k_stone = rgb(0xa8a193), k_slab = rgb(0xb6ad9c);
 
 // One straight of the course, on which things have places along the way that people go, and aside.
 struct Line {

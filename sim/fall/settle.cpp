@@ -98,7 +98,7 @@ float clear_of(const GroundBelow& below, const Segments& segments, int ball, Vec
     return at.y - height - segments.radius[static_cast<size_t>(ball)] / slope;
 }
 
-constexpr int k_shank_of[] = {12, 20}, k_knee_of[] = {11, 19}, k_palm_of[] = {9, 17};  // balls
+constexpr int k_shank_of[] = {12, 20}, k_palm_of[] = {9, 17};  // balls
 constexpr int k_legs = 3;  // balls of shank and foot, from that of the shank on
 
 bool bears(int ball) {

@@ -21,7 +21,6 @@ constexpr float k_follows = 6;    // 1/s, of the body
 constexpr float k_speeds_up = 0.9f, k_slows_down = 1.6f;             // m/s2, of the point
 constexpr float k_turns = 1.5f, k_turns_in = 6, k_turn_gain = 3.5f;  // rad/s, rad/s2, 1/s
 constexpr float k_apart = 0.5f, k_apart_eases = 0.9f;                // metres from who is ahead
-constexpr float k_fastest = 1.05f;                                   // m/s
 constexpr float k_brakes = 4;                                        // m/s2, of who finds no place
 constexpr float k_just_below = 1e-4f, k_phase_rate = 4.5f;           // as the gait has them
 constexpr float k_stands_below = 0.07f;                              // m/s
