@@ -99,6 +99,7 @@ std::optional<Clip> built_in_idle(std::string_view name) {
     const std::span<const Attitude> all = k_attitudes[found - std::begin(k_idle_names)];
     std::vector<LocalPose> keys;
     const int count = static_cast<int>(all.back().seconds * k_rate);
+    keys.reserve(static_cast<size_t>(count));
     for (int k = 0; k < count; ++k) keys.push_back(pose_at(all, static_cast<float>(k) / k_rate));
     const LocalPose still = keys[0];
     return *make_additive_clip(humanoid(standard_body(1.7f)), std::move(keys), still, k_rate, true,

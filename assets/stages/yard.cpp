@@ -147,6 +147,7 @@ std::vector<MoverSolid> leaf_solids(const SwingDoor& door) {
     const float side = door.hinge_left ? -1.0f : 1.0f, half = 0.5f * door.thick;
     constexpr int k_planks = 6;
     const float wide = door.width / k_planks;
+    all.reserve(2 * k_planks);
     for (int n = 0; n < k_planks; ++n)
         all.push_back(solid({side * wide * (static_cast<float>(n) + 0.5f), 0.5f * door.height + 0.005f, 0},
                             {0.5f * wide - 0.003f, 0.5f * door.height - 0.005f, half - 0.01f}, Matter::wood,

@@ -244,12 +244,13 @@ Vec2 slope_at(const Surroundings& around, Vec3 place, float reach) {
         at[i] = place + at_height(heading_direction(2 * k_pi * static_cast<float>(i) / k_places) * reach, 0);
     ground_at(around, at, k_up, k_down, hits.data());
     Vec2 slope{};
-    for (size_t i = 0; i < k_places / 2; ++i) {  // opposite ones together
-        const size_t other = i + k_places / 2;
+    constexpr size_t k_pairs = k_places / 2;  // opposite ones together
+    for (size_t i = 0; i < k_pairs; ++i) {
+        const size_t other = i + k_pairs;
         if (!hits[i] || !hits[other]) continue;
         slope += on_ground(at[i] - place) * ((hits[i]->height - hits[other]->height) / (2 * reach * reach));
     }
-    return slope * (2.0f / (k_places / 2));
+    return slope * (2.0f / static_cast<float>(k_pairs));
 }
 
 }  // namespace flaneur

@@ -52,11 +52,11 @@ SetDown make_bipeds(std::vector<BipedWay> ways, const std::vector<float>& likes,
         b.likes = likes[i];
         const Own o = own_of(bipeds, i, gait, on);
         const float whole = bipeds.ways[b.way].along.back();
-        const auto on_this = static_cast<float>((likes.size() - b.way + n_ways - 1) / n_ways);
+        const size_t on_this = (likes.size() - b.way + n_ways - 1) / n_ways, before = i / n_ways;
         // In turns, and those of other ways elsewhere on theirs.
-        const float share = static_cast<float>(i / n_ways) + 0.4f * random_unit({seed, 0, 0, Purpose::spawn}),
+        const float share = static_cast<float>(before) + 0.4f * random_unit({seed, 0, 0, Purpose::spawn}),
                     apart = static_cast<float>(b.way) / static_cast<float>(n_ways);
-        const float even = whole * (share / on_this + 0.9f * apart);
+        const float even = whole * (share / static_cast<float>(on_this) + 0.9f * apart);
         constexpr float k_step = 0.2f;
         const float least = last[b.way] < 0 ? even : std::max(even, last[b.way] + k_set_apart);
         const float most = last[b.way] < 0 ? even + whole : first[b.way] + whole - k_set_apart;
