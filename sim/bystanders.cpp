@@ -45,6 +45,12 @@ bool can_help(const World& w, uint32_t i) {
            person_of(w, i).free_hands[i % k_block] != 0;
 }
 
+// Canes are in right hands.
+bool is_hand_free(const World& w, uint32_t i, Side side) {
+    if (side == k_right && own_of(w.gait.canes, i)) return false;
+    return (person_of(w, i).free_hands[i % k_block] & 1 << side) != 0;
+}
+
 // 1 of a middle one.
 float helpfulness(const Personality& p) {
     return clamp(1 + 0.35f * p.agreeableness + 0.15f * p.extraversion - 0.15f * p.neuroticism, 0.2f, 1.9f);
@@ -171,7 +177,7 @@ void notice(World& w, const Fall& f) {
     if (f.phase == FallPhase::lies) {
         int sent = 0;
         for (const Side side : {k_right, k_left})
-            if (sent < k_most_helpers && (sent == 0 || f.walker % 3 == 0))
+            if (is_hand_free(w, f.walker, side) && sent < k_most_helpers && (sent == 0 || f.walker % 3 == 0))
                 sent += send_helper(w, f, side, those);
         return;
     }

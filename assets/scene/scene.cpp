@@ -60,7 +60,7 @@ Result<Scene> load_scene(const std::string& name_or_path) {
         if (!people.character.empty()) beside(people.character);
     }
     for (std::string& idle : scene->idles)
-        if (std::ranges::find(k_idle_names, idle) == std::end(k_idle_names)) beside(idle);
+        if (!is_built_in_idle(idle)) beside(idle);
     return scene;
 }
 

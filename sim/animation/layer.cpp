@@ -125,12 +125,14 @@ void forget_plays(ClipLayer& layer, uint32_t walker) {
     std::erase_if(layer.plays, [&](const ClipPlay& play) { return play.walker == walker; });
 }
 
+constexpr int32_t k_both_free = 1 << k_left | 1 << k_right;
+
 void want_idles(ClipLayer& layer, const Gait& gait) {
     if (layer.clips.empty()) return;
     for (size_t i = 0; i < layer.wanted.size(); ++i) {
         const GaitBlock& g = gait.blocks[i / k_block];
         size_t lane = i % k_block;
-        bool free = g.standing[lane] != 0;
+        bool free = g.standing[lane] != 0 && gait.people[i / k_block].free_hands[lane] == k_both_free;
         for (Side side : {k_left, k_right})
             free = free && g.hands[side].reach[lane] <= 0 && g.holds[side].share[lane] <= 0;
         layer.stood[i] = free ? std::min<uint16_t>(uint16_t(layer.stood[i] + 1), k_patience) : uint16_t{0};

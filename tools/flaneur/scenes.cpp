@@ -11,7 +11,8 @@ namespace flaneur {
 // Whether its people can be set down: on a stage that is made within a moment, as any other command does it.
 static Result<void> try_stage(const Options& options, const Scene& scene) {
     const bool is_made_at_once = is_of(scene, BuiltIn::platform) || is_of(scene, BuiltIn::field) ||
-                                 is_of(scene, BuiltIn::course) || is_small_world(scene);
+                                 is_of(scene, BuiltIn::course) || is_of(scene, BuiltIn::quayside) ||
+                                 is_small_world(scene);
     if (!is_made_at_once) return {};
     Options of_scene = options;
     of_scene.scene = scene;

@@ -262,8 +262,7 @@ std::vector<std::string> files_of(const Scene& scene) {
     if (scene.rock != k_torus) paths.push_back(scene.rock);
     for (const PeopleShare& some : scene.people) paths.push_back(some.character);
     for (const std::string& idle : scene.idles)
-        if (std::ranges::find(k_idle_names, idle) == std::end(k_idle_names))
-            paths.push_back(split_clip(idle).file);
+        if (!is_built_in_idle(idle)) paths.push_back(split_clip(idle).file);
     return paths;
 }
 

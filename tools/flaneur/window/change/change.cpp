@@ -168,7 +168,7 @@ void start_changes(const Options& options, const Show& show, Viewer& v) {
     c.carried = {.added = scene.added,
                  .hour = scene.hour,
                  .is_overcast = scene.is_overcast,
-                 .people = static_cast<uint32_t>(walkers(*show.loaded.world).size()),
+                 .people = people_count(*show.loaded.world),
                  .who = scene.people,
                  .mix = scene.mix,
                  .held = show.loaded.world->linkages.held,
@@ -199,7 +199,7 @@ Result<void> carry_on(Show& show, Viewer& v) {
     carry_shares(show, v);
     carry_people(show, v);
     carry_exhibits(show, v);
-    v.walkers = static_cast<uint32_t>(walkers(*show.loaded.world).size());
+    v.walkers = people_count(*show.loaded.world);
     return carry_additions(show, v);
 }
 

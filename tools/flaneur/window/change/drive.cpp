@@ -138,8 +138,10 @@ void push_asked(Show& show, Viewer& v, float impulse) {
     const Vec3 at = world.crowd.motion.position[*who];
     const Vec2 way = normalize_or(Vec2{at.x - v.camera.eye.x, at.z - v.camera.eye.z}, {0, 1});
     if (!push(world, {*who, world.crowd.slots.generation[*who]}, way * impulse))
-        return tell(
-            v, "Whoever pushes a pram, comes in or leaves just now, or walks on an asteroid, is not pushed.");
+        return tell(v,
+                    "Whoever pushes a pram, comes in or leaves just now, has six legs, or walks on an "
+                    "asteroid or a course, "
+                    "is not pushed.");
     v.change.late = std::max(v.change.late, std::max(world.tick, 1u));
 }
 

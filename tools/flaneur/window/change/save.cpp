@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "assets/files/file.h"
+#include "assets/idles.h"
 #include "tools/flaneur/output/output.h"
 #include "tools/flaneur/view/show.h"
 #include "tools/flaneur/window/panels.h"
@@ -36,7 +37,8 @@ void move_paths(Scene& s, const std::string& folder) {
     s.demand = from_folder(s.demand, folder);
     if (s.rock != k_torus) s.rock = from_folder(s.rock, folder);
     for (PeopleShare& people : s.people) people.character = from_folder(people.character, folder);
-    for (std::string& idle : s.idles) idle = from_folder(idle, folder);
+    for (std::string& idle : s.idles)
+        if (!is_built_in_idle(idle)) idle = from_folder(idle, folder);
 }
 
 CameraChoice camera_of(const Viewer& v) {
@@ -52,6 +54,9 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = scene_with(v.change.scene, d);
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
+    std::erase_if(s.pushes, [&](const PlannedPush& push) {
+        return push.walker != k_everybody && push.walker >= static_cast<uint32_t>(s.walkers);
+    });
     s.views = show.work_views;
     s.quality = v.quality;
     const bool marches = is_on(show.loaded.world->crowd.march);
