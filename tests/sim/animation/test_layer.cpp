@@ -160,6 +160,9 @@ TEST(Layer, IdlesComeAfterASecondOfStanding) {
     gait.count = 2;
     gait.blocks.resize(1);
     std::memset(gait.blocks.data(), 0, sizeof(GaitBlock));
+    gait.people.resize(1);
+    std::memset(gait.people.data(), 0, sizeof(PersonBlock));
+    gait.people[0].free_hands[1] = 3;
     ClipLayer layer = make_layer({gesture(3, true)}, 2);
     gait.blocks[0].standing[1] = 1;
     for (int t = 0; t < 59; ++t) want_idles(layer, gait);
@@ -169,6 +172,10 @@ TEST(Layer, IdlesComeAfterASecondOfStanding) {
     EXPECT_EQ(layer.wanted[0], k_no_clip);
     gait.blocks[0].hands[k_left].reach[1] = 0.1f;
     want_idles(layer, gait);
+    EXPECT_EQ(layer.wanted[1], k_no_clip);
+    gait.blocks[0].hands[k_left].reach[1] = 0;
+    gait.people[0].free_hands[1] = 2;  // a bag hangs from the other
+    for (int t = 0; t < 120; ++t) want_idles(layer, gait);
     EXPECT_EQ(layer.wanted[1], k_no_clip);
 }
 

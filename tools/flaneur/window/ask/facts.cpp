@@ -33,7 +33,7 @@ void find_doing(const World& world, WalkerFacts& f) {
     const Crowd& crowd = world.crowd;
     const Journey& journey = crowd.journeys[f.number];
     const uint32_t tick = world.tick;
-    if (world.roam) {
+    if (world.roam || world.stepping) {
         f.doing = Doing::roams;
         return;
     }

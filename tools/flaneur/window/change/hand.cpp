@@ -265,7 +265,7 @@ bool take_mouse(const Show& show, const Mouse& before, const Mouse& now, Size si
                 Viewer& v) {
     Change& c = v.change;
     const World& world = *show.loaded.world;
-    if (v.room != Room::change || world.roam) {
+    if (v.room != Room::change || world.roam || world.stepping) {
         c.grip = {};
         c.ghost.reset();
         return false;

@@ -97,10 +97,10 @@ void lay_out_day(Show& show, Viewer& v, float scale) {
 
 void lay_out_people(const Show& show, Viewer& v, float scale) {
     Change& c = v.change;
-    const bool is_roam = show.loaded.world->roam != nullptr;
+    const bool is_closed = show.loaded.world->roam || show.loaded.world->stepping;
     auto people = static_cast<int>(current(c.designs).people);
     ImGui::TextUnformatted("People");
-    if (is_roam) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
+    if (is_closed) return ImGui::TextDisabled("as many as there are: nobody comes here from elsewhere");
     ImGui::SetNextItemWidth(170 * scale);
     constexpr int k_most_slid = 100'000;  // more are typed
     const bool is_slid = ImGui::SliderInt("##people", &people, 0, k_most_slid, "%d",
@@ -341,7 +341,7 @@ void lay_out_change(Show& show, Viewer& v, float scale) {
     lay_out_who(show, v, scale);
     lay_out_platform(show, v, scale);
     lay_out_drink(show, v, scale);
-    if (!show.loaded.world->roam) {
+    if (!show.loaded.world->roam && !show.loaded.world->stepping) {
         ImGui::Spacing();
         lay_out_tools(v, scale);
         lay_out_selected(v, scale);
