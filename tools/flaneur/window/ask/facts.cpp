@@ -87,6 +87,8 @@ WalkerFacts quick_facts_of(const Show& show, uint32_t walker) {
         f.name = character.name;
     }
     f.personality = personality_of(world, walker);
+    if (is_creature(world.herd, walker))
+        f.creature = world.herd.creatures[walker - world.herd.goes_as.front()].size;
     find_doing(world, f);
     return f;
 }
@@ -103,6 +105,7 @@ WalkerFacts facts_of(const Show& show, uint32_t walker) {
 }
 
 std::string told_who(const WalkerFacts& f) {
+    if (f.creature > 0) return "Creature of six legs";
     if (!f.is_built_in) return f.name;
     const bool is_child = f.age < k_grown_up;
     const char* sex = f.is_woman ? (is_child ? "Girl" : "Woman") : (is_child ? "Boy" : "Man");

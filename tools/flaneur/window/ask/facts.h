@@ -30,6 +30,7 @@ struct WalkerFacts {
     bool is_built_in = true;    // else nobody knows age, sex and what is carried
     std::string name;           // of the file, if it is not built in
     float age = 0, height = 0;  // years, metres
+    float creature = 0;         // metres from head to hind legs; 0: of a person
     bool is_woman = false;
     Personality personality;
     bool cane = false, pram = false, phone = false, glasses = false;

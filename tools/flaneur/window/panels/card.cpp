@@ -14,6 +14,7 @@ void lay_out_who(const WalkerFacts& f) {
     ImGui::TextUnformatted(told_who(f).c_str());
     ImGui::SameLine();
     ImGui::TextDisabled("no. %u", f.number);
+    if (f.creature > 0) return ImGui::Text("%.2f m long", wide(f.creature));
     ImGui::Text("%.2f m tall", wide(f.height));
     std::string has;
     auto add = [&](bool it_has, const char* what) {
