@@ -70,7 +70,8 @@ void fill_blocks(District& d, uint64_t seed) {
     }
 }
 
-// Props and places were put on the map; now there is ground for them to stand on, or not.
+}  // namespace
+
 void settle(City& city) {
     auto ground_under = [&](Vec3 p) { return ground_at(city.ground, at_height(on_ground(p), 0), 60, 60); };
     std::erase_if(city.props, [&](Prop& prop) {
@@ -86,8 +87,6 @@ void settle(City& city) {
         return !hit || hit->kind == Surface::road || hit->kind == Surface::water;
     });
 }
-
-}  // namespace
 
 City generate_district(const DistrictOptions& options) {
     District d;

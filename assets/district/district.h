@@ -96,6 +96,8 @@ void fill_square(District& d, Block& block);
 // Beyond the outermost street `way`, whose blocks lie to its right.
 void fill_belt(District& d, uint32_t way, uint64_t seed);
 
+// Props and places were put on the map; now there is ground for them to stand on, or not. After index_city().
+void settle(City& city);
 // The country around the map, as scenery.
 void add_horizon(District& d, uint64_t seed);
 

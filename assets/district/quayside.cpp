@@ -138,15 +138,6 @@ void furnish(District& d, Dice& dice) {
     }
 }
 
-// Props and places stand on the ground below them.
-void settle(City& city) {
-    auto height = [&](Vec3 p) { return ground_at(city.ground, at_height(on_ground(p), 0), 1, 5); };
-    for (Prop& prop : city.props)
-        if (const auto hit = height(prop.position)) prop.position.y = hit->height;
-    for (Destination& place : city.destinations)
-        if (const auto hit = height(place.position)) place.position.y = hit->height;
-}
-
 }  // namespace
 
 City build_quayside(uint64_t seed) {

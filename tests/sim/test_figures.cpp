@@ -8,6 +8,7 @@
 #include "sim/base/tick.h"
 #include "sim/figures/figures.h"
 #include "tests/sim/allocations.h"
+#include "tests/sim/small_grounds.h"
 
 namespace flaneur {
 namespace {
@@ -16,9 +17,7 @@ const Body k_body = standard_body(1.75f);
 
 std::shared_ptr<const Ground> plain() {
     auto ground = std::make_shared<Ground>();
-    ground->vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
-    ground->indices = {0, 1, 2, 0, 2, 3};
-    ground->kinds.assign(2, Surface::plaza);
+    add_floor(*ground, {-20, -20}, {20, 20}, 0, Surface::plaza);
     index_ground(*ground);
     return ground;
 }

@@ -13,14 +13,13 @@
 #include "sim/deeds/deeds.h"
 #include "sim/deeds/doorway.h"
 #include "sim/pose/joint_limits.h"
+#include "tests/sim/small_grounds.h"
 
 namespace flaneur {
 
 inline std::shared_ptr<const Ground> level_ground() {
     auto ground = std::make_shared<Ground>();
-    ground->vertices = {{-20, 0, -20}, {-20, 0, 20}, {20, 0, 20}, {20, 0, -20}};
-    ground->indices = {0, 1, 2, 0, 2, 3};
-    ground->kinds.assign(2, Surface::plaza);
+    add_floor(*ground, {-20, -20}, {20, 20}, 0, Surface::plaza);
     index_ground(*ground);
     return ground;
 }
