@@ -8,15 +8,8 @@ for program in renderdoccmd Xvfb xdotool; do
 done
 replay=$(dirname "$(realpath "$0")")/replay.py
 python=/usr/bin/python3  # which packages of modules are for
-folder=$(mktemp -d)
-export XDG_STATE_HOME=$folder/state XDG_CONFIG_HOME=$folder/config
-children=()
-finish() {
-    for child in "${children[@]}"; do kill "$child" 2> /dev/null || true; done
-    wait
-    rm -rf "$folder"
-}
-trap finish EXIT
+# shellcheck source-path=SCRIPTDIR source=../window/display.sh
+. "$(dirname "$replay")/../window/display.sh"
 cd "$folder"
 failed() { echo "FAILED: $*" && exit 1; }
 
@@ -43,13 +36,7 @@ done
 draw host --frames 0:4:2 --out film.mp4 --capture 2
 [[ -s film-2.rdc ]] || failed "there is $(ls) of a film"
 
-exec 3> display
-Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp -noreset 2> xvfb &
-children+=($!)
-for _ in {1..100}; do if [[ -s display ]]; then break; fi; sleep 0.1; done
-DISPLAY=:$(cat display)
-export DISPLAY
-unset WAYLAND_DISPLAY
+open_display 800x600
 # press OPTION...: Ctrl+F12 in a window; what is said goes into the file `told`.
 press() {
     "$flaneur" view --scene corner --walkers 40 --size 320x180 "$@" 2> told &

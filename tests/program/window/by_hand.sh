@@ -4,24 +4,12 @@
 # do is seen: pictures of the moment before and after differ.
 set -euo pipefail
 flaneur=$1 scene=$2
-folder=$(mktemp -d)
-export XDG_STATE_HOME=$folder/state XDG_CONFIG_HOME=$folder/config
-children=()
-finish() {
-    for child in "${children[@]}"; do kill "$child" 2> /dev/null || true; done
-    wait
-    rm -rf "$folder"
-}
-trap finish EXIT
+here=$(realpath "$(dirname "$0")")
+# shellcheck source-path=SCRIPTDIR source=display.sh
+. "$here/display.sh"
 failed() { echo "FAILED: $scene: $*" && exit 1; }
 
-exec 3> "$folder/display"
-Xvfb -displayfd 3 -screen 0 800x600x24 -nolisten tcp -noreset 2> "$folder/xvfb" &
-children+=($!)
-for _ in {1..100}; do if [[ -s $folder/display ]]; then break; fi; sleep 0.1; done
-DISPLAY=:$(cat "$folder/display")
-export DISPLAY
-unset WAYLAND_DISPLAY
+open_display 800x600
 cd "$folder"
 "$flaneur" view --validate --scene "$scene" --size 480x320 --quality low 2> >(tee said >&2) &
 viewer=$!

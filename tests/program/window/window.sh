@@ -3,23 +3,10 @@
 # has nothing to say about it. It obeys while it loads, loses no key and no picture, and draws nothing while minimised.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
-folder=$(mktemp -d)
-export XDG_STATE_HOME=$folder/state XDG_CONFIG_HOME=$folder/config
-children=()
-finish() {
-    for child in "${children[@]}"; do kill "$child" 2> /dev/null || true; done
-    wait
-    rm -rf "$folder"
-}
-trap finish EXIT
+# shellcheck source-path=SCRIPTDIR source=display.sh
+. "$here/display.sh"
 
-exec 3> "$folder/display"
-Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp -noreset 2> "$folder/xvfb" &
-children+=($!)
-for _ in {1..100}; do if [[ -s $folder/display ]]; then break; fi; sleep 0.1; done
-DISPLAY=:$(cat "$folder/display")
-export DISPLAY
-unset WAYLAND_DISPLAY
+open_display 1024x768
 for what in TitleFont MenuFont IconFont ResizeFont IconManagerFont; do echo "$what \"fixed\""; done > "$folder/twmrc"
 printf 'RandomPlacement\nNoTitle\n"F4" = : all : f.delete\n' >> "$folder/twmrc"
 LC_ALL=C twm -f "$folder/twmrc" &
