@@ -151,6 +151,8 @@ Result<PlannedPush> parse_push(const std::string& text);
 std::string told_push(const PlannedPush& push);
 // Who is to be pushed and is not among the scene's walkers, who are numbered from 0.
 std::optional<uint32_t> pushed_nobody(const Scene& scene);
+// Leaves those out.
+void leave_out_nobody(Scene& scene);
 
 // "-8,-5 8,-5 0,9": the corners of a platform, and back. Refuses what make_platform() does.
 inline constexpr float k_widest_platform = 400;  // metres from the origin

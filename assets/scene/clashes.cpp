@@ -197,12 +197,19 @@ constexpr SceneClash k_clashes[] = {
 
 std::span<const SceneClash> scene_clashes() { return k_clashes; }
 
+static bool is_of_nobody(const Scene& scene, const PlannedPush& push) {
+    if (!scene.demand.empty()) return false;  // more may come
+    return push.walker != k_everybody && push.walker >= static_cast<uint32_t>(scene.walkers);
+}
+
 std::optional<uint32_t> pushed_nobody(const Scene& scene) {
-    if (!scene.demand.empty()) return std::nullopt;  // more may come
     for (const PlannedPush& push : scene.pushes)
-        if (push.walker != k_everybody && push.walker >= static_cast<uint32_t>(scene.walkers))
-            return push.walker;
+        if (is_of_nobody(scene, push)) return push.walker;
     return std::nullopt;
+}
+
+void leave_out_nobody(Scene& scene) {
+    std::erase_if(scene.pushes, [&](const PlannedPush& push) { return is_of_nobody(scene, push); });
 }
 
 }  // namespace flaneur

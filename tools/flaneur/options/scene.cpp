@@ -221,13 +221,7 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (!words.people.empty()) options.scene.people = words.people;
     if (!words.idles.empty()) options.scene.idles = words.idles;
     options.inputs = {words.scene, options.file, options.camera_path};
-    if (words.walkers) {
-        options.scene.walkers = *words.walkers;
-        // Of fewer people than the scene has, those are pushed who are there.
-        std::erase_if(options.scene.pushes, [&](const PlannedPush& push) {
-            return push.walker != k_everybody && push.walker >= static_cast<uint32_t>(*words.walkers);
-        });
-    }
+    if (words.walkers) options.scene.walkers = *words.walkers;
     if (words.seed) options.scene.seed = *words.seed;
     if (words.hour) {
         options.scene.hour = *words.hour;
@@ -237,6 +231,8 @@ Result<void> settle_scene(const SceneWords& words, Options& options) {
     if (words.side) options.scene.side = *words.side;
     if (words.stays) options.scene.stays = true;
     if (words.demand) options.scene.demand = *words.demand;
+    // Of fewer people than the scene has, those are pushed who are there.
+    if (words.walkers) leave_out_nobody(options.scene);
     if (is_small_world(options.scene) && words.stays)
         return Error{"--stay is for cities: nobody leaves the " + told_place(options.scene) + " anyway."};
     if (is_small_world(options.scene) && words.side)

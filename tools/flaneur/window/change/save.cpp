@@ -54,9 +54,7 @@ Scene changed_scene(const Show& show, const Viewer& v, const std::string& folder
     Scene s = scene_with(v.change.scene, d);
     if (!is_as_opened(v.change)) s.about.clear();  // which tells of the one that was opened
     s.drunk = show.loaded.world->drunk;
-    std::erase_if(s.pushes, [&](const PlannedPush& push) {
-        return push.walker != k_everybody && push.walker >= static_cast<uint32_t>(s.walkers);
-    });
+    leave_out_nobody(s);
     s.views = show.work_views;
     s.quality = v.quality;
     const bool marches = is_on(show.loaded.world->crowd.march);
